@@ -25,7 +25,7 @@ from rich.table import Table
 
 from contourlab.components.registry import component
 from contourlab.engine.runner import make_group
-from contourlab.features.run.compare import run_case
+from contourlab.features.run.outcome import run_case
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine

@@ -27,6 +27,7 @@ from schemes import TRIALS, compared
 
 from contourlab.components.registry import component
 from contourlab.features.learn import LearningRun, Stopping, learn
+from contourlab.features.run.command import RunOptions
 from contourlab.features.run.schemes import learn_schemes
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
@@ -139,8 +140,10 @@ def part_table(out: Path, quick: bool) -> list[dict[str, Any]]:
             file = Path(folder) / "part.toml"
             text = SCENARIO.format(name=PROGRAM, machine=machine, file=json.dumps(str(PROGRAMS / PROGRAM)), trials=10)
             file.write_text(text, encoding="utf-8")
+            plots = () if quick else ("png",)
+            options = RunOptions(out / machine, plots=plots, signals=("reference", "position", "part_error"))
             begun = time.perf_counter()
-            done = learn_schemes(file, out / machine, plots=() if quick else ("png",), signals=("reference", "position", "part_error"))
+            done = learn_schemes(file, options)
             seconds = time.perf_counter() - begun
         before, after = (done.summary["schemes"][name] for name in ("before learning", "after learning"))
         row: dict[str, Any] = {"machine": machine, "seconds": seconds, "duration": before["metrics"]["cycle_time"]}

@@ -17,7 +17,7 @@ from contourlab.components.controller.state_feedback import StateFeedback
 from contourlab.components.plant.lagged_mass import LinearMotor
 from contourlab.components.registry import component
 from contourlab.features.learn import Stopping, learn
-from contourlab.features.run.cost import tick_cost
+from contourlab.features.run.outcome import tick_cost
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine, simulate
@@ -106,7 +106,7 @@ def schemes() -> Iterator[Scheme]:
     rubbing = component("feedforward", "friction")(
         coulomb=FRICTION, breakaway=1.2 * FRICTION, smoothing_velocity=1e-3, force_constant=force
     )
-    zero_phase = zpetc_design(sampled_loop(machine().axes[0], pid.axes["x"], PERIOD, 0.0)).component()
+    zero_phase = zpetc_design(sampled_loop(machine().axes[0], pid.axes["x"], PERIOD, 0.0))
     for name, part in (("inverse-dynamics", inverse), ("friction", rubbing), ("zpetc", zero_phase)):
         yield Scheme("feedforward", f"pid, {name}", loops(controller=made["pid"], feedforward=part))
     k = 1.0 / (gain * LAG)

@@ -63,7 +63,7 @@ _HOMES = {
     "contourlab.program": ("Program", "parse_program", "read_program"),
     "contourlab.result": ("Result", "Signal", "Status"),
     "contourlab.scenario": ("load_scenario",),
-    "contourlab.features.link.division": ("message_rate",),
+    "contourlab.features.link.cost": ("message_rate",),
     "contourlab.features.learn": ("LearnedTable", "learn"),
     "contourlab.features.run.record": ("simulate_to_file",),
     "contourlab.features.run.verdict": ("verdict",),

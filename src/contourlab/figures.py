@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import math
 
+NONE = "-"
+"""Stands for a value that is not known."""
+
 # display unit -> factor from SI
 _FACTORS = {
     "um": 1e6, "mm": 1e3, "m": 1.0, "um s": 1e6, "mm/s": 1e3, "mm/min": 6e4, "m/s": 1.0, "mm/s^2": 1e3, "m/s^2": 1.0, "m/s^3": 1.0,
-    "us": 1e6, "ms": 1e3, "s": 1.0, "min": 1 / 60, "Hz": 1.0, "kHz": 1e-3, "1/s": 1.0, "rad/s": 1.0,
+    "ns": 1e9, "us": 1e6, "ms": 1e3, "s": 1.0, "min": 1 / 60, "Hz": 1.0, "kHz": 1e-3, "1/s": 1.0, "rad/s": 1.0,
     "deg": 180 / math.pi, "mrad": 1e3, "um/m": 1e6, "%": 100.0, "kg": 1.0, "N": 1.0, "V": 1.0, "": 1.0,
-}
+}  # fmt: skip
+_SHOWN = {"m": "mm", "m/s": "mm/min", "rad": "mrad"}
 
 
 def figure(value: float, unit: str = "", digits: int = 3) -> str:
@@ -26,15 +30,32 @@ def figure(value: float, unit: str = "", digits: int = 3) -> str:
     >>> figure(1.234e-5, "um"), figure(0.0301, "%"), figure(1500.0)
     ('12.3 um', '3.01 %', '1500')
     """
+    text = number(value * _FACTORS[unit], digits)
+    return text if text == NONE else f"{text} {unit}".strip()
+
+
+def number(value: float, digits: int = 3) -> str:
+    """Write a number as it is, with significant digits and no needless exponent.
+
+    >>> number(0.012345), number(1234.5, 6), number(-9.996)
+    ('0.0123', '1234.5', '-10')
+    """
     if math.isnan(value):
-        return "-"
-    shown = value * _FACTORS[unit]
-    if math.isinf(shown):
-        return "inf" if shown > 0 else "-inf"
-    text = f"{shown:.{digits}g}"
-    if "e" in text and 1.0 <= abs(shown) < 1e7:
-        text = f"{float(text):.0f}"
-    return f"{text} {unit}".strip()
+        return NONE
+    text = f"{value:.{digits}g}"
+    return f"{float(text):.0f}" if "e" in text and 1.0 <= abs(value) < 1e7 else text
+
+
+def shown_unit(unit: str) -> tuple[float, str]:
+    """Return the factor and the display unit for values of an SI unit; an unknown unit stays as it is.
+
+    >>> shown_unit("m/s")
+    (60000.0, 'mm/min')
+    """
+    if unit == "full_scale":
+        return 100.0, "% of full scale"
+    shown = _SHOWN.get(unit, unit)
+    return _FACTORS.get(shown, 1.0) if shown != unit else 1.0, shown
 
 
 def display_units() -> frozenset[str]:

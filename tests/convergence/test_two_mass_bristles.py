@@ -153,7 +153,7 @@ def test_behind_a_stiff_shaft_bristles_are_those_of_a_single_mass() -> None:
 
 @pytest.mark.parametrize(("load", "motor"), [(GUIDE, Coulomb(coulomb=5.0)), (Coulomb(coulomb=5.0), BEARING)])
 def test_bristles_on_one_side_and_sticking_on_the_other_are_refused_in_words(load: Any, motor: Any) -> None:
-    with pytest.raises(ComponentError, match=r"bristles on one side with one of law 'sticking' on the other.*give both bristles"):
+    with pytest.raises(ComponentError, match=r"bristles.*'sticking'"):
         link(TwoInertia(**DRIVE), load, motor)
 
 

@@ -163,7 +163,8 @@ def test_at_the_coarsest_step_allowed_a_ringing_shaft_loses_what_runge_kutta_tak
     ring = math.sqrt(950.0 * (1.0 / 5.2e-3 + 1.0 / 4.4e-3))
     period = COARSEST / ring
     assert plant.fewest_substeps(period)[0] == 1
-    assert plant.fewest_substeps(1.001 * period) == (2, "a shaft that oscillates at 100.5 Hz")
+    substeps, cause = plant.fewest_substeps(1.001 * period)
+    assert substeps == 2 and "100.5 Hz" in cause
     run = Drive(plant, period=period).run(np.zeros(500), motor_position=1e-5, side=1.0)
     left = 1.0 - COARSEST**6 / 72.0 + COARSEST**8 / 576.0
     assert energy(plant, run)[1:] / energy(plant, run)[:-1] == pytest.approx(np.full(499, left), rel=1e-9)

@@ -199,7 +199,7 @@ def test_with_the_delay_at_1_ms_learning_diverges_and_is_rolled_back() -> None:
     stable = rows["largest pole of feedback alone", "1 ms, delay 15 ms, T_a 20 ms"]
     assert rows["largest pole of feedback alone", "1 ms, delay 15 ms, T_a 10 ms"].here > 1.0 > stable.here
     rolled = rows["best trial before it diverges", "1 ms, delay 15 ms, T_a 20 ms"]
-    assert rolled.note.startswith(f"diverged, rolled back to trial {rolled.here:.0f}")
+    assert rolled.note.startswith("diverged") and f" {rolled.here:.0f}" in rolled.note
     forecast = rows["largest factor of a trial", "1 ms, delay 15 ms, T_a 20 ms"].here
     grown = rows["largest growth of contour rms in a trial", "1 ms, delay 15 ms, T_a 20 ms"].here
     # No trial may do worse than the forecast, and one of the last comes near it.
@@ -253,7 +253,7 @@ def test_the_command_gives_all_24_entries_and_explains_what_differs(capsys: pyte
     assert main(["reproduce", "gecer-ulu", "--json"]) == 0
     rows = json.loads(capsys.readouterr().out)
     found = {(row["name"], row["case"]): row for row in rows}
-    assert len(found) == len(rows), "two rows share name and case"
+    assert len(found) == len(rows)
     for line in PRINTED.split("\n")[1:-1]:
         case, scheme, *numbers = line.split()
         for column, paper in zip(("x", "y", "contour"), numbers, strict=True):

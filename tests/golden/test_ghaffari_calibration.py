@@ -39,11 +39,11 @@ def test_every_number_of_table_iii_stands_beside_ours_and_says_why_it_differs(ro
 
 
 def test_the_order_is_the_printed_one() -> None:
-    short = [step.number.short for step in calibrate(2).path.steps]
+    short = [step.variable.short for step in calibrate(2).path.steps]
     observer, loop = ("observer.model_damping", "observer.model_gain"), ("velocity_gain", "position_gain", "integral_gain")
     ahead = ("model_damping", "model_gain")
     assert short == [f"{axis}.{name}" for group in (observer, loop, ahead) for axis in ("3", "2") for name in group]
-    assert [step.number.short for step in calibrate(1).path.steps] == [f"1.{name}" for name in (*observer, *loop, *ahead)]
+    assert [step.variable.short for step in calibrate(1).path.steps] == [f"1.{name}" for name in (*observer, *loop, *ahead)]
     assert calibrate(1).gains[3] == calibrate(2).gains[3]
 
 

@@ -53,7 +53,7 @@ def test_initial_gains_observer_off_and_more_feedforward_come_out_the_same(rows:
     off = rows["contour error integral, observer off", f"A3-A{first}, Table III"]
     without = fig_9(first, reading=Open(observer=False)).integral
     assert off["here"] == pytest.approx(without, rel=APART)
-    assert off["note"].startswith(f"{without / fig_9(first).integral:.1f} times as large")
+    assert off["note"].startswith(f"{without / fig_9(first).integral:.1f} times ")
     raised = fig_9(first, {n: line._replace(a=960.0) for n, line in TABLE_3.items()}).integral
     assert rows["contour error integral with a' = 960", f"A3-A{first}"]["here"] == pytest.approx(raised, rel=APART)
 
@@ -114,15 +114,12 @@ def test_the_table_of_readings_holds_these_and_names_its_bounds(rows: Rows) -> N
     assert smallest["here"] == min(row["here"] for row in table.values()) == pytest.approx(11.788, rel=5e-3)
     assert largest["here"] == max(row["here"] for row in table.values()) == pytest.approx(27.413, rel=5e-3)
     assert rest["here"] == pytest.approx(20.051, rel=5e-3)
-    assert (smallest["note"], largest["note"], rest["note"]) == (
-        "A3-A1, low-passes by backward Euler",
-        "A3-A2, w_d 30 rad/s",
-        "A3-A2, w_d 100 rad/s",
-    )
+    for row, words in ((smallest, ("A3-A1", "backward Euler")), (largest, ("A3-A2", "w_d 30 rad/s")), (rest, ("A3-A2", "w_d 100 rad/s"))):
+        assert all(word in row["note"] for word in words)
     # One parameter alone leads far out of the rest, and its rows say so.
     beyond = {case for case, row in table.items() if row["here"] > 20.1}
     assert beyond == {"A3-A1, w_d 30 rad/s", "A3-A2, w_d 30 rad/s"}
-    assert all(table[case]["note"].startswith("the only one beyond 20.1 um s: w_d") for case in beyond)
+    assert all("20.1 um s" in table[case]["note"] and "w_d" in table[case]["note"] for case in beyond)
 
 
 def length(shape: Shape) -> float:

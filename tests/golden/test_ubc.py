@@ -82,7 +82,7 @@ def test_the_command_prints_json_and_draws(folder: Path, tmp_path: Path, capsys:
 
 
 def test_without_logs_it_says_what_is_wanted(tmp_path: Path) -> None:
-    with pytest.raises(LogError, match="no folder given"):
+    with pytest.raises(LogError, match="folder"):
         parts_of(None)
-    with pytest.raises(LogError, match=r"line_circle_lli\.mat and no line_circle_pp\.mat"):
+    with pytest.raises(LogError, match=r"line_circle_lli\.mat.*line_circle_pp\.mat"):
         parts_of(tmp_path)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -43,6 +44,11 @@ damping = "10.1 1/s"
 kind = "saturation"
 limit = "1 full_scale"
 """
+
+
+def codes(found: dict[str, Any]) -> set[str]:
+    """Return the codes of the findings in a JSON document."""
+    return {one["code"] for one in found["findings"]}
 
 
 def written(file: Path, heads: str, *columns: np.ndarray) -> str:

@@ -2,53 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from contourlab.feed import Reference, uniform
+from contourlab.findings import finding
 from contourlab.geometry import Path, contour
 from contourlab.metrics import circles_of, judge, reversal_spikes, summarise
 from contourlab.report.data import Provenance, ReportData, SchemeReport
+from contourlab.report.judgement import Cause, Verdict, Worst
 from contourlab.report.run_data import AxisBounds, FrequencyResponse
 from contourlab.result import Result, Signal
 
 RADIUS, LAG, FREQUENCY = 0.02, 50e-6, 0.5
 BOTH = ("sample", "axis")
-
-
-@dataclass(frozen=True)
-class Place:
-    """A worst place, as the verdict tells it."""
-
-    value: float
-    line: int
-    text: str
-    position: tuple[float, ...]
-    time: float
-    sample: int
-
-
-@dataclass(frozen=True)
-class Reason:
-    """A cause, as the verdict tells it."""
-
-    name: str
-    contribution: float
-    share: float
-
-
-@dataclass(frozen=True)
-class Judgement:
-    """A verdict."""
-
-    passed: bool
-    tolerance: float
-    worst: Place
-    causes: tuple[Reason, ...]
-    advice: str
-    untold: tuple[str, ...] = ()
-    left_out: float = 0.0
 
 
 def deviation(angle: np.ndarray, amplitude: float) -> np.ndarray:
@@ -82,14 +50,14 @@ def run(name: str, reference: Reference, amplitude: float) -> Result:
     return judge(Result(name, ("x", "y", "z")[:n_axis], reference.servo_period, signals), reference)
 
 
-def judgement(result: Result, tolerance: float, text: str = "G3 X20 Y0 I-20 J0") -> Judgement:
+def judgement(result: Result, tolerance: float, text: str = "G3 X20 Y0 I-20 J0") -> Verdict:
     """Return a verdict on the largest part error."""
     sample = int(np.argmax(np.abs(result["part_error"])))
     value = float(abs(result["part_error"][sample]))
-    place = Place(value, 4, text, tuple(result["tool_position"][sample]), sample * result.servo_period, sample)
-    causes = (Reason("reversal", 0.8 * value, 0.7), Reason("servo mismatch", 0.3 * value, 0.2), Reason("lag", -0.1 * value, 0.1))
-    advice = "With a disturbance observer on x and y the worst error is 2.1 µm."
-    return Judgement(value <= tolerance, tolerance, place, causes, advice)
+    position, along = tuple(result["tool_position"][sample]), float(result["arc_length"][sample])
+    worst = Worst(value, sample, sample * result.servo_period, position, along, 4, text)
+    causes = (Cause("reversal", 0.8 * value, 0.7), Cause("servo mismatch", 0.3 * value, 0.2), Cause("lag", -0.1 * value, 0.1))
+    return Verdict(value <= tolerance, tolerance, worst, causes)
 
 
 def response(bandwidth: float) -> FrequencyResponse:
@@ -108,7 +76,9 @@ def scheme(name: str, reference: Reference, amplitude: float, tolerance: float =
     circles = circles_of(result, reference) if reference.n_sample < 20_000 else ()
     spikes = reversal_spikes(result, summarise(result, reference).window)
     metrics = summarise(result, reference)
-    return SchemeReport(name, result, metrics, bounds, judgement(result, tolerance), bode, circles, {}, spikes)
+    advice = finding("CL203", change="adding a disturbance observer", before=8e-6, after=2.1e-6, time_before=4.0, time_after=4.0)
+    verdict = judgement(result, tolerance)
+    return SchemeReport(name, result, metrics, bounds, verdict, bode, circles, {}, spikes, findings=(advice,))
 
 
 def report(

@@ -34,8 +34,8 @@ def save(file: Path, held: dict[str, object]) -> Path:
 def test_without_a_log_it_says_which_and_from_where(contourlab: Run) -> None:
     said = contourlab("reproduce", "emps")
     assert (said.code, said.out) == (2, "")
-    assert said.err.startswith("contourlab: --log: no log given: give DATA_EMPS.mat")
-    assert "Traceback" not in said.err
+    assert said.err.startswith("contourlab: --log: ") and said.err.count("\n") == 1
+    assert "DATA_EMPS.mat" in said.err
 
 
 def test_bad_input_is_refused_in_words_before_anything_is_written(contourlab: Run, tmp_path: Path, held: dict[str, object]) -> None:
@@ -57,7 +57,7 @@ def test_bad_input_is_refused_in_words_before_anything_is_written(contourlab: Ru
 def test_the_papers_without_a_log_take_none(contourlab: Run, paper: str, option: str) -> None:
     said = contourlab("reproduce", paper, option, "log.mat")
     assert (said.code, said.out) == (2, "")
-    assert f"No such option: {option}" in said.err
+    assert option in said.err
 
 
 def test_another_axis_is_identified_and_told_not_to_be_the_papers(contourlab: Run, tmp_path: Path, held: dict[str, object]) -> None:

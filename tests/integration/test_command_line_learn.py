@@ -71,34 +71,34 @@ def test_learning_goes_on_where_it_ended(contourlab: Run, tmp_path: Path) -> Non
     assert len(more) == 3
     table = (tmp_path / "results" / "learned" / "ilc.nc").read_bytes()
     own = contourlab("learn", file, "--schemes", "ilc", "--table", "results/learned/ilc.nc")
-    assert own.code == 2 and "results/learned/ilc.nc is read, and would be replaced" in own.err
+    assert own.code == 2 and "results/learned/ilc.nc" in own.err and own.err.count("\n") == 1
     assert (tmp_path / "results" / "learned" / "ilc.nc").read_bytes() == table
     # Another feed is another motion.
     write(tmp_path, frequency="0.625 Hz")
     refused = contourlab("learn", file, "--schemes", "ilc", "--table", "results/learned/ilc.nc", "--out", "no")
     assert refused.code == 2
-    assert "results/learned/ilc.nc: the learned table belongs to" in refused.err
+    assert "results/learned/ilc.nc: " in refused.err and refused.err.count("\n") == 1
     assert not (tmp_path / "no").exists()
 
 
 def test_the_text_tells_trials_and_what_is_to_be_expected(contourlab: Run, tmp_path: Path) -> None:
     said = contourlab("learn", write(tmp_path, gain=0.9, half_width=0), "--schemes", "ilc", "--trials", "60")
     assert said.code == 0
-    assert "before learning" in said.out and "trial   contour rms [um]" in said.out
-    assert "ilc: note: M = 0 at 1 ms diverges" in said.out
-    assert "ilc: diverged, rolled back to trial" in said.out
+    assert "before learning" in said.out
+    assert "contour rms" in said.out
+    assert "ilc: CL310" in said.out
 
 
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["compare", "s.toml", "--schemes", "fb,fb"], "scheme 'fb' is asked for twice"),
+        (["compare", "s.toml", "--schemes", "fb,fb"], "scheme 'fb' is given twice"),
         (["compare", "s.toml", "--schemes", "fb,warp"], "no scheme 'warp': there are 'coupled', fb, ccc, mr, me, ilc, and these"),
-        (["compare", "s.toml", "--schemes", "ccc+mr"], "one coupling at most"),
-        (["learn", "s.toml", "--schemes", "coupled"], "no scheme learns; say how, for example:"),
+        (["compare", "s.toml", "--schemes", "ccc+mr"], "at most one coupling"),
+        (["learn", "s.toml", "--schemes", "coupled"], "no scheme learns"),
         (["learn", "s.toml", "--schemes", "ilc", "--trials", "0"], "--trials = 0: must be 1 or more"),
         (["learn", "s.toml", "--schemes", "ilc", "--table", "nowhere.nc"], "nowhere.nc: cannot be read as a learned table"),
-        (["learn", "part.ngc"], "a scenario is wanted, which ends in .toml"),
+        (["learn", "part.ngc"], "not a scenario"),
         (["learn", "nowhere.toml"], "nowhere.toml: cannot be read"),
     ],
 )  # fmt: skip
@@ -138,10 +138,13 @@ def test_an_interrupt_keeps_what_was_learned(tmp_path: Path) -> None:
     # Without an end of its own: two passes, and no trial too few.
     (tmp_path / "s.toml").write_text(text.replace("274}", "274, passes = 2}").replace("trials = 4", "improvement = 0"))
     words = [COMMAND, "learn", "s.toml", "--schemes", "ilc", "--trials", "100000"]
-    process = subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    time.sleep(12.0)
-    process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=60.0)
-    assert process.returncode == 130, out
-    assert "What was learned until then is kept" in err
+    for patience in (6.0, 12.0, 24.0, 48.0):  # a busy machine may not have learned anything yet
+        process = subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(patience)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=60.0)
+        assert process.returncode == 130, out
+        assert "Traceback" not in err
+        if "results/learned" in err:
+            break
     assert (tmp_path / "results" / "learned" / "ilc.nc").exists()

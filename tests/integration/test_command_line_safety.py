@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from typed_commands import CIRCLE, COMMAND, ON_XYZ, PART, Finished, Run, contents, environment
 
-from contourlab.app.written_files import LIST
+from contourlab.app.results import LIST
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, pipes and limits of a POSIX system")
 
@@ -51,7 +51,7 @@ def test_a_disk_that_fills_up_late_keeps_the_old_results(contourlab: Run, used: 
     before = contents(used)
     said = contourlab("run", "other.toml", "--out", "results", before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (full, full)))
     assert said.code == 2
-    assert "report.html: cannot be written: File too large" in said.err
+    assert "report.html: " in said.err and said.err.count("\n") == 1
     assert contents(used) == before
 
 
@@ -100,7 +100,7 @@ def test_a_failed_run_leaves_no_empty_folder(contourlab: Run, tmp_path: Path) ->
     (tmp_path / "wild.toml").write_text(CIRCLE + wild, encoding="utf-8")
     said = contourlab("run", "wild.toml", "--out", "results/below")
     assert said.code == 3
-    assert said.err.startswith("contourlab: wild: following error ")  # which scheme it was
+    assert said.err.startswith("contourlab: wild: ")  # which scheme it was
     assert not (tmp_path / "results").exists()
 
 
@@ -186,7 +186,7 @@ def test_a_plugin_that_exits_is_a_fault_of_the_plugin(contourlab: Run, tmp_path:
     (tmp_path / "leaves.py").write_text("raise SystemExit(0)\n", encoding="utf-8")
     said = contourlab("components", "--plugin", "leaves.py")
     assert said.code == 2
-    assert said.err.startswith("contourlab: leaves.py: cannot be imported: SystemExit")
+    assert said.err.startswith("contourlab: leaves.py: ") and "SystemExit" in said.err and said.err.count("\n") == 1
 
 
 def test_what_was_typed_can_be_typed_again(contourlab: Run, tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ from shutil import copytree
 
 import numpy as np
 import pytest
+from identified_logs import codes
 
 from contourlab.cli.main import main
 from contourlab.scenario.load import load_axis
@@ -49,7 +50,7 @@ def test_known_figures_are_found_and_make_an_axis(tmp_path: Path, capsys: pytest
         origin, told = part.origins[name], found["parameters"][figure]
         assert (origin.source, origin.reference) == ("fitted", "log-0.csv")
         assert origin.deviation == pytest.approx(max(told["deviation"], told["robust_deviation"]), rel=5e-3)
-    assert axis.limits.origins["velocity"].note == "20 % above the largest in the log: give the axis' own"
+    assert axis.limits.origins["velocity"].note.startswith("20 %")
     assert {frozenset(pair[:2]) for pair in axis.correlations} >= {frozenset(("plant.damping", "friction.coulomb"))}
 
 
@@ -75,11 +76,14 @@ def test_a_torque_is_a_force_by_the_lead_for_every_model(
     assert main([*words, "--gain", f"{1.0 / arm:.12g} N/(N*m)", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["parameters"]["M"]["value"] == pytest.approx(found["M"]["value"], rel=1e-8)
     assert main([*words, "--lead", "10 mm", "--gain", "628 N/(N*m)"]) == 2
-    assert "of which --lead makes a force: leave --gain out" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "--lead" in said and "--gain" in said and said.count("\n") == 1
     assert main([*words, "--model", "friction", "--lead", "10 mm", "--full-scale", "3 N*m"]) == 2
-    assert "must be one of the two: newtons, or parts of full scale" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "--full-scale" in said and said.count("\n") == 1
     assert main(words) == 2
-    assert 'Give --lead, the travel per turn, as "10 mm"' in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "--lead" in said and said.count("\n") == 1
 
 
 def test_a_command_in_millivolts_is_in_volts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -87,7 +91,8 @@ def test_a_command_in_millivolts_is_in_volts(tmp_path: Path, capsys: pytest.Capt
     assert main(words) == 0
     assert json.loads(capsys.readouterr().out)["parameters"]["M"]["value"] == pytest.approx(2.0 * MASS, rel=0.01)
     assert main([*words[:4], "--gain", "2 N/A"]) == 2
-    assert 'must be per V, as "35 N/V"' in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "--gain" in said and "N/V" in said and said.count("\n") == 1
 
 
 def test_the_measured_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -126,8 +131,8 @@ def test_the_measured_axis_can_be_asked_for_its_motion_again(
     axis = scenario.machine.axes[0]
     # The reference of the log has 0.842 m/s^2, its motion 0.1278 m/s.
     assert 1.15 * 0.842 < axis.limits.acceleration < 1.3 * 0.842 and axis.limits.velocity == pytest.approx(1.2 * 0.1278, rel=1e-3)
-    said = " of the reference" if asked else " over 50 ms"
-    assert axis.limits.origins["acceleration"].note == f"20 % above the largest{said} in the log: give the axis' own"
+    note = axis.limits.origins["acceleration"].note
+    assert note.startswith("20 %") and ("reference" in note) == bool(asked) and ("50 ms" in note) != bool(asked)
     result = simulate(scenario.machine, scenario.controller, scenario.base.reference())
     assert float(np.abs(result["command"]).max()) < axis.drive.values()["limit"]
     assert float(np.abs(np.diff(result["reference"], 2, axis=0)).max()) / 1e-6 > 0.842
@@ -159,7 +164,8 @@ def test_what_is_wrong_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str
 def test_a_force_counted_the_other_way_round_is_no_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = written(tmp_path, sign=-1.0)
     assert main(["identify", str(log), "--column", "force.x=push", "--out", str(tmp_path / "axis.toml")]) == 2
-    assert "counted the other way round" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "log-0.csv: M = -" in said and said.count("\n") == 1
     assert main(["identify", str(log), "--column", "force.x=-push", "--out", str(tmp_path / "axis.toml")]) == 0
 
 
@@ -176,8 +182,8 @@ def test_samples_at_rest_are_left_out(tmp_path: Path, capsys: pytest.CaptureFixt
     file.write_text("time [s],x pos [mm],push [N]\n" + "\n".join(f"{t:.3f},{p:.7f},{f:.6f}" for t, p, f in rows))
     words = ["identify", str(file), "--column", "force.x=push", "--json"]
     found = [(main([*words, *more]), json.loads(capsys.readouterr().out))[1] for more in ([], ["--slowest", "5 mm/s"])]
-    assert any("leave them out with --slowest" in remark for remark in found[0]["remarks"])
-    assert not any("--slowest" in remark for remark in found[1]["remarks"])
+    assert "CL536" in codes(found[0])
+    assert "CL536" not in codes(found[1])
     off = [abs(one["parameters"]["Fc"]["value"] - COULOMB) for one in found]
     assert off[1] < off[0] and off[1] < 0.02 * COULOMB
     assert found[1]["fit_percent"] > found[0]["fit_percent"]
@@ -190,8 +196,8 @@ def test_the_same_samples_again_validate_nothing(tmp_path: Path, capsys: pytest.
     again = tmp_path / "again.csv"
     again.write_bytes(log.read_bytes())
     for second, told in ((log, True), (again, True), (written(tmp_path, 1), False)):
-        assert main(["identify", str(log), "--column", "force.x=push", "--validation", str(second)]) == 0
-        assert ("has the samples that were fitted: it validates nothing" in capsys.readouterr().out) == told
+        assert main(["identify", str(log), "--column", "force.x=push", "--validation", str(second), "--json"]) == 0
+        assert ("CL516" in codes(json.loads(capsys.readouterr().out))) == told
 
 
 def test_the_reference_in_place_of_the_position_makes_no_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -200,9 +206,9 @@ def test_the_reference_in_place_of_the_position_makes_no_axis(shared: Path, tmp_
     assert main([*words, "--out", str(out)]) == 1 and not out.exists()
     found = json.loads(capsys.readouterr().out)
     assert 60.0 < found["fit_percent"] < 75.0
-    assert any("is the position the measured one" in remark for remark in found["remarks"])
+    assert "CL533" in codes(found)
     assert main([*words, "--column", "reference.x=qg [m]"]) == 1
-    assert any("are they the same column?" in remark for remark in json.loads(capsys.readouterr().out)["remarks"])
+    assert "CL404" in codes(json.loads(capsys.readouterr().out))
 
 
 def test_a_model_that_leaves_more_than_a_tenth_is_remarked_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -215,7 +221,7 @@ def test_a_model_that_leaves_more_than_a_tenth_is_remarked_on(tmp_path: Path, ca
     np.savetxt(log, rows, delimiter=",", header=lines[0], comments="", fmt="%.6f")
     assert main(["identify", str(log), "--column", "force.x=push", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
-    assert 80.0 < found["fit_percent"] < 90.0 and any("% of the force" in remark for remark in found["remarks"])
+    assert 80.0 < found["fit_percent"] < 90.0 and "CL533" in codes(found)
 
 
 @pytest.mark.parametrize("option", ["--out", "--folder"])
@@ -246,7 +252,7 @@ def test_settings_are_called_as_the_options_are(tmp_path: Path, capsys: pytest.C
     assert main(["identify", log, "--column", "force.x=push", "--slowest", "10 m/s"]) == 2
     assert "--slowest = 10 m/s" in capsys.readouterr().err
     assert main(["identify", log, "--column", "force.x=push", "--cutoff", "9 kHz"]) == 2
-    assert "--cutoff = 9000 Hz: must be > 0 and below the Nyquist frequency" in capsys.readouterr().err
+    assert "--cutoff = 9000 Hz" in capsys.readouterr().err
     assert main(["identify", log, "--column", "force.x=push", "--decimation=0"]) == 2
     assert "--decimation = 0" in capsys.readouterr().err
     assert main(["identify", log, "--column", "command.x=push [V]", "--gain", "1e13 N/V"]) == 2

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from identified_logs import codes
 
 from contourlab.analysis.identification.first_order import closed_loop_position
 from contourlab.analysis.identification.first_order_motion import first_order_motion
@@ -100,7 +101,7 @@ def thin(log: Log) -> Log:
 
 
 REFUSED: dict[str, tuple[Callable[[Log], Log], str]] = {
-    "one row": (lambda log: each(log, lambda v: v[:1]), "three or more are wanted"),
+    "one row": (lambda log: each(log, lambda v: v[:1]), "at least three are needed"),
     "five rows": (lambda log: each(log, lambda v: v[:5]), "at least"),
     "zeros": (lambda log: {**each(log, np.zeros_like), "t": log["t"]}, "must be"),
     "constants": (flat, "must be"),
@@ -124,16 +125,16 @@ def test_an_axis_that_goes_against_its_command_is_none(tmp_path: Path, capsys: p
     log = good(model)
     code, found, said = identified(tmp_path, model, {**log, "pos": -log["pos"]}, capsys)
     if model in ("frequency-response", "closed-loop"):
-        wanted = "goes against its command" if model == "frequency-response" else "does not determine it"
-        assert code == 1 and any(wanted in remark for remark in found["remarks"])
+        wanted = "CL509" if model == "frequency-response" else "CL527"
+        assert code == 1 and wanted in codes(found)
     else:
-        assert code == 2 and ("counted the other way round" in said or "goes against" in said)
+        assert code == 2 and said.startswith("contourlab: ") and said.count("\n") == 1
 
 
 @pytest.mark.parametrize("model", MODELS)
 def test_the_log_of_another_axis_makes_no_file(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
     code, found, said = identified(tmp_path, model, unrelated(good(model)), capsys)
-    assert (code == 2 and len(said) > 40) or (code == 1 and found["remarks"] and not found["usable"])
+    assert (code == 2 and len(said) > 40) or (code == 1 and found["findings"] and not found["usable"])
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -143,7 +144,7 @@ def test_a_command_that_has_nothing_to_do_with_the_motion_makes_no_file(
     log = good(model)
     noise = np.random.default_rng(4).standard_normal(log["t"].size)
     code, found, said = identified(tmp_path, model, {**log, "cmd": noise, **({"ref": 1e-4 * noise} if "ref" in log else {})}, capsys)
-    assert (code == 2 and len(said) > 40) or (code == 1 and found["remarks"] and not found["usable"])
+    assert (code == 2 and len(said) > 40) or (code == 1 and found["findings"] and not found["usable"])
     # Whatever is told of it, no mass and no gain is below zero.
     for name in ("M", "a", "a'"):
         assert found.get("parameters", {}).get(name, {"value": 1.0})["value"] > 0.0
@@ -159,13 +160,13 @@ def test_units_a_thousand_times_off_are_asked_about(
 ) -> None:
     log = good(model)
     code, found, said = identified(tmp_path, model, {**log, key: factor * log[key]}, capsys)
-    assert (code == 2 and len(said) > 40) or any(words in remark for remark in found["remarks"])
+    assert (code == 2 and len(said) > 40) or any(words in one["text"] for one in found["findings"])
 
 
 @pytest.mark.parametrize("model", MODELS)
 def test_a_likely_log_is_not_asked_about(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
     code, found, _ = identified(tmp_path, model, good(model), capsys)
-    assert code == 0 and not any("right?" in remark or "goes against" in remark for remark in found["remarks"])
+    assert code == 0 and codes(found).isdisjoint({"CL401", "CL402", "CL403", "CL502", "CL509", "CL532"})
 
 
 @pytest.mark.parametrize("model", ["rigid", "first-order", "friction", "stiction"])
@@ -178,8 +179,8 @@ def test_nothing_is_fitted_across_a_long_gap(tmp_path: Path, capsys: pytest.Capt
     code, found, _ = identified(tmp_path, model, each(log, lambda values: values[kept]), capsys)
     figure = found["parameters"][name]
     assert code == 0 and figure["value"] == pytest.approx(whole["value"], rel=1e-2)
-    assert any(f"{n // 30} of {n} samples are missing" in note for note in found["notes"])
-    assert any("the longest stretch without a long gap" in remark for remark in found["remarks"]) == (model in ("rigid", "first-order"))
+    assert any(f"{n // 30} of {n} samples" in one["values"].get("note", "") for one in found["findings"])
+    assert ("CL501" in codes(found)) == (model in ("rigid", "first-order"))
     assert found["logs"] == ["log.csv"]
 
 
@@ -196,7 +197,7 @@ def test_columns_that_are_exchanged_are_no_response(tmp_path: Path, capsys: pyte
     force, place = (np.tile(np.fft.irfft(part, lap), 6) for part in (spectrum, answer))
     log = {"t": PERIOD * np.arange(force.size), "cmd": 1e4 * place, "pos": 1e-3 * force}
     code, found, _ = identified(tmp_path, "frequency-response", log, capsys)
-    assert code == 1 and any("are command and position exchanged?" in remark for remark in found["remarks"])
+    assert code == 1 and "CL508" in codes(found)
 
 
 def test_a_few_counts_of_motion_are_too_little(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -204,4 +205,4 @@ def test_a_few_counts_of_motion_are_too_little(tmp_path: Path, capsys: pytest.Ca
     log = good("rigid")
     place = np.round(log["pos"] * 2e-5 / 1e-7) * 1e-7
     code, found, said = identified(tmp_path, "rigid", {**log, "pos": place}, capsys)
-    assert (code == 2 and len(said) > 40) or (code == 1 and any("too little excitation" in remark for remark in found["remarks"]))
+    assert (code == 2 and len(said) > 40) or (code == 1 and not codes(found).isdisjoint({"CL526", "CL534"}))

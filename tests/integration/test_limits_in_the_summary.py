@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from typed_commands import PART, Finished
 
-from contourlab.features.run import compare
+from contourlab.features.run import outcome
 from contourlab.feed import verify
 from contourlab.scenario import load_scenario
 
@@ -62,10 +62,10 @@ def test_schemes_along_one_motion_share_one_report(tmp_path: Path, monkeypatch: 
         looked.append(float(given[1].velocity[2]))
         return verify.limit_report(*given)
 
-    monkeypatch.setattr(compare, "limit_report", counted)
-    monkeypatch.setattr(compare, "_REPORTS", {})
+    monkeypatch.setattr(outcome, "limit_report", counted)
+    monkeypatch.setattr(outcome, "_REPORTS", {})
     cases = load_scenario(tmp_path / "part.toml").cases()
-    a, b, tight = (compare.limits_of(case, case.reference()) for case in cases)
+    a, b, tight = (outcome.limits_of(case, case.reference()) for case in cases)
     assert a is b
     assert looked == pytest.approx([0.1, 5.0 / 60.0])
     assert a is not None and tight is not None

@@ -71,7 +71,7 @@ def test_canonical_moves_as_text(contourlab: Run, tmp_path: Path) -> None:
 def test_a_fault_prints_no_moves(contourlab: Run, tmp_path: Path) -> None:
     said = contourlab("canon", write(tmp_path, "G0 X1\nG0 X2\nG1 Y5\nM2\n"), "--json")
     assert (said.code, said.out) == (2, "")
-    assert "part.ngc:3:1: G1 without a feedrate" in said.err
+    assert "part.ngc:3:1: " in said.err and "G1" in said.err and said.err.count("\n") == 1
 
 
 def test_where_the_reader_is_lenient_it_says_so(contourlab: Run, tmp_path: Path) -> None:
@@ -104,23 +104,23 @@ def test_check_says_what_a_program_does(contourlab: Run, tmp_path: Path) -> None
     # Rapids at 0.2 m/s, feed at 20 mm/s, a dwell; what speeding up costs comes on top.
     least = 0.1 / 0.2 + found["length"]["feed"] / 0.02 + 0.5
     assert least < found["cycle_time"] < least + 1.0
-    assert found["problems"] == found["notices"] == []
+    assert found["problems"] == found["notices"] == found["findings"] == []
 
 
 def test_check_knows_the_travel(contourlab: Run, tmp_path: Path) -> None:
     said = contourlab("check", write(tmp_path, LARGE))
     assert said.code == 0
-    assert "note: axis x is sent to 0 .. 1000 mm, its travel" in said.out
+    assert "CL471 info: " in said.out
 
 
 def test_a_part_that_is_too_large_is_fitted_on_request(contourlab: Run, tmp_path: Path) -> None:
     write(tmp_path, LARGE)
     refused = contourlab("run", "part.ngc", *ON_XYZ)
     assert refused.code == 2
-    assert "axis x is sent to 0 .. 1000 mm" in refused.err
+    assert "axis x" in refused.err and "1000 mm" in refused.err
     said = contourlab("run", "part.ngc", *ON_XYZ, "--fit")
     assert said.code == 0, said.err
-    assert "fitted into the machine's travel: scaled by 0.294" in said.out.replace("Fitted", "fitted")
+    assert " 0.294" in said.out
     result = Result.load(tmp_path / "results" / "signals" / "base.nc")
     reference = np.asarray(result["reference"])
     # 1000 mm of x come into 98 % of 300 mm; y keeps the same scale.
@@ -144,6 +144,6 @@ def test_a_program_without_moves_is_a_document_too(contourlab: Run, tmp_path: Pa
 def test_travel_is_a_fault_on_a_machine_that_was_named(contourlab: Run, tmp_path: Path) -> None:
     file = write(tmp_path, "G1 F100 X5000\nM2\n")
     told = contourlab("check", file)
-    assert told.code == 0 and "note: axis x is sent to 0 .. 5000 mm" in told.out
+    assert told.code == 0 and "CL471" in told.out
     held = contourlab("check", file, "--machine", "xyz")
-    assert held.code == 2 and "1 fault" in held.out
+    assert held.code == 2 and "CL470" in held.out

@@ -98,4 +98,4 @@ def test_the_page_and_the_table_tell_the_same_figures(data, page):
     text = page.read_text(encoding="utf-8")
     for row in comparison_markdown(data).splitlines()[2:14]:
         for cell in row.strip("| ").split(" | "):
-            assert f">{cell.strip()}<" in text or cell.strip() in ("", "–"), cell
+            assert f">{cell.strip()}<" in text or cell.strip() in ("", "-"), cell

@@ -76,7 +76,7 @@ def test_each_scheme_with_several_controllers_leaves_a_table_of_its_switches(fou
         k = int(row["sample"])
         names = tuple("gap" if number == 1.0 else "controller" for number in active[k : k + 2, 0])
         assert (row["from"], row["to"]) == names
-        assert row["reason"] == ("the measure fell below a threshold" if names[1] == "gap" else "the measure rose past a threshold")
+        assert ("fell" if names[1] == "gap" else "rose") in row["reason"]
         assert float(row["arc_length_m"]) == pytest.approx(signals["arc_length"][k], rel=1e-9)
 
 
@@ -104,8 +104,8 @@ def test_the_summary_counts_what_the_table_lists(found: Finished, schemes: dict[
 def test_the_printed_text_has_a_line_for_each_axis(found: Finished, schemes: dict[str, Any]) -> None:
     count = schemes["by the gap"]["switches"]["axes"]["x"]["count"]
     into = (count + 1) // 2
-    assert f"by the gap: x: {count} switches: controller -> gap {into} (the measure fell below a threshold);" in found.said.out
-    assert "by the place: y: 1 switch: controller -> level 1 (the program has come to a place" in found.said.out
+    assert re.search(rf"^by the gap: x: {count} \w+: controller -> gap {into} \(", found.said.out, re.MULTILINE)
+    assert re.search(r"^by the place: y: 1 \w+: controller -> level 1 \(", found.said.out, re.MULTILINE)
     assert "PI cascade: x:" not in found.said.out
 
 
@@ -135,7 +135,7 @@ def test_the_page_shows_them(found: Finished) -> None:
     page = (found.folder / "report.html").read_text(encoding="utf-8")
     for key in ("switches", "reversals", "backlash", "active-time", "active-arc", "backlash-0", "backlash-1"):
         assert f'id="{key}"' in page, key
-    for words in ("controller → gap", "controller → level", "x at 180°", "free travel 20 µm"):
+    for words in ("controller → gap", "controller → level", "x at 180 deg", "free travel 20 um"):
         assert words in page, words
 
 
@@ -150,7 +150,7 @@ def test_a_browser_draws_every_picture(found: Finished) -> None:
 
 def test_the_linear_loop_of_a_supervised_axis_is_called_what_it_is(found: Finished) -> None:
     page = (found.folder / "report.html").read_text(encoding="utf-8")
-    assert "PI cascade: in contact" in page and "by the gap: first controller, in contact" in page
+    assert all(re.search(rf"{scheme}: [^<]*contact", page) for scheme in ("PI cascade", "by the gap"))
 
 
 def test_a_later_run_takes_the_tables_of_an_older_one_away(found: Finished, tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from contourlab.program.block import read_words
-from contourlab.program.parameters import Parameters
+from contourlab.program.expressions import Parameters
 from contourlab.program.vocabulary import BlockError
 
 pytestmark = [
@@ -83,6 +83,6 @@ def test_what_is_refused_here_is_refused_there(tmp_path: Path) -> None:
     refused = [text for text in (value(dice, 3) for _ in range(400)) if len(text) < LONGEST and isinstance(ours(text), str)][:60]
     assert len(refused) > 30
     accepted = [text for text in refused if theirs([text], tmp_path) is not None]
-    known = r"MOD 0 has no value|0 \*\* -.* has no value|no sensible number"
+    known = r"MOD 0 |0 \*\* -|sensible number"
     assert all(re.search(known, str(ours(text))) for text in accepted)
     assert len(accepted) < 15

@@ -1,71 +1,152 @@
-"""What a long study keeps on disk, so that it goes on where it was interrupted: files of arrays under all that decides them."""
+"""Checkpoints of long work: its pieces are kept on disk as they are done, and the same command continues behind the last one."""
 
 from __future__ import annotations
 
 import hashlib
 import io
-from collections.abc import Callable, Mapping
+import sys
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
+from importlib.metadata import version
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
+from contourlab.findings import Finding, finding
 from contourlab.result.atomic import write_bytes_atomic
 
-Found = TypeVar("Found")
+if TYPE_CHECKING:
+    from contourlab.feed import Reference
+    from contourlab.loop import Controller, Machine
+
+_ROOMS = ("native", "primitives", "geometry", "feed", "engine", "components", "metrics", "loop")
+"""Rooms whose source decides the figures of a run."""
 
 
 @dataclass(eq=False)
-class KeptFolder:
-    """Files of arrays in a folder, those of one model in a folder of their own.
+class Checkpoint:
+    """Arrays of finished pieces in a folder, one file each; a sub-folder for each study.
 
     Parameters
     ----------
     folder : Path
-        Made when the first file is kept.
-    model : str
-        All that decides what is kept, but what its files are named by.
-    damaged : int
-        Files that could not be read; what was in them is made again.
+        Made with the first piece.
+    study : str
+        All that decides the pieces, except what names the piece itself. Pieces of another study are never used.
+    reused, damaged : int
+        Pieces that were read, and files that could not be read: their pieces are computed again.
     """
 
     folder: Path
-    model: str
+    study: str
+    reused: int = field(default=0, init=False)
     damaged: int = field(default=0, init=False)
 
     @property
     def home(self) -> Path:
-        """Folder of the files of this model."""
-        return self.folder / hashlib.sha256(self.model.encode()).hexdigest()[:16]
+        """The sub-folder of this study."""
+        return self.folder / hashlib.sha256(self.study.encode()).hexdigest()[:16]
 
     @property
     def others(self) -> int:
-        """How many other models have files beside this one's."""
+        """How many other studies have pieces in the folder."""
         return sum(path != self.home and path.is_dir() for path in self.folder.glob("?" * 16))
 
-    def named(self, *parts: bytes) -> Path:
-        """Return the file of a piece: the name is a digest of the model and of what decides the piece."""
-        text = hashlib.sha256(self.model.encode())
-        for part in parts:
-            text.update(part)
-        return self.home / f"{text.hexdigest()[:32]}.npz"
+    def path(self, *key: bytes) -> Path:
+        """Return the file of a piece: a digest of the study and of what decides the piece."""
+        digest = hashlib.sha256(self.study.encode())
+        for part in key:
+            digest.update(part)
+        return self.home / f"{digest.hexdigest()[:32]}.npz"
 
-    def load(self, file: Path, take: Callable[[Mapping[str, Any]], Found]) -> Found | None:
-        """Return what `take` makes of the arrays of a file; None where there is none, or it is damaged, or `take` finds fault with it."""
+    def load(self, file: Path) -> dict[str, NDArray[Any]] | None:
+        """Return the arrays of a piece; None if there is no file, or it is damaged."""
         if not file.exists():
             return None
         try:
             with np.load(io.BytesIO(file.read_bytes()), allow_pickle=False) as data:  # a zip: damage fails its checksum
-                return take(data)
-        except Exception:  # zipfile, zlib, NumPy and the system each have errors of their own for a damaged file
+                arrays = dict(data)
+        except Exception:  # zipfile, zlib, NumPy and the system each raise errors of their own for a damaged file
             self.damaged += 1
             return None
+        self.reused += 1
+        return arrays
 
-    def store(self, file: Path, arrays: Mapping[str, ArrayLike]) -> Path:
-        """Keep arrays in a file, whole or not at all; return it."""
+    def store(self, file: Path, arrays: Mapping[str, ArrayLike]) -> None:
+        """Write the arrays of a piece, whole or not at all."""
         buffer = io.BytesIO()
         np.savez(buffer, allow_pickle=False, **{name: np.asarray(values) for name, values in arrays.items()})
         write_bytes_atomic(file, buffer.getvalue())
-        return file
+
+    def findings(self, pieces: str, reused: int | None = None) -> tuple[Finding, ...]:
+        """Return what was reused, left alone and damaged; `pieces` is what they are called, and `reused` their number if not files."""
+        count = self.reused if reused is None else reused
+        found = [finding("CL900", pieces=pieces, count=count, folder=str(self.home))] if count else []
+        found += [finding("CL901", pieces=pieces, folder=str(self.folder))] if self.others else []
+        found += [finding("CL902", pieces=pieces, count=self.damaged)] if self.damaged else []
+        return tuple(found)
+
+
+@contextmanager
+def resumable(folder: Path, pieces: str) -> Iterator[None]:
+    """If the block is interrupted and `folder` keeps pieces, add to the interrupt that the same command continues."""
+    try:
+        yield
+    except KeyboardInterrupt as stop:
+        if any(folder.glob("*/*.npz")):
+            stop.add_note(f"The {pieces} that had ended are kept in {folder}: the same command continues from there.")
+        raise
+
+
+def run_identity(
+    machines: Iterable[Machine], controller: Controller, reference: Reference, *, seed: int, moving: bool, rooms: Iterable[str] = ()
+) -> str:
+    """Return, as text, all that decides runs except the parameters that a study varies.
+
+    That is machines, controller, motion, noise, plugins, and the version and source of the program.
+
+    Parameters
+    ----------
+    machines : iterable of Machine
+    controller : Controller
+    reference : Reference
+    seed : int
+    moving : bool
+        As of `contourlab.loop.simulate_batch`.
+    rooms : iterable of str
+        Further rooms of the program that decide the result, such as ``"features/swap"``.
+    """
+    from contourlab.scenario.dump import dump
+
+    known = list(machines)
+    texts = [dump(machine) for machine in known] + [dump(controller, known[0]), reference.digest, f"seed {seed}, moving {moving}"]
+    return "\n".join([*texts, *_plugins(known, controller), *_program((*_ROOMS, *rooms))])
+
+
+def _plugins(machines: Iterable[Machine], controller: Controller) -> list[str]:
+    """Return name and digest of the file of each component in use that is not contourlab's; what such a file imports is not looked at."""
+    from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS
+
+    parts = [getattr(axis, slot) for machine in machines for axis in machine.axes for slot in AXIS_SLOTS]
+    for axis in controller.axes.values():
+        parts += [*(getattr(axis, slot) for slot in CONTROLLER_SLOTS), *(part for _, part in axis.others)]
+        parts += [] if axis.link is None else [axis.link.down, axis.link.up]
+    parts += [controller.estimator, controller.coupling]
+    modules = {type(part).__module__ for part in parts if part is not None}
+    files = [sys.modules[name].__file__ for name in sorted(modules) if name.partition(".")[0] != "contourlab"]
+    return [f"{Path(file).name} {hashlib.sha256(Path(file).read_bytes()).hexdigest()}" for file in files if file is not None]
+
+
+def _program(rooms: Iterable[str]) -> list[str]:
+    """Return the versions of contourlab and of what searches use, and a digest of the source of some rooms."""
+    import contourlab
+
+    root, digest = Path(contourlab.__file__).parent, hashlib.sha256()
+    for room in rooms:
+        single = root / f"{room}.py"
+        for file in [single] if single.exists() else sorted((root / room).rglob("*.py")):
+            digest.update(file.relative_to(root).as_posix().encode() + b"\0" + file.read_bytes())
+    return [f"contourlab {contourlab.__version__} {digest.hexdigest()}", *(f"{name} {version(name)}" for name in ("cma", "numpy"))]

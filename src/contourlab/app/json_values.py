@@ -14,8 +14,9 @@ from contourlab.findings import Finding
 def json_values(value: Any) -> Any:
     """Return a value that JSON can hold.
 
-    Dataclasses become objects with their fields as keys, but for those marked ``field(metadata={"json": False})``; findings become their
-    code, name, severity, place, values and text; numbers of NumPy become Python's; nan and infinities become null.
+    Dataclasses become objects with their fields as keys, without those marked ``field(metadata={"json": False})`` and with the properties
+    that the class names in ``json_derived``. Findings become their code, name, severity, place, values and text; numbers of NumPy become
+    Python's; nan and infinities become null.
 
     >>> json_values({"gain": float("inf"), "axes": ("x", "y")})
     {'gain': None, 'axes': ['x', 'y']}
@@ -31,7 +32,8 @@ def json_values(value: Any) -> Any:
             "text": value.text,
         }
     if is_dataclass(value) and not isinstance(value, type):
-        return {part.name: json_values(getattr(value, part.name)) for part in fields(value) if part.metadata.get("json", True)}
+        names = [part.name for part in fields(value) if part.metadata.get("json", True)]
+        return {name: json_values(getattr(value, name)) for name in (*names, *getattr(value, "json_derived", ()))}
     if isinstance(value, Mapping):
         return {str(key): json_values(item) for key, item in value.items()}
     if isinstance(value, list | tuple):

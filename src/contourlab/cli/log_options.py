@@ -1,4 +1,4 @@
-"""Options that commands on a log share."""
+"""Options of commands that read a log."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ import typer
 
 ColumnTexts: TypeAlias = Annotated[
     list[str] | None,
-    typer.Option("--column", help="What a column is, as position.x='NAME \\[mm]'; may be given again.", show_default=False),
+    typer.Option("--column", help="Signal of a column, as position.x='NAME \\[mm]'; repeatable.", show_default=False),
 ]
 ColumnFile: TypeAlias = Annotated[
-    Path | None, typer.Option("--columns", help="A TOML file that says what the columns are.", show_default=False)
+    Path | None, typer.Option("--columns", help="A TOML file with the signals of the columns.", show_default=False)
 ]
 LogFormat: TypeAlias = Annotated[
-    str | None, typer.Option("--format", help="Format, where it is not told from the file.", show_default=False)
+    str | None, typer.Option("--format", help="Format of the file, if it is not recognised.", show_default=False)
 ]
 SamplePeriod: TypeAlias = Annotated[
-    str | None, typer.Option("--period", help='Time between samples, as "1 ms", where the log has none.', show_default=False)
+    str | None, typer.Option("--period", help='Time between samples, as "1 ms", if the log has no times.', show_default=False)
 ]

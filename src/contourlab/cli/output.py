@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import sys
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from contourlab.app.json_values import json_values
 
@@ -13,6 +13,15 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from contourlab.features.run.command import RunOutcome
+
+
+class HasText(Protocol):
+    """A result of a command."""
+
+    @property
+    def text(self) -> str:
+        """It for the terminal."""
+
 
 PIPE_WIDTH = 200
 """Columns of a table that goes to a file or a pipe, where nothing says how wide the reader is."""
@@ -45,6 +54,14 @@ def say(text: str) -> None:
 def emit_json(value: Any) -> None:
     """Print one JSON document, strict: readers without an extension for nan can read it."""
     say(json.dumps(json_values(value), indent=2, allow_nan=False))
+
+
+def show_result(result: HasText, as_json: bool) -> None:
+    """Print a result as JSON or as text."""
+    if as_json:
+        emit_json(result)
+    else:
+        say(result.text)
 
 
 def conclude(outcome: RunOutcome, as_json: bool) -> int:

@@ -1,4 +1,4 @@
-"""Options that `contourlab sensitivity`, `contourlab tune` and `contourlab swap` share: what is moved, what is to be kept, runs."""
+"""Options shared by `contourlab sensitivity`, `tune` and `swap`: parameters to vary, margins to keep, seeds and threads."""
 
 from __future__ import annotations
 
@@ -11,15 +11,14 @@ Parameters: TypeAlias = Annotated[
     typer.Option(
         "--parameter",
         metavar="NAME[=LOW..HIGH]",
-        help='A number to move, as "3.position_gain=2 full_scale/mm..8 full_scale/mm"; may be given again; by default all that is '
-        "calibrated.",
+        help='Parameter to vary, as "3.position_gain=2 full_scale/mm..8 full_scale/mm"; repeatable; by default all that is calibrated.',
         show_default=False,
     ),
 ]
-Width: TypeAlias = Annotated[float, typer.Option(help="Bounds are the value divided and multiplied by this where none are given.")]
+Width: TypeAlias = Annotated[float, typer.Option(help="Range of a parameter without bounds: its value divided and multiplied by this.")]
 GainMargin: TypeAlias = Annotated[float, typer.Option(help="Least gain margin of an axis, in dB.")]
 PhaseMargin: TypeAlias = Annotated[float, typer.Option(help="Least phase margin of an axis, in degrees.")]
-Seed: TypeAlias = Annotated[int, typer.Option(help="Of samplings and searches: the same seed gives the same answer.")]
+Seed: TypeAlias = Annotated[int, typer.Option(help="Of samplings and searches; the same seed gives the same result.")]
 Threads: TypeAlias = Annotated[
-    int | None, typer.Option(help="One for each processor by default; results do not hang on it.", show_default=False)
+    int | None, typer.Option(help="By default one per processor; results do not depend on it.", show_default=False)
 ]

@@ -155,7 +155,7 @@ class Polygon:
         return points[first : last + 1] if last <= n else np.concatenate([points[first:-1], points[: last - n + 1]])
 
     def tangent(self, i: int) -> Array:
-        """Return the tangent at a point between chords: of the much finer side if there is one, else of the arc through three points."""
+        """Return the tangent at a point between chords: of a much finer side if there is one, else of an arc through three points."""
         n = len(self.length)
         before, after = (i - 1) % n, i % n
         ratio = self.length[after] / self.length[before]
@@ -169,8 +169,8 @@ class Polygon:
     def bulges(self) -> tuple[Array, NDArray[np.bool_]]:
         """Return the largest distance [m] of a curve from each chord (n - 1,), and where it must not run against the chord.
 
-        An arc that turns by a over a chord of length c leaves it by c a / 8. Half of a turn at a point belongs to the chord if its neighbour
-        is equally long, all of it if the chord is much longer. The weight of turns halves with each point in between.
+        An arc that turns by a over a chord of length c leaves it by c a / 8. Half of a turn at a point belongs to the chord if its
+        neighbour is equally long, all of it if the chord is much longer. The weight of turns halves with each point in between.
         """
         low, high = self._finer()
         start = np.where(low >= LONG, np.minimum(self.turn[:-1], self._off_start + 0.25 * self._bends[0][:-1]), self.turn[:-1])

@@ -1,8 +1,8 @@
-"""What sensitivity, calibration and swapping share: the numbers that are moved, the runs that judge them, and a search among them."""
+"""What calibration, sensitivity and swapping share: design variables, the runs that judge them, guards, and a search."""
 
 from contourlab.design.evaluator import Evaluator
-from contourlab.design.numbers import Number, Space
-from contourlab.design.order import calibration_order
 from contourlab.design.search import Found, search
+from contourlab.design.values import calibration_order
+from contourlab.design.variables import DesignVariable, Space
 
-__all__ = ["Evaluator", "Found", "Number", "Space", "calibration_order", "search"]
+__all__ = ["DesignVariable", "Evaluator", "Found", "Space", "calibration_order", "search"]

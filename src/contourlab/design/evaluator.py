@@ -1,8 +1,8 @@
-"""Runs that judge many points of a space, in lanes."""
+"""Runs of many candidates, in lanes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -14,31 +14,31 @@ from contourlab.loop import Controller, Machine, simulate_batch
 
 Array = NDArray[np.float64]
 CHUNK = 1024
-"""Variants that are in memory at once."""
+"""Candidates in memory at once."""
 
 
 @dataclass(eq=False)
 class Evaluator:
-    """A machine, its controller and what they follow: figures of the run for any numbers in place of theirs.
+    """Runs a machine and its controller along a reference with any values of their parameters, and returns the figures of each run.
 
-    The same numbers give the same figures bit by bit, in whatever company and on however many threads.
+    The same values give the same figures bit for bit, with any other candidates and on any number of threads.
 
     Attributes
     ----------
     machine, controller, reference
         As of `contourlab.loop.simulate_batch`.
     window : (int, int), optional
-        Samples that count; by default the last whole lap, or all.
+        Samples that count; by default the last whole lap, or all samples.
     moving : bool
         Whether the axes start with the velocity of the reference.
     seed : int
-        Of all noise: the same for all points, so that they are compared under the same noise.
+        Of all noise, the same for all candidates.
     threads : int, optional
         One for each processor by default.
     effort : bool
-        Whether the figures of the drives are worked out too.
+        Whether figures of the drives are computed, too.
     runs : int
-        How many runs it has made.
+        Runs so far.
     """
 
     machine: Machine
@@ -55,19 +55,15 @@ class Evaluator:
     def __post_init__(self) -> None:
         self.view = view_of(self.reference.path)
 
-    def __call__(
-        self, columns: Mapping[str, Array], progress: Callable[[int], None] | None = None, threads: int | None = None
-    ) -> dict[str, Array]:
-        """Return the figures of `contourlab.loop.BatchResult`, each (n,), and ``failed_at``; NaN where a run failed.
+    def __call__(self, columns: Mapping[str, Array], threads: int | None = None) -> dict[str, Array]:
+        """Return the figures of `contourlab.loop.BatchResult`, each (n,), and ``failed_at``; nan where a run failed.
 
         Parameters
         ----------
         columns : mapping of str to ndarray (n,)
             Values [SI] by dotted names.
-        progress : callable, optional
-            Told the number of runs done, after each `CHUNK`.
         threads : int, optional
-            In place of its own.
+            In place of `threads` of the evaluator.
 
         Raises
         ------
@@ -92,6 +88,4 @@ class Evaluator:
             )
             parts.append({**batch.figures, "failed_at": batch.failed_at.astype(float)})
             self.runs += len(batch.failed_at)
-            if progress is not None:
-                progress(min(first + CHUNK, n))
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}

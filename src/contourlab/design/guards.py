@@ -1,4 +1,4 @@
-"""What a calibration must not cross: stability, gain and phase margin of every axis, stability of the coupling, limits of the drives."""
+"""Guards: what a design must keep besides a small error: margins of every axis, a stable coupling, drives below their limits."""
 
 from __future__ import annotations
 
@@ -10,40 +10,99 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.linear.contour_transfer import internal_stability
-from contourlab.analysis.linear.loop_lanes import rough_margins, sampled_loops
+from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, rough_margins, sampled_loops, unstable_by
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
-from contourlab.design.axes_of import axes_of
-from contourlab.design.bounds import ROUNDING, SLACK, Bounds, without_model
-from contourlab.design.values import with_values
-from contourlab.errors import ComponentError
+from contourlab.design.values import axes_of, with_values
+from contourlab.design.variables import ROUNDING
+from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Controller, Machine
 
 Array = NDArray[np.float64]
+SLACK = (0.02, 0.05)
+"""A search reads margins off a grid and asks for this much more: dB, degrees."""
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """The guards.
+
+    Attributes
+    ----------
+    gain_margin : float [dB], >= 0
+        Of each axis, opened at its drive.
+    phase_margin : float [deg], >= 0
+    limited : float, 0 to 1
+        Largest part of the counted time during which a drive is at its limit.
+    command : float, > 0
+        Largest command, as a part of the drive's limit.
+    """
+
+    gain_margin: float = 6.0
+    phase_margin: float = 30.0
+    limited: float = 0.0
+    command: float = math.inf
+
+    def __post_init__(self) -> None:
+        for name, high, unit in (("gain_margin", 60.0, "dB"), ("phase_margin", 90.0, "deg"), ("limited", 1.0, "")):
+            if not 0.0 <= getattr(self, name) <= high:
+                raise ParameterError(name, f"{getattr(self, name):g}", f"0 to {high:g}", unit)
+        if not self.command > 0.0:
+            raise ParameterError("command", f"{self.command:g}", "> 0, as a part of the drive's limit")
+
+    @property
+    def words(self) -> str:
+        """The guards in words."""
+        parts = [f"gain margin at least {self.gain_margin:g} dB", f"phase margin at least {self.phase_margin:g} deg"]
+        parts.append(f"a drive at its limit for at most {100.0 * self.limited:g} % of the time")
+        if math.isfinite(self.command):
+            parts.append(f"commands up to {100.0 * self.command:g} % of the drive")
+        return ", ".join(parts)
+
+    def missing(self, margins: Margins, slack: tuple[float, float] = (0.0, 0.0)) -> float:
+        """Return by which part margins fall short: 0 if they are kept, infinite for an unstable loop."""
+        if not margins.stable:
+            return math.inf
+        gain, phase = 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
+        short = max(0.0, self.gain_margin + slack[0] - gain) / max(self.gain_margin, 1.0) if self.gain_margin else 0.0
+        turn = max(0.0, self.phase_margin + slack[1] - phase) / max(self.phase_margin, 1.0) if self.phase_margin else 0.0
+        return short + turn
+
+    def broken(self, margins: Margins) -> str:
+        """Name the margins that fall short, with their values; empty if none does."""
+        if not margins.stable:
+            return "unstable"
+        gain, phase = 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
+        found = [f"gain margin {gain:.2f} dB"] if gain < self.gain_margin - ROUNDING else []
+        return ", ".join([*found, *([f"phase margin {phase:.1f} deg"] if phase < self.phase_margin - ROUNDING else [])])
 
 
 @dataclass(eq=False)
 class Guards:
-    """Bounds on one or more machines under controllers that have the same numbers.
+    """Guards on one or more machines whose controllers have the same parameters.
 
     Attributes
     ----------
     cases : sequence of (Machine, Controller)
     bounds : Bounds
     unknown : dict of str to str
-        Axes whose loop has no linear model, and why: of these only the runs themselves are looked at.
+        Axes without a linear model, and why: their margins are not checked.
     checks : int
-        How many loops were looked at.
+        Loops checked so far.
     """
 
     cases: Sequence[tuple[Machine, Controller]]
-    bounds: Bounds
+    bounds: Bounds = field(default_factory=Bounds)
     unknown: dict[str, str] = field(default_factory=dict)
     checks: int = 0
 
     def __post_init__(self) -> None:
-        for case in self.cases:
-            self.unknown.update(without_model(*case))
+        for machine, controller in self.cases:
+            for axis in machine.axes:
+                try:
+                    sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
+                except ComponentError as error:
+                    self.unknown[axis.name] = str(error)
 
     @property
     def axes(self) -> tuple[str, ...]:
@@ -51,70 +110,102 @@ class Guards:
         return tuple(dict.fromkeys(name for machine, _ in self.cases for name in machine.axis_names))
 
     def concerned(self, name: str) -> tuple[str, ...]:
-        """Return the axes whose loop a number is part of."""
+        """Return the axes whose loop a parameter belongs to."""
         return tuple(dict.fromkeys(axis for machine, _ in self.cases for axis in axes_of(name, machine)))
 
+    # --- many designs at once, for searches ---
+
+    def excess(self, columns: Mapping[str, Array], known: dict[tuple[object, ...], Array] | None = None) -> Array:
+        """Return by how much each design (n,) breaks a margin: above 0 if it does.
+
+        Parameters
+        ----------
+        columns : mapping of str to ndarray (n,)
+            Values [SI] by dotted names.
+        known : dict, optional
+            Earlier results for the same axes and values, also of another machine that shares them; new ones are added.
+        """
+        worst = np.full(len(next(iter(columns.values()))), -math.inf)
+        factors = margin_factors(10.0 ** (self.bounds.gain_margin / 20.0), math.radians(self.bounds.phase_margin))
+        known = {} if known is None else known
+        for machine, controller in self.cases:
+            for axis in machine.axes:
+                if axis.name in self.unknown:
+                    continue
+                head, carried = f"controller.axes.{axis.name}.", machine.carried_mass(axis.name)
+                own = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name.startswith(head)}
+                key = (id(axis), carried, *((name, values.tobytes()) for name, values in own.items()))
+                if key not in known:
+                    known[key] = unstable_by(lane_loops(axis, controller.axes[axis.name], machine.servo_period, carried, own), factors)
+                worst = np.maximum(worst, known[key])
+        return worst
+
+    def limited(self, figures: Mapping[str, Array]) -> Array:
+        """Return by how much each design (n,) has a drive at its limit for too long: above 0 if it does."""
+        share = figures.get("limited_share")
+        return np.asarray(share - self.bounds.limited) if share is not None else np.zeros(1)
+
     def loops(self, columns: Mapping[str, Array], axes: Sequence[str]) -> list[list[SampledLoop]]:
-        """Return for each set of values the loops of some axes, of all machines."""
-        n = len(next(iter(columns.values())))
-        found: list[list[SampledLoop]] = [[] for _ in range(n)]
+        """Return for each design (n,) the loops of some axes of all machines."""
+        loops: list[list[SampledLoop]] = [[] for _ in range(len(next(iter(columns.values()))))]
         for machine, controller in self.cases:
             for axis in machine.axes:
                 if axis.name in axes and axis.name not in self.unknown:
                     carried = machine.carried_mass(axis.name)
                     made = sampled_loops(axis, controller.axes[axis.name], machine.servo_period, columns, carried)
-                    for mine, loop in zip(found, made, strict=True):
-                        mine.append(loop)
-        return found
+                    for of_design, loop in zip(loops, made, strict=True):
+                        of_design.append(loop)
+        return loops
 
     def missing(self, loops: Sequence[SampledLoop]) -> tuple[float, float]:
-        """Return how much margins fall short, and the smallest distance of a loop from -1, read off a grid."""
+        """Return by how much margins fall short, and the smallest distance of a loop from -1, both read off a grid."""
         short, nearest = 0.0, math.inf
         for loop in loops:
             self.checks += 1
-            found = rough_margins(loop)
-            short = max(short, self.bounds.missing(found, SLACK))
-            nearest = min(nearest, found.modulus if found.stable else 0.0)
+            margins = rough_margins(loop)
+            short = max(short, self.bounds.missing(margins, SLACK))
+            nearest = min(nearest, margins.modulus if margins.stable else 0.0)
             if math.isinf(short):
                 break
         return short, nearest
 
+    # --- one design, exactly ---
+
     def exact(self, values: Mapping[str, float]) -> dict[str, Margins]:
-        """Return the margins of every axis with values [SI], exactly; of several machines the worst."""
-        found: dict[str, Margins] = {}
+        """Return the exact margins of every axis with values [SI]; of several machines the worst."""
+        worst: dict[str, Margins] = {}
         for case in self.cases:
             machine, controller = with_values(*case, values)
             for axis in machine.axes:
                 if axis.name not in self.unknown:
                     carried = machine.carried_mass(axis.name)
                     margins = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, carried).margins()
-                    found[axis.name] = max(found.get(axis.name, margins), margins, key=self._worse)
-        return found
+                    worst[axis.name] = max(worst.get(axis.name, margins), margins, key=self._badness)
+        return worst
 
-    def _worse(self, margins: Margins) -> tuple[float, float]:
-        """Return what is larger for worse margins: how far they fall short, and where none do, how near the loop comes to -1."""
+    def _badness(self, margins: Margins) -> tuple[float, float]:
         return self.bounds.missing(margins), -margins.modulus if margins.stable else 0.0
 
     def uncoupled(self, values: Mapping[str, float]) -> str:
-        """Return in words that the coupling of the axes is unstable with values [SI]; empty where it is not, or where there is none."""
+        """Return the verdict on a coupling of the axes that is unstable with values [SI]; empty if it is stable or there is none."""
         for case in self.cases:
             machine, controller = with_values(*case, values)
             if controller.coupling is None or self.unknown:
                 continue
             try:
-                found = internal_stability(machine, controller)
+                stability = internal_stability(machine, controller)
             except ComponentError:
                 continue
-            if not found.stable:
-                return str(found.verdict)
+            if not stability.stable:
+                return str(stability.verdict)
         return ""
 
     def broken(
         self, values: Mapping[str, float], limited: float, largest: float, exact: Mapping[str, Margins] | None = None
     ) -> tuple[str, ...]:
-        """Return in words all that is not kept with values [SI], by the exact analysis; `exact` are the margins where they are known."""
+        """Name all guards that values [SI] break, by the exact analysis; `exact` are the margins if they are known already."""
         margins = self.exact(values) if exact is None else exact
-        found = [f"axis {axis}: {words}" for axis, one in margins.items() if (words := self.bounds.broken(one))]
+        found = [f"axis {axis}: {words}" for axis, of_axis in margins.items() if (words := self.bounds.broken(of_axis))]
         coupled = self.uncoupled(values)
         found += [f"coupling: {coupled}"] if coupled else []
         if limited > self.bounds.limited + ROUNDING:

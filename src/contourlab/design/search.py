@@ -1,4 +1,4 @@
-"""A global search in a box, many points at a time: the covariance matrix adaptation of Hansen from several starts side by side."""
+"""Global search in a box, many points at a time: CMA-ES (covariance matrix adaptation) from several starts side by side."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from contourlab.errors import ParameterError
 Array = NDArray[np.float64]
 Objective = Callable[[Array], Array]
 SPREAD = 0.2
-"""First standard deviation, in parts of the box."""
+"""First standard deviation, as a part of the box."""
 
 
 @dataclass(frozen=True)
 class Found:
-    """What a search found.
+    """The result of a search.
 
     Attributes
     ----------
@@ -30,13 +30,13 @@ class Found:
     value : float
         Its value.
     per_start : ndarray (n_start,)
-        The best value that each start came to.
+        The best value that each start reached.
     points : ndarray (n_start, n)
-        And where.
+        And where it was.
     runs : int
-        Points that were tried.
+        Points tried.
     course : ndarray (n_generation, 2)
-        Points tried so far, and the best value by then.
+        Points tried so far, and the best value until then.
     """
 
     point: Array
@@ -45,11 +45,6 @@ class Found:
     points: Array
     runs: int
     course: Array
-
-    @property
-    def spread(self) -> float:
-        """How much worse than the best start the worst one ended, in parts of the best; nan where any came to nothing."""
-        return float((self.per_start.max() - self.value) / abs(self.value)) if self.value else float("nan")
 
 
 def search(
@@ -64,16 +59,16 @@ def search(
     target: float = -math.inf,
     progress: Callable[[int], None] | None = None,
 ) -> Found:
-    """Return the smallest value found in the box from 0 to 1.
+    """Minimise in the box from 0 to 1.
 
     Parameters
     ----------
     objective : callable
-        Values (n,) of points (n, n_number); what is not finite counts as worse than anything.
+        Returns the values (n,) of points (n, n_number); a value that is not finite counts as the worst.
     starts : ndarray (n_start, n_number)
-        Where to start from; each is tried itself, so nothing worse than the best of them is ever returned.
+        Each is tried itself, so the result is never worse than the best of them.
     budget : int, > 0
-        Points to try in all.
+        Points to try.
     seed : int
         The same seed gives the same search.
     population : int
@@ -81,16 +76,16 @@ def search(
     spread : float
         First standard deviation.
     tolerance : float
-        A start ends when its best value has moved by less than this part over ten generations and its points lie as close together.
+        A start ends when its best value has improved by less than this part over ten generations.
     target : float
-        The search ends at the generation that comes to this value: it is good enough.
+        The search ends with the generation that reaches this value.
     progress : callable, optional
-        Told the number of points tried.
+        Called with the number of points tried.
 
     Raises
     ------
     ParameterError
-        If there is no start, or nothing that was tried has a finite value.
+        If there is no start, or no point has a finite value.
 
     References
     ----------
@@ -134,7 +129,7 @@ class _Best:
         self.course.append((float(self.runs), float(self.values.min())))
 
     def settled(self, i: int, tolerance: float) -> bool:
-        """Tell whether a start has not moved over ten generations."""
+        """Tell whether a start has not improved over ten generations."""
         past = self.history[i]
         return len(past) > 20 and past[-11] - past[-1] <= tolerance * abs(past[-1])
 
@@ -154,9 +149,9 @@ def _strategy(start: Array, seed: int, population: int, spread: float) -> Any:
     logging.getLogger("cma").setLevel(logging.ERROR)
     generator = np.random.default_rng(seed)
     options = {"bounds": [0.0, 1.0], "popsize": population, "verbose": -9, "tolfun": 0.0, "tolfunhist": 0.0}
-    # Numbers of its own: the package would otherwise seed numpy's for the whole process.
+    # A generator of its own: the package would otherwise seed that of numpy for the whole process.
     options |= {"seed": np.nan, "randn": lambda *shape: generator.standard_normal(shape)}
-    # Right on a bound the transformation of the box has no slope.
+    # On a bound the transformation of the box has no slope.
     return cma.CMAEvolutionStrategy(np.clip(start, 1e-3, 1.0 - 1e-3).tolist(), spread, options)
 
 
@@ -165,7 +160,7 @@ def _finite(values: Array) -> Array:
 
 
 def _ranked(values: Array) -> Array:
-    """Return values that the strategy can take: what failed is a little worse than the worst that did not."""
+    """Replace values that are not finite by one that is a little worse than the worst finite one."""
     good = values[np.isfinite(values)]
     worst = float(good.max()) if good.size else 1.0
     return np.where(np.isfinite(values), values, worst + abs(worst) + 1.0)

@@ -1,4 +1,4 @@
-"""A machine and its controller with numbers in place of theirs, by the names of `contourlab.loop.parameter_names`."""
+"""Parameters of a machine and its controller by dotted name: set them, order them, tell which axes they concern."""
 
 from __future__ import annotations
 
@@ -12,15 +12,14 @@ from contourlab.loop import Axis, AxisController, Controller, Machine
 
 
 def with_values(machine: Machine, controller: Controller, values: Mapping[str, float]) -> tuple[Machine, Controller]:
-    """Return machine and controller with values [SI] in place of theirs.
+    """Set parameters of a machine and its controller to values [SI].
 
-    Numbers of one part are changed together, so that what holds between them holds all the way; a number that stays as it is keeps what is
-    said of where it is from.
+    Parameters of one component are set together, so that its own checks hold. A parameter whose value stays the same keeps its source.
 
     Raises
     ------
     ParameterError
-        If there is no such number, or a value is out of range.
+        If a parameter is unknown, or a value out of range.
     """
     mine = {name: value for name, value in values.items() if name.startswith("axes.")}
     others = {name: value for name, value in values.items() if name not in mine}
@@ -28,7 +27,7 @@ def with_values(machine: Machine, controller: Controller, values: Mapping[str, f
 
 
 def machine_with(machine: Machine, values: Mapping[str, float]) -> Machine:
-    """Return a machine with values of numbers such as ``axes.x.plant.gain``; see `with_values`."""
+    """Set parameters of a machine, such as ``axes.x.plant.gain``; see `with_values`."""
     axes: dict[str, Axis] = {axis.name: axis for axis in machine.axes}
     for head, numbers in _by_part(values).items():
         match head.split("."):
@@ -40,7 +39,7 @@ def machine_with(machine: Machine, values: Mapping[str, float]) -> Machine:
 
 
 def controller_with(controller: Controller, values: Mapping[str, float]) -> Controller:
-    """Return a controller with values of numbers such as ``controller.axes.x.controller.position_gain``; see `with_values`."""
+    """Set parameters of a controller, such as ``controller.axes.x.controller.position_gain``; see `with_values`."""
     mine: dict[str, AxisController] = dict(controller.axes)
     for head, numbers in _by_part(values).items():
         match head.split("."):
@@ -82,4 +81,39 @@ def _with(part: Component, numbers: Mapping[str, float]) -> Component:
 
 
 def _unknown(name: str) -> ParameterError:
-    return ParameterError("parameter", repr(name), "a number of the machine or its controller")
+    return ParameterError("parameter", repr(name), "a parameter of the machine or its controller")
+
+
+def axes_of(name: str, machine: Machine) -> tuple[str, ...]:
+    """Return the axes that a parameter concerns: its own, or all if it belongs to their coupling."""
+    words = name.split(".")
+    return (words[words.index("axes") + 1],) if "axes" in words[:-1] else machine.axis_names
+
+
+def calibration_order(machine: Machine, controller: Controller) -> tuple[str, ...]:
+    """Return the dotted names of all parameters to calibrate, from the innermost loop to the outermost, feedforward last.
+
+    Notes
+    -----
+    First the disturbance observers, then the position controllers, then a coupling that corrects commands, then feedforward; in each group
+    the last axis comes first. On the paper's stage this is its own order (section IV): b_hat_3, a_hat_3, b_hat_2, a_hat_2, K_V3, K_P3,
+    K_I3, K_V2, K_P2, K_I2, b'_3, a'_3, b'_2, a'_2. Its lambda, a choice between contour and tracking error, is not calibrated.
+
+    A component names its parameters to calibrate in `calibrated` and `calibrated_ahead`.
+    """
+    axes = [(name, controller.axes[name]) for name in reversed(machine.axis_names)]
+    names: list[str] = []
+
+    def collect(prefix: str, part: Component | None, ahead: bool) -> None:
+        if part is not None:
+            names.extend(f"{prefix}.{name}" for name in (part.calibrated_ahead if ahead else part.calibrated))
+
+    for slot in ("observer", "controller"):
+        for name, axis in axes:
+            collect(f"controller.axes.{name}.{slot}", getattr(axis, slot), False)
+    if controller.coupling is not None and any(port.name == "correction" for port in controller.coupling.outputs):
+        collect("controller.coupling", controller.coupling, False)
+    for name, axis in axes:
+        for slot in ("controller", "feedforward"):
+            collect(f"controller.axes.{name}.{slot}", getattr(axis, slot), True)
+    return tuple(names)

@@ -10,7 +10,7 @@ from contourlab.engine.intrinsics import OPTIONS
 from contourlab.engine.memory import call_step, load, load_word, store
 from contourlab.native.compile import compiled
 
-NODE_FIELDS = ("function", "parameters", "tables", "state", "inputs", "outputs", "every", "phase", "repeat")
+NODE_FIELDS = ("function", "parameters", "tables", "state", "inputs", "outputs", "repeat")
 _FIELDS = len(NODE_FIELDS)
 _WORDS = 13
 _SIGNATURE = "i8 " * _WORDS + "f8"
@@ -35,22 +35,20 @@ def _source(width: int) -> Any:
                             store(log, (step * n_log + j) * width + i, load(row, i))
                 if n < n_node:
                     node = nodes + 8 * _FIELDS * n
-                    every = load_word(node, 6)
-                    if every == 1 or (k - load_word(node, 7)) % every == 0:
-                        repeat = load_word(node, 8)
-                        held = period * every / repeat
-                        for r in range(repeat):
-                            call_step(
-                                load_word(node, 0),
-                                load_word(node, 1),
-                                load_word(node, 2),
-                                load_word(node, 3),
-                                load_word(node, 4),
-                                load_word(node, 5),
-                                float(k),
-                                t + r * held,
-                                held,
-                            )
+                    repeat = load_word(node, 6)
+                    held = period / repeat
+                    for r in range(repeat):
+                        call_step(
+                            load_word(node, 0),
+                            load_word(node, 1),
+                            load_word(node, 2),
+                            load_word(node, 3),
+                            load_word(node, 4),
+                            load_word(node, 5),
+                            float(k),
+                            t + r * held,
+                            held,
+                        )
 
     return run
 

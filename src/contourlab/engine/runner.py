@@ -88,7 +88,7 @@ class Group:
         self.memory[:] = saved[1]
 
     def finite(self) -> NDArray[np.bool_]:
-        """Tell for each lane whether all its states and signals are finite."""
+        """Return for each lane whether all its states and signals are finite."""
         return np.asarray(np.isfinite(self.memory[: self._n_live]).all(axis=0))
 
     def state_of(self, node: str) -> Array:
@@ -104,7 +104,7 @@ class Group:
         return ""
 
     def refresh(self) -> None:
-        """Take notice of parameters that were written to `parameters`."""
+        """Apply parameters that were written to `parameters`."""
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
         """Run one tick per row of `external` (n_tick, n_external); return the log (n_tick, n_log, width), in `out` where it is given."""
@@ -156,8 +156,6 @@ class CompiledGroup(Group):
                     self._row_address(self.borders[1 + i]),
                     first + 8 * places[i][1],
                     self._row_address(schedule.first_row[i]),
-                    node.every,
-                    node.phase,
                     node.repeat,
                 )
                 for i, node in enumerate(schedule.nodes)
@@ -248,9 +246,7 @@ class InterpretedGroup(Group):
 
     def _run_node(self, n: int) -> None:
         node = self.schedule.nodes[n]
-        if (self.tick - node.phase) % node.every:
-            return
-        held = self.schedule.period * node.every / node.repeat
+        held = self.schedule.period / node.repeat
         for r in range(node.repeat):
             clock = Clock(float(self.tick), self.tick * self.schedule.period + r * held, held)
             for lane in range(self.width):

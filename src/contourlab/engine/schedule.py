@@ -54,8 +54,6 @@ class Node:
         Outputs as they stand before the first tick, for feedback edges and plants.
     ring_length : int
         How many ticks of its ring port the node keeps (rounded up to a power of two).
-    every, phase : int
-        The node runs at ticks ``phase, phase + every, ...``.
     repeat : int
         Sub-steps per run, each with the inputs held.
     """
@@ -68,8 +66,6 @@ class Node:
     initial: Mapping[str, Any] = field(default_factory=dict)
     start: Mapping[str, Any] = field(default_factory=dict)
     ring_length: int = 0
-    every: int = 1
-    phase: int = 0
     repeat: int = 1
 
     def __post_init__(self) -> None:
@@ -80,8 +76,6 @@ class Node:
         ):
             if given != wanted:
                 raise EngineError(f"node {self.name}: {what} {sorted(given)} given, {sorted(wanted)} wanted")
-        if self.every < 1 or self.repeat < 1 or not 0 <= self.phase < self.every:
-            raise EngineError(f"node {self.name}: every >= 1, repeat >= 1 and 0 <= phase < every are wanted")
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""What the engine knows of a component: a step function, and how many rows of numbers go in and out."""
+"""A component as the engine sees it: a step function and its ports."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ class Step:
         fields = (*self.parameters, *self.tables, *(("ring",) if self.ring else ()))
         object.__setattr__(self, "par_type", record(fields))
         object.__setattr__(self, "n_state", rows(self.states))
-        # A run looks up the compiled form of each of its steps: the deep hash is worked out once.
+        # A run looks up the compiled form of each of its steps: the deep hash is computed once.
         object.__setattr__(self, "_hash", hash((self.name, self.function, self.bank, self.layout)))
 
     def __hash__(self) -> int:

@@ -1,4 +1,4 @@
-"""One clock for all channels: report on the samples' own times, and resample onto an even one."""
+"""Check the sample times of channels, and resample all channels onto one even clock."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from contourlab.units import show
 
 Array = NDArray[np.float64]
 GAP = 1.5
-"""Distance of two samples, in periods, above which samples are missing."""
+"""Longest step without missing samples, in periods."""
 MOST_MISSING = 0.05
-"""Largest share of missing samples; beyond it a log is refused."""
+"""Largest accepted share of missing samples."""
 FEW = 3
-"""Most gaps of a record that is otherwise even."""
+"""Up to so many gaps are gaps; more mean a wrong clock."""
 EVEN = 1e-3
-"""Jitter over the period below which samples count as even, because written times are rounded."""
+"""Jitter over period below which samples are even: times are rounded when written."""
 
 
 @dataclass(frozen=True)
 class Gap:
-    """Where samples are missing: the time of the one before [s], and how many."""
+    """Missing samples: time of the sample before [s], and count."""
 
     time: float
     missing: int
@@ -37,15 +37,15 @@ class ClockReport:
     Attributes
     ----------
     period : float [s]
-        The median of the differences.
+        Of the samples.
     n_sample : int
     jitter_rms, jitter_peak : float [s]
-        Of the times about an even clock between gaps.
+        About an even clock, between gaps.
     gaps : tuple of Gap
     repeated : int
-        Samples with the time of the one before, which were left out.
+        Samples left out because they repeat the time before.
     resampled : bool
-        Whether values had to be interpolated between samples.
+        Whether values were interpolated.
     """
 
     period: float
@@ -67,24 +67,24 @@ class ClockReport:
         Parameters
         ----------
         period : float [s], optional
-            Of the clock that the values were put on; by default their own.
+            Of the common clock; by default the channel's own.
         """
         onto = self.period if period is None else period
-        found = []
+        notes = []
         if self.jitter_peak > EVEN * self.period:
-            found.append(f"times jitter by {show(self.jitter_rms, 'us', 3)} rms, {show(self.jitter_peak, 'us', 3)} at most")
+            notes.append(f"times jitter by {show(self.jitter_rms, 'us', 3)} rms, {show(self.jitter_peak, 'us', 3)} at most")
         if self.gaps:
-            found.append(f"{self.missing} of {self.n_sample + self.missing} samples are missing, {self._gaps()}")
+            notes.append(f"{self.missing} of {self.n_sample + self.missing} samples are missing, {self._gaps()}")
         if self.repeated:
-            many = "samples repeat" if self.repeated > 1 else "sample repeats"
-            found.append(f"{self.repeated} {many} the time of the one before: left out")
+            repeat = "samples repeat" if self.repeated > 1 else "sample repeats"
+            notes.append(f"{self.repeated} {repeat} the time before: left out")
         if self.resampled:
             own = f"a sample every {show(self.period, 'us')}, " if abs(onto - self.period) > EVEN * onto else ""
-            found.append(f"{own}interpolated to an even clock of {show(onto, 'us')}")
-        return found
+            notes.append(f"{own}interpolated to an even clock of {show(onto, 'us')}")
+        return notes
 
     def _gaps(self) -> str:
-        """Return how many gaps there are, and between which samples the longest is."""
+        """Describe the number of gaps and the longest one."""
         worst = max(self.gaps, key=lambda gap: gap.missing)
         end = worst.time + (worst.missing + 1) * self.period
         longest = f"{worst.missing} from t = {worst.time:.6g} s to {end:.6g} s"
@@ -92,7 +92,7 @@ class ClockReport:
 
 
 def look_at_clock(time: Array, name: str, file: Path, period: float | None = None) -> tuple[ClockReport, NDArray[np.bool_]]:
-    """Return the regularity of a channel's times, and which of its samples to keep.
+    """Return the clock report of a channel, and a mask of the samples to keep.
 
     Parameters
     ----------
@@ -101,13 +101,13 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
         Of the channel, for messages.
     file : Path
     period : float [s], > 0, optional
-        As the file says; by default the median of the differences.
+        Stated period; by default the median step.
 
     Raises
     ------
     LogError
-        If there are fewer than three samples, a time is not finite, time goes back or stands still, more than a twentieth of the samples
-        have the time of the one before, the period is not that of the times, or too much is missing.
+        If there are fewer than three samples, a time is not finite or goes back, too many times repeat, the period does not fit the
+        times, or too many samples are missing.
     """
     kept = _kept(time, name, file)
     even = time[kept]
@@ -126,14 +126,14 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     report = ClockReport(usual, even.size, float(np.sqrt(np.mean(jitter**2))), float(np.abs(jitter).max()), gaps, int((~kept).sum()))
     if report.missing > MOST_MISSING * (report.n_sample + report.missing):
         lost = f"{report.missing} of {report.n_sample + report.missing} samples of {name!r}"
-        # A few gaps are in the record, many are in its clock.
-        cure = "cut the log there" if len(report.gaps) <= FEW else "that is no even sampling, or the wrong period"
+        # A few gaps are lost samples; many mean a wrong clock.
+        cure = "cut the log there" if len(report.gaps) <= FEW else "the sampling is uneven, or the period is wrong"
         raise LogError(f"{lost} are missing at a period of {show(usual, 'us')}, {report._gaps()}: {cure}", file=file)
     return report, kept
 
 
 def _kept(time: Array, name: str, file: Path) -> NDArray[np.bool_]:
-    """Return which samples have a time later than the one before; refuse times that go back, stand still or are not finite."""
+    """Return a mask of the samples later than the one before; refuse times that go back, stand still or are not finite."""
     if not np.isfinite(time).all():
         raise LogError(f"the time of {name!r} is not finite at sample {int(np.argmin(np.isfinite(time)))}", file=file)
     step = np.diff(time)
@@ -143,33 +143,32 @@ def _kept(time: Array, name: str, file: Path) -> NDArray[np.bool_]:
         raise LogError(f"time goes back {where}: are two records in one file, or is the column no time?", file=file)
     kept = np.append(True, step > 0.0)
     n = int(np.count_nonzero(kept))
-    repeated = time.size - n
-    if n >= 3 and repeats_too_often(time):
-        count = f"{repeated} of {time.size} samples of {name!r}"
-        raise LogError(f"{count} repeat the time of the one before: times are written too coarsely", file=file)
     if n < 3:
-        raise LogError(f"holds {n} samples of {name!r} at different times: three or more are wanted", file=file)
+        raise LogError(f"holds {n} samples of {name!r} at different times: at least three are needed", file=file)
+    if repeats_too_often(time):
+        count = f"{time.size - n} of {time.size} samples of {name!r}"
+        raise LogError(f"{count} repeat the time before: write the times with more digits", file=file)
     return np.asarray(kept)
 
 
 def repeats_too_often(time: Array) -> bool:
-    """Tell whether so many times (n,) are that of the sample before that they tell no sampling."""
+    """Tell whether too many times (n,) repeat the one before to show the sampling."""
     return bool(np.count_nonzero(np.diff(time) == 0.0) > MOST_MISSING * time.size)
 
 
 def _period(time: Array, count: Array) -> float:
-    """Return the period [s] of times that are so many periods apart."""
-    # The median of rounded differences would drift away from the times: the slope of all of them is better.
+    """Return the period [s] of times that are `count` periods apart."""
+    # The median of rounded steps drifts away from the times: fit a line.
     index = np.append(0.0, np.cumsum(count))
     index -= index.mean()
     slope = float(index @ (time - time.mean()) / (index @ index))
-    # Times are rounded when they are written: 0.1 ms it was, not 0.0999999997 ms, where that makes no difference over the record.
+    # Written times are rounded: take 0.1 ms for 0.0999999997 ms if it makes no difference over the record.
     short = float(f"{slope:.6g}")
     return short if abs(short - slope) * count.sum() < 0.1 * EVEN * slope else slope
 
 
 def _jitter(time: Array, count: Array, period: float) -> Array:
-    """Return the times less those of an even clock, which starts anew behind each gap."""
+    """Return the times minus an even clock that restarts after each gap."""
     index = np.append(0.0, np.cumsum(count))
     off = time - time[0] - index * period
     breaks = np.append(0, np.flatnonzero(count > 1.0) + 1)
@@ -178,16 +177,16 @@ def _jitter(time: Array, count: Array, period: float) -> Array:
 
 
 def common_clock(reports: list[tuple[ClockReport, float, float]], file: Path) -> tuple[float, float, int]:
-    """Return period [s], start [s] and number of samples of the clock that all channels are put on.
+    """Return period [s], start [s] and number of samples of the common clock.
 
     Parameters
     ----------
     reports : list of (ClockReport, float, float)
-        Of each channel, with its first and last time [s].
+        Report, first and last time [s] of each channel.
 
     Notes
     -----
-    The shortest period of all, over the time that all channels cover: nothing is invented before or behind.
+    The shortest period, over the time that all channels cover.
     """
     period = min(report.period for report, _, _ in reports)
     start, stop = max(first for _, first, _ in reports), min(last for _, _, last in reports)
@@ -198,9 +197,9 @@ def common_clock(reports: list[tuple[ClockReport, float, float]], file: Path) ->
 
 
 def resampled(time: Array, values: Array, report: ClockReport, clock: tuple[float, float, int]) -> tuple[Array, bool]:
-    """Return values (n,) on the clock, and whether they had to be interpolated.
+    """Return values (n,) on the clock, and whether they were interpolated.
 
-    An even channel of the clock's own period is taken sample by sample; anything else is interpolated on a line between its samples.
+    An even channel with the clock's period is copied; others are interpolated linearly.
     """
     period, start, n = clock
     same = abs(report.period - period) <= 1e-9 * period and not report.gaps and report.jitter_peak <= EVEN * period

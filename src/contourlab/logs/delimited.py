@@ -1,9 +1,10 @@
-"""Tables of numbers in text: a row for each sample, with or without a line of names and units."""
+"""Read text tables of numbers: a row per sample, with or without names and units; dates and times of day as seconds."""
 
 from __future__ import annotations
 
 import io
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -12,27 +13,26 @@ from numpy.typing import NDArray
 from contourlab.errors import LogError
 from contourlab.logs.reading import CUT, called, cells_of, is_empty, is_unit, name_and_unit, number, numbers, shown, text_of
 from contourlab.logs.record import Channel, Record
-from contourlab.logs.timestamps import EXAMPLE, is_timestamp, timestamp_channel
 
 Array = NDArray[np.float64]
 MARKS = (";", "\t", ",")
 ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".log")
 NO_UNIT = ("", "-", "1")
-"""Cells of a line of units for columns without one."""
+"""Cells for no unit in a line of units."""
 LOOKED_AT = 1000
 """Lines searched for the one most like a row of numbers."""
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?\Z")
 
 
 def matches(file: Path, head: bytes) -> bool:
-    """Tell whether a file may be a table of numbers: text, one of whose first lines holds nothing else."""
+    """Tell whether one of the first lines is a row of numbers."""
     if b"\0" in head or file.suffix.lower() == ".xml":
         return False
     lines = [line for line in head.decode("utf-8-sig", errors="replace").splitlines()[:50] if _bare(line)]
     rows = [_cells(line, _mark(line)) for line in lines]
     if any(_is_row(cells) for cells in rows):
         return True
-    # A faulty table: all lines are separated, and there are few or some hold numbers.
+    # A faulty table: all lines have separators, and there are few or some hold numbers.
     if file.suffix.lower() not in ENDINGS or not rows or not all(_mark(line) for line in lines):
         return False
     return len(rows) <= 2 or any(_NUMBER.match(cell.strip(' "')) for cells in rows for cell in cells)
@@ -41,14 +41,14 @@ def matches(file: Path, head: bytes) -> bool:
 def read(file: Path) -> Record:
     """Read a table of numbers.
 
-    Lines that begin with # or % are skipped. The last line before the first row of numbers names the columns, with units in brackets;
-    a line of units may follow. Semicolons, tabs, commas or blanks separate the cells; with semicolons and tabs a decimal comma is read.
-    Empty cells are gaps; true and false are 1 and 0. Columns of timestamps become seconds from the first one.
+    Lines that begin with # or % are comments. The last line before the numbers names the columns, with units in brackets; a line of
+    units may follow. Semicolons, tabs, commas or blanks separate the cells; the first two allow decimal commas. Empty cells are gaps,
+    true and false are 1 and 0, timestamps become seconds from the first one.
 
     Raises
     ------
     LogError
-        If there is no row of numbers, or one is faulty; says the line.
+        If there is no row of numbers, or one is faulty.
     """
     text = text_of(file)
     lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if _bare(line)]
@@ -73,7 +73,7 @@ def read(file: Path) -> Record:
 def _timestamps(
     rows: list[tuple[int, str]], names: list[str], mark: str | None, file: Path
 ) -> tuple[dict[int, Channel], list[tuple[int, str]]]:
-    """Return the columns of timestamps, and the rows with 0 in their place."""
+    """Return the columns of timestamps, and the rows with 0 in their cells."""
     columns = _columns_of_timestamps(rows, len(names), mark)
     if not columns:
         return {}, rows
@@ -81,27 +81,26 @@ def _timestamps(
     table = [_cells(line, mark) for _, line in rows]
     for i, cells in zip(lines, table, strict=True):
         if len(cells) != len(names):
-            raise LogError(f"has {len(cells)} columns where {len(names)} are wanted", file=file, line=i)
+            raise LogError(f"has {len(cells)} columns instead of {len(names)}", file=file, line=i)
     channels = {j: timestamp_channel(names[j], [cells[j] for cells in table], lines, file) for j in columns}
     kept = [["0" if j in channels else f'"{cell}"' if (mark or " ") in cell else cell for j, cell in enumerate(cells)] for cells in table]
     return channels, [(i, (mark or " ").join(cells)) for i, cells in zip(lines, kept, strict=True)]
 
 
 def _columns_of_timestamps(rows: list[tuple[int, str]], width: int, mark: str | None) -> list[int]:
-    """Return the columns whose first cell that is not empty looks like a timestamp."""
-    found, empty = [], set(range(width))
+    """Return the columns whose first non-empty cell looks like a timestamp."""
+    first: dict[int, str] = {}
     for _, line in rows:
         for j, cell in enumerate(_cells(line, mark)[:width]):
-            if j in empty and not is_empty(cell):
-                empty.remove(j)
-                found += [j] if is_timestamp(cell.strip('" ')) else []
-        if not empty:
+            if j not in first and not is_empty(cell):
+                first[j] = cell
+        if len(first) == width:
             break
-    return sorted(found)
+    return sorted(j for j, cell in first.items() if is_timestamp(cell.strip('" ')))
 
 
 def _first_row(lines: list[tuple[int, str]], file: Path) -> tuple[int, str | None]:
-    """Return which line is the first of the table, and what parts its cells: a row of numbers with another as wide below it."""
+    """Return index and separator of the first row: numbers, with a row as wide below it."""
     alone = None
     for k, (_, line) in enumerate(lines):
         mark = _mark(line)
@@ -118,9 +117,9 @@ def _first_row(lines: list[tuple[int, str]], file: Path) -> tuple[int, str | Non
 
 
 def _no_row(lines: list[tuple[int, str]], file: Path) -> LogError:
-    """Return the error if no line is a row of numbers; it names the bad cell of the best line."""
+    """Return the error for a file without a row of numbers; it names the bad cell of the best line."""
     if len(lines) <= 2:
-        return LogError("has no rows: there are names of columns and no numbers below them", file=file, line=lines[0][0])
+        return LogError("has column names but no rows of numbers", file=file, line=lines[0][0])
     parted = [_cells(line, _mark(line)) for _, line in lines[:LOOKED_AT]]
     right = [[_is_value(cell.strip().strip('"')) for cell in cells] for cells in parted]
     k = max(range(len(right)), key=lambda k: sum(right[k]))
@@ -128,12 +127,12 @@ def _no_row(lines: list[tuple[int, str]], file: Path) -> LogError:
         return LogError("holds no row of numbers", file=file, line=lines[0][0])
     j = right[k].index(False)
     name = parted[0][j].strip(' "') if k and len(parted[0]) == len(parted[k]) else str(j + 1)
-    words = f"{shown(parted[k][j])} in {called(name_and_unit(name)[0])} is neither a number nor a date and time such as {EXAMPLE}"
-    return LogError(f"holds no row of numbers: {words}", file=file, line=lines[k][0])
+    fault = f"{shown(parted[k][j])} in {called(name_and_unit(name)[0])} is neither a number nor a date and time such as {EXAMPLE}"
+    return LogError(f"holds no row of numbers: {fault}", file=file, line=lines[k][0])
 
 
 def _is_closed(heads: list[tuple[int, str]], rows: list[tuple[int, str]], mark: str | None) -> bool:
-    """Tell whether the mark at the end of every line closes the last cell, and opens no empty one."""
+    """Tell whether a mark at the end of each line closes the last cell instead of opening an empty one."""
     if mark is None or not all(line.rstrip(" ").endswith(mark) for _, line in rows):
         return False
     above = heads[-1][1] if heads else ""
@@ -146,8 +145,8 @@ def _bare(line: str) -> str:
 
 
 def _mark(line: str) -> str | None:
-    """Return what parts the cells of a line; None for blanks."""
-    # A comma in numbers that semicolons, tabs or blanks part is a decimal one.
+    """Return the separator of a line; None for blanks."""
+    # With other separators, commas are decimal commas.
     marks = [mark for mark in MARKS if mark in line]
     if marks == [","] and re.search(r"\d,\d+\s+-?\d", line) and "," not in re.sub(r"\d,\d", "", line):
         return None
@@ -161,12 +160,12 @@ def _cells(line: str, mark: str | None) -> list[str]:
 
 
 def _is_row(cells: list[str]) -> bool:
-    found = [cell.strip().strip('"') for cell in cells]
-    return any(_NUMBER.match(cell) or is_timestamp(cell) for cell in found) and all(_is_value(cell) for cell in found)
+    bare = [cell.strip().strip('"') for cell in cells]
+    return any(_NUMBER.match(cell) or is_timestamp(cell) for cell in bare) and all(_is_value(cell) for cell in bare)
 
 
 def _is_value(cell: str) -> bool:
-    """Tell whether a cell is a number, a timestamp, or a word that stands for a value or for none."""
+    """Tell whether a cell is a number, a timestamp, true or false, or empty."""
     try:
         return _NUMBER.match(cell) is not None or is_timestamp(cell) or not np.isinf(number(cell))
     except ValueError:
@@ -174,14 +173,14 @@ def _is_value(cell: str) -> bool:
 
 
 def _heads(lines: list[list[str]], width: int) -> tuple[list[str], list[str]]:
-    """Return names and units of the columns: from the last line as wide as the table, and a line of units below it."""
+    """Return names and units of the columns, from the last one or two lines as wide as the table."""
     wide = [cells if width > 1 else [" ".join(cells)] for cells in lines if len(cells) == width or width == 1]
     if not wide:
         return [str(j + 1) for j in range(width)], [""] * width
     below = [cell.strip().strip('"').strip("[]() ") for cell in wide[-1]]
     if len(wide) > 1 and all(re.fullmatch(r"[^\d\s]?[^\s]{0,7}", cell) for cell in below):
         above = [cell.strip().strip('"').strip() for cell in wide[-2]]
-        if _bracketed(wide[-1]):
+        if all(re.fullmatch(r'"?\s*([\[(].*[\])])?\s*"?', cell) for cell in wide[-1]):  # units in brackets, or empty
             return above, below
         if _bare_units(above, below):
             return above, ["" if cell in NO_UNIT else cell for cell in below]
@@ -189,13 +188,8 @@ def _heads(lines: list[list[str]], width: int) -> tuple[list[str], list[str]]:
     return [name or str(j + 1) for j, (name, _) in enumerate(pairs)], [unit for _, unit in pairs]
 
 
-def _bracketed(cells: list[str]) -> bool:
-    """Tell whether a line is one of units alone: each in brackets, or empty."""
-    return all(re.fullmatch(r'"?\s*([\[(].*[\])])?\s*"?', cell) for cell in cells)
-
-
 def _bare_units(names: list[str], cells: list[str]) -> bool:
-    """Tell whether cells below names are units without brackets: each that holds something is one that is known, and has a name."""
+    """Tell whether the cells below the names are known units without brackets, or empty."""
     units = [(name, cell) for name, cell in zip(names, cells, strict=True) if cell not in NO_UNIT]
     return bool(units) and all(name and name != cell and is_unit(cell) for name, cell in units)
 
@@ -205,12 +199,105 @@ def _values(lines: list[tuple[int, str]], names: list[str], mark: str | None, fi
     comma = mark != "," and "," in text
     plain = text if not comma else text.replace(",", ".") if "." not in text else ""
     try:
-        found = np.loadtxt(io.StringIO(plain), delimiter=mark, ndmin=2, comments=None) if plain else np.empty(0)
-        if found.shape == (len(lines), len(names)):
-            return np.asarray(found, dtype=np.float64)
+        values = np.loadtxt(io.StringIO(plain), delimiter=mark, ndmin=2, comments=None) if plain else np.empty(0)
+        if values.shape == (len(lines), len(names)):
+            return np.asarray(values, dtype=np.float64)
     except ValueError:
         pass  # empty cells, words and faults: read cell by cell
-    again = next((i for i, line in lines if line in heads), 0)
-    if again:
-        raise LogError("the head stands here again: two records are in one file", file=file, line=again)
+    if repeated := next((i for i, line in lines if line in heads), 0):
+        raise LogError("the header is repeated here: two records are in one file", file=file, line=repeated)
     return numbers([(i, _cells(line, mark)) for i, line in lines], names, file, comma)
+
+
+# --- dates and times of day --------------------------------------------------------------------------------------------------------
+
+DAY = 86_400 * 10**9
+"""Nanoseconds."""
+EXAMPLE = "2024-05-31T14:03:21.250"
+CURE = f"write timestamps as {EXAMPLE}, with Z or +02:00 behind them or not, or as seconds; or give --period"
+
+_DATE = (
+    r"(\d{1,4}[-/.]\d{1,2}[-/.]\d{1,4}|\d{8}(?=T)"
+    r"|\d{1,2}(\.? |[-/.])[^\W\d_]{3,}\.?[-/. ]\d{2,4}|[^\W\d_]{3,}\.? \d{1,2},? \d{4})"
+)
+_ZONE = r"(?P<zone>Z|[+-]\d\d(:?\d\d)?)?\Z"
+_CLOCK_LIKE = r"\d{1,2}:\d\d(:\d\d([.,:]\d+)?)?\s*([AaPp][Mm])?"
+_LIKE = re.compile(rf"({_CLOCK_LIKE}|{_DATE}([T ,]*{_CLOCK_LIKE}|T\d{{6}}([.,]\d+)?)?)\s*{_ZONE}")
+_CLOCK = r"([01]?\d|2[0-3]):[0-5]\d:[0-5]\d(\.\d{1,9})?"
+_FORMS = {
+    "ISO8601": re.compile(rf"(\d{{4}}-\d\d-\d\d[T ]{_CLOCK}|\d{{8}}T\d{{6}}(\.\d{{1,9}})?){_ZONE}"),
+    "mixed": re.compile(rf"(\d{{1,2}}\.\d{{1,2}}\.\d{{4}}|\d{{1,2}}[- ][A-Za-z]{{3,9}}[- ]\d{{4}}) {_CLOCK}{_ZONE}"),
+    "time of day": re.compile(rf"{_CLOCK}\Z"),
+}
+"""Unambiguous timestamps; the first two names are formats of `pandas.to_datetime`."""
+
+
+def is_timestamp(cell: str) -> bool:
+    """Tell whether a cell looks like a date, a time of day or both, ambiguous or not.
+
+    >>> is_timestamp("2024-05-31T14:03:21.250Z"), is_timestamp("31.05.2024 14:03"), is_timestamp("1.5"), is_timestamp("")
+    (True, True, False, False)
+    >>> is_timestamp("31-May-2024 14:03:21"), is_timestamp("31. Mai 2024"), is_timestamp("may")
+    (True, True, False)
+    """
+    return _LIKE.match(cell.strip()) is not None
+
+
+def timestamp_channel(name: str, texts: Sequence[str], lines: Sequence[int], file: Path) -> Channel:
+    """Return a column of timestamps as a channel of seconds from the first one.
+
+    Errors go to `Channel.fault`, because the column may not be needed.
+
+    Parameters
+    ----------
+    name : str
+    texts : sequence of str
+        ISO 8601 with T or a blank, day first with dots, English month names, or times of day, which continue past midnight. Time zones
+        in all rows or none. Empty cells are gaps.
+    lines : sequence of int
+        Line of each row in the file.
+    file : Path
+    """
+    rows = [row for row, text in enumerate(texts) if not is_empty(text)]
+    seconds = np.full(len(texts), np.nan)
+    notes: tuple[str, ...] = ()
+    try:
+        ticks, is_clock = _ticks([texts[row] for row in rows], name, [lines[row] for row in rows], file)
+    except LogError as fault:
+        return Channel(name, seconds, "s", is_timestamp=True, fault=fault)
+    if ticks.size:
+        day, clock = ticks // DAY, ticks % DAY
+        if is_clock:
+            day = np.cumsum(np.diff(clock, prepend=clock[0]) < -DAY // 2)
+            notes = (f"times of day in {name!r} continue past midnight",) if day[-1] else ()
+        seconds[rows] = (day - day[0]) * 86400.0 + (clock - clock[0]) * 1e-9
+    return Channel(name, seconds, "s", is_timestamp=True, notes=notes)
+
+
+def _ticks(texts: list[str], name: str, lines: Sequence[int], file: Path) -> tuple[NDArray[np.int64], bool]:
+    """Return timestamps in nanoseconds, and whether they are times of day."""
+    import pandas
+
+    cells = [text.strip(' "').replace(",", ".") for text in texts]
+    forms = [_form(cell) for cell in cells]
+    wrong = [form is None or form != forms[0] for form in forms]
+    ticks = np.zeros(len(cells), dtype=np.int64)
+    is_clock = bool(forms and forms[0] and forms[0][0] == "time of day")
+    if is_clock and not any(wrong):
+        ticks = pandas.to_timedelta(cells).as_unit("ns").asi8
+    elif forms and forms[0] and not any(wrong):
+        stamps = pandas.to_datetime(cells, format=forms[0][0], dayfirst=True, utc=True, errors="coerce")
+        wrong, ticks = stamps.isna().tolist(), stamps.as_unit("ns").asi8
+    if any(wrong):
+        k = wrong.index(True)
+        other = ", in another format than the first," if forms[k] and forms[k] != forms[0] else ""
+        raise LogError(f"{shown(texts[k])} in column {name!r}{other} is no unambiguous timestamp: {CURE}", file=file, line=lines[k])
+    return ticks, is_clock
+
+
+def _form(cell: str) -> tuple[str, bool] | None:
+    """Return the name in `_FORMS` of a cell's format, and whether it has a time zone; None if ambiguous."""
+    for name, form in _FORMS.items():
+        if match := form.match(cell):
+            return name, bool(match.groupdict().get("zone"))
+    return None

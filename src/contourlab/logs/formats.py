@@ -1,4 +1,4 @@
-"""The formats of logs: which there are, and which of them a file is."""
+"""The formats of logs, and their recognition."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Format:
     Attributes
     ----------
     name : str
-        As ``--format`` takes it.
+        Value of ``--format``.
     matches : callable
         ``matches(file, head) -> bool``, from the name and the first bytes.
     read : callable
@@ -37,7 +37,7 @@ def _is_result(file: Path, head: bytes) -> bool:
 
 
 def _read_result(file: Path) -> Record:
-    """Read a result of contourlab; channels are named ``position.x``, and ``arc_length`` where there is one for all axes."""
+    """Read a result of contourlab; channels are ``position.x``, or ``arc_length`` for all axes."""
     try:
         result = Result.load(file)
     except ResultError as error:
@@ -52,7 +52,7 @@ def _read_result(file: Path) -> Record:
     return Record(file, "contourlab", tuple(channels), result.servo_period, attributes=dict(result.attributes))
 
 
-# From the most particular to the one that takes any table of numbers.
+# From the most specific to any table of numbers.
 FORMATS = {
     kind.name: kind
     for kind in (
@@ -69,12 +69,12 @@ FORMATS = {
 
 
 def format_of(file: str | Path) -> Format:
-    """Return the format that a file is in.
+    """Recognise the format of a file.
 
     Raises
     ------
     LogError
-        If the file cannot be read, is empty, or looks like none of them.
+        If the file cannot be read, is empty, or has no known format.
     """
     path = Path(file)
     if path.is_dir():
@@ -87,18 +87,18 @@ def format_of(file: str | Path) -> Format:
 
 
 def read_record(file: str | Path, format: str | None = None) -> Record:  # noqa: A002
-    """Read a log as it stands.
+    """Read a log without interpretation.
 
     Parameters
     ----------
     file : str or Path
     format : str, optional
-        One of `FORMATS`; by default what the file looks like.
+        One of `FORMATS`; by default recognised.
 
     Raises
     ------
     LogError
-        If it cannot be read; says file and line.
+        If it cannot be read.
     ParameterError
         If the format is unknown.
     """

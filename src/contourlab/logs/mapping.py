@@ -1,7 +1,8 @@
-"""Map columns to signals: as the user says, or by name if it leaves no doubt."""
+"""Map columns to signals, as given or by unambiguous names."""
 
 from __future__ import annotations
 
+import itertools
 import re
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
@@ -10,11 +11,11 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.errors import LogError, UnitError
-from contourlab.logs.names import TIME, meant
-from contourlab.logs.reading import name_and_unit
-from contourlab.logs.record import Channel, Record, quoted
+from contourlab.logs.reading import name_and_unit, readable
+from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
 from contourlab.units import same_dimension, to_si
 
+TIME = "time"
 SIGNALS = {
     "reference": "m",
     "position": "m",
@@ -29,26 +30,26 @@ SIGNALS = {
     "torque": "N*m",
     "disturbance_estimate": "",
 }
-"""Signals that a column can be, with their unit; an empty one is what the column has."""
+"""Signals and their units; empty for the unit of the column."""
 _TARGET = re.compile(r"(?P<signal>[a-z_]+)(?:\.(?P<axis>\w+))?\Z")
 
 
 @dataclass(frozen=True)
 class Column:
-    """A column of a log that is a signal.
+    """The column of a signal.
 
     Attributes
     ----------
     signal : str
         Of `SIGNALS`, or "time".
     axis : str
-        Empty where the signal is one for all axes.
+        Empty for a signal of all axes.
     column : str
-        Name of the column, or a part of it that no other has.
+        Name of the column, or a unique part of it.
     unit : str
         Overrides the file's; empty for the file's own.
     factor : float
-        On the values: -1 where the file counts the other way.
+        Applied to the values; -1 reverses the direction.
     """
 
     signal: str
@@ -73,24 +74,24 @@ class Columns:
 
 
 def parse_columns(texts: Iterable[str], where: str = "--column") -> tuple[Column, ...]:
-    """Read columns as the command line has them: ``position.x=Encoder X [mm]``, with ``-`` before the name where it counts the other way.
+    """Read columns of the command line: ``position.x=Encoder X [mm]``, with ``-`` before the name to reverse the direction.
 
     Raises
     ------
     LogError
-        If one is no such text, or names a signal twice.
+        If a text has another form, or a signal is named twice.
 
     >>> parse_columns(["position.x = -enc_x [mm]"])
     (Column(signal='position', axis='x', column='enc_x', unit='mm', factor=-1.0),)
     """
-    found = []
+    columns = []
     for text in texts:
         target, equals, column = (part.strip() for part in text.partition("="))
         if not equals or not column:
             raise LogError(f"{text!r}: write for example position.x=NAME [mm]", file=where)
         name, unit = name_and_unit(column.removeprefix("-") if column.startswith("-") else column)
-        found.append(_column(target, name, unit, -1.0 if column.startswith("-") else 1.0, where))
-    return once(found, where)
+        columns.append(_column(target, name, unit, -1.0 if column.startswith("-") else 1.0, where))
+    return once(columns, where)
 
 
 def read_columns(file: str | Path) -> Columns:
@@ -108,15 +109,14 @@ def read_columns(file: str | Path) -> Columns:
     Raises
     ------
     LogError
-        If a key is unknown or a value is not of its kind; says the key.
+        If a key is unknown or a value has the wrong type.
     """
     path = Path(file)
     try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise LogError(f"cannot be read: {error.strerror or error}", file=path) from error
+        with readable(path):
+            content = tomllib.loads(path.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise LogError(f"is no TOML: {error}", file=path) from error
+        raise LogError(f"is not valid TOML: {error}", file=path) from error
     for key in content:
         if key not in ("period", "format", "columns"):
             raise LogError(f"{key}: unknown key; there are period, format, columns", file=path)
@@ -149,29 +149,23 @@ def _of_table(target: str, value: Any, path: Path) -> Column:
 
 
 def _column(target: str, name: str, unit: str, factor: float, where: str | Path) -> Column:
-    found = _TARGET.match(target)
-    if found is None or found["signal"] not in (TIME, *SIGNALS):
+    match = _TARGET.match(target)
+    if match is None or match["signal"] not in (TIME, *SIGNALS):
         raise LogError(f"{target!r} is no signal: write one of {TIME}, {', '.join(SIGNALS)}, and its axis, such as position.x", file=where)
-    signal, axis = found["signal"], found["axis"] or ""
+    signal, axis = match["signal"], match["axis"] or ""
     if (signal == TIME) != (not axis):
-        raise LogError(f"{target!r}: " + ("time has no axis" if axis else f"of which axis? Write {signal}.x"), file=where)
+        raise LogError(f"{target!r}: " + ("time has no axis" if axis else f"write the axis, as in {signal}.x"), file=where)
     expected = "s" if signal == TIME else SIGNALS[signal]
     try:
         if unit and not same_dimension(unit, expected or unit):
-            raise LogError(f"{target}: {unit} is no unit of {signal}, such as {expected}", file=where)
+            raise LogError(f"{target}: {unit} is no unit of {signal}; write one such as {expected}", file=where)
     except UnitError as error:
         raise LogError(f"{target}: {error}", file=where) from error
     return Column(signal, axis, name, unit, factor)
 
 
 def once(columns: Sequence[Column], where: str | Path) -> tuple[Column, ...]:
-    """Return the columns; refuse two for the same signal.
-
-    Raises
-    ------
-    LogError
-        If two are; names both.
-    """
+    """Return the columns; refuse two for the same signal."""
     first: dict[tuple[str, str], Column] = {}
     for column in columns:
         before = first.setdefault((column.signal, column.axis), column)
@@ -181,29 +175,29 @@ def once(columns: Sequence[Column], where: str | Path) -> tuple[Column, ...]:
 
 
 def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
-    """Return which columns each signal and axis may be by their names: a time, and for each axis a reference, a position, a velocity.
+    """Return the candidate columns of each signal and axis, by name: time, reference, position, velocity.
 
-    `contourlab.logs.names` reads the name, or else the channel's path in the control. A column named ``position.x`` is that signal,
-    whatever else sounds alike. Timestamps are the time if no other column is named so. Several names for one signal leave a doubt.
+    `meant` reads the name, or else the channel's path in the control. A column named ``position.x`` is that signal alone. Timestamps are
+    the time if no other column is. Several candidates are ambiguous.
     """
-    found: dict[tuple[str, str], list[str]] = {}
+    candidates: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:
         target = _meaning(channel)
         if target is not None and not (target == (TIME, "") and channel.is_timestamp):
-            found.setdefault(target, []).append(channel.name)
+            candidates.setdefault(target, []).append(channel.name)
     for channel in record.channels:
         if (own := _own(channel)) is not None:
-            found[own] = [channel.name]
+            candidates[own] = [channel.name]
     dates = [channel for channel in record.channels if channel.is_timestamp]
-    if (TIME, "") not in found and dates:
+    if (TIME, "") not in candidates and dates:
         dates = [channel for channel in dates if channel.fault is None] or dates
         dates = [channel for channel in dates if _meaning(channel) == (TIME, "")] or dates
-        found[TIME, ""] = [channel.name for channel in dates]
-    return found
+        candidates[TIME, ""] = [channel.name for channel in dates]
+    return candidates
 
 
 def _own(channel: Channel) -> tuple[str, str] | None:
-    """Return the signal and axis whose name a column has."""
+    """Return signal and axis of a column named like ``position.x``."""
     own = _TARGET.match(channel.name)
     return (own["signal"], own["axis"]) if own is not None and own["signal"] in SIGNALS and own["axis"] else None
 
@@ -214,5 +208,113 @@ def _meaning(channel: Channel) -> tuple[str, str] | None:
 
 def unknown(record: Record) -> str:
     """Return the message that asks for columns."""
-    cure = "say for example --column 'position.x=NAME [mm]', or name a file of columns with --columns"
-    return f"which column is what? There are {quoted(record.names)}; {cure}"
+    cure = "write for example --column 'position.x=NAME [mm]', or name a file of columns with --columns"
+    return f"the signals of the columns are unknown: {cure}. There are {quoted(record.names)}"
+
+
+# --- what a name says --------------------------------------------------------------------------------------------------------------
+
+_TIME = {"t", "time", "zeit", "timestamp", "seconds", "datetime"}
+_VELOCITY = {"vel", "velo", "velocity", "speed", "geschwindigkeit"}
+_PLACE = {"encoder", "position", "pos", "enc"}
+_REFERENCE = {
+    *("ref", "refcommand", "reference", "setpoint", "soll", "sollposition", "lagesollwert"),
+    *("desired", "target", "cmd", "demand", "commanded", "nominal", "noml"),
+}
+_ASKED = {"set", "command", "des"}
+"""Words of a reference together with a position or velocity; alone they may mean a force or a set of data."""
+_SEEN = {"feedback", "fbk", "actual", "act", "actl", "ist", "istposition", "lageistwert", "measured"}
+_MEASURED = _SEEN | {"fb"}  # a function block too: "MAIN.fbAxis1.NcToPlc.SetPos"
+_PLAIN = {"axis", "axes", "joint", "channel", "ch", "signal", "value", "data", "raw", "machine", "the", "of"}
+"""Words that do not change the meaning."""
+_OF_MANY = {"motor", "servo", "drive", "main", "gvl", "nc", "to", "plc"}
+"""Words of units with many signals: ``motor cmd`` may be a torque, ``MAIN.fbAxis1.Cmd`` anything."""
+_LETTERS = frozenset(AXIS_LETTERS)
+_KNOWN = _VELOCITY | _PLACE | _REFERENCE | _ASKED | _MEASURED | _PLAIN | _OF_MANY | _LETTERS
+_KNOWN_BEFORE = {"current": {"position", "pos"} | _VELOCITY, "feed": {"reference"}, "st": {"axis"}, "lr": {"act", "set"}}
+"""Words known only before these: ``current`` may be that of a motor, ``feed act X`` is a speed."""
+_SYMBOLS = frozenset("auv")
+"""Axis letters that are also symbols of acceleration, voltage and velocity: ``a actual``, ``V (NOM RPM)``."""
+_RUN_TOGETHER = re.compile(
+    r"(act|set|cmd|ref|des)(pos|velo?)|(pos|velo?)(cmd|fbk?|act|set|ref|des|err|diff)|(data|axis|ref|pos|enc)([xyz])"
+)
+_BESIDE = re.compile(
+    r"\A(?:logs?|out|output|record|run|scope)\.|\(64 bit\)|#\d+\Z"
+    r"|(?:[\s_]+|\s*[(\[])(?:in[\s_]+)?(?:[mu]?m|\u00b5m|inch)(?:(?:/|[\s_]per[\s_]|[\s_])(?:s|sec|min))?[)\]]?\Z"
+)
+"""Parts of a name that are ignored: a structure, the size of a number, the number of a duplicate, a unit."""
+_UNUSUAL = re.compile(r"\A\s*-|[^\w\s./:;,()\[\]-]")
+"""A sign or an operator, as in a formula."""
+_TWINCAT = re.compile(r"ToPlc\.|(Act|Set)(Pos|Velo)\b")
+_END_OF_MOVE = re.compile(r"ToPlc\.TargetPos\b")
+
+
+def meant(name: str) -> tuple[str, str] | None:
+    """Return signal and axis of an unambiguous name, else None; the time has the axis "".
+
+    Knows the words of LinuxCNC, TwinCAT (``Axes.Axis 1.ToPlc.ActPos``, ``SetVelo``), Heidenhain (``Noml. pos``), Aerotech (``PosCmd (X)``)
+    and common names. Numbers are joints from 0, or TwinCAT axes from 1. An unknown word makes a name ambiguous, because it may change
+    the meaning.
+
+    >>> meant("Encoder Feedback X"), meant("joint.0.motor-pos-cmd"), meant("SetPos Y"), meant("Zeit")
+    (('position', 'x'), ('reference', 'x'), ('reference', 'y'), ('time', ''))
+    >>> meant("Position Error X"), meant("a actual"), meant("x")
+    (None, None, None)
+    """
+    if len(words := _words(name)) == 1 and words[0] in _TIME:
+        return TIME, ""
+    bare = _BESIDE.sub(" ", name)
+    words = _words(bare)
+    if _UNUSUAL.search(bare) or _END_OF_MOVE.search(name) or not _are_known(words):
+        return None
+    axis, signal = _axis(name, words), _signal(set(words))
+    if axis is None or signal is None:
+        return None
+    return None if axis in _SYMBOLS and not set(words) & (_PLACE | _VELOCITY) else (signal, axis)
+
+
+def _words(name: str) -> list[str]:
+    """Return the words of a name in lower case; ``actpos`` is two."""
+    words = [word.casefold() for word in re.findall(r"[^\W\d_]+|\d+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name))]
+    matches = [(word, _RUN_TOGETHER.fullmatch(word)) for word in words]
+    return [part for word, match in matches for part in (filter(None, match.groups()) if match else [word])]
+
+
+def _are_known(words: list[str]) -> bool:
+    """Tell whether all words are known; an unknown one may change the meaning, as in ``x position window``."""
+    for before, word, after in zip(["", *words], words, [*words[1:], ""], strict=False):
+        if word.isdigit():
+            # X1 is axis X; X2 may be its second motor or encoder.
+            known = before in ("joint", "axis", "channel", "ch") or (word == "1" and before in _LETTERS)
+        else:
+            known = word in _KNOWN or after in _KNOWN_BEFORE.get(word, ())
+        if not known:
+            return False
+    return True
+
+
+def _signal(words: set[str]) -> str | None:
+    quantities = words & (_PLACE | _VELOCITY)
+    if words & _OF_MANY and not quantities:
+        return None
+    is_asked = bool(words & _REFERENCE or (quantities and words & _ASKED))
+    if is_asked and words & _SEEN:
+        return None  # "REF ACTL" is the position from the reference mark
+    if words & _VELOCITY:
+        return "reference_velocity" if is_asked else "velocity"
+    if is_asked:
+        return "reference"
+    return "position" if words & (_PLACE | _MEASURED) else None
+
+
+def _axis(name: str, words: list[str]) -> str | None:
+    """Return the axis, by letter or joint number; None for several axes or an array element."""
+    first = 1 if _TWINCAT.search(name) else 0
+    axes = {word for word in words if word in _LETTERS}
+    for before, word in itertools.pairwise(words):
+        if before in ("joint", "axis") and word.isdigit():
+            # Array elements may count from 0 or from 1.
+            if not first <= int(word) < first + len(AXIS_LETTERS) or f"[{word}]" in name:
+                return None
+            axes.add(AXIS_LETTERS[int(word) - first])
+    return axes.pop() if len(axes) == 1 else None

@@ -1,4 +1,4 @@
-"""MATLAB files: variables that stand side by side, structures of them, and captures of ControlDesk (versions 4 to 7 and 7.3)."""
+"""Read MATLAB files, versions 4 to 7.3: variables, structures, and captures of ControlDesk."""
 
 from __future__ import annotations
 
@@ -16,20 +16,19 @@ from contourlab.logs.record import Channel, Record
 Array = NDArray[np.float64]
 HDF = b"\x89HDF\r\n\x1a\n"
 SHORTEST = 2
-"""Numbers that a channel has at least; one alone is a constant."""
+"""Least numbers of a channel; a single one is a constant."""
 
 
 def matches(file: Path, head: bytes) -> bool:
-    """Tell by the text that MATLAB begins its files with, or by the ending of the name."""
+    """Tell by the first bytes, or by the suffix."""
     return head.startswith(b"MATLAB ") or (file.suffix.lower() == ".mat" and not head.startswith(b"PAR1"))
 
 
 def read(file: Path) -> Record:
     """Read a MATLAB file.
 
-    A variable of numbers is a channel, one of a single number a constant; the fields of a structure are named after it, ``output.CH1in``.
-    A capture has a field X with the times, and fields Y with a name, data and a unit each; where there is nothing besides one structure,
-    its name is left away. Columns of a matrix are numbered.
+    A variable of numbers is a channel, a single number a constant. Fields of a structure are ``output.CH1in``; the name of a single
+    structure is left out. Columns of a matrix are numbered. A capture has times in a field X, and fields Y with name, data and unit.
 
     Raises
     ------
@@ -47,13 +46,17 @@ def read(file: Path) -> Record:
         except (AttributeError, KeyError, TypeError, ValueError) as error:
             raise LogError(f"looks like a capture (X, Y), but is not laid out as one: {error}", file=file) from error
     else:
-        found = list(_leaves(tree, ""))
-        columns = [(*name_and_unit(name), value) for name, value in found if value.size >= SHORTEST]
-        channels = [Channel(name, value, unit) for name, unit, value in columns]
-        constants = {name: float(value[0]) for name, value in found if value.size == 1}
+        columns = list(_leaves(tree, ""))
+        channels = [Channel(*_named(name, value)) for name, value in columns if value.size >= SHORTEST]
+        constants = {name: float(value[0]) for name, value in columns if value.size == 1}
     if not channels:
         raise LogError("holds no columns of numbers", file=file)
     return Record(file, "matlab", tuple(channels), period, constants)
+
+
+def _named(text: str, values: Array) -> tuple[str, Array, str]:
+    name, unit = name_and_unit(text)
+    return name, values, unit
 
 
 def _is_hdf(file: Path) -> bool:
@@ -67,10 +70,10 @@ def _tree(file: Path) -> dict[str, Any]:
     from scipy.io import loadmat
 
     try:
-        found = loadmat(file, squeeze_me=True, struct_as_record=False)
-    except Exception as error:  # the reader lets whatever goes wrong inside through
+        variables = loadmat(file, squeeze_me=True, struct_as_record=False)
+    except Exception as error:  # loadmat passes on any error
         raise LogError(f"cannot be read as MATLAB: {error}", file=file) from error
-    return {name: _plain(value) for name, value in found.items()}
+    return {name: _plain(value) for name, value in variables.items()}
 
 
 def _plain(value: Any) -> Any:
@@ -93,13 +96,13 @@ def _tree_of_hdf(file: Path) -> dict[str, Any]:
 
 
 def _plain_hdf(stored: Any, item: Any) -> Any:
-    """Return what an item of version 7.3 is: a group is a structure, a reference leads to the item, text is stored as numbers."""
+    """Return an item of version 7.3: groups are structures, references lead to items, text is stored as numbers."""
     import h5py
 
     if isinstance(item, h5py.Group):
         fields = {name: _plain_hdf(stored, inner) for name, inner in item.items() if inner is not None}
         lists = [value for value in fields.values() if isinstance(value, list)]
-        # An array of structures is stored as a structure of arrays of references.
+        # An array of structures is a structure of arrays of references.
         if fields and len(lists) == len(fields) and len({len(value) for value in lists}) == 1:
             return [dict(zip(fields, values, strict=True)) for values in zip(*lists, strict=True)]
         return fields
@@ -121,9 +124,8 @@ def _is_capture(tree: Mapping[str, Any]) -> bool:
 
 def _capture(tree: Mapping[str, Any]) -> tuple[list[Channel], dict[str, float], float | None]:
     time = _numbers(tree["X"]["Data"])
-    rows = tree["Y"] if isinstance(tree["Y"], list) else [tree["Y"]]
     channels = []
-    for row in rows:
+    for row in tree["Y"] if isinstance(tree["Y"], list) else [tree["Y"]]:
         name, unit = name_and_unit(_short(str(row.get("Name", ""))))
         own = row.get("Unit")
         channels.append(Channel(name, _numbers(row["Data"]), own if isinstance(own, str) and own else unit, time))
@@ -138,7 +140,7 @@ def _short(name: str) -> str:
 
 
 def _leaves(tree: Any, name: str) -> Iterator[tuple[str, Array]]:
-    """Yield every column of numbers with its full name."""
+    """Yield the columns of numbers with their full names."""
     if isinstance(tree, Mapping):
         for key, value in tree.items():
             yield from _leaves(value, f"{name}.{key}" if name else key)

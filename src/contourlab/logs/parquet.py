@@ -1,4 +1,4 @@
-"""Apache Parquet, by pyarrow where it is installed."""
+"""Read Apache Parquet with pyarrow."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def matches(file: Path, head: bytes) -> bool:
 
 
 def read(file: Path) -> Record:
-    """Read the columns of numbers and of times; units stand in brackets in a name, or under ``unit`` in a field's metadata.
+    """Read columns of numbers and times; units are in brackets in the name, or under ``unit`` in the metadata.
 
     Raises
     ------
@@ -34,15 +34,10 @@ def read(file: Path) -> Record:
         table = parquet.ParquetFile(file).read()
     except (arrow.ArrowException, OSError, ValueError) as error:
         raise LogError(f"cannot be read as Parquet: {str(error).splitlines()[0]}", file=file) from error
-    channels, left = [], []
-    for i, field in enumerate(table.schema):
-        found = _channel(field, table.column(i))
-        if found is None:
-            left.append(field.name)
-        else:
-            channels.append(found)
-    notes = (f"columns that are no numbers are left out: {', '.join(left)}",) if left else ()
-    return Record(file, "parquet", tuple(channels), notes=notes)
+    channels = [_channel(field, table.column(i)) for i, field in enumerate(table.schema)]
+    left_out = [field.name for field, channel in zip(table.schema, channels, strict=True) if channel is None]
+    notes = (f"columns without numbers are left out: {', '.join(left_out)}",) if left_out else ()
+    return Record(file, "parquet", tuple(channel for channel in channels if channel), notes=notes)
 
 
 def _channel(field: Any, column: Any) -> Channel | None:
@@ -52,11 +47,11 @@ def _channel(field: Any, column: Any) -> Channel | None:
     own_unit = (field.metadata or {}).get(b"unit", b"").decode("utf-8", errors="replace")
     kind = field.type
     if types.is_timestamp(kind) or types.is_duration(kind):
-        # Counted from the first one: what is lost is the date alone, and doubles hold no nanoseconds since 1970.
-        there = column.is_valid().to_numpy(zero_copy_only=False)
+        # Counted from the first: doubles cannot hold nanoseconds since 1970.
+        valid = column.is_valid().to_numpy(zero_copy_only=False)
         ticks = column.drop_null().cast("int64").to_numpy(zero_copy_only=False)
-        values = np.full(there.size, np.nan)
-        values[there] = (ticks - ticks[:1]) * {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit]
+        values = np.full(valid.size, np.nan)
+        values[valid] = (ticks - ticks[:1]) * {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit]
         return Channel(name, values, "s", is_timestamp=types.is_timestamp(kind))
     if types.is_integer(kind) or types.is_floating(kind) or types.is_boolean(kind) or types.is_decimal(kind):
         values = np.array([np.nan if v is None else float(v) for v in column.to_pylist()]) if column.null_count else column.to_numpy()

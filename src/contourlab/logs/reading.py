@@ -1,11 +1,12 @@
-"""Text of a log, and numbers out of it, with the line named where it is wrong."""
+"""Read text and numbers of a log; errors name the line."""
 
 from __future__ import annotations
 
 import csv
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -18,9 +19,9 @@ Array = NDArray[np.float64]
 HEAD = 1 << 16
 """Bytes of a file that identify its format."""
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")
-"""Marks that text in UTF-16 begins with."""
+"""Byte order marks of UTF-16."""
 CUT = "the last line is cut short and left out"
-"""Note on a file whose writing was interrupted."""
+"""Note on an interrupted file."""
 SHOWN = 40
 """Characters of a faulty cell that a message shows."""
 _UNIT = re.compile(r"\s*(?P<name>.*?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]\s*\Z")
@@ -31,35 +32,39 @@ _BITS = {"true": 1.0, "false": 0.0}
 
 
 def head_of(file: Path) -> bytes:
-    """Return the first bytes of a file; those of UTF-16 with a mark in UTF-8.
+    """Return the first bytes of a file, UTF-16 with a byte order mark as UTF-8.
 
     Raises
     ------
     LogError
-        If it cannot be read, is no plain file, or is empty.
+        If it cannot be read, is not a regular file, or is empty.
     """
     if file.exists() and not file.is_file():
-        raise LogError("is no plain file, which can be read more than once: write it to one", file=file)
-    try:
-        with file.open("rb") as stream:
-            head = stream.read(HEAD)
-    except OSError as error:
-        raise LogError(f"cannot be read: {error.strerror or error}", file=file) from error
+        raise LogError("is not a regular file: write its content to one", file=file)
+    with readable(file), file.open("rb") as stream:
+        head = stream.read(HEAD)
     if not head.strip():
         raise LogError("is empty", file=file)
     return head.decode("utf-16", errors="ignore").encode() if head[:2] in UTF_16 else head
 
 
-def text_of(file: Path) -> str:
-    """Return the text of a file: UTF-8 with or without a mark, UTF-16 with one, else Latin-1 as older controls write it."""
+@contextmanager
+def readable(file: Path) -> Iterator[None]:
+    """Raise `LogError` for a file that cannot be read."""
     try:
-        data = file.read_bytes()
+        yield
     except OSError as error:
         raise LogError(f"cannot be read: {error.strerror or error}", file=file) from error
+
+
+def text_of(file: Path) -> str:
+    """Return the text of a file: UTF-8, UTF-16 with a byte order mark, else Latin-1 as older controls write it."""
+    with readable(file):
+        data = file.read_bytes()
     if data[:2] in UTF_16:
         return data.decode("utf-16", errors="replace")
     if b"\0" in data[:HEAD]:
-        raise LogError("is no text: say what it is with --format", file=file)
+        raise LogError("is not text: name its format with --format", file=file)
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -67,9 +72,9 @@ def text_of(file: Path) -> str:
 
 
 def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[str, ...]]:
-    """Return the lines of text that a program wrote, each with its number, but for blank ones; and what there is to say of them.
+    """Return the numbered lines of a file without blank ones, and notes.
 
-    The program ends each line: a last one without an end is what was being written when the power or the disk was gone, and is left out.
+    A last line without a line break was cut short, and is left out.
     """
     text = text_of(file)
     lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip()]
@@ -79,12 +84,12 @@ def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[str, ...]]:
 
 
 def cells_of(line: str, mark: str) -> list[str]:
-    """Return the cells of a line, without the quotes around them."""
+    """Split a line into cells without quotes."""
     if '"' not in line:
         return line.split(mark)
     try:
         return next(csv.reader([line], delimiter=mark))
-    except csv.Error:  # a quote that is never closed
+    except csv.Error:  # an unclosed quote
         return line.split(mark)
 
 
@@ -94,12 +99,12 @@ def name_and_unit(text: str) -> tuple[str, str]:
     >>> name_and_unit("Encoder X [mm]"), name_and_unit("Setpoint (64 bit)")
     (('Encoder X', 'mm'), ('Setpoint (64 bit)', ''))
     """
-    found = _UNIT.match(text)
-    return (found["name"], found["unit"]) if found and found["name"] and not _NO_UNIT.match(found["unit"]) else (text.strip(), "")
+    match = _UNIT.match(text)
+    return (match["name"], match["unit"]) if match and match["name"] and not _NO_UNIT.match(match["unit"]) else (text.strip(), "")
 
 
 def is_unit(text: str) -> bool:
-    """Tell whether a text is a unit that is known.
+    """Tell whether a text is a known unit.
 
     >>> is_unit("mm/min"), is_unit("posn")
     (True, False)
@@ -120,39 +125,39 @@ def _bare(cell: str) -> str:
 
 
 def number(text: str, comma: bool = False) -> float:
-    """Return a number; 1 and 0 for true and false, NaN for no value. Raise ValueError for anything else."""
-    word = _bare(text)
-    if word in _EMPTY:
+    """Return a number: 1 and 0 for true and false, NaN for no value; else raise ValueError."""
+    cell = _bare(text)
+    if cell in _EMPTY:
         return math.nan
-    if word in _BITS:
-        return _BITS[word]
-    if "_" in word or (comma and word.rfind(".") > word.rfind(",") >= 0):
-        raise ValueError(f"{word} is no number, or one with commas between thousands")
-    return float(word.replace(".", "").replace(",", ".") if comma and "," in word else word)
+    if cell in _BITS:
+        return _BITS[cell]
+    if "_" in cell or (comma and cell.rfind(".") > cell.rfind(",") >= 0):
+        raise ValueError(f"{cell} is no number, or has commas between thousands")
+    return float(cell.replace(".", "").replace(",", ".") if comma and "," in cell else cell)
 
 
 def numbers(rows: Sequence[tuple[int, Sequence[str]]], names: Sequence[str], file: Path, comma: bool = False) -> Array:
-    """Return the numbers (n_row, n_column) of rows of cells, each with the number of its line, under the names of their columns.
+    """Return the numbers (n_row, n_column) of rows of cells; each row has its line number.
 
     Raises
     ------
     LogError
-        If a row has another number of cells, or a cell is no number; names line and column.
+        If the number of cells is wrong, or a cell is no number.
     """
     width = len(names)
-    found = np.empty((len(rows), width))
+    values = np.empty((len(rows), width))
     for i, (line, cells) in enumerate(rows):
         if len(cells) != width:
-            raise LogError(f"has {len(cells)} columns where {width} are wanted", file=file, line=line)
+            raise LogError(f"has {len(cells)} columns instead of {width}", file=file, line=line)
         try:
-            found[i] = [float(cell.replace("_", "no digit")) for cell in cells]  # plain numbers, the quicker way
+            values[i] = [float(cell.replace("_", "no digit")) for cell in cells]  # fast path for plain numbers
         except ValueError:
-            found[i] = [cell_number(cell, name, file, line, comma) for cell, name in zip(cells, names, strict=True)]
-    return found
+            values[i] = [cell_number(cell, name, file, line, comma) for cell, name in zip(cells, names, strict=True)]
+    return values
 
 
 def cell_number(cell: str, name: str, file: Path, line: int, comma: bool) -> float:
-    """Return the number in a cell; raise LogError with column and line if it holds none."""
+    """Return the number in a cell; raise LogError with column and line if it is none."""
     try:
         return number(cell, comma)
     except ValueError:
@@ -160,7 +165,7 @@ def cell_number(cell: str, name: str, file: Path, line: int, comma: bool) -> flo
 
 
 def called(name: str) -> str:
-    """Return a column as it stands in a message: by its name, or its number where it has none.
+    """Name a column in a message, by name or else by number.
 
     >>> called("x pos"), called("2")
     ("column 'x pos'", 'column 2')
@@ -169,6 +174,6 @@ def called(name: str) -> str:
 
 
 def shown(cell: str) -> str:
-    """Return a cell as it stands in a message: in quotes, and not too long."""
-    word = cell.strip()
-    return repr(word if len(word) <= SHOWN else f"{word[:SHOWN]}...")
+    """Quote a cell in a message, shortened."""
+    text = cell.strip()
+    return repr(text if len(text) <= SHOWN else f"{text[:SHOWN]}...")

@@ -1,7 +1,8 @@
-"""The content of a log as read: named channels, constants and notes."""
+"""The content of a log: named channels, constants and notes."""
 
 from __future__ import annotations
 
+import itertools
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
@@ -26,17 +27,17 @@ class Channel:
     name : str
         As the file has it.
     values : ndarray (n,)
-        In `unit`; not a number where the file has no value.
+        In `unit`; NaN for missing values.
     unit : str
-        As the file says; empty where it says none.
+        As the file states it; empty for none.
     time : ndarray (n,) [s] or None
-        Time of each value; None where the file numbers them only.
+        Time of each value; None if the file has no times.
     is_timestamp : bool
-        Whether it holds dates and times of day, counted in seconds from the first of them.
+        Whether it held dates or times of day, now in seconds from the first.
     notes : tuple of str
-        How its values were read, in words.
+        How its values were read.
     fault : LogError or None
-        Why its values cannot be read; raise it if they are needed.
+        Why its values cannot be read; raised if they are needed.
     symbol : str
         Path of the recorded variable in the control, if the file gives it.
     """
@@ -53,7 +54,7 @@ class Channel:
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """A log as it was read.
+    """A log as read.
 
     Attributes
     ----------
@@ -63,13 +64,13 @@ class Record:
     channels : tuple of Channel
         Those of the same name are numbered, ``x #1``, ``x #2``.
     period : float [s] or None
-        Between samples, where the file says so.
+        Between samples, if the file states it.
     constants : mapping of str to float
-        Numbers that stand beside the channels: gains, scales.
+        Single numbers of the file, such as gains and scales.
     notes : tuple of str
-        What was skipped in reading, in words.
+        What was skipped.
     attributes : mapping of str to str, int or float
-        Of the result that it is, where contourlab wrote it.
+        Attributes of a result that contourlab wrote.
     """
 
     file: Path
@@ -81,7 +82,7 @@ class Record:
     attributes: Mapping[str, str | int | float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "channels", _told_apart(self.channels))
+        object.__setattr__(self, "channels", _numbered(self.channels))
         if not any(channel.values.size for channel in self.channels):
             raise LogError("holds no samples", file=self.file)
 
@@ -91,40 +92,34 @@ class Record:
         return [channel.name for channel in self.channels]
 
     def channel(self, name: str) -> Channel:
-        """Return the channel of that name: exactly, else without regard to case, else the one that the name is a part of.
+        """Return a channel by its exact name, else ignoring case, else by a part of its name.
 
         Raises
         ------
         LogError
-            If there is none, or the name is a part of several; the message lists them.
+            If none or several match.
         """
-        for found in (
+        for matches in (
             [c for c in self.channels if c.name == name],
             [c for c in self.channels if c.name.casefold() == name.casefold()],
             [c for c in self.channels if name.casefold() in c.name.casefold()],
         ):
-            if len(found) == 1:
-                return found[0]
-            if found:
-                raise LogError(f"column {name!r} may be {quoted(c.name for c in found)}: write more of its name", file=self.file)
+            if len(matches) == 1:
+                return matches[0]
+            if matches:
+                raise LogError(f"column {name!r} may be {quoted(c.name for c in matches)}: write more of its name", file=self.file)
         raise LogError(f"has no column {name!r}; there are {quoted(self.names)}", file=self.file)
 
 
-def _told_apart(channels: tuple[Channel, ...]) -> tuple[Channel, ...]:
-    """Return the channels with equal names numbered, ``x #1``, ``x #2``."""
+def _numbered(channels: tuple[Channel, ...]) -> tuple[Channel, ...]:
+    """Number channels of the same name: ``x #1``, ``x #2``."""
     count = Counter(channel.name for channel in channels)
-    if all(n == 1 for n in count.values()):
-        return channels
-    seen: Counter[str] = Counter()
-    found = []
-    for channel in channels:
-        seen[channel.name] += 1
-        found.append(replace(channel, name=f"{channel.name} #{seen[channel.name]}") if count[channel.name] > 1 else channel)
-    return tuple(found)
+    place = {name: itertools.count(1) for name in count}
+    return tuple(replace(c, name=f"{c.name} #{next(place[c.name])}") if count[c.name] > 1 else c for c in channels)
 
 
 def quoted(names: Iterable[str], most: int = 30) -> str:
-    """Return names in quotes for a message, at most so many."""
+    """Return up to `most` names in quotes."""
     listed = [repr(name) for name in names]
     more = f" and {len(listed) - most} more" if len(listed) > most else ""
     return ", ".join(listed[:most]) + more

@@ -1,6 +1,6 @@
-"""Traces of Sinumerik controls in XML: a head that describes the signals, and a record for each time with the values that are new then.
+"""Read XML traces of Sinumerik controls: a header of signals, then a record of changed values per time.
 
-The format is not published; it is read as SINUMERIK Solution Line Trace writes it (``traceSession``, version 01.00).
+The format is unpublished; this reads the output of SINUMERIK Solution Line Trace (``traceSession``, version 01.00).
 """
 
 from __future__ import annotations
@@ -16,23 +16,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import LogError
-from contourlab.logs.reading import is_unit, number, shown
+from contourlab.logs.reading import is_unit, number, readable, shown
 from contourlab.logs.record import Channel, Record
 
 Array = NDArray[np.float64]
 NOTHING = 9.2e18
-"""Larger numbers are the bits of a number that is none, written as a whole one."""
+"""Larger numbers are the bits of NaN, written as an integer."""
 ON_GRID = 0.02
-"""Part of the interval by which a time may be off and still be that of a sample: times are rounded when they are written."""
+"""Tolerance of sample times, as a share of the interval: times are rounded when written."""
 MOST_HELD = 1000
-"""Samples for each that is written from which on a time is more likely wrong than all the while nothing new."""
+"""Most samples per written value; more mean a wrong time rather than constant values."""
 UNITS = {"current": "A"}
-"""Units of what a trace calls by its kind alone; a position (posn) may be in mm, inch or degrees."""
+"""Units implied by the type of a signal; a position (posn) may be in mm, inch or degrees."""
 _AXIS = re.compile(r"\[\s*u\d+\s*[,;]\s*(\d+)\s*\]")
 
 
 def matches(file: Path, head: bytes) -> bool:
-    """Tell whether it is XML that holds a trace."""
+    """Tell whether it is XML with a trace."""
     text = head[: 1 << 14]
     return text.lstrip(b"\xef\xbb\xbf \r\n\t").startswith(b"<") and (b"<trace" in text or b"<dataFrame" in text)
 
@@ -40,25 +40,24 @@ def matches(file: Path, head: bytes) -> bool:
 def read(file: Path) -> Record:
     """Read a trace.
 
-    Signals are the ``dataSignal`` elements; what they are called stands there or in the ``signal`` of the same key in
-    ``traceDisplaySetup``, and where two are called alike the number of their axis is added, ``AX1``. A ``rec`` has a time [s] and, by the
-    id of the signal, the values that are not those of the sample before. A signal that states its interval has a sample at each, held
-    where nothing new is written; any other has those that are written. Bits are 1 and 0.
+    Signals are ``dataSignal`` elements, named there or in the ``signal`` of the same key in ``traceDisplaySetup``; equal names get the
+    axis number, ``AX1``. A ``rec`` has a time [s] and the changed values by signal id. A signal with an interval has a sample at each
+    interval, held where none is written; others have the written samples. Bits are 1 and 0.
 
     Raises
     ------
     LogError
-        If it is no XML, a value is no number, or there is no trace or more than one; says the line.
+        If it is not XML, a value is no number, or there is not exactly one trace.
     """
     trace = _Trace(file)
     trace.parse()
     signals = [_described(signal, trace.shown.get(signal.get("key", ""), {})) for signal in trace.signals]
     keys = [_key(i, signal, trace) for i, signal in enumerate(signals, 1)]
     described = list(zip(keys, signals, _names(signals), strict=True))
-    found = tuple(_channel(key, signal, name, trace) for key, signal, name in described if key in trace.samples)
-    if not found:
-        raise LogError("holds no trace: no dataSignal that a rec has values of", file=file)
-    return Record(file, "sinumerik", found, notes=_notes(trace, [name or key for key, _, name in described if key not in trace.samples]))
+    channels = tuple(_channel(key, signal, name, trace) for key, signal, name in described if key in trace.samples)
+    if not channels:
+        raise LogError("holds no trace: no rec has values of a dataSignal", file=file)
+    return Record(file, "sinumerik", channels, notes=_notes(trace, [name or key for key, _, name in described if key not in trace.samples]))
 
 
 def _notes(trace: _Trace, silent: Sequence[str]) -> tuple[str, ...]:
@@ -70,7 +69,7 @@ def _notes(trace: _Trace, silent: Sequence[str]) -> tuple[str, ...]:
 
 @dataclass
 class _Trace:
-    """What stands in the file, element by element."""
+    """The elements of the file."""
 
     file: Path
     shown: dict[str, dict[str, str]] = field(default_factory=dict)
@@ -78,7 +77,7 @@ class _Trace:
     signals: list[dict[str, str]] = field(default_factory=list)
     header: dict[str, str] = field(default_factory=dict)
     samples: dict[str, tuple[list[float], list[float]]] = field(default_factory=dict)
-    """Times and values as they are written, by the id of the signal."""
+    """Written times and values by signal id."""
     last: float = -np.inf
     """Time of the last record [s]."""
 
@@ -94,20 +93,18 @@ class _Trace:
         parser.StartElementHandler = start
         parser.EndElementHandler = lambda _: above.pop()
         try:
-            with self.file.open("rb") as stream:
+            with readable(self.file), self.file.open("rb") as stream:
                 parser.ParseFile(stream)
         except expat.ExpatError as error:
             raise LogError(f"is no complete XML: {expat.ErrorString(error.code)}", file=self.file, line=error.lineno) from error
         except (LookupError, ValueError) as error:
-            raise LogError(f"is XML in an encoding that is not read: {error}", file=self.file) from error
-        except OSError as error:
-            raise LogError(f"cannot be read: {error.strerror or error}", file=self.file) from error
+            raise LogError(f"is XML in an unknown encoding: {error}", file=self.file) from error
 
     def _take(self, tag: str, attributes: dict[str, str], above: list[str], line: int) -> None:
         if tag == "signal" and any(name.startswith("traceDisplaySetup") for name in above):
             self.shown.setdefault(attributes.get("key", ""), attributes)
         elif tag == "dataFrame" and self.samples:
-            raise LogError("a second dataFrame begins here: two recordings are in one file", file=self.file, line=line)
+            raise LogError("a second dataFrame begins here: split the file", file=self.file, line=line)
         elif tag == "frameHeader":
             self.header = attributes
         elif tag == "dataSignal":
@@ -121,7 +118,7 @@ class _Trace:
             try:
                 values[key] = number(text)
             except ValueError:
-                raise LogError(f"a rec with what is no number: {key} = {shown(text)}", file=self.file, line=line) from None
+                raise LogError(f"a rec with no number: {key} = {shown(text)}", file=self.file, line=line) from None
         time = values.pop("time", np.nan)
         if not np.isfinite(time):
             raise LogError("a rec without a time", file=self.file, line=line)
@@ -133,7 +130,7 @@ class _Trace:
 
 
 def _key(number_from_1: int, signal: Mapping[str, str], trace: _Trace) -> str:
-    """Return what a signal's values are called in the records: its id, else its key, else its number."""
+    """Return the key of a signal's values in the records: its id, else its key, else its number."""
     if signal.get("id"):
         return signal["id"]
     key = signal.get("key", "")
@@ -141,14 +138,14 @@ def _key(number_from_1: int, signal: Mapping[str, str], trace: _Trace) -> str:
 
 
 def _described(signal: Mapping[str, str], shown: Mapping[str, str]) -> dict[str, str]:
-    """Return a signal with what the display says of it: all that is missing, and the description, which people change there."""
+    """Complete a signal from the display; its description has priority there, where people edit it."""
     own = {key: text for key, text in signal.items() if text.strip()}
     named = {"description": shown["description"]} if shown.get("description", "").strip() else {}
     return {**shown, **own, **named}
 
 
 def _names(signals: Sequence[Mapping[str, str]]) -> list[str]:
-    """Return what signals are called; of those called alike the number of their axis is a part, in the words of the control."""
+    """Return the names of signals; equal names get the axis number."""
     called = [(signal.get("description") or signal.get("name") or "").strip() for signal in signals]
     count = Counter(called)
     axes = [_AXIS.search(signal.get("name", "")) if count[name] > 1 else None for signal, name in zip(signals, called, strict=True)]
@@ -158,19 +155,19 @@ def _names(signals: Sequence[Mapping[str, str]]) -> list[str]:
 def _channel(key: str, signal: Mapping[str, str], name: str, trace: _Trace) -> Channel:
     written, values = (np.array(numbers) for numbers in trace.samples[key])
     time, values = _held(written, values, signal, trace.last)
-    there = ~np.isnan(values)
+    valid = ~np.isnan(values)
     kind = signal.get("unitsType", "")
     unit = signal.get("units") or signal.get("unit") or UNITS.get(kind) or (kind if is_unit(kind) else "")
-    return Channel(name or key, values[there], unit, time[there])
+    return Channel(name or key, values[valid], unit, time[valid])
 
 
 def _held(written: Array, values: Array, signal: Mapping[str, str], last: float) -> tuple[Array, Array]:
-    """Return the times and values of all samples, those included that were not written because nothing was new."""
+    """Return times and values of all samples, unchanged ones included."""
     every = _positive(signal.get("interval"))
     count = _positive(signal.get("datapointCount"))
     if not every or 0.0 < count <= written.size:
         return written, values
-    # Records end where nothing is new; the count goes on to the end.
+    # Records end with the last change; the count includes all samples.
     n = max((last - written[0]) / every + ON_GRID + 1.0, count)
     if n > MOST_HELD * written.size:
         return written, values
@@ -185,7 +182,7 @@ def _held(written: Array, values: Array, signal: Mapping[str, str], last: float)
 def _positive(text: str | None) -> float:
     """Return a number above 0, or 0."""
     try:
-        found = float(text or 0.0)
+        value = float(text or 0.0)
     except ValueError:
         return 0.0
-    return found if 0.0 < found < np.inf else 0.0
+    return value if 0.0 < value < np.inf else 0.0

@@ -1,4 +1,4 @@
-"""TwinCAT Scope's text export: channels side by side, each group of one sample time with a column of times (TE13xx, "Export to csv")."""
+"""Read text exports of TwinCAT Scope (TE13xx, "Export to csv"): channels in columns, with time columns per sample time."""
 
 from __future__ import annotations
 
@@ -16,29 +16,29 @@ from contourlab.logs.record import Channel, Record
 Array = NDArray[np.float64]
 MARKS = "\t;:, "
 TICK = 1e-7
-"""Seconds of a file time, which counts from 1601."""
+"""Unit of file times [s], which count from 1601."""
 FILE_TIME = 1e15
-"""A time above this is a file time, not one in milliseconds."""
+"""Larger times are file times, not milliseconds."""
 NAME, PERIOD, UNIT, SYMBOL = "Name", "SampleTime[ms]", "Unit", "SymbolName"
 LAST = ("Port", "BitMask", "Unit ScaleFactor", "Unit Offset")
-"""Lines that the head of the channels may end with."""
+"""Possible last lines of the header."""
 
 
 def matches(file: Path, head: bytes) -> bool:
-    """Tell whether the first line names the scope, and channels with their sample times follow."""
+    """Tell whether the first line names the scope, and sample times follow."""
     text = head.decode("utf-8-sig", errors="replace")
     return re.match(r'"?Name"?[\t;:, ]', text) is not None and PERIOD in text
 
 
 def read(file: Path) -> Record:
-    """Read an export with timelines for all channels, for each sample time, or for none; decimal point or comma.
+    """Read an export with time columns for all channels, per sample time, or none; decimal point or comma.
 
-    Values are taken as they are: the scope has scaled them, unless its export was set not to.
+    Values are not scaled: the scope scales them by default.
 
     Raises
     ------
     LogError
-        If the header or a row is faulty; says the line.
+        If the header or a row is faulty.
     """
     written, notes = lines_of(file)
     if not written:
@@ -48,9 +48,9 @@ def read(file: Path) -> Record:
     heads = {row[0]: row for row in rows[4:40] if row[0] in (NAME, PERIOD, UNIT, SYMBOL, "ScaleFactor")}
     for key in (NAME, PERIOD):
         if key not in heads:
-            raise LogError(f"has no line {key} of its channels: is it an export of TwinCAT Scope?", file=file)
+            raise LogError(f"has no header line {key}: check that it is an export of TwinCAT Scope", file=file)
     if len({len(heads[key]) for key in (NAME, PERIOD)}) > 1:
-        raise LogError("names of channels hold what parts the columns: export with tabs or semicolons", file=file)
+        raise LogError("channel names contain the separator: export with tabs or semicolons", file=file)
     start = max(i for i, row in enumerate(rows[:60]) if row[0] in (*heads, *LAST)) + 1
     body = _until_end([(line, row) for (line, _), row in zip(written[start:], rows[start:], strict=True)])
     if not body:
@@ -62,7 +62,7 @@ def read(file: Path) -> Record:
 
 
 def _until_end(body: list[tuple[int, list[str]]]) -> list[tuple[int, list[str]]]:
-    """Return the rows of samples: up to the mark of the end, triggers or tables of markers."""
+    """Return the rows of samples, before the end mark, triggers or markers."""
     for k, (_, row) in enumerate(body):
         if row[0].strip() and not _number(row[0]):
             return body[:k]
@@ -74,53 +74,47 @@ def _number(cell: str) -> bool:
 
 
 def _layout(names: Sequence[str], row: Sequence[str], file: Path) -> list[tuple[int, int, int]]:
-    """Return for each channel its column in the header, in the rows, and that of its times (-1 for none)."""
+    """Return for each channel its column in the header and in the rows, and its time column (-1 for none)."""
     timed = len(row) >= len(names)
-    found, time, column = [], -1, 0
+    columns, time, column = [], -1, 0
     for j, name in enumerate(names):
         if name == NAME:
             time = column if timed else -1
             column += timed
         else:
-            found.append((j, column, time))
+            columns.append((j, column, time))
             column += 1
-    if not found:
+    if not columns:
         raise LogError("names no channel", file=file)
-    return found
+    return columns
 
 
 def _values(body: Sequence[tuple[int, Sequence[str]]], width: int, comma: bool, file: Path, names: Mapping[int, str]) -> Array:
-    found = np.full((len(body), width), np.nan)
+    values = np.full((len(body), width), np.nan)
     for i, (line, cells) in enumerate(body):
         try:
-            found[i] = list(map(float, cells[:width]))  # a full row of plain numbers, the quicker way
+            values[i] = list(map(float, cells[:width]))  # fast path for full rows of plain numbers
         except ValueError:
             for j, cell in enumerate(cells[:width]):
                 decimal = comma or ("," in cell and "." not in cell)
-                found[i, j] = cell_number(cell, names.get(j, str(j + 1)), file, line, decimal)
-    return found
+                values[i, j] = cell_number(cell, names.get(j, str(j + 1)), file, line, decimal)
+    return values
 
 
 def _channel(heads: dict[str, list[str]], values: Array, head: int, column: int, time: int) -> Channel:
     period = number(heads[PERIOD][head], comma=True) * 1e-3
-    there = np.isfinite(values[:, column])
+    valid = np.isfinite(values[:, column])
     if time >= 0:
-        there &= np.isfinite(values[:, time])
-        stamps = values[there, time]
+        valid &= np.isfinite(values[:, time])
+        stamps = values[valid, time]
         seconds = (stamps - stamps[:1]) * TICK if stamps.size and stamps[0] > FILE_TIME else stamps * 1e-3
     else:
-        seconds = np.arange(np.count_nonzero(there)) * period
-    # "dV (Voltage)": the unit, and what it measures.
-    unit = _said(heads, UNIT, head).partition("(")[0].strip()
-    return Channel(heads[NAME][head], values[there, column], unit, seconds, symbol=_said(heads, SYMBOL, head))
-
-
-def _said(heads: Mapping[str, Sequence[str]], key: str, head: int) -> str:
-    """Return what a line of the head says of a channel, nothing where it is not there."""
-    cells = heads.get(key, ())
-    return cells[head] if head < len(cells) else ""
+        seconds = np.arange(np.count_nonzero(valid)) * period
+    # The unit is written with its quantity: "dV (Voltage)".
+    unit, symbol = ("".join(heads.get(key, [])[head : head + 1]) for key in (UNIT, SYMBOL))
+    return Channel(heads[NAME][head], values[valid, column], unit.partition("(")[0].strip(), seconds, symbol=symbol)
 
 
 def _notes(heads: dict[str, list[str]]) -> tuple[str, ...]:
     scaled = [name for name, factor in zip(heads[NAME], heads.get("ScaleFactor", []), strict=False) if _number(factor) and factor != "1"]
-    return (f"scaled by the scope, as its export is set by default: {', '.join(scaled)}",) if scaled else ()
+    return (f"scaled by the scope: {', '.join(scaled)}",) if scaled else ()

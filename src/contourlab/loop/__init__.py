@@ -1,8 +1,7 @@
 """The servo loop: machine and controller as values, and the runs that bring them to life."""
 
-from contourlab.loop.axis_parts import AxisError, Limits
+from contourlab.loop.axis_parts import DIVISIONS, AxisError, Division, Limits
 from contourlab.loop.batch import BatchResult, simulate_batch
-from contourlab.loop.division import DIVISIONS, Division
 from contourlab.loop.feeding import Learned
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine, parameter_names
 from contourlab.loop.reconfigure import Change

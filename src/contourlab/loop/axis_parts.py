@@ -1,4 +1,4 @@
-"""What an axis is besides its components: what it may be asked for, and how its tool strays from what the encoder sees."""
+"""Limits and error map of an axis, and the division of its controller between base and axis."""
 
 from __future__ import annotations
 
@@ -9,13 +9,15 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.components.contract import Component
+from contourlab.components.ideal import IdealLink
 from contourlab.components.origin import Origin
 from contourlab.errors import ParameterError
 
 
 @dataclass(frozen=True)
 class Limits:
-    """What an axis may be asked for.
+    """Limits of an axis.
 
     Attributes
     ----------
@@ -27,9 +29,9 @@ class Limits:
     travel : tuple of two floats [m]
         Lowest and highest position of the axis.
     origins : mapping of str to Origin
-        Where the numbers are from, by name.
+        Source of each number, by name.
     file : str
-        What they were read from, and where one that is missing has to stand; empty where there is none.
+        File that holds the limits; empty if there is none.
     """
 
     velocity: float = math.inf
@@ -51,7 +53,7 @@ class Limits:
 
 @dataclass(frozen=True)
 class AxisError:
-    """How the tool's position differs from what the encoder can see, for one axis.
+    """Error of the tool's position that the encoder of an axis cannot see.
 
     Attributes
     ----------
@@ -61,7 +63,7 @@ class AxisError:
         Unidirectional repeatability in the sense of ISO 230-2 (4 s): at each reversal the tool takes a new offset, normal with s = a
         quarter of it.
     origins : mapping of str to Origin
-        Where the numbers are from, by name.
+        Source of each number, by name.
     """
 
     position: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
@@ -76,3 +78,53 @@ class AxisError:
             raise ParameterError("error.lead_error", "a table", "finite", "m")
         if not self.repeatability >= 0.0:
             raise ParameterError("error.repeatability", f"{self.repeatability:g}", ">= 0", "m")
+
+
+DIVISIONS = {
+    "drive": "drive and sensors in the axis, all else in the base: commands go down",
+    "observer": "the disturbance observer in the axis with them: commands go down, and the axis takes its own estimate off",
+    "controller": "the whole controller in the axis, contour estimator and coupling in the base: the reference goes down",
+}
+"""What is local, from the least to the most, in words."""
+
+_LOCAL = {"drive": ("velocity",), "observer": ("velocity", "observer")}
+"""Slots in the axis; under "controller" it is all of them."""
+
+
+@dataclass(frozen=True)
+class Division:
+    """One axis' controller in two: the base, the same whatever axis it drives, and the local one, which comes and goes with the axis.
+
+    Each wire from one side to the other goes through the link of its direction; wires within a side do not. Plant, drive and sensors are in
+    the axis always, and what makes a velocity of the sensors' counts, unless a predictor in the base comes before it; contour estimator,
+    coupling, reference and what was learned are in the base always.
+
+    Attributes
+    ----------
+    division : {"drive", "observer", "controller"}
+        What is in the axis: see `DIVISIONS`.
+    down : Component
+        Link from the base to the axis.
+    up : Component or None
+        Link from the axis to the base. None where nothing comes back: the base sees no position, which only a local controller can do
+        without. Where the base has wires of its own to the sensors, and messages go one way, it is the ideal one.
+
+    References
+    ----------
+    Ghaffari & Ulsoy, Fig 1 and section IV; one way and both ways: Cakmakci & Ulsoy, IEEE/ASME Trans. Mechatronics 14 (2009), 307-316.
+    """
+
+    division: str = "observer"
+    down: Component = field(default_factory=IdealLink)
+    up: Component | None = field(default_factory=IdealLink)
+
+    def __post_init__(self) -> None:
+        if self.division not in DIVISIONS:
+            raise ParameterError("link.division", repr(self.division), "one of " + ", ".join(DIVISIONS))
+        if self.up is None and self.division != "controller":
+            bound = f'a link, as the base needs measurements in the division "{self.division}"; "ideal" if it has wires of its own'
+            raise ParameterError("link.up", '"none"', bound)
+
+    def is_local(self, slot: str) -> bool:
+        """Return whether a slot of an axis' controller stands in the axis; ``others.NAME`` stands where ``controller`` does."""
+        return self.division == "controller" or slot in _LOCAL[self.division]

@@ -21,11 +21,10 @@ from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.builder import Signals
 from contourlab.loop.feeding import Feed, Learned
-from contourlab.loop.judging import counted, effort_figures, effort_node, error_figures, judge_node, sums_of
+from contourlab.loop.judging import WATCH, counted, effort_figures, effort_node, error_figures, judge_node, sums_of
 from contourlab.loop.machine import Controller, Machine, parameter_names
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
-from contourlab.loop.watch import NAME
 from contourlab.metrics.streaming import SUMS
 
 Array = NDArray[np.float64]
@@ -95,7 +94,7 @@ def simulate_batch(
     threads : int, optional
         Threads over groups of 32 lanes; by default one for each processor.
     judge : bool
-        Whether the contour error is worked out.
+        Whether the contour error is computed.
     effort : bool
         Whether what is asked of the drives is added up.
     view : PathView, optional
@@ -105,11 +104,11 @@ def simulate_batch(
     jit : bool, optional
         Compiled, or plain Python.
     progress : callable, optional
-        Told the number of samples done.
+        Called with the number of samples done.
     reuse : BatchResult, optional
         An earlier result that is not needed any more: its `log` is written over where it fits, which spares asking the system for memory.
     learned : Learned, optional
-        What earlier trials have taught, the same for all variants.
+        What earlier trials have learned, the same for all variants.
     moving : bool
         Whether the axes have the velocity of the reference at the first sample, in place of rest.
 
@@ -171,7 +170,7 @@ def _advance_all(
             for done, _ in enumerate((pool.map if pool is not None else map)(work, range(len(groups))), 1):
                 if progress is not None:
                     progress(k + len(external) * done // len(groups))
-    seen = np.array([group.state_of(NAME)[0] for group in groups])
+    seen = np.array([group.state_of(WATCH)[0] for group in groups])
     return np.where(seen >= 0, seen, broken).astype(np.int64).ravel()
 
 
@@ -239,12 +238,12 @@ def _signal(loop: Loop, name: str) -> tuple[str, ...]:
 
 
 def _split(kept: Array, n: int, keep: Sequence[str], loop: Loop) -> dict[str, Array]:
-    found, column = {}, 0
+    signals, column = {}, 0
     for name in keep:
         width = len(loop.signals[name])
         part = kept[:, :, column : column + width]
         # One group is handed out as it lies; several are put side by side.
         joined = part[0] if len(part) == 1 else np.concatenate(list(part), axis=2)
-        found[name] = joined[:, :, :n]
+        signals[name] = joined[:, :, :n]
         column += width
-    return found
+    return signals

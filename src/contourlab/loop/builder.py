@@ -1,10 +1,11 @@
-"""The nodes of a servo loop while they are collected, and the names of the signals that parts of the loop share."""
+"""Collects the nodes of a servo loop, and names the signals that its parts share."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Late, Node
+from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.loop.machine import Controller, Machine
@@ -100,7 +102,7 @@ class Builder:
         return part.replace(stream=stream_of(self.seed, axis, slot, *((self.trial,) if self.trial else ())))
 
     def coupled(self, output: str) -> bool:
-        """Tell whether the coupling gives this."""
+        """Return whether the coupling gives this."""
         return self.controller.coupling is not None and self.controller.coupling.gives(output)
 
     def command(self, axis: str) -> str:
@@ -118,22 +120,47 @@ class Builder:
         return float(self.machine.axis(axis).plant.at_rest(at)[1].get("motor_position", at))
 
     def controlled_from_base(self, axis: str) -> bool:
-        """Tell whether the commands of an axis go down its link."""
+        """Return whether the commands of an axis go down its link."""
         link = self.controller.axes[axis].link
         return link is not None and not link.is_local("controller")
 
     def compensated_in_axis(self, axis: str) -> bool:
-        """Tell whether an axis subtracts its observer's estimate from the command that comes down to it."""
+        """Return whether an axis subtracts its observer's estimate from the command that comes down to it."""
         parts = self.controller.axes[axis]
         if parts.link is None or parts.observer is None or not self.controlled_from_base(axis):
             return False
         return parts.link.is_local("observer") and any(part.takes("disturbance_estimate") for part in parts.controllers.values())
 
     def may_limit(self, axis: str) -> bool:
-        """Tell whether the drive of an axis may take less than its command, in any of the variants."""
+        """Return whether the drive of an axis may take less than its command, in any of the variants."""
         return getattr(self.machine.axis(axis).drive, "limit", 0.0) != math.inf or "limit" in self.changed(f"axes.{axis}.drive")
 
 
 def accepted_output(drive: Component) -> str:
     """Return the output of a drive that says what it took of a command: behind its limit, ahead of its delay."""
     return "accepted" if drive.gives("accepted") else "applied"
+
+
+@cache
+def sum_step(n: int) -> Step:
+    """Return the step that adds `n` signals, two or more."""
+    return Step("sum", _total, (), (), "", (), (Port("terms", n),), (Port("total"),))
+
+
+def _total(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    total = inp.terms[0]
+    for i in range(1, len(inp.terms)):
+        total = total + inp.terms[i]
+    return (), (total,)
+
+
+def constant_node(name: str) -> Node:
+    """Return a node whose one output ``value`` is zero."""
+    return Node(name, _ZERO, {})
+
+
+def _nothing(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    return (), (0.0,)
+
+
+_ZERO = Step("zero", _nothing, (), (), "", (), (), (Port("value"),))

@@ -1,4 +1,4 @@
-"""What is fed to the loop at each tick: the reference, what was learned from earlier trials, and the reference of ticks to come."""
+"""Inputs of the loop at each tick: the reference, what earlier trials have learned, and the reference of later ticks."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import Component
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.loop.machine import Controller, Machine
@@ -21,7 +20,7 @@ SOURCE_LINE = "source_line"
 
 @dataclass(frozen=True, eq=False)
 class Learned:
-    """What is added at each sample, as earlier trials have taught it.
+    """Tables that earlier trials have learned, added at each sample.
 
     Parameters
     ----------
@@ -53,28 +52,16 @@ class Learned:
                 raise ParameterError(f"learned.{name}", f"of shape {values.shape}", f"({n_sample}, {n_axis}), as the reference")
 
 
-def _feedforwards(machine: Machine, controller: Controller) -> list[Component | None]:
-    return [controller.axes[name].feedforward if name in controller.axes else None for name in machine.axis_names]
-
-
-def ticks_ahead(machine: Machine, controller: Controller) -> tuple[int, ...]:
-    """Return for each axis how many ticks its feedforward looks ahead."""
-    return tuple(0 if part is None else part.ahead(machine.servo_period) for part in _feedforwards(machine, controller))
-
-
-def extra_externals(machine: Machine, controller: Controller, learned: Learned | None) -> tuple[str, ...]:
+def _extra_externals(machine: Machine, controller: Controller, learned: Learned | None) -> tuple[str, ...]:
     """Return the names of what is fed besides the reference, each a row per axis."""
-    found = []
-    if learned is not None and learned.command is not None:
-        found.append(LEARNED_COMMAND)
-    if learned is not None and learned.reference is not None:
-        found.append(LEARNED_REFERENCE)
-    if any(part is not None and part.takes(AHEAD) for part in _feedforwards(machine, controller)):
-        found.append(AHEAD)
-    supervisors = (controller.axes[name].supervisor for name in machine.axis_names if name in controller.axes)
-    if any(part is not None and part.takes(SOURCE_LINE) for part in supervisors):
-        found.append(SOURCE_LINE)
-    return tuple(found)
+    parts = [controller.axes[name] for name in machine.axis_names if name in controller.axes]
+    fed = {
+        LEARNED_COMMAND: learned is not None and learned.command is not None,
+        LEARNED_REFERENCE: learned is not None and learned.reference is not None,
+        AHEAD: any(axis.feedforward is not None and axis.feedforward.takes(AHEAD) for axis in parts),
+        SOURCE_LINE: any(axis.supervisor is not None and axis.supervisor.takes(SOURCE_LINE) for axis in parts),
+    }
+    return tuple(name for name, wanted in fed.items() if wanted)
 
 
 class Feed:
@@ -86,15 +73,16 @@ class Feed:
         What runs.
     learned : Learned, optional
     fill : callable, optional
-        How planned samples are worked out; as of `Reference.block`.
+        How planned samples are computed; as of `Reference.block`.
     """
 
     def __init__(self, machine: Machine, controller: Controller, reference: Reference, learned: Learned | None, fill: Any) -> None:
         if learned is not None:
             learned.check(reference.n_sample, reference.n_axis)
         self.reference, self.learned, self._fill = reference, learned, fill
-        self.names = extra_externals(machine, controller, learned)
-        self._ahead = ticks_ahead(machine, controller)
+        self.names = _extra_externals(machine, controller, learned)
+        parts = [controller.axes[name].feedforward if name in controller.axes else None for name in machine.axis_names]
+        self._ahead = [0 if part is None else part.ahead(machine.servo_period) for part in parts]
 
     def block(self, start: int, stop: int) -> tuple[ReferenceBlock, Array]:
         """Return the samples of the reference, and all that is fed: (n, n_external), each signal one row of memory."""
@@ -112,10 +100,10 @@ class Feed:
         return asked, np.concatenate(rows).T
 
     def _taught(self, name: str) -> Array:
-        assert self.learned is not None  # said by the names
-        found = self.learned.command if name == LEARNED_COMMAND else self.learned.reference
-        assert found is not None
-        return found
+        assert self.learned is not None  # follows from the names
+        table = self.learned.command if name == LEARNED_COMMAND else self.learned.reference
+        assert table is not None
+        return table
 
     def _coming(self, start: int, stop: int) -> Array:
         """Return the positions asked for some ticks later; after the end the last one holds."""

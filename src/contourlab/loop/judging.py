@@ -1,22 +1,30 @@
-"""What judges a batch while it runs: nodes behind the loop that nothing in it reads, and the figures they leave."""
+"""Nodes that judge and watch a run without acting on it, the figures they leave, and the judge of a finished trial."""
 
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.engine.runner import Group
-from contourlab.engine.schedule import Late, Node
+from contourlab.components.estimator.newton import Newton
+from contourlab.engine.runner import Group, make_group
+from contourlab.engine.schedule import Late, Node, Schedule
+from contourlab.engine.step import Port, Step
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView
 from contourlab.loop.builder import accepted_output
 from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.effort import EFFORT_SUMS, effort_step
 from contourlab.metrics.streaming import SUMS, corner_parts, judge_step
+from contourlab.primitives import fabs, select
+from contourlab.result import Status
 
 Array = NDArray[np.float64]
 Window = tuple[int, int]
@@ -28,7 +36,7 @@ def counted(reference: Reference, window: Window | None) -> Window:
 
 
 def judge_node(machine: Machine, reference: Reference, view: PathView, window: Window | None) -> Node:
-    """Return the node that works out the contour error of each lane."""
+    """Return the node that computes the contour error of each lane."""
     start, stop = counted(reference, window)
     n = len(machine.axes)
     wires: dict[str, Any] = {
@@ -69,27 +77,175 @@ def sums_of(groups: list[Group], node: str, n: int) -> Array:
 
 def error_figures(sums: Array, failed: NDArray[np.int64], period: float) -> dict[str, Array]:
     """Return the figures of the judge's sums (rows as of `SUMS`); NaN for a lane that failed."""
-    one = dict(zip(SUMS, sums, strict=True))
-    count = np.maximum(one["count"], 1.0)
+    total = dict(zip(SUMS, sums, strict=True))
+    count = np.maximum(total["count"], 1.0)
     figures = {
-        "contour_error_rms": np.sqrt(one["sum_square"] / count),
-        "contour_error_mean": one["sum_magnitude"] / count,
-        "contour_error_max": one["largest"],
-        "contour_error_max_time": one["largest_at"] * period,
-        "contour_error_signed_mean": one["sum_signed"] / count,
-        "contour_error_integral": one["sum_magnitude"] * period,
-        "tracking_error_rms": np.sqrt(one["sum_tracking"] / count),
-        "tracking_error_max": np.sqrt(one["largest_tracking"]),
+        "contour_error_rms": np.sqrt(total["sum_square"] / count),
+        "contour_error_mean": total["sum_magnitude"] / count,
+        "contour_error_max": total["largest"],
+        "contour_error_max_time": total["largest_at"] * period,
+        "contour_error_signed_mean": total["sum_signed"] / count,
+        "contour_error_integral": total["sum_magnitude"] * period,
+        "tracking_error_rms": np.sqrt(total["sum_tracking"] / count),
+        "tracking_error_max": np.sqrt(total["largest_tracking"]),
     }
     return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
 
 
 def effort_figures(sums: Array, failed: NDArray[np.int64], period: float) -> dict[str, Array]:
     """Return the figures of the drives' sums (rows as of `EFFORT_SUMS`); NaN for a lane that failed."""
-    one = dict(zip(EFFORT_SUMS, sums, strict=True))
+    total = dict(zip(EFFORT_SUMS, sums, strict=True))
     figures = {
-        "command_energy": one["sum_square"] * period,
-        "command_largest": one["largest"],
-        "limited_share": one["limited"] / np.maximum(one["count"], 1.0),
+        "command_energy": total["sum_square"] * period,
+        "command_largest": total["largest"],
+        "limited_share": total["limited"] / np.maximum(total["count"], 1.0),
     }
     return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
+
+
+WATCH = "watch"
+_STATES = (Port("first"), Port("axis"), Port("gap"))
+
+_AXIS = """
+    gap = fabs(inp.reference[{i}] - inp.position[{i}])
+    # A number that is not finite fails both comparisons.
+    sound = select(gap <= par.limit_{i}, select(inp.command[{i}] - inp.command[{i}] == 0.0, 1.0, 0.0), 0.0)
+    fresh = select(x_first < 0.0, 1.0 - sound, 0.0) > 0.5
+    x_first, x_axis, x_gap = select(fresh, clock.k, x_first), select(fresh, {i}.0, x_axis), select(fresh, gap, x_gap)
+"""
+
+
+@cache
+def _watch_step(n_axis: int) -> Step:
+    body = "".join(_AXIS.format(i=i) for i in range(n_axis))
+    source = f"def step(par, x, inp, clock):\n    x_first, x_axis, x_gap = x{body}    return (x_first, x_axis, x_gap), ()\n"
+    scope: dict[str, Any] = {"__name__": __name__, "fabs": fabs, "select": select}
+    exec(source, scope)
+    inputs = tuple(Port(name, n_axis) for name in ("reference", "position", "command"))
+    return Step(WATCH, scope["step"], tuple(f"limit_{i}" for i in range(n_axis)), (), "", _STATES, inputs, ())
+
+
+def watch_node(machine: Machine, commands: tuple[str, ...]) -> Node:
+    """Return the node that watches a machine and the commands of its axes; it stands behind the drives.
+
+    It notes when an axis first leaves its following-error limit, or a command stops being finite: the sample is exact in every lane, and no
+    signal has to be kept for it.
+    """
+    wires: dict[str, Any] = {
+        "reference": "in.reference",
+        "position": tuple(Late(f"{name}.plant.position") for name in machine.axis_names),
+        "command": commands,
+    }
+    limits = {f"limit_{i}": axis.limits.following_error for i, axis in enumerate(machine.axes)}
+    return Node(WATCH, _watch_step(len(machine.axes)), wires, limits, initial={"first": -1.0, "axis": -1.0})
+
+
+def watched(group: Group, machine: Machine, lane: int = 0) -> Status:
+    """Return what the watch has noted in one lane."""
+    first, axis, gap = (float(value) for value in group.state_of(WATCH)[:, lane])
+    if first < 0.0:
+        return Status(ok=True)
+    limit = machine.axes[int(axis)].limits.following_error
+    reason = "the loop gave a number that is not finite"
+    if limit < gap < float("inf"):
+        reason = f"following error {gap * 1e3:.4g} mm passes the limit of {limit * 1e3:.4g} mm"
+    return Status(ok=False, sample=int(first), axis=machine.axis_names[int(axis)], reason=reason)
+
+
+STRETCHES = 8
+"""Always as many, so that the foot points are the same on any number of processors."""
+FEWEST = 1000
+"""Samples of a stretch: a new start costs more than the samples of a shorter one."""
+
+
+class TrialJudge:
+    """Computes the contour error of a trial, and the contour-error vector of what was measured.
+
+    Parameters
+    ----------
+    machine, reference
+        What runs.
+    view : PathView
+        How the judge sees the path.
+    position : ndarray (n_sample, n_axis) [m]
+        Of the reference.
+    arc_length : ndarray (n_sample,) [m]
+        Of the reference.
+    window : (int, int)
+        Samples [start, stop) that count.
+    vector : bool
+        Whether the vector is computed.
+    compiled : bool
+    """
+
+    def __init__(
+        self,
+        machine: Machine,
+        reference: Reference,
+        view: PathView,
+        position: Array,
+        arc_length: Array,
+        window: tuple[int, int],
+        vector: bool,
+        compiled: bool,
+    ) -> None:
+        n_sample, n = position.shape
+        node = judge_node(machine, reference, view, window)
+        wires: dict[str, Any] = {name: f"in.{name}" for name in ("position", "reference", "arc_length")}
+        nodes = [replace(node, wires=wires)]
+        if vector:
+            part = Newton(window=float(node.parameters["window"]), iterations=3.0)
+            step, values = part.path_step(view, n), {**part.block(machine.servo_period), **view.parameters}
+            measured = {"position": "in.measured", "arc_length": "in.arc_length"}
+            nodes.append(Node("vector", step, measured, values, view.tables))
+        ports = (Port("position", n), Port("measured", n), Port("reference", n), Port("arc_length"))
+        schedule = Schedule(tuple(nodes), ports, machine.servo_period, len(nodes))
+        self._external = np.empty((3 * n + 1, n_sample))
+        self._external[2 * n : 3 * n], self._external[3 * n] = position.T, arc_length
+        self._rows = [schedule.row("judge.contour_error"), schedule.row("judge.doubt")]
+        self._rows += [schedule.row(f"vector.error_vector[{j}]") for j in range(n)] if vector else []
+        self._log = np.empty((n_sample, len(self._rows), 1))
+        count = max(min(STRETCHES, n_sample // FEWEST), 1)
+        self._borders = np.linspace(0, n_sample, count + 1).astype(int).tolist()
+        self._groups: list[tuple[Group, Any]] = []
+        for first in self._borders[:-1]:
+            group = make_group(schedule, 1, slice(0, 1), compiled)
+            group.tick = first
+            for name in ("judge", "vector") if vector else ("judge",):
+                group.state_of(name)[0] = arc_length[first]
+            self._groups.append((group, group.snapshot()))
+        # The machine code runs without the interpreter's lock; plain Python would only wait for it.
+        self._workers = min(os.cpu_count() or 1, count) if compiled else 1
+
+    def __call__(self, position: Array, measured: Array) -> tuple[Array, NDArray[np.intp], Array | None]:
+        """Judge a trial.
+
+        Parameters
+        ----------
+        position, measured : ndarray (n_sample, n_axis) [m]
+            Of the tool, and what the encoders say.
+
+        Returns
+        -------
+        contour_error : ndarray (n_sample,) [m]
+        doubtful : ndarray of int
+            Samples at which it may not be exact.
+        vector : ndarray (n_sample, n_axis) [m] or None
+            From the measured position to the path.
+        """
+        n = position.shape[1]
+        self._external[:n], self._external[n : 2 * n] = position.T, measured.T
+        if self._workers > 1:
+            with ThreadPoolExecutor(self._workers) as pool:
+                list(pool.map(self._stretch, range(len(self._groups))))
+        else:
+            for i in range(len(self._groups)):
+                self._stretch(i)
+        rows = self._log[:, :, 0].T.copy()  # the next trial writes over the log
+        return rows[0], np.flatnonzero(rows[1]), (rows[2:].T if len(rows) > 2 else None)
+
+    def _stretch(self, i: int) -> None:
+        group, fresh = self._groups[i]
+        group.restore(fresh)
+        cut = slice(self._borders[i], self._borders[i + 1])
+        group.run(self._external.T[cut], self._rows, self._log[cut])

@@ -1,4 +1,4 @@
-"""What is simulated: axes in a machine, and the controller that drives them. Values only; nothing here runs."""
+"""Machine and controller as values; nothing here runs."""
 
 from __future__ import annotations
 
@@ -18,13 +18,12 @@ from contourlab.components.origin import Origin
 from contourlab.components.plant.plant import Plant
 from contourlab.errors import FeedError, ParameterError
 from contourlab.feed import AxisLimits
-from contourlab.loop.axis_parts import AxisError, Limits
-from contourlab.loop.division import Division
+from contourlab.loop.axis_parts import AxisError, Division, Limits
 
 
 @dataclass(frozen=True)
 class Axis:
-    """One axis: what moves, what rubs, what drives it and what measures it.
+    """One axis: plant, friction, drive and sensors.
 
     `stage_mass` [kg] is the whole module that another axis carries when this one is `mounted_on` it, what it moves included; `alignment` is
     the cosine of the angle between the two directions of motion: 0 for crossed axes. Otherwise either feels the other's acceleration, one
@@ -106,8 +105,8 @@ class Machine:
         free = [axis for axis in self.axes if not np.isfinite(axis.limits.velocity)]
         if free:
             raise FeedError(f"{self._place(free[0])} has no velocity limit to plan with: give it limits.velocity")
-        found = [axis.limits for axis in self.axes]
-        limits = AxisLimits([x.velocity for x in found], [x.acceleration for x in found], [x.jerk for x in found])
+        per_axis = [axis.limits for axis in self.axes]
+        limits = AxisLimits([x.velocity for x in per_axis], [x.acceleration for x in per_axis], [x.jerk for x in per_axis])
         if limits.unbounded.any():
             steep = self.axes[int(np.argmax(limits.unbounded))]
             raise FeedError(f"{self._place(steep)} has no limit for its ramps: give it limits.acceleration, limits.jerk, or both")
@@ -161,12 +160,12 @@ class Machine:
 
     def carriers(self, name: str) -> list[str]:
         """Return the axes that carry `name`, nearest first."""
-        found: list[str] = []
+        carriers: list[str] = []
         below = self.axis(name).mounted_on
-        while below and below not in found:
-            found.append(below)
+        while below and below not in carriers:
+            carriers.append(below)
             below = self.axis(below).mounted_on
-        return found
+        return carriers
 
     def carried_mass(self, name: str) -> float:
         """Return the mass [kg] of all the modules that stand on an axis."""
@@ -290,11 +289,11 @@ def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
 
     Names read ``axes.x.plant.gain``, ``controller.axes.x.observer.bandwidth``, ``controller.coupling.weight``.
     """
-    found: dict[str, Any] = {}
+    parameters: dict[str, Any] = {}
 
     def collect(prefix: str, part: Component | None) -> None:
         if part is not None:
-            found.update({f"{prefix}.{name}": (part, name) for name in part.numeric()})
+            parameters.update({f"{prefix}.{name}": (part, name) for name in part.numeric()})
 
     for axis in machine.axes:
         for slot in AXIS_SLOTS:
@@ -308,4 +307,4 @@ def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
             collect(f"controller.axes.{axis.name}.link.{direction}", getattr(parts.link, direction))
     collect("controller.estimator", controller.estimator)
     collect("controller.coupling", controller.coupling)
-    return found
+    return parameters

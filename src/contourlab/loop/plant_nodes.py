@@ -53,8 +53,8 @@ def _resting(plant: Plant, at: float, changed: Mapping[str, Array]) -> tuple[dic
     if not which:
         return plant.at_rest(at)
     rows = np.column_stack([changed[name] for name in which]).tolist()
-    found = [plant.replace(**dict(zip(which, row, strict=True))).at_rest(at) for row in rows]
-    together = [{name: _side_by_side([one[part][name] for one in found]) for name in found[0][part]} for part in (0, 1)]
+    resting = [plant.replace(**dict(zip(which, row, strict=True))).at_rest(at) for row in rows]
+    together = [{name: _side_by_side([rest[part][name] for rest in resting]) for name in resting[0][part]} for part in (0, 1)]
     return together[0], together[1]
 
 

@@ -85,10 +85,10 @@ def prepared(
     ParameterError
         If two come at the same sample, or a controller looks ahead or has links and the first one does not.
     """
-    found: list[Prepared] = []
+    in_order: list[Prepared] = []
     for change in sorted(changes, key=lambda one: one.time):
         sample = change.sample(machine.servo_period)
-        if found and found[-1].sample == sample:
+        if in_order and in_order[-1].sample == sample:
             raise ParameterError("changes", f"two at {change.time:g} s", "one for each sample")
         for name in machine.axis_names:
             # What is on its way in a link could not be taken over.
@@ -98,8 +98,8 @@ def prepared(
             first = reference.block(0, 1).position[0]
             loop = build(machine, change.controller, reference.path, first, handover_time=change.handover_time, **given)
             make_group(loop.schedule, 1, slice(0, 1), compiled)
-            found.append(Prepared(change, sample, loop))
-    return found
+            in_order.append(Prepared(change, sample, loop))
+    return in_order
 
 
 def taken_over(

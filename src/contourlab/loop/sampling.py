@@ -35,9 +35,9 @@ def sample_compiled(reference: Reference, start: int, stop: int, rows: Array) ->
         np.add.at(others, border[used[~plain]], 1)
         np.add.at(others, border[used[~plain] + 1], -1)
         cut = np.flatnonzero(np.cumsum(others[:-1]))
-        found = np.empty((len(rows) - 2, cut.size))
-        along_path(path, progress[cut], speed[cut], acceleration[cut], found)
-        rows[:-2, cut] = found
+        kinematics = np.empty((len(rows) - 2, cut.size))
+        along_path(path, progress[cut], speed[cut], acceleration[cut], kinematics)
+        rows[:-2, cut] = kinematics
 
 
 def _in_reach(path: Path, progress: Array) -> tuple[NDArray[np.int64], Array]:

@@ -36,7 +36,7 @@ class Sensing:
         if self.parts.predictor is not None:
             wires = {"position": self.measured, "applied": builder.accepted(self.name)}
             builder.add(f"{self.name}.predictor", self.parts.predictor, f"{prefix}.predictor", wires, at)
-        # Worked out ahead of all that may ask for it.
+        # Computed ahead of every part that may need it.
         self.velocity_on(self.parts.velocity_feedback)
 
     def _add_sensors(self) -> None:

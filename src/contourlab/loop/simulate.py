@@ -16,11 +16,11 @@ from contourlab.errors import DivergenceError, ParameterError
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.geometry.view import PathView
 from contourlab.loop.feeding import Feed, Learned
+from contourlab.loop.judging import watched
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.reconfigure import Change, prepared, taken_over
 from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
-from contourlab.loop.watch import watched
 from contourlab.result import Result, Signal, Status
 
 Array = NDArray[np.float64]
@@ -61,7 +61,7 @@ UNITS = {
 
 
 def jit_enabled() -> bool:
-    """Tell whether steps are compiled: unless ``CONTOURLAB_JIT`` is 0."""
+    """Return whether steps are compiled: unless ``CONTOURLAB_JIT`` is 0."""
     return os.environ.get("CONTOURLAB_JIT", "1") != "0"
 
 
@@ -112,9 +112,9 @@ def simulate(
     signals : sequence of str, optional
         Which signals to keep; all by default.
     progress : callable, optional
-        Told the number of samples done.
+        Called with the number of samples done.
     learned : Learned, optional
-        What earlier trials have taught, sample by sample.
+        What earlier trials have learned, sample by sample.
     trial : int
         Number of the trial: what does not repeat differs from one to the next.
     moving : bool
@@ -216,29 +216,25 @@ def simulate_blocks(
     group = make_group(loop.schedule, 1, slice(0, 1), compiled)
     due = prepared(changes, machine, controller, reference, given, compiled)
     tool = ToolPosition(machine, seed, trial)
-    wanted = _wanted([loop, *(one.loop for one in due)], signals)
-    for start, stop in _spans(reference.n_sample, block, [one.sample for one in due]):
+    wanted = _wanted([loop, *(change.loop for change in due)], signals)
+    # A block also ends where a controller takes over.
+    edges = sorted({*range(0, reference.n_sample, block), *(change.sample for change in due), reference.n_sample})
+    for start, stop in pairwise(edges):
         if due and due[0].sample == start:
             loop, group = taken_over(due.pop(0), machine, reference, given, group, compiled)
         asked, fed = feed.block(start, stop)
         saved = group.snapshot()
-        found = _run(group, loop, asked, fed, wanted)
+        recorded = _run(group, loop, asked, fed, wanted)
         status = watched(group, machine)
         if status.ok and not group.finite().all():
             status = _first_non_finite(group, saved, fed, start)
         if not status.ok:
-            found = {name: data[: status.sample - start + 1] for name, data in found.items()}
+            recorded = {name: data[: status.sample - start + 1] for name, data in recorded.items()}
         if "tool_position" in wanted:
-            found["tool_position"] = tool.of(found["axis_position"], found["axis_velocity"])
-        yield {name: data for name, data in found.items() if name in wanted}, status
+            recorded["tool_position"] = tool.of(recorded["axis_position"], recorded["axis_velocity"])
+        yield {name: data for name, data in recorded.items() if name in wanted}, status
         if not status.ok:
             return
-
-
-def _spans(n_sample: int, block: int, ends: Sequence[int]) -> Iterator[tuple[int, int]]:
-    """Yield the first sample of each block and that after its last; a block also ends at each of `ends`."""
-    edges = sorted({*range(0, n_sample, block), *(end for end in ends if end < n_sample), n_sample})
-    yield from pairwise(edges)
 
 
 _SUPERVISED = ("active_controller", "switch_reason")
@@ -265,15 +261,15 @@ def _run(group: Group, loop: Loop, asked: ReferenceBlock, fed: Array, wanted: fr
     rows = list(dict.fromkeys(signal for signals in logged.values() for signal in signals))
     log = group.run(fed, [loop.schedule.row(name) for name in rows])[:, :, 0]
     column = {name: i for i, name in enumerate(rows)}
-    found: dict[str, Array] = {name: asked[field] for name, field in _GIVEN.items() if name in wanted}
+    recorded: dict[str, Array] = {name: asked[field] for name, field in _GIVEN.items() if name in wanted}
     for name, signals in logged.items():
         columns = [column[signal] for signal in signals]
         step = columns[1] - columns[0] if len(columns) > 1 else 1
         even = columns == list(range(columns[0], columns[0] + step * len(columns), step)) if step > 0 else False
         part = log[:, columns[0] : columns[-1] + 1 : step] if even else log[:, columns]
-        found[name] = part[:, 0] if name == "contour_error_estimate" else part
+        recorded[name] = part[:, 0] if name == "contour_error_estimate" else part
     # Without a supervisor the only controller is active, number 0.
-    return found | {name: np.zeros_like(asked.position) for name in _SUPERVISED if name in wanted and name not in found}
+    return recorded | {name: np.zeros_like(asked.position) for name in _SUPERVISED if name in wanted and name not in recorded}
 
 
 def _first_non_finite(group: Group, saved: Any, fed: Array, start: int) -> Status:

@@ -24,8 +24,8 @@ def conditioned(part: Component) -> Component:
         return part
     if "back-calculation" not in part.parameters["anti_windup"].choices:
         return part
-    found: Component = part.replace(anti_windup="back-calculation")
-    return found
+    tracking: Component = part.replace(anti_windup="back-calculation")
+    return tracking
 
 
 @cache

@@ -80,8 +80,8 @@ class Switches:
 
     def counts(self) -> dict[SwitchKind, int]:
         """Return how many switches there are of each kind, the most frequent first."""
-        found = np.bincount(self.kind, minlength=len(self.kinds))
-        return dict(Counter({kind: int(n) for kind, n in zip(self.kinds, found, strict=True) if n}).most_common())
+        counted = np.bincount(self.kind, minlength=len(self.kinds))
+        return dict(Counter({kind: int(n) for kind, n in zip(self.kinds, counted, strict=True) if n}).most_common())
 
     def of(self, axis: str) -> Index:
         """Return the numbers of the switches of one axis."""
@@ -137,12 +137,12 @@ class SwitchLog:
         return [self.controller, *(change.controller for change in self.changes)]
 
     def concerns(self, result: Result) -> bool:
-        """Tell whether a result can have switches."""
+        """Return whether a result can have switches."""
         return bool(self.changes) or "active_controller" in result
 
     def add(self, result: Result) -> Switches:
         """Return the switches of the next block."""
-        found: list[tuple[Index, Index, Index]] = []
+        parts: list[tuple[Index, Index, Index]] = []
         kinds: dict[SwitchKind, int] = {}
         active: dict[str, dict[str, int]] = {}
         first: dict[str, str] = {}
@@ -151,9 +151,9 @@ class SwitchLog:
             for start, stop, names, why in self._stretches(result, axis):
                 part = self._stretch(result, axis, (start, stop), (names, why), held, kinds)
                 first.setdefault(axis, part[2])
-                found.append((*part[:2], np.full(len(part[0]), result.axes.index(axis))))
+                parts.append((*part[:2], np.full(len(part[0]), result.axes.index(axis))))
             active[axis] = dict(held)
-        sample, kind, column = (np.concatenate([f[i] for f in found] or [np.zeros(0, dtype=np.int64)]) for i in range(3))
+        sample, kind, column = (np.concatenate([f[i] for f in parts] or [np.zeros(0, dtype=np.int64)]) for i in range(3))
         order = np.lexsort((column, sample))
         sample, kind = sample[order], kind[order]
         along = result["arc_length"][sample] if "arc_length" in result else np.full(len(sample), np.nan)
@@ -178,12 +178,12 @@ class SwitchLog:
                 (sample, _Labels(change.controller.axes[axis], label), f"the controller of {change.file or 'a change'} takes over")
             )
         ends = [sample for sample, _, _ in edges[1:]] + [result.start + result.n_sample]
-        found = []
+        stretches = []
         for (begin, names, why), end in zip(edges, ends, strict=True):
             low, high = max(begin - result.start, 0), min(end - result.start, result.n_sample)
             if low < high:
-                found.append((low, high, names, why if begin - result.start == low and why else ""))
-        return found
+                stretches.append((low, high, names, why if begin - result.start == low and why else ""))
+        return stretches
 
     def _stretch(
         self, result: Result, axis: str, span: tuple[int, int], label: tuple[_Labels, str], held: Counter[str], kinds: dict[SwitchKind, int]

@@ -3,7 +3,7 @@
 At each tick, for every axis,
 
 1. the **sensor** measures the position that the plant has reached; a **predictor** says where the axis will be once a delay has
-   passed; the **velocity** is worked out from what it says;
+   passed; the **velocity** is computed from what it says;
 2. the **estimator** sees all axes as measured and the path, the **coupling** turns its contour error into a modified reference, or into a
    correction of the commands;
 3. the **observer** estimates what disturbs the axis, from its velocity and the command that reached it (one tick late), the **gap
@@ -35,18 +35,74 @@ from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
-from contourlab.loop.builder import Builder, Overrides, Signals
+from contourlab.loop.builder import Builder, Overrides, Signals, constant_node, sum_step
 from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE, SOURCE_LINE
+from contourlab.loop.judging import watch_node
 from contourlab.loop.link_insertion import add_taken, insert_links, subtract_node
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.plant_nodes import add_plants
 from contourlab.loop.sensing import Sensing
-from contourlab.loop.signal_map import signal_map
-from contourlab.loop.sum_nodes import sum_step
 from contourlab.loop.supervision import ACCEPTED, conditioned, handover_parameters, handover_step
-from contourlab.loop.watch import watch_node
 
 Array = NDArray[np.float64]
+
+
+NOTHING = "none.value"
+"""Signal of an axis that has not got what others have: zero."""
+
+_OBSERVED = {
+    "gap_estimate": "gap",
+    "gap_deviation": "gap_deviation",
+    "gap_state_estimate": "gap_state",
+    "gap_confidence": "confidence",
+    "load_position_estimate": "load_position",
+    "load_velocity_estimate": "load_velocity",
+}
+
+
+def signal_map(builder: Builder, sensing: Mapping[str, Sensing]) -> dict[str, tuple[str, ...]]:
+    """Return where the signals of a result stand: name -> one signal per axis, or one for the machine."""
+
+    def plain(wire: Any) -> str:
+        return str(wire.signal if isinstance(wire, Late) else wire)
+
+    signals = {
+        "position": tuple(plain(sensing[name].measured) for name in builder.names),
+        "axis_position": tuple(f"{name}.plant.position" for name in builder.names),
+        "axis_velocity": tuple(f"{name}.plant.velocity" for name in builder.names),
+        "velocity": tuple(plain(sensing[name].velocity) for name in builder.names),
+        "command": tuple(builder.arrived.get(name, builder.command(name)) for name in builder.names),
+        "applied_command": tuple(f"{name}.drive.applied" for name in builder.names),
+    }
+    signals |= _inside(builder)
+    if all(builder.controller.axes[name].observer is not None for name in builder.names):
+        signals["disturbance_estimate"] = tuple(f"{name}.observer.disturbance_estimate" for name in builder.names)
+    if builder.controller.estimator is not None:
+        signals["contour_error_estimate"] = ("estimator.contour_error_estimate",)
+    for output, signal in (("modified_reference", "modified_reference"), ("correction", "coupling_command")):
+        if builder.coupled(output):
+            signals[signal] = tuple(f"coupling.{output}[{j}]" for j in range(len(builder.names)))
+    return signals
+
+
+def _inside(builder: Builder) -> dict[str, tuple[str, ...]]:
+    """Return the signals of what only some axes have inside: zero, or those of the load, for the others."""
+    split = {axis.name: axis.plant.two_sided for axis in builder.machine.axes}
+    led = {name: builder.controller.axes[name].supervisor is not None for name in builder.names}
+    watched = {name: builder.controller.axes[name].gap_observer is not None for name in builder.names}
+    groups: tuple[tuple[dict[str, bool], dict[str, tuple[str, str]]], ...] = (
+        (split, {f"motor_{what}": (f"plant.motor_{what}", f"plant.{what}") for what in ("position", "velocity")}),
+        (split, {"gap_state": ("plant.gap_state", NOTHING), "shaft_force": ("plant.shaft_force", NOTHING)}),
+        (led, {"active_controller": ("supervisor.active", NOTHING), "switch_reason": ("supervisor.reason", NOTHING)}),
+        (watched, {signal: (f"gap_observer.{port}", NOTHING) for signal, port in _OBSERVED.items()}),
+    )
+    inside: dict[str, tuple[str, ...]] = {}
+    for having, signals in groups:
+        for signal, (there, otherwise) in signals.items() if any(having.values()) else ():
+            inside[signal] = tuple(f"{name}.{there if having[name] else otherwise}" for name in builder.names)
+    for name in {wire.partition(".")[0] for wires in inside.values() for wire in wires if wire.endswith(NOTHING)}:
+        builder.nodes.append(constant_node(f"{name}.{NOTHING.partition('.')[0]}"))
+    return inside
 
 
 @dataclass(frozen=True)
@@ -124,15 +180,15 @@ class _Slots(Builder):
     def wires_of(self, part: Component, axis: str, offered: Mapping[str, Any]) -> dict[str, Any]:
         """Return the wires of a part's inputs: what is offered, what is seen of both sides of the drive, what is observed of its gap."""
         seen = self.sensing[axis]
-        found = {}
+        wires = {}
         for port in part.inputs:
             if port.name in offered:
-                found[port.name] = offered[port.name]
+                wires[port.name] = offered[port.name]
             elif port.name.startswith(("motor_", "load_")):
-                found[port.name] = seen.both_sides(port.name)
+                wires[port.name] = seen.both_sides(port.name)
             else:
-                found[port.name] = seen.observed_gap(port.name)
-        return found
+                wires[port.name] = seen.observed_gap(port.name)
+        return wires
 
     def decide(self, name: str, at: float, offered: Mapping[str, Any]) -> None:
         """Add the controllers of an axis and, where there are several, their supervisor and the hand-over."""

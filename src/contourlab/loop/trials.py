@@ -1,4 +1,4 @@
-"""The same motion again and again: what does not change from trial to trial is made once.
+"""Repeated trials of one motion: what does not change from trial to trial is built once.
 
 A trial gives the positions that `simulate` gives with the same table, seed and trial number, to the last bit.
 """
@@ -21,12 +21,11 @@ from contourlab.engine.schedule import Late, Schedule
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.feeding import LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Learned
+from contourlab.loop.judging import TrialJudge, watched
 from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
-from contourlab.loop.trial_judge import TrialJudge
-from contourlab.loop.watch import watched
 from contourlab.metrics.judge import reach
 from contourlab.result import Status
 
@@ -37,7 +36,7 @@ MOST_DOUBTFUL = 0.002
 
 @dataclass(frozen=True, eq=False)
 class Trial:
-    """What came of one trial: arrays (n_sample, n_axis) unless said otherwise, each signal one row of memory.
+    """Result of one trial: arrays (n_sample, n_axis) unless stated otherwise, each signal one row of memory.
 
     Attributes
     ----------
@@ -231,8 +230,8 @@ class Trials:
             path = self.reference.path
             if doubtful.size > MOST_DOUBTFUL * len(tool):  # the tool is so far off that nearer places may be overlooked without a doubt
                 doubtful = np.arange(len(tool))
-            found = path.foot_point(tool[doubtful], self.arc_length[doubtful], reach(path, self.position - tool))
-            contour[doubtful] = found.signed if path.is_planar else found.distance
+            feet = path.foot_point(tool[doubtful], self.arc_length[doubtful], reach(path, self.position - tool))
+            contour[doubtful] = feet.signed if path.is_planar else feet.distance
         size = np.abs(contour[slice(*self.window)])
         return tool, vector, contour, (float(np.sqrt(np.mean(size**2))), float(size.max()), float(size.mean()))
 

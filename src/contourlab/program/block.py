@@ -1,4 +1,4 @@
-"""One line of a part program -> words with columns -> a block: codes by modal group, other words by letter. Nothing is executed here.
+"""Read a line of a part program into words with columns, then into a block: codes by modal group, other words by letter.
 
 RS274/NGC ignores case, and blanks and tabs outside comments, even inside a number.
 """
@@ -8,24 +8,13 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from contourlab.program.expressions import Cursor, read_assignment, read_value
-from contourlab.program.parameters import Key, Parameters
-from contourlab.program.vocabulary import (
-    G_GROUPS,
-    M_GROUPS,
-    O_WORD_ALONE,
-    USED_LETTERS,
-    BlockError,
-    g_name,
-    refuse_g,
-    refuse_letter,
-    refuse_m,
-)
+from contourlab.program.expressions import Cursor, Key, Parameters, read_assignment, read_value
+from contourlab.program.vocabulary import G_GROUPS, M_GROUPS, O_WORD_ALONE, USED_LETTERS, BlockError, g_name, refusal
 
 LARGEST_NUMBER = 1e9
-"""Larger numbers are slips, in any unit."""
+"""Larger numbers are mistakes in any unit."""
 
-# The alternatives tile every line: a word, a comment in brackets, a comment to the end, blanks, or a bad character.
+# Matches any line: words, comments in brackets or to the end, blanks, bad characters.
 _TOKEN = re.compile(r"([A-Za-z@^])[ \t]*(?P<digits>[+-]?[0-9. \t]*)|\([^()]*\)|;.*|[ \t]+|(?P<bad>.)", re.DOTALL)
 _LETTERS = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZ@^")
 _LONGEST_NUMBER = 100
@@ -54,7 +43,7 @@ class Word(NamedTuple):
     value : float
         Finite.
     column : int, >= 1
-        Where the letter stands in its line.
+        Of the letter.
     """
 
     letter: str
@@ -62,13 +51,7 @@ class Word(NamedTuple):
     column: int
 
     def whole(self, least: int, most: int, what: str, tolerance: float = 1e-4) -> int:
-        """Return the value as a whole number within bounds.
-
-        Raises
-        ------
-        BlockError
-            If it is none.
-        """
+        """Return the value as a whole number; refuse others, and those out of bounds."""
         number = round(self.value)
         if abs(self.value - number) > tolerance or not least <= number <= most:
             raise BlockError(f"{self.letter}{self.value:g}: {what} is a whole number from {least} to {most}", self.column)
@@ -76,19 +59,19 @@ class Word(NamedTuple):
 
 
 def read_words(line: str, parameters: Parameters | None = None) -> list[Word]:
-    """Split a line into its words without comments, and assign its parameters.
+    """Split a line into words, without comments, and assign its parameters.
 
     Parameters
     ----------
     line : str
         Without its line break.
     parameters : Parameters, optional
-        Expressions read the values from before the line; assignments take effect at its end.
+        Expressions use the values before the line; assignments take effect at its end.
 
     Raises
     ------
     BlockError
-        If a character or number is not part of RS274/NGC, or not supported yet.
+        If a character or number is not part of RS274/NGC, or not supported.
 
     >>> read_words("g1 x-1 0.5 (there)")
     [Word(letter='G', value=1.0, column=1), Word(letter='X', value=-10.5, column=4)]
@@ -135,13 +118,7 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
 
 
 def without_blanks(line: str) -> Cursor:
-    """Return a cursor over a line in small letters, without blanks and comments.
-
-    Raises
-    ------
-    BlockError
-        If a comment has no end, or stands in another.
-    """
+    """Return a cursor over a line in lower case, without blanks and comments."""
     kept: list[int] = []
     at = 0
     while at < len(line) and line[at] != ";":
@@ -157,14 +134,14 @@ def without_blanks(line: str) -> Cursor:
 
 
 def _number(token: re.Match[str]) -> float:
-    """Read the number of a word, which may have blanks anywhere."""
+    """Read the number of a word; it may contain blanks."""
     name, digits, column = token[1].upper(), "".join(token["digits"].split()), token.start() + 1
     short = digits if len(digits) <= 20 else digits[:20] + "..."
     try:
         value = float(digits)
     except ValueError:
         if not digits:
-            raise BlockError(f"{name} has no number behind it: write for example {name}10", column) from None
+            raise BlockError(f"{name} has no number: write for example {name}10", column) from None
         hint = f"write for example {name}10.5 (one sign, one point, no exponent)"
         raise BlockError(f"{name}{short} holds no number: {hint}", column) from None
     if abs(value) > LARGEST_NUMBER or len(digits) > _LONGEST_NUMBER:
@@ -217,7 +194,7 @@ class Block(NamedTuple):
 
 
 def read_block(line: str, parameters: Parameters | None = None) -> Block:
-    """Read a line, check what does not depend on the modal state, and assign its parameters.
+    """Read a line, check it independently of the modal state, and assign its parameters.
 
     Raises
     ------
@@ -239,7 +216,7 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
         elif letter == "N":
             _check_line_number(line, word)
         else:
-            raise BlockError(refuse_letter(letter), word.column)
+            raise BlockError(refusal(letter, "word"), word.column)
     return Block(codes, words)
 
 
@@ -249,9 +226,9 @@ def _add_g(codes: dict[str, Code], word: Word) -> None:
         raise BlockError(f"G{word.value:g} is no G-code of RS274/NGC: correct the number", word.column)
     group = G_GROUPS.get(number)
     if group is None:
-        raise BlockError(refuse_g(number), word.column)
+        raise BlockError(refusal(g_name(number), "G-code"), word.column)
     if group in codes and group == "motion" and _END_OF_MOTION in (number, codes[group].number):
-        # G80 beside another motion has no effect.
+        # G80 together with another motion has no effect.
         if number == _END_OF_MOTION:
             return
     elif group in codes:
@@ -265,14 +242,14 @@ def _add_m(codes: dict[str, Code], word: Word) -> None:
         raise BlockError(f"M{word.value:g} is no M-code of RS274/NGC: M takes a whole number from 0", word.column)
     group = M_GROUPS.get(number)
     if group is None:
-        raise BlockError(refuse_m(number), word.column)
+        raise BlockError(refusal(f"M{number}", "M-code"), word.column)
     if group in codes:
         raise BlockError(f"M{codes[group].number} and M{number} exclude each other in one block: keep one", word.column)
     codes[group] = Code(number, word.column)
 
 
 def _check_line_number(line: str, word: Word) -> None:
-    # N stands first, even before a comment; its number means nothing.
+    # N must come first, even before a comment; its number has no meaning.
     if line[: word.column - 1].strip(" \t"):
         raise BlockError("the line number N must stand first on its line: move it there or delete it", word.column)
     if word.value < 0.0:

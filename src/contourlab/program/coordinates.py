@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from contourlab.errors import ProgramError
+from contourlab.program.expressions import Parameters
 from contourlab.program.moves import Point
-from contourlab.program.parameters import Parameters
 from contourlab.program.vocabulary import BlockError
 
 ORIGIN: Point = (0.0, 0.0, 0.0)
@@ -45,7 +45,7 @@ class Frame:
     plain: bool = True
 
     def refresh(self) -> None:
-        """Note whether all offsets are zero, which saves most programs the arithmetic; to be called after every change."""
+        """Note whether all offsets are zero, to skip the arithmetic; call after every change."""
         self.plain = self.rotation == 0.0 and self.origin == self.shift == self.tool == ORIGIN
 
     def axes(self, point: Point) -> Point:
@@ -72,7 +72,7 @@ def less(a: Point, b: Point) -> Point:
 
 
 def updated(point: Point, given: list[float | None]) -> Point:
-    """Return a point with the coordinates that are given."""
+    """Return a point with the given coordinates replaced."""
     x, y, z = (old if new is None else new for old, new in zip(point, given, strict=True))
     return (x, y, z)
 
@@ -116,34 +116,26 @@ _LETTERS = frozenset("TPDXYZABCUVWIJQ")
 
 
 class Tools:
-    """Offsets of the tools by their numbers; a tool that nobody has described has none.
-
-    Parameters
-    ----------
-    offsets : dict of int to (x, y, z) [m], optional
-    diameters : dict of int to float [m], optional
+    """Offsets of the tools by number; undescribed tools have none.
 
     Attributes
     ----------
+    offsets : dict of int to (x, y, z) [m]
+    diameters : dict of int to float [m]
     current, selected : int
-        The tool in the spindle, and the one that the next change brings; 0 for none.
+        The tool in the spindle, and the next one; 0 for none.
     complete : bool
-        Whether a table says which tools there are.
+        Whether a tool table lists all tools.
     """
 
-    def __init__(self, offsets: dict[int, Point] | None = None, diameters: dict[int, float] | None = None) -> None:
-        self.offsets, self.diameters = dict(offsets or {}), dict(diameters or {})
+    def __init__(self) -> None:
+        self.offsets: dict[int, Point] = {}
+        self.diameters: dict[int, float] = {}
         self.current, self.selected = 0, 0
         self.complete = False
 
     def check(self, number: int, column: int) -> None:
-        """Refuse a tool that a table was to describe and does not; 0 is no tool.
-
-        Raises
-        ------
-        BlockError
-            If it is not there.
-        """
+        """Refuse a tool that is missing from the tool table; 0 is no tool."""
         if self.complete and number and number not in self.offsets:
             raise BlockError(f"tool {number} is not in the tool table: add it, or correct the number", column)
 
@@ -186,7 +178,7 @@ def _add(tools: Tools, entry: str, file: str | Path, line: int) -> None:
     if tool != round(tool) or not 1 <= tool <= LARGEST_TOOL:
         raise ProgramError(f"a tool has a whole number from 1 to {LARGEST_TOOL}: write for example T1", file=file, line=line)
     if int(tool) in tools.offsets:
-        raise ProgramError(f"tool {int(tool)} stands there twice: delete one of the lines", file=file, line=line)
+        raise ProgramError(f"tool {int(tool)} is listed twice: delete one of the lines", file=file, line=line)
     x, y, z = (words.get(letter, 0.0) / 1000.0 for letter in _LENGTHS)
     tools.offsets[int(tool)] = (x, y, z)
     tools.diameters[int(tool)] = words.get("D", 0.0) / 1000.0

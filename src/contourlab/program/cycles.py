@@ -1,8 +1,7 @@
 """Canned cycles: G73, G74, G81 to G89, in the plane in force, with L repeats, R, and G98 or G99.
 
-A cycle works across the plane: its depth, clearance (R) and level lie along the normal. Before each hole the tool goes, at the level or
-the clearance, to the hole; then come the strokes of the cycle. Within a cycle the path is exact (G61), but for the rise to the clearance
-before all else, as in LinuxCNC.
+Depth, clearance (R) and level of a cycle lie along the normal of the plane. The tool goes to each hole at the level or the clearance, then
+makes the strokes of the cycle. The path is exact (G61), except for the first rise to the clearance, as in LinuxCNC.
 """
 
 from __future__ import annotations
@@ -15,9 +14,9 @@ from contourlab.program.state import ModalState
 from contourlab.program.vocabulary import BlockError, g_name
 
 PECK_CLEARANCE = 0.010 * 0.0254
-"""How far above the last depth a pecking tool comes back to feed [m]."""
+"""Distance above the last depth at which pecking resumes feed [m]."""
 LEAST_STROKE = 1e-10
-"""Strokes of at most this length [m] are rounding, and left out."""
+"""Strokes up to this length [m] are rounding errors, and left out."""
 MOST_REPEATS = 10_000
 MOST_PECKS = 100_000
 LONGEST_DWELL = 86_400.0
@@ -36,12 +35,12 @@ def drill(block: Block, state: ModalState, line: int, *, again: bool) -> list[Mo
         Its motion is the cycle.
     line : int
     again : bool
-        Whether the same cycle was in force before: words that are missing are then those of the last time, unless the units have changed.
+        Whether the same cycle was active before: missing words then keep their values, unless the units have changed.
 
     Raises
     ------
     BlockError
-        If a word is missing, the depth lies above the clearance, or the spindle does not turn as the cycle needs it.
+        If a word is missing, the depth is above the clearance, or the spindle does not turn as needed.
     """
     mode = state.mode
     cycle = _Cycle(block, state, line, again)
@@ -54,8 +53,8 @@ class _Cycle:
     """One block of a canned cycle."""
 
     def __init__(self, block: Block, state: ModalState, line: int, again: bool) -> None:
-        assert state.motion is not None  # the caller has seen that it is a cycle
-        # LinuxCNC takes the numbers that it remembers for ones of the new units: here they are to be written anew.
+        assert state.motion is not None  # the cycle
+        # LinuxCNC reads remembered numbers in the new units; here they must be written again.
         again = again and state.cycle.millimetres == state.millimetres
         state.cycle.millimetres = state.millimetres
         self.words, self.state, self.line, self.again = block.words, state, line, again
@@ -101,7 +100,7 @@ class _Cycle:
         self.state.check_reach(self.state.position, self.words)
 
     def _read_levels(self) -> float:
-        """Work out clearance, depth and the height to come back to; return the height from which the cycles in a row began."""
+        """Set clearance, depth and return level; return the level before the first of consecutive cycles."""
         state, memory, normal = self.state, self.state.cycle, self.axes[2]
         letter = "XYZ"[normal]
         for wanted, what in ((letter, "depth"), ("R", "clearance")):
@@ -141,7 +140,7 @@ class _Cycle:
             raise BlockError(f"the peck Q of {self.name} would take more than {MOST_PECKS} strokes: make it larger", self.column)
 
     def _read_bore(self) -> tuple[tuple[float, float], float]:
-        """Return the way aside and the upper end of a bore from below (G87)."""
+        """Return lateral offset and top of a back bore (G87)."""
         letters = ["IJK"[axis] for axis in self.axes]
         memory, absolute = self.state.cycle, self.state.absolute
         kept: tuple[float | None, ...] = memory.bore if self.again else (None, None, None)
@@ -160,7 +159,7 @@ class _Cycle:
             raise BlockError(f"{self.name} needs the spindle to turn the other way: write {other} before it", self.column)
 
     def _next_hole(self) -> None:
-        """Go over to the next hole: where the words say, or so much further."""
+        """Go to the next hole, absolute or incremental."""
         state = self.state
         if "@" in self.words or "^" in self.words:
             state.position = (self.u, self.v, state.position[2])
@@ -208,14 +207,14 @@ class _Cycle:
         if code == 850:
             self._go(self.clearance, feed=True)
         if code == 880:
-            self.state.tell("M0", None, self.line)  # the operator draws the tool out by hand
+            self.state.tell("M0", None, self.line)  # the operator retracts the tool by hand
         else:
             self._go(self.back, feed=code == 890)
         if code in (860, 880):
             self._spindle(sense)
 
     def _peck(self) -> None:
-        """Drill in strokes: G83 comes out to the clearance after each, G73 only breaks the chip."""
+        """Drill in strokes: G83 retracts to the clearance after each, G73 only breaks the chip."""
         reached = self.clearance - self.state.cycle.peck
         while reached > self.depth + LEAST_STROKE:
             self._go(reached, feed=True)
@@ -227,7 +226,7 @@ class _Cycle:
         self._go(self.back)
 
     def _back_bore(self, aside: tuple[float, float], top: float) -> None:
-        """Bore from below: aside and down at rest, in, up and down while turning, aside and out."""
+        """Bore from below: aside and down with the spindle stopped, in, up and down turning, aside and out."""
         sense = self.state.turning
         self._go(self.clearance, aside=aside)
         self._spindle(0)

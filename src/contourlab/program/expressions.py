@@ -1,19 +1,151 @@
 """Values in a part program: numbers, parameters, functions, and expressions in square brackets.
 
-The rules are those of LinuxCNC 2.9. Blanks mean nothing and case does not matter. Binary operations of one rank go from left to right, the
-power too; a sign belongs to the value behind it, so that [-2 ** 2] is 4. Angles are in degrees. Two numbers that differ by less than 1e-4
-are EQ. Logical values are 0 and 1; any other number is true. Stricter than LinuxCNC: what has no value (5 MOD 0, 0 ** -1) is refused where
-it stands, also where a comparison around it would hide it.
+The rules are those of LinuxCNC 2.9. Blanks and case are ignored. Operations of equal rank are left-associative, the power too; a sign
+binds to the value after it: [-2 ** 2] is 4. Angles are in degrees. Numbers that differ by less than 1e-4 are EQ. Logical results are 0
+and 1; any number other than 0 is true. Stricter than LinuxCNC: undefined values (5 MOD 0, 0 ** -1) are always refused.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import TypeAlias
 
-from contourlab.program.parameters import Key, Parameters
 from contourlab.program.vocabulary import BlockError
+
+LARGEST_PARAMETER = 5601
+SELECTED_SYSTEM = 5220
+LOCAL = range(1, 31)
+"""Numbers local to each call of a subprogram."""
+_POSITION = (5420, 5421, 5422)
+_READ_ONLY = frozenset((*range(5400, 5414), *range(5420, 5429)))
+
+Key: TypeAlias = int | str
+"""Number of a parameter, or its name in lower case without blanks."""
+
+
+class Parameters:
+    """Parameters of a program: numbered ones are 0 until set, named ones do not exist.
+
+    Parameters
+    ----------
+    position : callable
+        Returns the programmed point in program units, for #5420 to #5422.
+    own : mapping, optional
+        Functions for the parameters of the interpreter.
+
+    Attributes
+    ----------
+    returned : float or None
+        Value of the last subprogram.
+    changes : int
+        Count of assignments.
+    """
+
+    def __init__(
+        self,
+        position: Callable[[], tuple[float, float, float]] = lambda: (0.0, 0.0, 0.0),
+        own: Mapping[str, Callable[[], float]] | None = None,
+    ) -> None:
+        self.position = position
+        self.own = own or {}
+        self._numbered: dict[int, float] = {SELECTED_SYSTEM: 1.0}
+        self._global: dict[str, float] = {}
+        self._local: dict[str, float] = {}
+        self._callers: list[tuple[dict[str, float], dict[int, float] | None]] = []
+        self.returned: float | None = None
+        self.changes = 0
+
+    @property
+    def depth(self) -> int:
+        """Depth of nested calls."""
+        return len(self._callers)
+
+    def read(self, key: Key, column: int) -> float:
+        """Return a parameter's value.
+
+        Raises
+        ------
+        BlockError
+            If the number does not exist, or the name has no value.
+        """
+        if isinstance(key, str):
+            if key in self.own:
+                return self.own[key]()
+            names = self._names(key)
+            if key not in names:
+                raise BlockError(f"#<{key}> has no value yet: write #<{key}> = ... on a line before", column)
+            return names[key]
+        _check_number(key, column)
+        return self.number(key)
+
+    def number(self, key: int) -> float:
+        """Return the value of an existing numbered parameter."""
+        if key in _POSITION:
+            return self.position()[key - _POSITION[0]]
+        return self._numbered.get(key, 0.0)
+
+    def exists(self, name: str) -> bool:
+        """Tell whether a named parameter has a value."""
+        return name in self.own or name in self._names(name)
+
+    def check(self, key: Key, column: int) -> None:
+        """Refuse parameters that do not exist or belong to the interpreter."""
+        if isinstance(key, str):
+            if key in self.own:
+                raise BlockError(f"#<{key}> is the interpreter's own, a program cannot set it: choose another name", column)
+            return
+        _check_number(key, column)
+        if key in _READ_ONLY:
+            raise BlockError(f"#{key} is the interpreter's own (tool, position), a program cannot set it: choose another number", column)
+
+    def give_back(self, value: float | None) -> None:
+        """Keep what a subprogram returns."""
+        self.returned, self.changes = value, self.changes + 1
+
+    def write(self, key: Key, value: float) -> None:
+        """Set a parameter that passed `check`."""
+        self.changes += 1
+        if isinstance(key, str):
+            self._names(key)[key] = value
+        else:
+            self._numbered[key] = value
+
+    def point(self, first: int) -> tuple[float, float, float]:
+        """Return the lengths [m] in three parameters in mm."""
+        x, y, z = (self.number(first + axis) / 1000.0 for axis in range(3))
+        return (x, y, z)
+
+    def write_point(self, first: int, point: tuple[float, float, float]) -> None:
+        """Set three parameters in mm to lengths [m]."""
+        for axis in range(3):
+            self.write(first + axis, point[axis] * 1000.0)
+
+    def _names(self, key: str) -> dict[str, float]:
+        return self._global if key.startswith("_") else self._local
+
+    def enter(self, arguments: list[float] | None) -> None:
+        """Enter a subprogram with its own names and #1 to #30, which begin with the arguments; None keeps the caller's (M98)."""
+        numbers = None
+        if arguments is not None:
+            numbers = {number: self._numbered.get(number, 0.0) for number in LOCAL}
+            for number in LOCAL:
+                self._numbered[number] = arguments[number - 1] if number <= len(arguments) else 0.0
+        self._callers.append((self._local, numbers))
+        self._local = {}
+
+    def leave(self) -> None:
+        """Restore the caller's parameters."""
+        self._local, numbers = self._callers.pop()
+        if numbers is not None:
+            self._numbered |= numbers
+
+
+def _check_number(number: int, column: int) -> None:
+    if not 1 <= number <= LARGEST_PARAMETER:
+        raise BlockError(f"there is no parameter #{number}: they go from #1 to #{LARGEST_PARAMETER}", column)
+
 
 MOST_NESTED = 50
 LARGEST_WHOLE = 1e9
@@ -26,13 +158,13 @@ _RANK = {name: rank for rank, names in enumerate(_RANKS) for name in names}
 
 
 class Cursor:
-    """A line without blanks and comments, in small letters, and where one is in it.
+    """A position in a line without blanks and comments, in lower case.
 
     Parameters
     ----------
     text : str
     columns : list of int
-        Column, from 1, at which each character of `text` stands in the line.
+        Column (from 1) of each character of `text` in the line.
     """
 
     def __init__(self, text: str, columns: list[int]) -> None:
@@ -40,24 +172,22 @@ class Cursor:
 
     @property
     def next(self) -> str:
-        """The character here; empty at the end."""
+        """The current character; empty at the end."""
         return self.text[self.at : self.at + 1]
 
     @property
     def column(self) -> int:
-        """Column of the character here, or of the last one."""
+        """Column of the current or last character."""
         return self.columns[min(self.at, len(self.columns) - 1)] if self.columns else 1
 
     def take(self, pattern: re.Pattern[str]) -> str:
-        """Return what matches here, and go behind it; empty if nothing does."""
-        found = pattern.match(self.text, self.at)
-        if found is None:
-            return ""
-        self.at = found.end()
-        return found[0]
+        """Return and skip the match at this position; empty if none."""
+        match = pattern.match(self.text, self.at)
+        self.at = match.end() if match else self.at
+        return match[0] if match else ""
 
     def name(self, what: str) -> str:
-        """Return the name in <> that stands here, and go behind it."""
+        """Return and skip the name in <> at this position."""
         end = self.text.find(">", self.at)
         name = self.text[self.at + 1 : end]
         if end < 0 or not name:
@@ -66,32 +196,20 @@ class Cursor:
         return name
 
     def deeper(self) -> None:
-        """Count one more level of brackets, functions or #; the caller counts it down."""
+        """Enter a level of brackets, functions or #; the caller leaves it."""
         self.depth += 1
         if self.depth > MOST_NESTED:
             raise BlockError(f"brackets are nested more than {MOST_NESTED} deep: use a parameter for a part of it", self.column)
 
     def expect(self, character: str, what: str) -> None:
-        """Go behind a character.
-
-        Raises
-        ------
-        BlockError
-            If another one stands here.
-        """
+        """Skip a character; refuse any other."""
         if self.next != character:
             raise BlockError(f"'{character}' is missing {what}: write it here", self.column)
         self.at += 1
 
 
 def read_value(cursor: Cursor, parameters: Parameters) -> float:
-    """Read a number, a parameter, a function or an expression, each with any signs before it.
-
-    Raises
-    ------
-    BlockError
-        If there is none, or it has no value.
-    """
+    """Read a number, parameter, function or expression, with signs before it."""
     start, sign = cursor.column, 1.0
     while cursor.next in ("+", "-"):
         sign = -sign if cursor.next == "-" else sign
@@ -111,18 +229,12 @@ def read_value(cursor: Cursor, parameters: Parameters) -> float:
 
 
 def read_assignment(cursor: Cursor, parameters: Parameters) -> tuple[Key, float]:
-    """Read ``#1 = 2`` or ``#<name> = 2`` behind its #; the caller sets it once the whole line is read.
-
-    Raises
-    ------
-    BlockError
-        If it is no assignment, or the parameter cannot be set.
-    """
+    """Read ``#1 = 2`` or ``#<name> = 2`` after the #; the caller assigns it at the end of the line."""
     column = cursor.column
     key = _key(cursor, parameters)
     parameters.check(key, column)
     if isinstance(key, str) and not parameters.exists(key):
-        parameters.write(key, 0.0)  # the name is there from here on, as in LinuxCNC
+        parameters.write(key, 0.0)  # the name exists from here on, as in LinuxCNC
     cursor.expect("=", "behind the parameter that is set")
     return key, read_value(cursor, parameters)
 
@@ -130,7 +242,7 @@ def read_assignment(cursor: Cursor, parameters: Parameters) -> tuple[Key, float]
 def _number(cursor: Cursor) -> float:
     column, digits = cursor.column, cursor.take(_NUMBER)
     if digits in ("", "."):
-        what = f"'{cursor.next}' stands here" if cursor.next else "the line ends here"
+        what = f"here is '{cursor.next}'" if cursor.next else "the line ends here"
         raise BlockError(f"a number is missing: {what}; write for example 10.5, #1 or [1 + 2]", column)
     if len(digits) > 100:
         raise BlockError("a number of more than 100 digits: shorten it", column)
@@ -138,7 +250,7 @@ def _number(cursor: Cursor) -> float:
 
 
 def _key(cursor: Cursor, parameters: Parameters) -> Key:
-    """Read what stands behind a #: a name in <>, or any value that is a whole number."""
+    """Read the key after a #: a name in <>, or any whole value."""
     column = cursor.column
     if cursor.next == "<":
         return cursor.name("parameter")
@@ -151,7 +263,7 @@ def _key(cursor: Cursor, parameters: Parameters) -> Key:
 
 
 def _expression(cursor: Cursor, parameters: Parameters) -> float:
-    """Read [a op b op c ...]: operands and operations are stacked, and joined as soon as no higher rank can follow."""
+    """Read [a op b op c ...]: stack operands and operations, and evaluate once no higher rank can follow."""
     cursor.expect("[", "before the expression")
     cursor.deeper()
     values = [read_value(cursor, parameters)]
@@ -197,7 +309,7 @@ def _function(cursor: Cursor, parameters: Parameters) -> float:
 
 
 def _exists(cursor: Cursor, parameters: Parameters) -> float:
-    """Read EXISTS[#<name>]; a numbered parameter is always there."""
+    """Read EXISTS[#<name>]; numbered parameters always exist."""
     cursor.expect("[", "behind EXISTS")
     cursor.expect("#", "in EXISTS[#<name>]")
     key = _key(cursor, parameters)

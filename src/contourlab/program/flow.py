@@ -1,8 +1,7 @@
 """O-words: subprograms, conditions and loops; M98 and M99.
 
-A program is walked over line by line. A loop or a condition that is not to be executed is skipped by looking for the line that closes
-it, which carries the same label; labels are numbers, names in <>, or expressions in []. Lines are kept only as long as something may
-lead back to them.
+A loop or condition that is not executed is skipped up to the closing line with the same label: a number, a name in <>, or an expression
+in []. Lines are kept only while a loop or call may return to them.
 """
 
 from __future__ import annotations
@@ -12,8 +11,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from contourlab.program.block import without_blanks
-from contourlab.program.expressions import Cursor, read_value
-from contourlab.program.parameters import Parameters
+from contourlab.program.expressions import Cursor, Parameters, read_value
 from contourlab.program.vocabulary import BlockError
 
 KEYWORDS = (
@@ -27,7 +25,7 @@ _CONDITIONS = ("if", "elseif", "while", "repeat")
 _VALUES = ("return", "endsub")
 MOST_ARGUMENTS = 30
 BATCH = 1024
-"""So many lines are dropped at once."""
+"""Lines dropped at once."""
 
 
 class OWord(NamedTuple):
@@ -36,9 +34,9 @@ class OWord(NamedTuple):
     Parameters
     ----------
     label : str
-        Number without leading zeros, or name in small letters.
+        Number without leading zeros, or name in lower case.
     keyword : str
-        One of `KEYWORDS`; empty for ``O100`` alone, which begins a subprogram for M98.
+        One of `KEYWORDS`; empty for ``O100`` alone, a subprogram of M98.
     values : tuple of float
         Arguments of a call; the condition, number of repeats, or returned value.
     column : int
@@ -63,7 +61,7 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
     line : str
     parameters : Parameters
     skipping : bool
-        Whether only label and keyword are wanted: conditions of lines that are not executed may have no value.
+        Whether to read only label and keyword, because skipped conditions may be undefined.
 
     Raises
     ------
@@ -88,7 +86,7 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
     while cursor.next == "[":
         values.append(read_value(cursor, parameters))
     if cursor.next:
-        raise BlockError(f"'{cursor.next}' stands behind an O-word: write it on a line of its own", cursor.column)
+        raise BlockError(f"'{cursor.next}' follows an O-word: write it on a line of its own", cursor.column)
     _check_values(keyword, len(values), column)
     return OWord(label, keyword, tuple(values), column)
 
@@ -102,7 +100,7 @@ def _check_values(keyword: str, count: int, column: int) -> None:
     if keyword in _VALUES and count > 1:
         raise BlockError(f"{keyword} takes at most one value in brackets: delete the others", column)
     if keyword == "call" and count > MOST_ARGUMENTS:
-        raise BlockError(f"a call takes at most {MOST_ARGUMENTS} arguments: hand over the rest in #31 and on", column)
+        raise BlockError(f"a call takes at most {MOST_ARGUMENTS} arguments: pass the rest in #31 and on", column)
     if keyword not in (*_CONDITIONS, *_VALUES, "call") and count:
         raise BlockError(f"{keyword or 'O'} takes no value: delete the brackets", column)
 
@@ -122,7 +120,7 @@ def _label(cursor: Cursor, parameters: Parameters) -> str:
 
 
 class Tape:
-    """The lines of one file, from an iterator, kept from the first one that somebody may go back to.
+    """The lines of a file, kept from the first one that a loop or call may return to.
 
     Parameters
     ----------
@@ -140,13 +138,13 @@ class Tape:
 
     @classmethod
     def of(cls, lines: list[str], first: int, name: str) -> Tape:
-        """Return a tape of lines that are kept for good; the first of them has the index `first`."""
+        """Return a tape of permanently kept lines; the first has the index `first`."""
         tape = cls(iter(()), name)
         tape._kept, tape._first, tape._pinned, tape.ended = lines, first, first, True
         return tape
 
     def line(self, index: int) -> str | None:
-        """Return a line by its index from 0; None behind the end."""
+        """Return a line by its index from 0; None after the end."""
         while index >= self._first + len(self._kept):
             following = None if self.ended else next(self._lines, None)
             if following is None:
@@ -156,17 +154,17 @@ class Tape:
         return self._kept[index - self._first]
 
     def pin(self, index: int) -> None:
-        """Keep the lines from an index on for good."""
+        """Keep the lines from an index on permanently."""
         self._pinned = index if self._pinned is None else min(self._pinned, index)
 
     def forget(self, before: int) -> None:
-        """Drop the lines before an index, but those that are pinned."""
+        """Drop the lines before an index that are not pinned."""
         stop = before if self._pinned is None else min(before, self._pinned)
-        # In batches: to drop a list's first item costs as much as all behind it.
+        # In batches, because dropping the first item of a list moves all others.
         if stop - self._first >= BATCH:
             del self._kept[: stop - self._first]
             self._first = stop
 
     def __len__(self) -> int:
-        """How many lines are held."""
+        """Number of kept lines."""
         return len(self._kept)

@@ -1,9 +1,9 @@
-"""Executes blocks: what a line does to the modal state, and the moves that it makes.
+"""Execute blocks: update the modal state, and make moves.
 
-Within a block RS274/NGC fixes the order, whatever the order of the words: feed mode, feedrate, spindle, tool, coolant, overrides, dwell,
+RS274/NGC fixes the order within a block, whatever the order of the words: feed mode, feedrate, spindle, tool, coolant, overrides, dwell,
 plane, units, tool length, work coordinate system, path control, distance modes, return level, offsets and home positions, motion, pause or
-end of program. So F is read in the units that were in force before a G20 or G21 on its line, while X, Y and Z are read in the new ones;
-and G94 clears an earlier feedrate, but not the F on its own line.
+end of program. So F uses the units before a G20 or G21 on its line, X, Y and Z the new ones, and G94 clears
+an earlier feedrate, but not the F on its own line.
 """
 
 from __future__ import annotations
@@ -14,24 +14,28 @@ from dataclasses import replace
 from contourlab.program.block import Block, Code, Word
 from contourlab.program.coordinates import LARGEST_TOOL
 from contourlab.program.curves import add_control_point, bezier, close_curve, make_arc
-from contourlab.program.cycles import drill
-from contourlab.program.moves import Mode, Move, Plane
+from contourlab.program.cycles import LONGEST_DWELL, drill
+from contourlab.program.moves import Mode, Move
 from contourlab.program.offsets import go_home, machine_target, select_system, set_data, set_shift, set_tool_length, show_tool
 from contourlab.program.state import LARGEST_FEEDRATE, ModalState
 from contourlab.program.vocabulary import AXIS_WORDS, CYCLES, SPLINES, USERS, BlockError, g_name
 
-LONGEST_DWELL = 86_400.0
-"""Dwells beyond this [s] are a slip."""
 LEAST_TIMED_RATE = 0.1
-"""Inverse-time moves are no slower than this, in program units per minute, as in LinuxCNC."""
+"""Slowest inverse-time move, in program units per minute, as in LinuxCNC."""
 
 _ARCS = (20, 30)
 _NO_MOTION = 800
 _PLAIN_LETTERS = frozenset("XYZF@^ST")
-_FEED_MODES = {930: "inverse_time", 940: "per_minute", 950: "per_turn"}
-_PLANES: dict[int, Plane] = {170: "XY", 180: "ZX", 190: "YZ"}
+_SETTINGS: dict[int, tuple[str, object]] = {
+    170: ("plane", "XY"), 180: ("plane", "ZX"), 190: ("plane", "YZ"),
+    200: ("millimetres", False), 210: ("millimetres", True), 70: ("diameter", True), 80: ("diameter", False),
+    900: ("absolute", True), 910: ("absolute", False), 901: ("absolute_centre", True), 911: ("absolute_centre", False),
+    930: ("feed_mode", "inverse_time"), 940: ("feed_mode", "per_minute"), 950: ("feed_mode", "per_turn"),
+    980: ("back_to_clearance", False), 990: ("back_to_clearance", True),
+}  # fmt: skip
+"""Attributes of `ModalState` that codes set."""
 _MODES = ("plane", "units", "diameter", "tool_length", "system", "control", "distance", "arc_distance", "return")
-"""Groups that only set the state, in the order of execution within a block; the feed mode comes earlier, before the feedrate."""
+"""Groups that set the state, in the order of execution; the feed mode comes before the feedrate."""
 _G_GROUPS = frozenset((*_MODES, "other", "motion", "feed_mode", "cutter", "spindle_mode"))
 _EVENTS = ("output", "tool", "spindle", "coolant", "overrides")
 _LETTER_OF_VALUE = dict.fromkeys((50, 51, 52, 53, 62, 63, 64, 65, 19), "P") | dict.fromkeys((61, 67, 68), "Q")
@@ -47,7 +51,7 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
     ----------
     block : Block
     state : ModalState
-        Changed in place; its events are added to.
+        Changed in place; events are added.
     line : int
         Source line of the block, for its moves.
 
@@ -58,7 +62,7 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
     Raises
     ------
     BlockError
-        If the block makes no sense in this state.
+        If the block is invalid in this state.
     """
     codes, words = block
     moves: list[Move] = []
@@ -69,7 +73,7 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
     if motion not in (0, 10) and "other" in codes and codes["other"].number == 530:
         raise BlockError("G53 goes with G0 or G1: write one of them, and X, Y or Z, on its line", codes["other"].column)
     if "feed_mode" in codes:
-        state.feed_mode = _FEED_MODES[codes["feed_mode"].number]  # type: ignore[assignment]  # the table holds the three
+        setattr(state, *_SETTINGS[codes["feed_mode"].number])
         if state.feed_mode != "inverse_time":
             state.feedrate = 0.0
     if "F" in words and state.feed_mode != "inverse_time":
@@ -90,7 +94,7 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
 
 
 def _motion_to_be(block: Block, state: ModalState) -> int | None:
-    """Return the motion that the block makes: its own, or the one in force where its words ask for it."""
+    """Return the motion of the block: its own, or the modal one if its words need it."""
     codes, words = block
     own, other = codes.get("motion"), codes.get("other")
     takes_axes = other is not None and other.number in AXIS_WORDS
@@ -119,7 +123,7 @@ def _motion_to_be(block: Block, state: ModalState) -> int | None:
 
 
 def _check_axes_given(own: Code, words: dict[str, Word], axes: bool) -> None:
-    # G0 and G1 may stand alone; full circles and the first line of a NURBS need no end point.
+    # G0 and G1 need no axes; full circles and the first line of a NURBS need no end point.
     if not axes and own.number not in (0, 10, *_ARCS, 52, _NO_MOTION):
         raise BlockError(f"{g_name(own.number)} has no axis: write X, Y or Z", own.column)
 
@@ -197,29 +201,18 @@ def _set_control(block: Block, state: ModalState, code: int) -> None:
 
 
 def _set_mode(block: Block, state: ModalState, group: str, code: int) -> None:
-    match group:
-        case "plane":
-            state.plane = _PLANES[code]
-        case "units":
-            state.millimetres = code == 210
-        case "diameter":
-            state.diameter = code == 70
-        case "tool_length":
-            set_tool_length(block, state, code)
-        case "system":
-            select_system(state, code)
-        case "control":
-            _set_control(block, state, code)
-        case "distance":
-            state.absolute = code == 900
-        case "arc_distance":
-            state.absolute_centre = code == 901
-        case "return":
-            state.back_to_clearance = code == 990
+    if group == "tool_length":
+        set_tool_length(block, state, code)
+    elif group == "system":
+        select_system(state, code)
+    elif group == "control":
+        _set_control(block, state, code)
+    else:
+        setattr(state, *_SETTINGS[code])
 
 
 def _motion(block: Block, state: ModalState, line: int, before: int | None) -> list[Move]:
-    """Make the motion of a block; `before` is the motion that was in force."""
+    """Make the motion of a block; `before` is the previous modal motion."""
     motion = state.motion
     if motion != 52 and state.curve.points:
         raise BlockError("the NURBS begun with G5.2 is not closed: write G5.3 before the next motion", block.column)
@@ -252,8 +245,8 @@ def _motion(block: Block, state: ModalState, line: int, before: int | None) -> l
 
 
 def _feedrate(block: Block, state: ModalState, length: float) -> float:
-    """Return the feedrate [m/s] of a move of some length [m]; with G93 its F is one over the time in minutes."""
-    assert state.motion is not None  # it is about to be made
+    """Return the feedrate [m/s] of a move of a length [m]; with G93, F is one over its time in minutes."""
+    assert state.motion is not None  # the motion in progress
     column, name = block.column, f"G{state.motion // 10}"
     if state.feed_mode != "inverse_time":
         return state.path_feedrate(column, name)
@@ -267,7 +260,7 @@ def _feedrate(block: Block, state: ModalState, length: float) -> float:
 
 
 def _execute_events(block: Block, state: ModalState, line: int) -> None:
-    """Keep speed, tool number, outputs, tool change, spindle, coolant and overrides, in the order of RS274/NGC."""
+    """Record speed, tool number, outputs, tool change, spindle, coolant and overrides, in the order of RS274/NGC."""
     codes, words = block
     speed, tool = words.get("S"), words.get("T")
     if speed is not None:

@@ -4,20 +4,19 @@ from __future__ import annotations
 
 from contourlab.program.block import Block, Code, Word
 from contourlab.program.coordinates import LARGEST_TOOL, ORIGIN, add, less, load_shift, origin_of, store_origin, store_shift, turn, updated
+from contourlab.program.expressions import SELECTED_SYSTEM
 from contourlab.program.moves import Move, Point
-from contourlab.program.parameters import SELECTED_SYSTEM
 from contourlab.program.state import ModalState
-from contourlab.program.vocabulary import BlockError
+from contourlab.program.vocabulary import SYSTEMS, BlockError
 
-_SYSTEMS = (540, 550, 560, 570, 580, 590, 591, 592, 593)
 _HOMES = {280: 5161, 281: 5161, 300: 5181, 301: 5181}
 _TOOL_LEVELS = (1, 10, 11)
 _FIXTURE = 9
 
 
 def select_system(state: ModalState, code: int) -> None:
-    """Go over to a work coordinate system (G54 to G59.3); one that is in force already stays as it was loaded."""
-    system = _SYSTEMS.index(code) + 1
+    """Select a work coordinate system (G54 to G59.3); the selected one is not reloaded."""
+    system = SYSTEMS.index(code) + 1
     frame = state.frame
     if system == frame.system:
         return
@@ -29,7 +28,7 @@ def select_system(state: ModalState, code: int) -> None:
 
 
 def set_tool_length(block: Block, state: ModalState, code: int) -> None:
-    """Set the tool offset: G43 from the table, G43.1 from the axis words, G43.2 on top of the one in force, G49 none."""
+    """Set the tool offset: G43 from the table, G43.1 from the axis words, G43.2 in addition, G49 none."""
     frame, words = state.frame, block.words
     axes, height = state.axes, words.get("H")
     if code == 490:
@@ -52,7 +51,7 @@ def set_tool_length(block: Block, state: ModalState, code: int) -> None:
 
 
 def set_shift(block: Block, state: ModalState, code: Code) -> None:
-    """Shift the coordinates: G92 names the present point, G52 gives the shift; G92.1 to G92.3 clear it and bring it back."""
+    """Shift the coordinates: G92 names the current point, G52 gives the shift; G92.1 to G92.3 clear or restore it."""
     frame, parameters, axes = state.frame, state.parameters, state.axes
     if code.number in (520, 920):
         given = state.given(block.words)
@@ -87,7 +86,7 @@ def set_data(block: Block, state: ModalState) -> None:
     if level in _TOOL_LEVELS:
         _set_tool(words, state, level, number)
         return
-    if number > len(_SYSTEMS):
+    if number > len(SYSTEMS):
         raise BlockError(f"P{number}: the work coordinate systems are 1 (G54) to 9 (G59.3), 0 for that in force", words["P"].column)
     for letter in "IJ":
         if letter in words:
@@ -105,7 +104,7 @@ def _set_origin(words: dict[str, Word], state: ModalState, level: int, system: i
     if level == 2:
         origin = updated(origin, given)
     else:
-        # The tool's point as the system sees it now; the origin moves by its difference to the wanted one.
+        # The tool tip in this system; the origin moves by its difference to the given point.
         tip = less(state.axes, frame.tool)
         here = less(turn(less(tip, origin), -rotation), frame.shift)
         origin = add(origin, turn(less(here, updated(here, given)), rotation))
@@ -133,7 +132,7 @@ def _set_tool(words: dict[str, Word], state: ModalState, level: int, number: int
 
 
 def _touched_off(state: ModalState, given: list[float | None], old: Point, level: int) -> Point:
-    """Return the offset that gives the present point its coordinates: in the system in force (L10), or in G59.3 without G92 (L11)."""
+    """Return the tool offset that gives the current point its coordinates: in the selected system (L10), or in G59.3 without G92 (L11)."""
     system = _FIXTURE if level == 11 else state.frame.system
     origin, rotation = origin_of(state.parameters, system)
     shift = ORIGIN if level == 11 else state.frame.shift
@@ -144,7 +143,7 @@ def _touched_off(state: ModalState, given: list[float | None], old: Point, level
 
 
 def show_tool(state: ModalState) -> None:
-    """Keep number and offset of the tool in the spindle in #5400 to #5403."""
+    """Store number and offset of the tool in the spindle in #5400 to #5403."""
     tools, write = state.tools, state.parameters.write
     write(5400, float(tools.current))
     state.parameters.write_point(5401, tools.offset(tools.current))
@@ -152,7 +151,7 @@ def show_tool(state: ModalState) -> None:
 
 
 def go_home(block: Block, state: ModalState, code: int, line: int) -> list[Move]:
-    """Execute G28, G30 (through the given point to the kept one) and G28.1, G30.1 (keep the present one)."""
+    """Execute G28, G30 (through the given point to the home position) and G28.1, G30.1 (store the current point as home)."""
     first = _HOMES[code]
     if code in (281, 301):
         state.parameters.write_point(first, state.axes)

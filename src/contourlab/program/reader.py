@@ -11,10 +11,10 @@ from typing import Literal, TypeAlias, get_args
 from contourlab.errors import ProgramError
 from contourlab.program.block import Block, read_block
 from contourlab.program.coordinates import Tools, read_tools
+from contourlab.program.expressions import Parameters
 from contourlab.program.flow import Tape
 from contourlab.program.interpreter import execute
 from contourlab.program.moves import Dwell, Move, Notice
-from contourlab.program.parameters import Parameters
 from contourlab.program.state import ModalState, own_names
 from contourlab.program.vocabulary import BlockError
 from contourlab.program.walker import Walker

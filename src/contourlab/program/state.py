@@ -1,4 +1,4 @@
-"""The modal state of the interpreter, and the moves and named parameters that it gives."""
+"""The modal state of the interpreter, with its straight moves, dwells, events and named parameters."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from typing import Literal, TypeAlias
 
 from contourlab.program.block import Word
 from contourlab.program.coordinates import Frame, Tools
+from contourlab.program.expressions import SELECTED_SYSTEM, Parameters
 from contourlab.program.moves import PLAIN, Dwell, Event, Feed, Mode, Move, Plane, Point, Traverse
-from contourlab.program.parameters import SELECTED_SYSTEM, Parameters
-from contourlab.program.vocabulary import BlockError
+from contourlab.program.vocabulary import SYSTEMS, BlockError
 
 LARGEST_LENGTH = 1e3
-"""Coordinates beyond this [m] are a slip."""
+"""Largest coordinate [m]."""
 LARGEST_FEEDRATE = 1e3
-"""Feedrates beyond this [m/s] are a slip."""
+"""Largest feedrate [m/s]."""
 SHORTEST_MOVE = 1e-12
-"""Straight moves of at most this length [m] are rounding, and no moves."""
+"""Straight moves up to this length [m] are rounding errors, and left out."""
 
 FeedMode: TypeAlias = Literal["per_minute", "per_turn", "inverse_time"]
 
@@ -38,7 +38,7 @@ class Cycle:
 
 @dataclass(slots=True)
 class Curve:
-    """Control points of a spline in the making: (x, y) [m], weights, and its order."""
+    """Control points (x, y) [m], weights and order of an unfinished spline."""
 
     points: list[tuple[float, float]] = field(default_factory=list)
     weights: list[float] = field(default_factory=list)
@@ -54,11 +54,11 @@ class ModalState:
     parameters : Parameters
     tools : Tools
     still : bool
-        Whether to make moves of no length, too.
+        Whether to make moves of zero length.
     position : (x, y, z) [m]
-        The programmed point, in the coordinate system in force.
+        The programmed point in the selected coordinate system.
     reached : (x, y, z) [m]
-        Where the axes stand; differs from `position` by the offsets, and by moves too short to be made.
+        Position of the axes; differs from `position` by offsets and omitted short moves.
     motion : int or None
         G-code of the modal motion, times ten; 800 after G80.
     feedrate : float [m/s]
@@ -103,7 +103,7 @@ class ModalState:
         return length * 1000.0 if self.millimetres else length / 0.0254
 
     def shown_position(self) -> Point:
-        """Return the programmed point in the units in force, as #5420 to #5422 have it."""
+        """Return the programmed point in program units, for #5420 to #5422."""
         x, y, z = self.position
         return (self.shown(x), self.shown(y), self.shown(z))
 
@@ -113,11 +113,11 @@ class ModalState:
         return 0.5 * length if self.diameter and axis == 0 else length
 
     def given(self, words: dict[str, Word]) -> list[float | None]:
-        """Return the lengths [m] of X, Y and Z, None for those that are not there."""
+        """Return the lengths [m] of X, Y and Z, None for missing ones."""
         return [self.coordinate(axis, words[letter]) if letter in words else None for axis, letter in enumerate("XYZ")]
 
     def target(self, words: dict[str, Word]) -> Point:
-        """Return the end point [m] that the axis words of a block ask for."""
+        """Return the end point [m] of the axis words of a block."""
         point = list(self.position)
         if "@" in words or "^" in words:
             point[:2] = self.polar(words)
@@ -126,9 +126,9 @@ class ModalState:
             if word is not None:
                 value = self.coordinate(axis, word)
                 point[axis] = value if self.absolute else point[axis] + value
-        found = (point[0], point[1], point[2])
-        self.check_reach(found, words)
-        return found
+        end = (point[0], point[1], point[2])
+        self.check_reach(end, words)
+        return end
 
     def check_reach(self, point: Point, words: dict[str, Word]) -> None:
         """Refuse points that no machine reaches."""
@@ -138,7 +138,7 @@ class ModalState:
                 raise BlockError(f"{letter} would go to {value:g} m: keep to {LARGEST_LENGTH:g} m", word.column if word else 0)
 
     def polar(self, words: dict[str, Word]) -> tuple[float, float]:
-        """Return x and y [m] of a distance @ from the origin and an angle ^ from the x axis, in degrees; what is not given stays."""
+        """Return x and y [m] of a distance @ from the origin and an angle ^ [degrees] from the x axis; a missing one stays."""
         far, turn = words.get("@"), words.get("^")
         column = (far or words["^"]).column
         for letter in "XY":
@@ -148,7 +148,7 @@ class ModalState:
         radius, angle = math.hypot(x, y), math.atan2(y, x)
         if radius == 0.0 and (not self.absolute or turn is None):
             cure = "write ^ too" if self.absolute else "leave it by X or Y first, or write G90"
-            raise BlockError(f"at the origin there is no angle to go by: {cure}", column)
+            raise BlockError(f"the origin has no angle: {cure}", column)
         if self.absolute:
             radius = radius if far is None else self.length(far.value)
             angle = angle if turn is None else math.radians(turn.value)
@@ -170,7 +170,7 @@ class ModalState:
         Raises
         ------
         BlockError
-            If there is none, or the spindle that it counts by has no speed.
+            If there is none, or G95 has no spindle speed.
         """
         if self.feedrate == 0.0:
             raise BlockError(f"{motion} without a feedrate: write F on its line or before it; G94 clears an earlier one", column)
@@ -181,7 +181,7 @@ class ModalState:
         return self.feedrate
 
     def straight(self, end: Point, line: int, feedrate: float | None = None) -> list[Move]:
-        """Go straight to a point of the program [m], at a feedrate [m/s] or else rapidly; return the move, none if it has no length."""
+        """Go straight to a programmed point [m], at a feedrate [m/s] or rapidly; return the move, none for zero length."""
         self.position = end
         axes = self.frame.axes(end)
         if not self.still and math.dist(self.reached, axes) <= SHORTEST_MOVE:
@@ -193,7 +193,7 @@ class ModalState:
         return [Feed(start, axes, feedrate, line, self.mode)]
 
     def wait(self, seconds: float, line: int) -> list[Move]:
-        """Return a dwell; one of no time becomes an event, because the machine stops for it."""
+        """Return a dwell; one of zero time becomes an event, because the machine stops for it."""
         if seconds == 0.0:
             self.tell("G4", 0.0, line)
             return []
@@ -201,7 +201,7 @@ class ModalState:
         return [Dwell(seconds, line)]
 
     def tell(self, word: str, value: float | None, line: int, index: float | None = None) -> None:
-        """Keep an event with its place among the moves."""
+        """Record an event with its place among the moves."""
         self.events.append(Event(word, value, line, index, self.made))
 
     def see_from(self, axes: Point) -> None:
@@ -217,14 +217,10 @@ _FIXED = {"_vmajor": 2.9, "_ccomp": 400.0, "_spindle_rpm_mode": 1.0} | dict.from
 )
 """Parameters that never change; the language is that of LinuxCNC 2.9."""
 _PLANES = {"XY": 170.0, "ZX": 180.0, "YZ": 190.0}
-_SYSTEMS = (540.0, 550.0, 560.0, 570.0, 580.0, 590.0, 591.0, 592.0, 593.0)
 
 
 def own_names(state: ModalState, line: Callable[[], int]) -> Mapping[str, Callable[[], float]]:
-    """Return the parameters of the interpreter, such as #<_metric>: functions of their present values, in program units.
-
-    `line` returns the number of the line at hand.
-    """
+    """Return the parameters of the interpreter, such as #<_metric>, as functions; `line` returns the current line number."""
     parameters = state.parameters
     names: dict[str, Callable[[], float]] = {
         "_line": lambda: float(line()),
@@ -237,7 +233,7 @@ def own_names(state: ModalState, line: Callable[[], int]) -> Mapping[str, Callab
         "_inverse_time": lambda: float(state.feed_mode == "inverse_time"),
         "_units_per_minute": lambda: float(state.feed_mode == "per_minute"),
         "_units_per_rev": lambda: float(state.feed_mode == "per_turn"),
-        "_coord_system": lambda: _SYSTEMS[int(parameters.number(SELECTED_SYSTEM)) - 1],
+        "_coord_system": lambda: float(SYSTEMS[int(parameters.number(SELECTED_SYSTEM)) - 1]),
         "_tool_offset": lambda: float(any(state.frame.tool)),
         "_retract_r_plane": lambda: float(state.back_to_clearance),
         "_retract_old_z": lambda: float(not state.back_to_clearance),

@@ -1,4 +1,4 @@
-"""Walk over the lines of a program: in order, and through subprograms, loops and conditions."""
+"""Walk the lines of a program through subprograms, loops and conditions."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
+from contourlab.program.expressions import Parameters
 from contourlab.program.flow import OWord, Tape, read_o_word, starts_o_word
-from contourlab.program.parameters import Parameters
 from contourlab.program.vocabulary import BlockError
 
 DEEPEST_CALL = 9
-"""LinuxCNC has ten levels, the program itself among them."""
+"""LinuxCNC has ten levels, including the program itself."""
 MOST_IDLE = 1_000_000
-"""Most lines in loops and subprograms without a move; more are taken for an endless loop."""
+"""Most lines in loops and subprograms without a move; more mean an endless loop."""
 MOST_REPEATS = 1e9
 _ENDS = {"while": "endwhile", "do": "while", "repeat": "endrepeat"}
 
@@ -30,7 +30,7 @@ class _Loop:
 
 @dataclass(slots=True)
 class _Frame:
-    """A subprogram that is being executed, or the program itself."""
+    """A running subprogram, or the program itself."""
 
     tape: Tape
     index: int
@@ -44,7 +44,7 @@ class _Frame:
 
 @dataclass(slots=True)
 class _Seen:
-    """Where subprograms begin in a file, by label and keyword, up to a line."""
+    """Starts of subprograms in a file, by label and keyword, up to a line."""
 
     reached: int = 0
     places: dict[tuple[str, str], list[int]] = field(default_factory=dict)
@@ -59,7 +59,7 @@ class Walker:
         The program.
     parameters : Parameters
     find : callable
-        Returns the tape of a subprogram in a file of its own by its name, None where there is none.
+        Returns the tape of a subprogram file by name, or None.
     """
 
     def __init__(self, tape: Tape, parameters: Parameters, find: Callable[[str], Tape | None]) -> None:
@@ -83,21 +83,21 @@ class Walker:
 
     @property
     def main_line(self) -> int:
-        """Number of the line of the program itself: that of the call, where a subprogram in another file is being executed."""
+        """Line number in the main file: that of the call while a subprogram in another file runs."""
         return next(frame.index for frame in reversed(self._frames) if frame.tape.name == self.main.name)
 
     @property
     def in_subprogram(self) -> bool:
-        """Whether a call is being executed."""
+        """Whether a subprogram is running."""
         return len(self._frames) > 1
 
     @property
     def repeating(self) -> bool:
-        """Whether a loop or a subprogram is being executed."""
+        """Whether a loop or a subprogram is running."""
         return bool(self.frame.loops) or self.in_subprogram
 
     def lines(self) -> Iterator[str]:
-        """Yield lines until the end of the text; O-words are executed here."""
+        """Yield lines until the end of the text; execute O-words."""
         while True:
             frame = self.frame
             line = frame.tape.line(frame.index)
@@ -107,7 +107,7 @@ class Walker:
             if self.repeating:
                 self.idle += 1
                 if self.idle > MOST_IDLE:
-                    raise BlockError(f"{MOST_IDLE} lines of loops and subprograms without a move are taken for an endless loop", 0)
+                    raise BlockError(f"{MOST_IDLE} lines of loops and subprograms without a move: check for an endless loop", 0)
             else:
                 frame.tape.forget(frame.index)
             frame.index += 1
@@ -125,7 +125,7 @@ class Walker:
             raise BlockError(f"O{loop.label} {loop.kind} has no end: write O{loop.label} {_ENDS[loop.kind]}", 0)
 
     def _begin(self, word: OWord) -> None:
-        """Refuse a label that another condition or loop of the same program or subprogram has."""
+        """Refuse a label that another condition or loop of the same subprogram uses."""
         place = self.place
         first = self._begun.setdefault((self.frame.label, word.label), place)
         if first != place:
@@ -136,10 +136,10 @@ class Walker:
     def _if(self, word: OWord) -> None:
         self._begin(word)
         while word.values[0] == 0.0:
-            found = self._skip_to(word.label, ("elseif", "else", "endif"), word)
-            if found.keyword == "endif":
+            branch = self._skip_to(word.label, ("elseif", "else", "endif"), word)
+            if branch.keyword == "endif":
                 return
-            if found.keyword == "else":
+            if branch.keyword == "else":
                 break
             line = self.frame.tape.line(self.frame.index - 1)
             assert line is not None  # it has just been read
@@ -147,7 +147,7 @@ class Walker:
         self.frame.ifs.append(word.label)
 
     def _elseif(self, word: OWord) -> None:
-        # Reached from above: the branch before it has been executed.
+        # The branch before it has been executed.
         self._endif(word)
         self._skip_to(word.label, ("endif",), word)
 
@@ -186,7 +186,7 @@ class Walker:
         self.frame.index = loop.start
 
     def _turn(self, loop: _Loop, word: OWord) -> None:
-        """Refuse a loop whose condition cannot change any more: a turn has set no parameter and ends where the one before ended."""
+        """Refuse a loop whose condition cannot change: a turn sets no parameter and ends at the same position."""
         mark = self.parameters.changes, self.parameters.position()
         if mark == loop.mark:
             raise BlockError(f"O{word.label} {loop.kind} never ends: no turn of it changes a parameter or the position", word.column)
@@ -222,7 +222,7 @@ class Walker:
     def _continue(self, word: OWord) -> None:
         loop = self._leave_inner(word)
         self._skip_to(word.label, (_ENDS[loop.kind],), word)
-        self.frame.index -= 1  # the closing line is executed, with what it decides
+        self.frame.index -= 1  # execute the closing line
 
     def _innermost(self, label: str) -> _Loop | None:
         loops = self.frame.loops
@@ -235,10 +235,10 @@ class Walker:
         return loop
 
     def _leave_inner(self, word: OWord) -> _Loop:
-        """Leave the loops inside the one that is named, and return it."""
+        """Leave the loops inside the named one, and return it."""
         loops = self.frame.loops
         if not any(loop.label == word.label for loop in loops):
-            raise BlockError(f"O{word.label} {word.keyword} stands in no loop of this label: correct the label or delete it", word.column)
+            raise BlockError(f"O{word.label} {word.keyword} is in no loop of this label: correct the label or delete it", word.column)
         while loops[-1].label != word.label:
             loops.pop()
         del self.frame.ifs[loops[-1].ifs :]
@@ -248,9 +248,9 @@ class Walker:
 
     def _sub(self, word: OWord) -> None:
         if self.in_subprogram:
-            raise BlockError(f"O{word.label} sub stands inside a subprogram: write it before or behind", word.column)
+            raise BlockError(f"O{word.label} sub is inside a subprogram: write it before or after", word.column)
         if word.label in self._subs:
-            raise BlockError(f"O{word.label} sub is there twice, or is reached after its call: put it before, or behind M2", word.column)
+            raise BlockError(f"O{word.label} sub is defined twice, or reached after its call: write it before, or after M2", word.column)
         self._subs[word.label] = self._body(self.frame.tape, self.frame.index, word)
         self._skip_to(word.label, ("endsub",), word)
 
@@ -260,13 +260,13 @@ class Walker:
         while (line := tape.line(end)) is not None:
             lines.append(line)
             end += 1
-            found = self._ahead_of_time(line)
-            if found and found.keyword == "endsub" and found.label == word.label:
+            o_word = self._ahead_of_time(line)
+            if o_word and o_word.keyword == "endsub" and o_word.label == word.label:
                 break
         return Tape.of(lines, start, tape.name), start
 
     def _ahead_of_time(self, line: str) -> OWord | None:
-        """Return the O-word of a line that is not executed yet; execution reports its faults."""
+        """Return the O-word of a line before its execution, which reports faults."""
         try:
             return read_o_word(line, self.parameters, skipping=True) if starts_o_word(line) else None
         except BlockError:
@@ -276,7 +276,7 @@ class Walker:
         self.enter(word.label, list(word.values), word.column)
 
     def enter(self, label: str, arguments: list[float] | None, column: int, repeats: int = 1) -> None:
-        """Enter a subprogram: by O-call with arguments, or by M98 (None) so many times.
+        """Enter a subprogram: by an O-call with arguments, or by M98 (None) with repeats.
 
         Raises
         ------
@@ -300,7 +300,7 @@ class Walker:
         return self._subs[label]
 
     def _ahead(self, tape: Tape, start: int, label: str, fanuc: bool, column: int) -> tuple[Tape, int]:
-        """Look for a subprogram from a line on; what has been looked through once is remembered."""
+        """Search for a subprogram from a line on; remember the lines searched."""
         seen = self._seen.setdefault(tape.name, _Seen())
         wanted = (label, "" if fanuc else "sub")
         while True:
@@ -314,17 +314,17 @@ class Walker:
             if line is None:
                 break
             seen.reached += 1
-            found = self._ahead_of_time(line)
-            if found and found.keyword in ("", "sub"):
-                seen.places.setdefault((found.label, found.keyword), []).append(seen.reached)
-        raise BlockError(f"there is no subprogram O{label}: neither here nor in a file {label}.ngc beside the program", column)
+            o_word = self._ahead_of_time(line)
+            if o_word and o_word.keyword in ("", "sub"):
+                seen.places.setdefault((o_word.label, o_word.keyword), []).append(seen.reached)
+        raise BlockError(f"no subprogram O{label}, neither here nor in a file {label}.ngc next to the program", column)
 
     def _endsub(self, word: OWord) -> None:
         frame = self.frame
-        # A return may carry the label of the condition that it stands in.
+        # A return may have the label of its condition.
         if not self.in_subprogram or frame.fanuc or (word.keyword == "endsub" and frame.label != word.label):
             cure = f"write O{word.label} sub before it, or delete it"
-            raise BlockError(f"O{word.label} {word.keyword} stands in no subprogram of this label: {cure}", word.column)
+            raise BlockError(f"O{word.label} {word.keyword} is in no subprogram of this label: {cure}", word.column)
         self.parameters.give_back(word.values[0] if word.values else None)
         self._leave()
 
@@ -335,12 +335,12 @@ class Walker:
         self.parameters.leave()
 
     def _plain(self, word: OWord) -> None:
-        # O100 alone names a subprogram for M98; passing it by changes nothing.
+        # O100 alone names a subprogram for M98 and has no effect.
         if self.in_subprogram and not self.frame.fanuc:
-            raise BlockError(f"O{word.label} stands inside a subprogram: write it before or behind", word.column)
+            raise BlockError(f"O{word.label} is inside a subprogram: write it before or after", word.column)
 
     def back(self) -> bool:
-        """Return from M98 at M99: to the beginning where it is repeated; False in the program itself, which ends there."""
+        """Return from M98 at M99, or repeat; False in the program itself, which ends there."""
         frame = self.frame
         if not self.in_subprogram:
             return False
@@ -356,17 +356,17 @@ class Walker:
     # Looking for a line
 
     def _skip_to(self, label: str, keywords: tuple[str, ...], word: OWord) -> OWord:
-        """Go behind the next line that has a label and one of the keywords."""
+        """Skip past the next line with a label and one of the keywords."""
         frame, begun = self.frame, self.frame.index
         while (line := frame.tape.line(frame.index)) is not None:
             frame.index += 1
             if starts_o_word(line):
-                found = read_o_word(line, self.parameters, skipping=True)
-                if found.label == label and found.keyword in keywords:
-                    return found
-                if found.keyword == "sub" and keywords == ("endsub",):
-                    raise BlockError(f"O{found.label} sub stands inside O{label} sub: write it before or behind", found.column)
+                o_word = read_o_word(line, self.parameters, skipping=True)
+                if o_word.label == label and o_word.keyword in keywords:
+                    return o_word
+                if o_word.keyword == "sub" and keywords == ("endsub",):
+                    raise BlockError(f"O{o_word.label} sub is inside O{label} sub: write it before or after", o_word.column)
             if not self.repeating:
                 frame.tape.forget(frame.index)
-        frame.index = begun  # the line that has no end is the one to look at
+        frame.index = begun  # report the line without an end
         raise BlockError(f"O{label} {word.keyword} has no end: write O{label} {keywords[-1]}", word.column)

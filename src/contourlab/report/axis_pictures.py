@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.figures import figure, number, shown_unit
 from contourlab.report.charts import Chart, Curve, Level, Panel
 from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.run_data import AxisBounds, FeedRun
 from contourlab.report.samples import axis_column, keep_extremes, largest_magnitude, times
 from contourlab.report.style import LIMIT, REFERENCE, scheme_style
-from contourlab.report.text import nominal, number, quantity, shown_unit
 from contourlab.result import Result
 
 Array = NDArray[np.float64]
@@ -46,9 +46,9 @@ def feed_charts(run: FeedRun | None) -> tuple[Chart, ...]:
         drawn = held | np.append(False, held[:-1])
         curves.append(Curve(x, np.where(drawn, feed, np.nan), name, FEED_COLOURS[code % len(FEED_COLOURS)], "solid", 2.2))
     panel = Panel("arc length [mm]", "feedrate [mm/min]", tuple(curves))
-    shares = ", ".join(f"{name} {number(100.0 * part, 3)} %" for name, part in run.shares().items() if part >= 5e-4)
+    shares = ", ".join(f"{name} {number(100.0 * part)} %" for name, part in run.shares().items() if part >= 5e-4)
     caption = (
-        f"Planned speed along the path; the colour says what holds it. By time: {shares}. Cycle time {quantity(float(run.time[-1]), 's')}."
+        f"Planned speed along the path; the colour says what holds it. By time: {shares}. Cycle time {figure(float(run.time[-1]), 's')}."
         ' "Step of curvature": where a line meets an arc the acceleration steps, at a speed that keeps the step within the axes\' limits;'
         ' no jerk limit can hold there short of a stop. "Planner\'s distance": no limit is nearly used up, before or behind a slower place.'
     )
@@ -63,7 +63,7 @@ def axis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
 def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
     """Return the chart of one axis, without panels of signals that no scheme has."""
     panels = (
-        _runs(data, axis, points, "tracking_error", "tracking error", 1e6, "µm"),
+        _runs(data, axis, points, "tracking_error", "tracking error", 1e6, "um"),
         _velocity(data, axis, points),
         _planned(data, axis, points, "acceleration"),
         _planned(data, axis, points, "jerk"),
@@ -99,7 +99,7 @@ def _limited(panel: Panel, bounds: AxisBounds | None, name: str, axis: int, fact
     limit = bounds.of(name, axis) * factor if bounds is not None else float("inf")
     if not np.isfinite(limit):
         return panel
-    text = f"limit ±{nominal(limit, unit)}"
+    text = f"limit ±{number(limit, 6)} {unit}"
     top = max(largest_magnitude(curve.y) for curve in panel.curves)
     far = 0.0 < top < FAR * limit
     edge = 1.25 * (top if far else limit if top > OFF_SCALE * limit else max(limit, top))
@@ -113,7 +113,7 @@ def _off_scale(panel: Panel) -> str:
     what, _, unit = panel.y_label.partition(" [")
     worst = max(panel.curves, key=lambda curve: largest_magnitude(curve.y))
     at = int(np.nanargmax(np.abs(worst.y)))
-    peak = quantity(float(worst.y[at]), unit.rstrip("]"))
+    peak = f"{number(float(worst.y[at]))} {unit.rstrip(']')}"
     return f"{what.capitalize()} peaks at {peak} at {number(float(worst.x[at]), 4)} s, outside the picture."
 
 
@@ -149,7 +149,7 @@ def _planned(data: ReportData, axis: int, points: int, name: str) -> Panel | Non
         if values.size < 2:
             return None
         values = np.diff(values) / float(source.servo_period)
-    unit = "m/s²" if name == "acceleration" else "m/s³"
+    unit = "m/s^2" if name == "acceleration" else "m/s^3"
     curve = _curve(source, values, points, 1.0, ("reference", REFERENCE, "solid"))
     return _limited(Panel("time [s]", f"{name} [{unit}]", (curve,)), _bounds(data), name, axis, 1.0, unit)
 
@@ -213,7 +213,7 @@ def _hysteresis(data: ReportData, axis: int, name: str, points: int) -> Chart | 
         panels.append((Curve(x, y, scheme.name, *scheme_style(i, len(data.schemes)), 1.0), *_flanks(scheme, name, x)))
         notes.append(_note(scheme, name, x, y))
     edge = 1.15 * max(largest_magnitude(curve.y) for curves in panels for curve in curves) or 1.0
-    drawn = tuple(Panel("load position [mm]", "motor − load [µm]", curves, y_range=(-edge, edge)) for curves in panels)
+    drawn = tuple(Panel("load position [mm]", "motor − load [um]", curves, y_range=(-edge, edge)) for curves in panels)
     caption = f"Between the dashed flanks the motor turns without the load; beyond, the shaft is wound up. {' '.join(notes)}"
     return Chart(f"backlash-{axis}", f"Axis {name}: motor less load over the load's position", caption, drawn, loops=True)
 
@@ -240,6 +240,6 @@ def _note(scheme: SchemeReport, axis: str, x: Array, y: Array) -> str:
     """Describe the width of the gap and the largest wind-up."""
     place, width = scheme.gaps[axis]
     wide, narrow = float(width.max()) * UM, float(width.min()) * UM
-    gap = nominal(wide, "µm") if wide == narrow else f"{nominal(narrow, 'µm')} to {nominal(wide, 'µm')}"
+    gap = f"{number(wide, 6)} um" if wide == narrow else f"{number(narrow, 6)} um to {number(wide, 6)} um"
     twist = np.abs(y) - 0.5 * np.interp(x * 1e-3, place, width) * UM
-    return f"{scheme.name}: free travel {gap}, wind-up at most {quantity(max(float(np.nanmax(twist)), 0.0), 'µm')}."
+    return f"{scheme.name}: free travel {gap}, wind-up at most {number(max(float(np.nanmax(twist)), 0.0))} um."

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.report.style import scheme_style
-from contourlab.report.text import round_down
+from contourlab.report.style import round_down, scheme_style
 
 Array = NDArray[np.float64]
 
@@ -166,8 +165,8 @@ class PolarChart:
     def rings(self) -> list[tuple[float, str]]:
         """Return each ring [um] with its text; every second one has a number, those in the middle have none."""
         count = round(self.reach[1] / self.division)
-        texts = {k: f"{k * self.division:+g}".replace("-", "−") for k in range(-count, count - 1) if k % 2 == 0}
-        texts |= {0: "0", count: f"{self.reach[1]:+g} µm"}
+        texts = {k: f"{k * self.division:+g}" for k in range(-count, count - 1) if k % 2 == 0}
+        texts |= {0: "0", count: f"{self.reach[1]:+g} um"}
         return [(k * self.division, texts.get(k, "")) for k in range(-2 * count, count + 1)]
 
 

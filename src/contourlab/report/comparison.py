@@ -1,4 +1,4 @@
-"""Table of figures for the terminal, Markdown and the page."""
+"""The comparison of schemes: its rows are worked out once, for the terminal, Markdown and the page."""
 
 from __future__ import annotations
 
@@ -6,12 +6,10 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from contourlab.figures import NONE, figure, listing, number
 from contourlab.report.data import ReportData, SchemeReport
-from contourlab.report.run_data import FrequencyResponse
 from contourlab.report.style import scheme_style
-from contourlab.report.text import nominal, number
 
-PASS, FAIL = "✓ pass", "✗ fail"
 UM = 1e6
 
 
@@ -40,25 +38,22 @@ class Row:
     label, unit : str
     cells : tuple of Cell
         One per scheme.
-    change : str
-        Of the last against the first, in percent.
-    mood : str
-        Of the change.
+    change : Cell
+        Of the last scheme against the first, in percent.
     strong : bool
-        Whether the verdict depends on it.
+        Whether the verdict rests on this row.
     """
 
     label: str
     unit: str
     cells: tuple[Cell, ...]
-    change: str = ""
-    mood: str = ""
+    change: Cell = Cell("")
     strong: bool = False
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """The table, with notes on its figures and on the runs."""
+    """The whole table; `note` says what its figures are of, `notes` are those of the runs."""
 
     heads: tuple[Head, ...]
     rows: tuple[Row, ...]
@@ -73,118 +68,98 @@ class Comparison:
 
 
 def compare(data: ReportData) -> Comparison:
-    """Return the table of a report: verdict, unstable loops, learning, errors, axes, drives, time; without figures that no scheme has."""
+    """Return the comparison of a report's schemes.
+
+    Rows: verdict (with a tolerance), servo loops (where one is unstable), learning, errors, axes, drives, time. A figure that no scheme
+    has is left out.
+    """
     count = len(data.schemes)
     heads = tuple(Head(scheme.name, scheme_style(i, count)[0]) for i, scheme in enumerate(data.schemes))
     columns = [figures_of(data, scheme) for scheme in data.schemes]
-    keys = dict.fromkeys(key for column in columns for key in column)
-    rows = [_row([column.get(key) for column in columns]) for key in keys]
-    rows = [row for row in rows if any(cell.text != number(math.nan) for cell in row.cells)]
-    rows = [*_verdict_row(data), *_loop_row(data), *_learning_row(data), *rows]
-    tolerance = "" if data.tolerance is None else nominal(data.tolerance, "µm", 1e6)
+    figures = [_row([column.get(key) for column in columns]) for key in dict.fromkeys(key for column in columns for key in column)]
+    rows = [*_status_rows(data), *(row for row in figures if any(cell.text != NONE for cell in row.cells))]
+    tolerance = "" if data.tolerance is None else figure(data.tolerance, "um", 6)
     return Comparison(heads, tuple(rows), tolerance, _note(data), tuple(data.notes))
 
 
-def _verdict_row(data: ReportData) -> list[Row]:
-    """Return pass or fail of every scheme."""
-    answers = [_passed(scheme, data.tolerance) for scheme in data.schemes]
-    if all(answer is None for answer in answers):
-        return []
-    cells = tuple(Cell("–") if a is None else Cell(PASS if a else FAIL, "good" if a else "poor") for a in answers)
-    tolerance = data.tolerance
-    if tolerance is None:
-        tolerance = next(scheme.verdict.tolerance for scheme in data.schemes if scheme.verdict is not None)
-    return [Row(f"tolerance {nominal(tolerance, 'µm', 1e6)}", "", cells, strong=True)]
+def _status_rows(data: ReportData) -> list[Row]:
+    """Return the rows in words: pass or fail, unstable loops, how learning ended."""
+    rows = []
+    passed = [_passed(scheme, data.tolerance) for scheme in data.schemes]
+    if any(answer is not None for answer in passed):
+        tolerance = data.tolerance or next(scheme.verdict.tolerance for scheme in data.schemes if scheme.verdict is not None)
+        cells = tuple(Cell(NONE) if answer is None else Cell("pass", "good") if answer else Cell("fail", "poor") for answer in passed)
+        rows.append(Row(f"tolerance {figure(tolerance, 'um', 6)}", "", cells, strong=True))
+    if any(not answer.stable for scheme in data.schemes for answer in scheme.bode.values()):
+        rows.append(Row("servo loops", "", tuple(map(_loops, data.schemes))))
+    if any(scheme.trials is not None for scheme in data.schemes):
+        rows.append(Row("learning", "", tuple(map(_learning, data.schemes))))
+    return rows
 
 
-def _loop_row(data: ReportData) -> list[Row]:
-    """Return which loops are unstable; nothing if none is."""
-    unstable = [", ".join(_loop_name(axis, answer) for axis, answer in scheme.bode.items() if not answer.stable) for scheme in data.schemes]
-    if not any(unstable):
-        return []
-    cells = (
-        Cell(f"unstable: {axes}", "poor") if axes else Cell("stable" if scheme.bode else "–")
-        for axes, scheme in zip(unstable, data.schemes, strict=True)
-    )
-    return [Row("servo loops", "", tuple(cells))]
+def _loops(scheme: SchemeReport) -> Cell:
+    """Name the unstable loops of a scheme."""
+    unstable = [f"{axis} ({answer.meant})" if answer.meant else axis for axis, answer in scheme.bode.items() if not answer.stable]
+    return Cell(f"unstable: {', '.join(unstable)}", "poor") if unstable else Cell("stable" if scheme.bode else NONE)
 
 
-def _loop_name(axis: str, answer: FrequencyResponse) -> str:
-    """Return an axis, and which of its linear loops if it has several."""
-    return f"{axis} ({answer.meant})" if answer.meant else axis
-
-
-def _learning_row(data: ReportData) -> list[Row]:
-    """Return how learning ended; nothing if no scheme learns."""
-    if all(scheme.trials is None for scheme in data.schemes):
-        return []
-    cells = (
-        Cell("–") if scheme.trials is None else Cell(scheme.trials.in_words, "poor" if scheme.trials.status.startswith("diverged") else "")
-        for scheme in data.schemes
-    )
-    return [Row("learning", "", tuple(cells))]
+def _learning(scheme: SchemeReport) -> Cell:
+    if scheme.trials is None:
+        return Cell(NONE)
+    return Cell(scheme.trials.in_words, "poor" if scheme.trials.status.startswith("diverged") else "")
 
 
 def _passed(scheme: SchemeReport, tolerance: float | None) -> bool | None:
-    """Return the verdict, or else compare the largest error with the tolerance; a run that stopped early fails."""
+    """Return the verdict, or whether the largest error is within the tolerance; a run that stopped early fails."""
     if not scheme.result.status.ok:
         return False
     if scheme.verdict is not None:
         return bool(scheme.verdict.passed)
-    if tolerance is None:
-        return None
-    return bool(scheme.metrics.part_error.max <= tolerance)
+    return None if tolerance is None else bool(scheme.metrics.part_error.max <= tolerance)
 
 
 def _row(figures: list[Figure | None]) -> Row:
-    """Return one row of numbers."""
     known = next(figure for figure in figures if figure is not None)
     values = [math.nan if figure is None else figure.value * known.factor for figure in figures]
-    change, mood = _change(values[0], values[-1], known.lower_is_better) if len(values) > 1 else ("", "")
-    return Row(known.label, known.unit, tuple(Cell(number(value)) for value in values), change, mood, known.strong)
+    change = _change(values[0], values[-1], known.lower_is_better) if len(values) > 1 else Cell("")
+    return Row(known.label, known.unit, tuple(Cell(number(value)) for value in values), change, known.strong)
 
 
-def _change(before: float, after: float, lower_is_better: bool) -> tuple[str, str]:
-    """Return the change of the magnitude in percent, and whether it is an improvement."""
-    # Rounding is no base for a comparison.
+def _change(before: float, after: float, lower_is_better: bool) -> Cell:
+    """Return the change of the magnitude in percent, and whether it is for the better."""
+    # A first value that is rounding is nothing to compare with.
     if not (math.isfinite(before) and math.isfinite(after)) or abs(before) <= 1e-9 * abs(after) or before == 0.0:
-        return "–", ""
+        return Cell(NONE)
     percent = 100.0 * (abs(after) - abs(before)) / abs(before)
     if abs(percent) < 0.05:
-        return "0 %", ""
+        return Cell("0 %")
     text = f"{percent:+.0f} %" if abs(percent) >= 10.0 else f"{percent:+.1f} %"
-    mood = ("good" if percent < 0.0 else "poor") if lower_is_better and abs(percent) >= 1.0 else ""
-    return text.replace("-", "−"), mood
+    return Cell(text, ("good" if percent < 0.0 else "poor") if lower_is_better and abs(percent) >= 1.0 else "")
 
 
 def _judged_part(schemes: Sequence[SchemeReport]) -> str:
-    """Say over which part of the run the errors are: once where it is the same of all, else of each."""
-    parts = []
+    """Say over which part of the run the errors are; by scheme where it differs."""
+    parts: dict[str, list[str]] = {}
     for scheme in schemes:
-        start, stop = (number(sample * scheme.result.servo_period, 4) for sample in scheme.metrics.window)
-        parts.append((scheme.metrics.basis, f"{start} s to {stop} s"))
-    if len(set(parts)) == 1:
-        return f"Errors over the {parts[0][0]}, {parts[0][1]}."
-    if len({basis for basis, _ in parts}) == 1:
-        times = ", ".join(f"{when} of {scheme.name}" for scheme, (_, when) in zip(schemes, parts, strict=True))
-        return f"Errors over the {parts[0][0]}: {times}."
-    text = ", ".join(f"the {basis} of {scheme.name}, {when}" for scheme, (basis, when) in zip(schemes, parts, strict=True))
-    return f"Errors over {text}."
+        start, stop = (figure(sample * scheme.result.servo_period, "s", 4) for sample in scheme.metrics.window)
+        parts.setdefault(f"the {scheme.metrics.basis}, {start} to {stop}", []).append(scheme.name)
+    if len(parts) == 1:
+        return f"Errors over {next(iter(parts))}."
+    texts = [f"{part} ({listing(names)})" for part, names in parts.items()]
+    return f"Errors over {listing(texts)}."
 
 
 def _note(data: ReportData) -> str:
-    """Return remarks on the figures."""
+    """Say what the numbers do not show."""
     notes = [_judged_part(data.schemes)]
     if data.is_measured:
-        notes.append("Positions are those of the log: errors exclude what its encoders do not see.")
+        notes.append("Positions are those of the log: errors that its encoders do not see are missing.")
     elif not data.is_blended:
-        notes.append("The planned path is the programmed one: the contour error is the part error.")
+        notes.append("The planned path is the programmed one: contour error and part error are equal.")
     if len(data.schemes) > 1:
         notes.append(f"Change: {data.schemes[-1].name} against {data.schemes[0].name}.")
-    for scheme in data.schemes:
-        if not scheme.result.status.ok:
-            why = scheme.result.status.reason
-            notes.append(f"{scheme.name} did not finish: {why}; its figures cover the completed part.")
+    stopped = [scheme for scheme in data.schemes if not scheme.result.status.ok]
+    notes += [f"{scheme.name} did not finish: {scheme.result.status.reason}. Its figures cover the part that ran." for scheme in stopped]
     return " ".join(notes)
 
 
@@ -221,19 +196,19 @@ def figures_of(data: ReportData, scheme: SchemeReport) -> dict[str, Figure]:
 def _figures(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
     metrics, blended = scheme.metrics, data.is_blended
     if blended:
-        yield Figure("part error, largest", metrics.part_error.max, UM, "µm", strong=True)
-        yield Figure("part error, rms", metrics.part_error.rms, UM, "µm")
-        yield Figure("planning deviation, largest", metrics.planning_deviation.max, UM, "µm")
+        yield Figure("part error, largest", metrics.part_error.max, UM, "um", strong=True)
+        yield Figure("part error, rms", metrics.part_error.rms, UM, "um")
+        yield Figure("planning deviation, largest", metrics.planning_deviation.max, UM, "um")
     error = metrics.contour_error
-    yield Figure("contour error, largest", error.max, UM, "µm", strong=not blended)
-    yield Figure("contour error, rms", error.rms, UM, "µm")
-    yield Figure("contour error, mean", error.mean, UM, "µm")
-    yield Figure("contour error, 95th percentile", error.p95, UM, "µm")
+    yield Figure("contour error, largest", error.max, UM, "um", strong=not blended)
+    yield Figure("contour error, rms", error.rms, UM, "um")
+    yield Figure("contour error, mean", error.mean, UM, "um")
+    yield Figure("contour error, 95th percentile", error.p95, UM, "um")
     if len(data.axes) == 2:  # in space the error has no side
-        yield Figure("contour error, signed mean", error.signed_mean, UM, "µm", lower_is_better=False)
-    yield Figure("contour error, integral", error.integral, UM, "µm·s")
+        yield Figure("contour error, signed mean", error.signed_mean, UM, "um", lower_is_better=False)
+    yield Figure("contour error, integral", error.integral, UM, "um s")
     for axis, tracking in zip(data.axes, metrics.tracking_error, strict=True):
-        yield Figure(f"tracking error {axis}, rms", tracking.rms, UM, "µm")
+        yield Figure(f"tracking error {axis}, rms", tracking.rms, UM, "um")
     for axis, part in zip(data.axes, metrics.saturation, strict=True):
         yield Figure(f"drive {axis} saturated", part, 100.0, "% of time")
     yield Figure("feedrate, mean", metrics.feedrate_mean, 6e4, "mm/min", lower_is_better=False)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,10 +11,12 @@ from numpy.typing import NDArray
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis
 from contourlab.errors import ParameterError
 from contourlab.feed.verify import LimitReport
+from contourlab.findings import Finding
 from contourlab.geometry import Path
 from contourlab.loop.switches import Switches
 from contourlab.metrics import Bidirectional, CircleFigures, Metrics, Spike
-from contourlab.report.run_data import AxisBounds, FeedRun, FrequencyResponse, TrialCourse, Trust
+from contourlab.report.judgement import Trust, Verdict
+from contourlab.report.run_data import AxisBounds, FeedRun, FrequencyResponse, TrialCourse
 from contourlab.result import Result
 
 Array = NDArray[np.float64]
@@ -35,7 +36,7 @@ class SchemeReport:
         Judged: with the signals ``contour_error`` and ``tracking_error``.
     metrics : Metrics
     bounds : AxisBounds or None
-    verdict : contourlab.features.run.verdict.Verdict or None
+    verdict : Verdict or None
     bode : mapping of axis name to FrequencyResponse
     circles : sequence of CircleFigures
     bidirectional : mapping of str to Bidirectional
@@ -57,13 +58,14 @@ class SchemeReport:
         Load positions and the free travel there, for each axis with motor and load.
     trust : Trust or None
         Sources of the parameters, and the interval of the contour error.
+    findings : sequence of Finding
     """
 
     name: str
     result: Result
     metrics: Metrics
     bounds: AxisBounds | None = None
-    verdict: Any = None
+    verdict: Verdict | None = None
     bode: Mapping[str, FrequencyResponse] = field(default_factory=dict)
     circles: Sequence[CircleFigures] = ()
     bidirectional: Mapping[str, Bidirectional] = field(default_factory=dict)
@@ -76,6 +78,7 @@ class SchemeReport:
     switches: Switches | None = None
     gaps: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
     trust: Trust | None = None
+    findings: Sequence[Finding] = ()
 
 
 @dataclass(frozen=True)
@@ -164,6 +167,11 @@ class ReportData:
     def axes(self) -> tuple[str, ...]:
         """Names of the axes."""
         return tuple(self.schemes[0].result.axes)
+
+    @property
+    def findings(self) -> list[tuple[str, Finding]]:
+        """The findings of all schemes, each with the name of its scheme."""
+        return [(scheme.name, finding) for scheme in self.schemes for finding in scheme.findings]
 
     @property
     def asked(self) -> Path:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.figures import figure, number
 from contourlab.report.charts import Chart, Curve, Panel, PolarChart, Tick, ring_spacing
 from contourlab.report.data import ReportData
 from contourlab.report.samples import error_signal, keep_extremes, largest_magnitude, signal, times
 from contourlab.report.style import scheme_style
-from contourlab.report.text import nominal, number, quantity
 
 UM = 1e6
 MARKS = 400
@@ -31,7 +31,7 @@ def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
         over_time.append(Curve(times(scheme.result, kept), height, scheme.name, colour, dash))
         if "arc_length" in scheme.result:
             over_arc.append(Curve(signal(scheme.result, "arc_length")[kept] * 1e3, height, scheme.name, colour, dash))
-    label = f"{name.replace('_', ' ')} [µm]"
+    label = f"{name.replace('_', ' ')} [um]"
     caption = _caption(data, name, signed)
     panel = _panel(data, "time [s]", label, tuple(over_time), signed, _moments(data))
     charts = [Chart("error-time", "Error over time", caption, (panel,))]
@@ -48,7 +48,7 @@ def _moments(data: ReportData) -> tuple[Tick, ...]:
     """Return the reversals and corners of the last scheme as marks on the time axis."""
     scheme = data.schemes[-1]
     highest = sorted(scheme.spikes, key=lambda spike: -abs(spike.height))[:MARKS]
-    ticks = [Tick(s.time, f"{s.axis} reverses, spike {quantity(abs(s.height), 'µm', UM)}", "reversal") for s in highest]
+    ticks = [Tick(s.time, f"{s.axis} reverses, spike {figure(abs(s.height), 'um')}", "reversal") for s in highest]
     if "arc_length" in scheme.result:
         along = signal(scheme.result, "arc_length")
         passed = np.searchsorted(along, _corners(data, float(along[-1])))
@@ -72,7 +72,7 @@ def _panel(data: ReportData, x_label: str, y_label: str, curves: tuple[Curve, ..
     if data.tolerance is not None:
         edge = data.tolerance * UM
         band = (-edge, edge) if signed else (0.0, edge)
-        text = f"tolerance {'±' if signed else ''}{nominal(edge, 'µm')}"
+        text = f"tolerance {'±' if signed else ''}{figure(data.tolerance, 'um', 6)}"
         top = max(largest_magnitude(curve.y) for curve in curves)
         if 0.0 < top < edge / 4:
             y_range = (-1.15 * top if signed else 0.0, 1.15 * top)
@@ -113,7 +113,7 @@ def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
             radius, top = circle.radius, max(top, largest_magnitude(circle.deviation) * UM)
     division, span = ring_spacing(top)
     caption = (
-        f"Nominal radius {nominal(radius, 'mm', 1e3)}; one ring is {nominal(division, 'µm')} of radial deviation, "
+        f"Nominal radius {figure(radius, 'mm', 6)}; one ring is {number(division, 6)} um of radial deviation, "
         f"magnified {number(radius * 1e6 / (2.0 * span))} times. Solid counter-clockwise, dashed clockwise."
         + (" Rings: the peaks of reversal spikes." if marks else "")
     )

@@ -10,18 +10,18 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from contourlab.figures import figure, number
 from contourlab.report.axis_pictures import FINER, axis_charts, bode_charts, feed_charts, hysteresis_charts
 from contourlab.report.charts import Chart, PathChart, PolarChart
 from contourlab.report.comparison import compare
 from contourlab.report.data import ReportData
 from contourlab.report.error_pictures import error_charts, polar_charts
 from contourlab.report.learning_pictures import trial_charts
-from contourlab.report.page_tables import circle_tables, limit_tables, origin_tables, reversal_table, trust_lines
+from contourlab.report.page_tables import circle_tables, limit_tables, origin_tables, reversal_table
 from contourlab.report.path_picture import path_charts
 from contourlab.report.plotly_view import figure_of
 from contourlab.report.samples import share
 from contourlab.report.switching import strip_charts, switch_tables
-from contourlab.report.text import nominal, number, quantity
 from contourlab.result.atomic import write_text_atomic
 
 MOST_POINTS = 4000
@@ -82,7 +82,7 @@ def render_html(data: ReportData) -> str:
             limit_tables=limit_tables(data),
             reversals=reversal_table(data),
             switch_tables=switch_tables(data),
-            trust={"tables": origin_tables(data), "lines": trust_lines(data)},
+            origins=origin_tables(data),
             program=_program(data),
             scenario=_clipped(data.provenance.scenario),
             facts=_facts(data, points),
@@ -175,9 +175,9 @@ def _facts(data: ReportData, points: int) -> list[tuple[str, str]]:
         ("Platform", source.platform),
         ("Seed", "" if source.seed is None else str(source.seed)),
         ("Axes", ", ".join(data.axes)),
-        ("Servo period", nominal(period, "ms", 1e3)),
-        ("Samples", f"{samples:,}".replace(",", " ") + f" in {quantity(samples * period, 's', digits=4)}"),
-        ("Path length", quantity(float(data.planned.length), "mm", 1e3, 6)),
+        ("Servo period", figure(period, "ms", 6)),
+        ("Samples", f"{samples:,}".replace(",", " ") + f" in {figure(samples * period, 's', 4)}"),
+        ("Path length", figure(float(data.planned.length), "mm", 6)),
         ("Drawn", f"at most {points} points a curve; the lowest and highest value of every interval are kept"),
     )
     return [(name, text) for name, text in facts if text]
@@ -211,5 +211,5 @@ def _template() -> Any:
     loader = FileSystemLoader(TEMPLATES)
     options: dict[str, Any] = {"undefined": StrictUndefined, "trim_blocks": True, "lstrip_blocks": True}
     environment = Environment(loader=loader, autoescape=True, **options)
-    environment.filters |= {"number": number, "quantity": quantity, "nominal": nominal}
+    environment.filters |= {"number": number, "figure": figure}
     return environment.get_template("report.html.j2")

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis
+from contourlab.figures import figure
 from contourlab.report.charts import Chart, Curve, Level, Panel, Tick
 from contourlab.report.data import ReportData
 from contourlab.report.run_data import TrialCourse
 from contourlab.report.style import scheme_style
-from contourlab.report.text import quantity
 
 Array = NDArray[np.float64]
 
@@ -36,10 +36,10 @@ def trial_charts(data: ReportData) -> tuple[Chart, ...]:
         whole = np.sqrt(np.square(course.tracking_rms).sum(axis=1))
         tracking.append(Curve(trial, _drawn(whole), scheme.name, colour, dash))
         first, best = course.contour_rms[0], course.contour_rms[course.best]
-        ends.append(f"{scheme.name}: {quantity(first * 1e6, 'µm')} to {quantity(best * 1e6, 'µm')}; {course.in_words}")
+        ends.append(f"{scheme.name}: {figure(first, 'um')} to {figure(best, 'um')}; {course.in_words}")
     panels = (
-        Panel("trial", "contour rms [µm]", tuple(contour), log_y=True),
-        Panel("trial", "tracking rms [µm]", tuple(tracking), log_y=True),
+        Panel("trial", "contour rms [um]", tuple(contour), log_y=True),
+        Panel("trial", "tracking rms [um]", tuple(tracking), log_y=True),
     )
     caption = f"Errors of each trial; trial 0 has learned nothing. {'. '.join(ends)}. Schemes that do not learn are drawn dotted."
     foretold = {scheme.name: scheme.foretold for scheme in data.schemes if scheme.foretold is not None}

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from contourlab.figures import number
 from contourlab.report.charts import Bars, Chart, Magnified, Matrix, Multiples, Panel, PathChart, PolarChart, Tile
 from contourlab.report.style import BAND, INK, LIMIT, MUTED
-from contourlab.report.text import nominal
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -178,7 +178,7 @@ def _polar_drawing(chart: PolarChart) -> Figure:
     rings, texts = zip(*chart.rings()[1:], strict=True)
     place.set_rgrids(list(rings), list(texts), angle=67.5, size=7)
     place.set_title(_plain(chart.title), pad=14)
-    place.annotate(f"one ring {nominal(chart.division, 'µm')}", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
+    place.annotate(f"one ring {number(chart.division, 6)} um", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
     figure.legend(loc="outside lower left", ncols=2)
     return figure
 
@@ -200,7 +200,7 @@ def _path_drawing(chart: PathChart) -> Figure:
     place.set_aspect("equal", adjustable="datalim")
     place.set_xlabel(_plain(chart.labels[0]))
     place.set_ylabel(_plain(chart.labels[1]))
-    place.set_title(f"{_plain(chart.title)}, {_plain(chart.view)}: errors × {nominal(chart.magnification, '')}")
+    place.set_title(f"{_plain(chart.title)}, {_plain(chart.view)}: errors × {number(chart.magnification, 6)}")
     figure.legend(loc="outside lower left", ncols=2)
     return figure
 

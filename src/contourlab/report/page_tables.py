@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from contourlab.feed.verify import LimitReport, Worst
+from contourlab.figures import NONE, figure, number, shown_unit
 from contourlab.metrics import ReversalFigures, reversal_figures
 from contourlab.report.data import ReportData
-from contourlab.report.run_data import StatedNumber, Trust
-from contourlab.report.text import NONE, number, quantity, shown_unit
+from contourlab.report.judgement import Number
+from contourlab.report.table import Column, Table
 
-UM = 1e6
 LIMIT_TITLE = "Planned motion against the limits of the axes"
 LIMIT_ROWS = (
     ("velocity", "velocity", "m/s"),
@@ -52,7 +52,7 @@ def circle_tables(data: ReportData) -> tuple[CircleTable, ...]:
 def _circle_table(name: str, runs: dict[str, dict[str, float]]) -> CircleTable:
     """Return one table; a missing figure is a dash."""
     labels = dict.fromkeys(label for figures in runs.values() for label in figures)
-    rows = tuple((label, tuple(quantity(figures.get(label, math.nan), "µm", UM) for figures in runs.values())) for label in labels)
+    rows = tuple((label, tuple(figure(figures.get(label, math.nan), "um") for figures in runs.values())) for label in labels)
     return CircleTable(name, tuple(runs), rows)
 
 
@@ -93,14 +93,14 @@ def _limit_cells(worst: Worst | None, unit: str, axes: Sequence[str]) -> tuple[s
     """Return the cells of one row; dashes if there is no such limit."""
     if worst is None:
         return (NONE,) * 6
-    factor, shown = shown_unit(unit)
+    shown = shown_unit(unit)[1]
     bounded = math.isfinite(worst.limit)
     return (
         axes[worst.axis],
-        quantity(worst.value, shown, factor, 4),
-        quantity(worst.limit, shown, factor, 4) if bounded else "none",
+        figure(worst.value, shown, 4),
+        figure(worst.limit, shown, 4) if bounded else "none",
         f"{100.0 * worst.ratio:.1f} %" if bounded else NONE,
-        quantity(worst.time, "s", digits=5),
+        figure(worst.time, "s", 5),
         str(worst.source_line) if worst.source_line else NONE,
     )
 
@@ -138,18 +138,15 @@ def reversal_table(data: ReportData, *, places: bool = True) -> ReversalTable | 
 
 
 def reversal_text(data: ReportData) -> str:
-    """Return mean and largest spike by axis and direction as plain ASCII text; empty without reversals."""
-    table = reversal_table(data, places=False)
-    if table is None:
+    """Return mean and largest spike by axis and direction for the terminal; empty without reversals."""
+    found = reversal_table(data, places=False)
+    if found is None:
         return ""
-    head = ("reversal spikes (number), mean / largest [um]", *table.heads)
-    body = [(f"{where} ({many})".replace("°", " deg"), *(f"{mean} / {top}" for mean, top, _ in cells)) for where, many, cells in table.rows]
-    widths = [max(len(row[i]) for row in (head, *body)) for i in range(len(head))]
-    lines = [
-        "   ".join([row[0].ljust(widths[0]), *(cell.rjust(w) for cell, w in zip(row[1:], widths[1:], strict=True))])
-        for row in (head, *body)
-    ]
-    return "\n".join(line.replace("–", "-").replace("−", "-").rstrip() for line in lines)
+    heads = ["reversal spikes (number), mean / largest [um]", *found.heads]
+    table = Table([Column(head, left=i == 0) for i, head in enumerate(heads)])
+    for where, many, cells in found.rows:
+        table.add(f"{where} ({many})", *(f"{mean} / {top}" for mean, top, _ in cells))
+    return table.text()
 
 
 def _key(figures: ReversalFigures) -> Key:
@@ -165,8 +162,8 @@ def _order(key: Key, axes: tuple[str, ...]) -> tuple[bool, float, int, int]:
 def _kind(key: Key, mixed: bool) -> str:
     axis, direction, angle = key
     if angle is not None:
-        return f"{axis} at {math.degrees(angle):.0f}°" + (" of arcs" if mixed else "")
-    return f"{axis}, {'− to +' if direction > 0 else '+ to −'}" + (" elsewhere" if mixed else "")
+        return f"{axis} at {math.degrees(angle):.0f} deg" + (" of arcs" if mixed else "")
+    return f"{axis}, {'- to +' if direction > 0 else '+ to -'}" + (" elsewhere" if mixed else "")
 
 
 def _reversal_cells(figures: ReversalFigures | None) -> tuple[str, str, str]:
@@ -180,57 +177,23 @@ class OriginTable:
     """Sources of one scheme's parameters: of the first all, of the others those that differ."""
 
     title: str
-    rows: tuple[StatedNumber, ...]
+    rows: tuple[Number, ...]
     not_stated: tuple[str, ...]
 
 
 def origin_tables(data: ReportData) -> tuple[OriginTable, ...]:
-    """Return the sources of the parameters; empty if none is known."""
+    """Return the sources of the parameters; empty where nobody asked for an interval."""
     tables: list[OriginTable] = []
-    seen: set[StatedNumber] = set()
+    seen: set[Number] = set()
     blank: set[str] = set()
     for scheme in data.schemes:
-        if scheme.trust is None:
+        if scheme.trust is None or scheme.trust.interval is None:
             continue
-        rows = tuple(one for one in scheme.trust.numbers if one not in seen)
-        shown = tuple(replace(one, unit=_signs(one.unit)) for one in rows)
+        rows = tuple(number for number in scheme.trust.provenance if number not in seen)
         names = tuple(name for name in scheme.trust.not_stated if name not in blank)
         seen |= set(rows)
         blank |= set(names)
         if rows or names:
             title = "Stated numbers" if not tables else f"{scheme.name}: what differs from the schemes before"
-            tables.append(OriginTable(title, shown, names))
+            tables.append(OriginTable(title, rows, names))
     return tuple(tables)
-
-
-def _signs(unit: str) -> str:
-    """Return a unit in print."""
-    for plain, sign in (("*", "·"), ("^2", "²"), ("^3", "³")):
-        unit = unit.replace(plain, sign)
-    return "µm" if unit == "um" else unit
-
-
-def trust_lines(data: ReportData) -> list[str]:
-    """Describe the interval of each scheme's contour error; once if the same reason holds for all."""
-    schemes = [(scheme.name, scheme.trust) for scheme in data.schemes if scheme.trust is not None]
-    reasons = {trust.reason for _, trust in schemes}
-    if len(reasons) == 1 and "" not in reasons:
-        return [f"interval of the contour error {reasons.pop()}"]
-    return [f"{name}: {_interval_text(trust)}" for name, trust in schemes]
-
-
-def _interval_text(trust: Trust) -> str:
-    found = trust.interval
-    if found is None:
-        return f"interval of the contour error {trust.reason}"
-    rms, largest = (f"{_plain(s[1])} to {_plain(s[2])} um (median {_plain(s[0])})" for s in (found.rms, found.max))
-    words = f"by the stated deviations the contour error is {rms} rms, {largest} at most, in 90 of 100 machines"
-    if found.failed:
-        words += f"; {found.failed} of {found.n} samples fail"
-    if found.beyond is not None:
-        words += f"; {found.beyond} of {found.n} beyond the tolerance"
-    return words + (f"; most comes from {found.main}" if found.main else "; no single number stands out")
-
-
-def _plain(value: float) -> str:
-    return "any" if math.isinf(value) else number(value * 1e6).replace("−", "-")

@@ -7,12 +7,12 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.figures import figure, number
 from contourlab.geometry import Path
 from contourlab.report.charts import Curve, Magnified, PathChart
 from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.samples import keep_extremes, largest_magnitude, signal
-from contourlab.report.style import BAND, INK, REFERENCE, scheme_style
-from contourlab.report.text import magnification, nominal, number, quantity
+from contourlab.report.style import BAND, INK, REFERENCE, magnification, scheme_style
 
 Array = NDArray[np.float64]
 MM, UM = 1e3, 1e6
@@ -129,7 +129,7 @@ def _tolerance(data: ReportData, asked: Array, s: Array, columns: list[int], sca
         return ()
     tangent = data.asked.tangent(s)[:, columns]
     normal = np.column_stack([-tangent[:, 1], tangent[:, 0]]) * data.tolerance * UM
-    name = f"tolerance ±{nominal(data.tolerance, 'µm', UM)}"
+    name = f"tolerance ±{figure(data.tolerance, 'um', 6)}"
     foot = asked[:, columns] * MM
     return tuple(Magnified(foot, side * normal, name, BAND, "dot") for side in (1.0, -1.0))
 
@@ -144,6 +144,6 @@ def _worst(data: ReportData, columns: list[int]) -> tuple[Magnified, ...]:
             foot = np.asarray(data.asked.position(along), dtype=np.float64)
             error = signal(scheme.result, "tool_position")[sample] - foot
             colour, _ = scheme_style(index, len(data.schemes))
-            name = f"worst of {scheme.name}, {quantity(scheme.verdict.worst.value, 'µm', UM)}"
+            name = f"worst of {scheme.name}, {figure(scheme.verdict.worst.value, 'um')}"
             places.append(Magnified(foot[:, columns] * MM, error[:, columns] * UM, name, colour))
     return tuple(places)

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.report.charts import Chart, Curve, Magnified, Panel, PathChart, PolarChart
-from contourlab.report.style import BAND, FONT, GRID, INK, LIMIT, MUTED
-from contourlab.report.text import round_down
+from contourlab.report.style import BAND, FONT, GRID, INK, LIMIT, MUTED, round_down
 
 Figure = dict[str, Any]
 Array = NDArray[np.float64]
@@ -238,11 +237,11 @@ def _polar_figure(chart: PolarChart) -> Figure:
         {**_line(curve), "type": "scatterpolar", "r": packed(curve.y), "theta": packed(curve.x)} for curve in chart.curves
     ]
     for trace in data:
-        trace["hovertemplate"] = "%{r:.3g} µm at %{theta:.1f}°"
+        trace["hovertemplate"] = "%{r:.3g} um at %{theta:.1f}°"
     for mark in chart.marks:
         points = {"r": packed(mark.y), "theta": packed(mark.x), "name": _plain(mark.name), "legendgroup": _plain(mark.name)}
         ring = {"symbol": "circle-open", "size": 9, "color": mark.colour, "line": {"width": 1.6}}
-        hover = "reversal spike, %{r:.3g} µm at %{theta:.1f}°"
+        hover = "reversal spike, %{r:.3g} um at %{theta:.1f}°"
         data.append({"type": "scatterpolar", "mode": "markers", "marker": ring, **points, "hovertemplate": hover, "showlegend": False})
     nominal = {"color": INK, "width": 1.1}
     round_ = {"type": "scatterpolar", "mode": "lines", "name": "nominal", "line": nominal, "hoverinfo": "skip"}
@@ -274,7 +273,7 @@ def _path_figure(chart: PathChart) -> Figure:
     names: set[str] = set()
     for run in moved:
         size = np.hypot(run.error[:, 0], run.error[:, 1])
-        trace = _line(run, hovertemplate="%{customdata:.3g} µm", showlegend=run.name not in names)
+        trace = _line(run, hovertemplate="%{customdata:.3g} um", showlegend=run.name not in names)
         names.add(run.name)
         if run in chart.runs:
             trace["customdata"] = packed(size)

@@ -1,4 +1,4 @@
-"""Parts of a report's data: limits, frequency responses, planned feed, trials of learning, and how far figures can be trusted."""
+"""Parts of a report's data: limits, frequency responses, planned feed and trials of learning."""
 
 from __future__ import annotations
 
@@ -127,15 +127,14 @@ class TrialCourse:
     tracking_rms : ndarray (n_trial, n_axis) [m]
     best : int
         The trial that gives the scheme's figures.
-    status, reason : str
-        How learning ended, in a word and in a sentence.
+    status : str
+        How learning ended.
     """
 
     contour_rms: Array
     tracking_rms: Array
     best: int
     status: str
-    reason: str = ""
 
     def __post_init__(self) -> None:
         n = len(self.contour_rms)
@@ -147,67 +146,3 @@ class TrialCourse:
         """The end of learning in a few words."""
         trials = len(self.contour_rms) - 1
         return self.status if self.status.startswith("diverged") else f"{self.status}, trial {self.best} of {trials}"
-
-
-@dataclass(frozen=True)
-class StatedNumber:
-    """A parameter in print: name, value, unit and source; deviation or range, log or table, and note, or empty."""
-
-    name: str
-    value: str
-    unit: str
-    source: str
-    deviation: str = ""
-    reference: str = ""
-    note: str = ""
-
-
-@dataclass(frozen=True)
-class Contribution:
-    """A drawn parameter, and its rank correlations with rms and maximum of the contour error."""
-
-    name: str
-    rms: float
-    max: float
-
-
-@dataclass(frozen=True)
-class IntervalFigures:
-    """Interval of the contour error over samples of the machine.
-
-    Parameters
-    ----------
-    rms, max : (float, float, float) [m]
-        Median, 5 % and 95 % quantile; infinite if too many samples failed.
-    n, failed : int
-    beyond : int or None
-        Samples beyond the tolerance.
-    contributions : sequence of Contribution
-        The strongest first.
-    noticeable : float
-        Least significant rank correlation.
-    """
-
-    rms: tuple[float, float, float]
-    max: tuple[float, float, float]
-    n: int
-    failed: int
-    beyond: int | None
-    contributions: Sequence[Contribution]
-    noticeable: float
-
-    @property
-    def main(self) -> str:
-        """The parameter that contributes most; empty if none is significant."""
-        first = self.contributions[0] if self.contributions else None
-        return first.name if first is not None and max(abs(first.rms), abs(first.max)) >= self.noticeable else ""
-
-
-@dataclass(frozen=True)
-class Trust:
-    """Sources of one scheme's parameters, names of those without a source, and the interval or why there is none."""
-
-    numbers: Sequence[StatedNumber]
-    not_stated: Sequence[str]
-    interval: IntervalFigures | None
-    reason: str = ""

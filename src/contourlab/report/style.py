@@ -1,4 +1,4 @@
-"""Colours and type of every picture; the colours are told apart by colour-blind readers too.
+"""Colours, type and scale of every picture; the colours are told apart by colour-blind readers too.
 
 References
 ----------
@@ -7,6 +7,8 @@ people", 2008.
 """
 
 from __future__ import annotations
+
+import math
 
 INK = "#1d2733"
 MUTED = "#5b6774"
@@ -32,3 +34,35 @@ def scheme_style(index: int, count: int) -> tuple[str, str]:
     if count == 1:
         return _ALONE, "solid"
     return _CYCLE[index % len(_CYCLE)], _DASHES[(index // len(_CYCLE)) % len(_DASHES)]
+
+
+def round_down(value: float) -> float:
+    """Return the largest of 1, 2, 5 times a power of ten that is not above `value` (> 0).
+
+    >>> round_down(780.0), round_down(0.04)
+    (500.0, 0.02)
+    """
+    power = 10.0 ** math.floor(math.log10(value))
+    # A hair of slack, so that 0.05 / 0.01 = 5.000000000000001 or 4.999999999999999 count as 5.
+    return max((step for step in (1.0, 2.0, 5.0) if step <= value / power * (1 + 1e-12)), default=1.0) * power
+
+
+def magnification(extent: float, largest: float, part: float = 0.1) -> float:
+    """Return by how much to magnify errors so that the largest covers about `part` of a drawing `extent` wide.
+
+    Parameters
+    ----------
+    extent, largest : float [m], >= 0
+    part : float, > 0
+
+    Returns
+    -------
+    float
+        1, 2 or 5 times a power of ten, at least 1.
+
+    >>> magnification(0.1, 12e-6)
+    500.0
+    """
+    if not (largest > 0.0 and math.isfinite(largest) and extent > 0.0):
+        return 1.0
+    return max(1.0, round_down(part * extent / largest))

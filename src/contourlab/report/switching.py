@@ -8,12 +8,12 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.figures import figure
 from contourlab.loop.switches import Switches, SwitchKind
 from contourlab.report.charts import Chart, Curve, Panel
 from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.samples import signal
 from contourlab.report.style import REFERENCE, scheme_style
-from contourlab.report.text import nominal
 
 Array = NDArray[np.float64]
 LISTED = 100
@@ -107,8 +107,8 @@ def _table(name: str, switches: Switches) -> SwitchTable:
 def _moment(switches: Switches, i: int) -> tuple[str, str, str]:
     """Return time, arc length and line of a switch in print; empty if unknown."""
     along, line = float(switches.arc_length[i]), int(switches.line[i])
-    place = nominal(along, "mm", 1e3) if np.isfinite(along) else ""
-    return nominal(float(switches.time[i]), "s"), place, str(line) if line else ""
+    place = figure(along, "mm", 6) if np.isfinite(along) else ""
+    return figure(float(switches.time[i]), "s", 6), place, str(line) if line else ""
 
 
 def strip_charts(data: ReportData) -> tuple[Chart, ...]:

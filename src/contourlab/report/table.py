@@ -39,7 +39,7 @@ class Column:
 
 @dataclass
 class Table:
-    """Rows of text under heads. The first column names the rows; it is repeated where a table is wider than the page.
+    """Rows of text under heads. The first columns, `keys` of them, name the rows; a table wider than the page repeats them.
 
     >>> table = Table([Column("axis", left=True), Column("rms [um]")])
     >>> table.add("x", "12.3")
@@ -52,6 +52,7 @@ class Table:
 
     columns: Sequence[Column]
     title: str = ""
+    keys: int = 1
     rows: list[tuple[str, ...]] = field(default_factory=list)
 
     def add(self, *cells: str) -> None:
@@ -63,8 +64,8 @@ class Table:
     def text(self, width: int | None = None) -> str:
         """Return the table as lines of at most `width` characters, by default those of the page.
 
-        A table that is wider is cut into panels, one under the other, each with the first column. Only a name that is wider than the page
-        itself goes beyond it.
+        A wider table is cut into panels, one under the other, each with the columns that name the rows. Only a name that is wider than
+        the page goes beyond it.
         """
         width = page_width() if width is None else width
         panels = [self._panel(which, width) for which in self._panels(width)]
@@ -79,14 +80,15 @@ class Table:
 
     def _panels(self, width: int) -> Iterator[list[int]]:
         """Yield the columns of each panel."""
-        first = self._least(0)
-        panel, taken = [0], first
-        for column in range(1, len(self.columns)):
+        keys = list(range(self.keys))
+        first = sum(self._least(column) + _GAP for column in keys) - _GAP
+        panel, taken = keys, first
+        for column in range(self.keys, len(self.columns)):
             least = self._least(column) + _GAP
-            if taken + least > width and len(panel) > 1:
+            if taken + least > width and len(panel) > self.keys:
                 yield panel
-                panel, taken = [0], first
-            panel.append(column)
+                panel, taken = keys, first
+            panel = [*panel, column]
             taken += least
         yield panel
 

@@ -1,4 +1,4 @@
-"""From checked tables to machines and controllers."""
+"""Build machines and controllers from checked tables."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ from contourlab.scenario.tables import (
     ZeroPhaseTable,
     read_table,
 )
-from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, hint, located
+from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, hint, located, same_table
 
 SUPERVISOR = "performance"
-"""Kind of a supervisor that names none."""
+"""Default kind of a supervisor."""
 _OPTIONAL = ("observer", "gap_observer", "compensation", "supervisor")
 
 
@@ -62,7 +62,7 @@ def build_axis(table: Table, name: str) -> Axis:
 
 
 def _parts(table: Table, slots: Sequence[str], units: tuple[str, str], optional: Sequence[str]) -> dict[str, Any]:
-    """Return the components that a table gives, by slot; None where it says ``"none"``."""
+    """Return the components of a table by slot; None for ``"none"``."""
     return {
         slot: read_component(table.entries[slot], slot.removeprefix("motor_"), units, optional=slot in optional)
         for slot in slots
@@ -72,24 +72,22 @@ def _parts(table: Table, slots: Sequence[str], units: tuple[str, str], optional:
 
 def _limits(table: Table) -> Limits:
     table, origins = without_origins(table)
-    found = read_table(LimitsTable, table)
-    given = {name: value for name, value in found.model_dump().items() if value is not None}
-    if "travel" in given and len(given["travel"]) != 2:
-        raise table.error('two positions are wanted, the lower one first: ["-100 mm", "100 mm"]', "travel")
+    limits = read_table(LimitsTable, table).model_dump(exclude_none=True)
+    if len(limits.get("travel", (0, 0))) != 2:
+        raise table.error('write two positions, the lower one first: ["-100 mm", "100 mm"]', "travel")
     with located(table):
-        return Limits(**given, origins=origins, file=table.file)
+        return Limits(**limits, origins=origins, file=table.file)
 
 
 def _error(table: Table) -> AxisError:
     table, origins = without_origins(table)
-    found = read_table(ErrorTable, table)
-    n, rising = len(found.position), all(a < b for a, b in pairwise(found.position))
-    if len(found.lead_error) != n:
-        raise table.error(f"{len(found.lead_error)} values for {n} positions: one for each is wanted", "lead_error")
-    if not rising:
-        raise table.error("the positions have to rise", "position")
+    plain = read_table(ErrorTable, table)
+    if len(plain.lead_error) != len(plain.position):
+        raise table.error(f"{len(plain.lead_error)} values for {len(plain.position)} positions: write one for each", "lead_error")
+    if not all(a < b for a, b in pairwise(plain.position)):
+        raise table.error("the positions must increase", "position")
     with located(table):
-        return AxisError(np.array(found.position), np.array(found.lead_error), found.repeatability, origins)
+        return AxisError(np.array(plain.position), np.array(plain.lead_error), plain.repeatability, origins)
 
 
 def build_machine(part: Table) -> Machine:
@@ -115,42 +113,42 @@ def build_machine(part: Table) -> Machine:
             raise axes.error(f"axis {name!r} is not listed in machine.axes: {hint(name, names)}", name)
     missing = [name for name in names if name not in axes.entries]
     if missing:
-        raise table.error("no table " + ", ".join(f"[{axes.at(name)}]" for name in missing) + " for what is listed here", "axes")
+        raise table.error("no table " + ", ".join(f"[{axes.at(name)}]" for name in missing), "axes")
     built = tuple(build_axis(axes.table(name), name) for name in names)
     for axis in built:
         _check_carrier(axis, names, axes.table(axis.name))
-    angles, from_where = without_origins(table.table("squareness"))
-    origins |= {f"squareness.{pair}": origin for pair, origin in from_where.items()}
+    angles, angle_origins = without_origins(table.table("squareness"))
+    origins |= {f"squareness.{pair}": origin for pair, origin in angle_origins.items()}
     with located(table):
-        found = Machine(plain.name, built, plain.servo_period, _squareness(angles, names), origins)
-    return replace(found, correlations=read_machine_correlations(table, axes, found))
+        machine = Machine(plain.name, built, plain.servo_period, _squareness(angles, names), origins)
+    return replace(machine, correlations=read_machine_correlations(table, axes, machine))
 
 
 def _check_carrier(axis: Axis, names: list[str], table: Table) -> None:
     if axis.mounted_on and axis.mounted_on not in names:
         raise table.error(f"no axis {axis.mounted_on!r}: {hint(axis.mounted_on, names)}", "mounted_on")
     if axis.mounted_on == axis.name:
-        raise table.error("an axis cannot stand on itself", "mounted_on")
+        raise table.error("an axis cannot be mounted on itself", "mounted_on")
 
 
 def _squareness(table: Table, names: list[str]) -> dict[tuple[str, str], float]:
-    found: dict[tuple[str, str], float] = {}
+    squareness: dict[tuple[str, str], float] = {}
     for key, node in table.entries.items():
         pair = tuple(key.split("-"))
         if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
-            raise table.error('two different axes of the machine are wanted, as in "x-y" = "20 um/m"', key)
+            raise table.error('write two different axes of the machine, as in "x-y" = "20 um/m"', key)
         with located(table, key):
             angle = read_number(node.plain(), "rad", "um/m")
         if abs(angle) > 0.1:
             raise table.error("is out of range: must be between -0.1 and 0.1 rad", key)
-        if (pair[1], pair[0]) in found:
+        if (pair[1], pair[0]) in squareness:
             raise table.error(f'the same two axes as "{pair[1]}-{pair[0]}"', key)
-        found[pair[0], pair[1]] = angle
-    return found
+        squareness[pair[0], pair[1]] = angle
+    return squareness
 
 
 def build_controller(table: Table, machine: Machine) -> Controller:
-    """Return a controller for a machine; the units of its gains are those of the machine's commands.
+    """Return a controller for a machine, whose commands set the units of the gains.
 
     Raises
     ------
@@ -166,13 +164,12 @@ def build_controller(table: Table, machine: Machine) -> Controller:
     if missing:
         raise axes.error(f"no controller for axis {', '.join(missing)}: write [{axes.at(missing[0])}]")
     if others and any(getattr(axes.entries[name], "key", "").endswith(f'"{EVERY}"') for name in machine.axis_names):
-        # Further axes are those of other machines, unless an axis of this one has no table of its own: then a name is wrong.
+        # Further axes belong to other machines. If an axis of this machine has no table of its own, a name is misspelt.
         raise axes.error(f"the machine has no axis {others[0]!r}: {hint(others[0], machine.axis_names)}", others[0])
     built = {name: _axis_controller(axes.table(name), machine, name) for name in machine.axis_names}
     units = (machine.axes[0].plant.command_unit, machine.axes[0].plant.force_unit)
     parts = _parts(table, ("estimator", "coupling"), units, ("estimator", "coupling"))
-    check = getattr(parts.get("estimator"), "check_axes", None)
-    if check is not None:
+    if (check := getattr(parts.get("estimator"), "check_axes", None)) is not None:
         with located(table, "estimator"):
             check(len(machine.axes))
     with located(table, "coupling"):
@@ -199,7 +196,7 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
 
 
 def _link(node: Node, units: tuple[str, str]) -> Division | None:
-    """Return how an axis' controller is divided between base and axis; ``link = "none"`` says that it is not."""
+    """Return how an axis controller is divided between base and axis; None for ``link = "none"``."""
     if isinstance(node, Leaf):
         if node.value == "none":
             return None
@@ -211,34 +208,31 @@ def _link(node: Node, units: tuple[str, str]) -> Division | None:
 
 
 def _others(table: Table, units: tuple[str, str], model: _Model) -> tuple[tuple[str, Component], ...]:
-    """Return the controllers that a supervisor may make active besides the first, by name."""
-    found = []
-    for name, node in table.entries.items():
+    """Return the further controllers that a supervisor may activate, by name."""
+    for name in table.entries:
         if not name.isidentifier() or name == "controller":
-            raise table.error("a name of letters, digits and _ is wanted, other than controller, which is the first", name)
-        found.append((name, _position(node, units, model)))
-    return tuple(found)
+            raise table.error("write a name of letters, digits and _, other than controller, which is the first", name)
+    return tuple((name, _position(node, units, model)) for name, node in table.entries.items())
 
 
 def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any], machine: Machine, axis: Axis) -> Component | None:
-    """Return the feedforward of an axis; zero-phase tracking without coefficients is designed for the loop as it stands."""
+    """Return the feedforward of an axis; zero-phase tracking without coefficients is designed for the loop."""
     node = table.entries["feedforward"]
-    given = node.without("radius") if isinstance(node, Table) else Table({"kind": node}, node.file, node.key)
-    kind = given.get("kind")
-    if not (isinstance(kind, Leaf) and kind.value == "zpetc" and set(given.entries) == {"kind"}):
-        found: Component | None = read_component(node, "feedforward", units, optional=True)
-        return found
+    plain = node.without("radius").plain() if isinstance(node, Table) else {"kind": node.value}
+    if plain != {"kind": "zpetc"}:
+        feedforward: Component | None = read_component(node, "feedforward", units, optional=True)
+        return feedforward
     from contourlab.analysis.linear.sampled_loop import sampled_loop
     from contourlab.analysis.linear.zpetc import zpetc_design
 
     radius = read_table(ZeroPhaseTable, node).radius if isinstance(node, Table) else ZeroPhaseTable(kind="zpetc").radius
     with located(table, "feedforward"):
         loop = sampled_loop(axis, AxisController(**parts), machine.servo_period, machine.carried_mass(axis.name))
-        return zpetc_design(loop, radius=radius).component()
+        return zpetc_design(loop, radius=radius)
 
 
 def _local(names: list[str], parts: Mapping[str, Any], table: Table) -> tuple[str, ...]:
-    """Check the names of parameters that move with an axis: ``observer.model_gain`` and the like."""
+    """Check the names of parameters that move with an axis, such as ``observer.model_gain``."""
     slots = {**parts, **{f"others.{label}": part for label, part in parts.get("others", ())}}
     known = [f"{slot}.{name}" for slot, part in slots.items() if isinstance(part, Component) for name in part.numeric()]
     for name in names:
@@ -248,13 +242,13 @@ def _local(names: list[str], parts: Mapping[str, Any], table: Table) -> tuple[st
 
 
 _Model = tuple[float, float]
-"""Acceleration per command, and damping, of what the position loop sees."""
+"""Gain (acceleration per command) and damping of the plant model in the position loop."""
 
 
 def _model(machine: Machine, axis: Axis, observer: Component | None) -> _Model:
-    """Return the model that gains are placed for: the observer's if there is one, else the plant's with all that it carries."""
-    if observer is not None and {"model_gain", "model_damping"} <= set(observer.parameters):
-        values = observer.values()
+    """Return the model for pole placement: the observer's, else that of the plant with its carried mass."""
+    values = {} if observer is None else observer.values()
+    if {"model_gain", "model_damping"} <= set(values):
         return values["model_gain"], values["model_damping"]
     gain, damping = machine.loaded_plant(axis.name).rigid_model()
     return gain, damping
@@ -265,50 +259,43 @@ def _position(node: Node, units: tuple[str, str], model: _Model) -> Any:
         return read_component(node, "controller", units)
     kind = find_kind(node, "controller")
     if not kind.wishes:
-        raise node.error(f"{kind.kind} works out no gains: give them themselves", "gains")
+        raise node.error(f"{kind.kind} computes no gains: write the gains themselves", "gains")
     gains = node.table("gains")
-    both = [name for name in DESIGNED if name in node.entries and _same_place(node.entries[name], gains)]
+    both = [name for name in DESIGNED if name in node.entries and same_table(node.entries[name], gains)]
     if both:
-        raise node.error("is given beside gains = {...}, which works it out: leave one of the two out", both[0])
+        raise node.error("gains = {...} computes this: leave one of the two out", both[0])
     wanted = read_wishes(kind, gains, units)
     rest = node.without("gains")
-    names = [name for name in ("model_gain", "model_damping") if name in rest.entries and name in kind.parameters]
-    own = read_values(kind, replace(rest, entries={name: rest.entries[name] for name in names}), units)
+    own = read_values(kind, rest.only(*{"model_gain", "model_damping"} & set(kind.parameters)), units)
     with located(gains):
         placed = kind.designed(wanted, float(own.get("model_gain", model[0])), float(own.get("model_damping", model[1])))
     return read_component(rest, "controller", units, given=placed)
 
 
-def _same_place(node: Any, gains: Table) -> bool:
-    """Tell whether a gain stands in the same table of the same file as the poles."""
-    return bool(node.file == gains.file and node.key.rpartition(".")[0] == gains.key.rpartition(".")[0])
-
-
 def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
     """Return a module in the place of an axis, and a note on what it takes over or lacks.
 
-    Stage mass, limits and substeps that the module's file leaves out are those of the place. Components and errors of the axis are the
-    module's own, or absent.
+    Stage mass, limits and substeps missing from the module's file are taken over. Components and errors are not.
 
     Parameters
     ----------
     table : Table
         Content of the module's file.
     module : Axis
-        As built of it.
+        Built from `table`.
     place : Axis
-        The axis of the machine that it replaces.
+        The axis that it replaces.
     """
-    kept, words = module, []
+    kept, taken_over = module, []
     if "stage_mass" not in table.entries and place.stage_mass:
         origins = {name: origin for name, origin in place.origins.items() if name == "stage_mass"}
         kept = replace(kept, stage_mass=place.stage_mass, origins={**module.origins, **origins})
-        words.append(f"stage_mass, {place.stage_mass:g} kg")
+        taken_over.append(f"stage_mass, {place.stage_mass:g} kg")
     if "substeps" not in table.entries and place.substeps != module.substeps:
         kept = replace(kept, substeps=place.substeps)
-        words.append(f"substeps, {place.substeps}")
+        taken_over.append(f"substeps, {place.substeps}")
     limits, names = _limits_in_place(table.table("limits"), module.limits, place.limits)
-    notes = ["; ".join([*words, *names]) + " (kept from the axis there)"] if words or names else []
+    notes = ["; ".join([*taken_over, *names]) + " (kept from the axis there)"] if taken_over or names else []
     lost = [slot for slot in AXIS_SLOTS[1:] if slot not in table.entries and getattr(module, slot) != getattr(place, slot)]
     if "error" not in table.entries and (place.error.position.size or place.error.repeatability):
         lost.append("error")
@@ -317,10 +304,10 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
     return replace(kept, limits=limits), "; ".join(notes)
 
 
-def _limits_in_place(table: Table, own: Limits, there: Limits) -> tuple[Limits, list[str]]:
-    """Return limits, those that are left out as they are there, and the names of these."""
+def _limits_in_place(table: Table, own: Limits, replaced: Limits) -> tuple[Limits, list[str]]:
+    """Return the limits of a module, missing ones taken over, and the names of these."""
     plain = Limits()
-    names = [name for name in LimitsTable.model_fields if name not in table.entries and getattr(there, name) != getattr(plain, name)]
-    origins = {name: there.origins[name] for name in names if name in there.origins}
-    given = {name: getattr(there, name) for name in names}
-    return replace(own, **given, origins={**own.origins, **origins}), [f"limits.{name}" for name in names]
+    names = [name for name in LimitsTable.model_fields if name not in table.entries and getattr(replaced, name) != getattr(plain, name)]
+    origins = {name: replaced.origins[name] for name in names if name in replaced.origins}
+    values = {name: getattr(replaced, name) for name in names}
+    return replace(own, **values, origins={**own.origins, **origins}), [f"limits.{name}" for name in names]

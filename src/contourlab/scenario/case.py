@@ -1,8 +1,8 @@
-"""A scenario and its cases: frozen values. Schemes by their parts: ``fb``, ``ccc``, ``mr``, ``me`` and ``ilc``, joined by +."""
+"""A scenario and its cases. Schemes are named by parts joined with +: ``fb``, ``ccc``, ``mr``, ``me``, ``ilc``."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path as File
@@ -21,7 +21,7 @@ from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE, Contour, FeedSe
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """One machine under one controller along one motion, what is learned from repeating it, and what takes over on the way."""
+    """A machine under a controller along a motion, with learning and controller changes."""
 
     name: str
     machine: Machine
@@ -79,12 +79,12 @@ class Case:
         return self.machine.planner_limits()
 
     def reference(self, feed_scale: float = 1.0) -> Reference:
-        """Return the sampled reference; without laps to count where ``run.evaluate`` asks for the whole motion.
+        """Return the sampled reference, without laps if ``run.evaluate`` is ``"whole"``.
 
         Parameters
         ----------
         feed_scale : float, > 0
-            Factor on the programmed feed, on top of the scenario's own.
+            Factor on the programmed feed, besides the scenario's override.
 
         Raises
         ------
@@ -93,9 +93,9 @@ class Case:
         ProgramError
             If the program moves an axis that the machine lacks, or beyond its travel.
         """
-        found = self._sampled(self.feed.override * feed_scale)
-        check_motion(found, self.machine, self._fault, bounded=self.feed.law != "uniform", cure=self._cure)
-        return replace(found, laps=()) if self.run.evaluate == "whole" else found
+        reference = self._sampled(self.feed.override * feed_scale)
+        check_motion(reference, self.machine, self._fault, bounded=self.feed.law != "uniform", cure=self._cure)
+        return replace(reference, laps=()) if self.run.evaluate == "whole" else reference
 
     @property
     def _cure(self) -> str:
@@ -105,12 +105,12 @@ class Case:
         return "move the part" if self.motion.fit else "move the part, have it fitted (--fit, or fit = true under [program])"
 
     def closer(self, tolerance: float) -> dict[str, Callable[[], Reference]]:
-        """Return ways, in words, of planning closer to the programmed path, and what makes the reference of each.
+        """Return ways to plan closer to the programmed path: a description, and a function that plans.
 
         Parameters
         ----------
         tolerance : float [m], > 0
-            Within which corners would be blended.
+            Corner tolerance of a blend.
         """
         if self.feed.law == "uniform":
             return {}
@@ -122,7 +122,7 @@ class Case:
             f'blending within {microns} um ({g64}path_control = "blend", corner_tolerance = "{microns} um" under [feed])': near,
             f'meeting every corner exactly ({g61}path_control = "exact_path" under [feed])': {"path_control": "exact_path"},
         }
-        return {words: replace(self, feed=replace(self.feed, **change)).reference for words, change in changes.items()}
+        return {way: replace(self, feed=replace(self.feed, **change)).reference for way, change in changes.items()}
 
     def _fault(self, message: str, line: int) -> FeedError | ProgramError:
         if isinstance(self.motion, PartProgram):
@@ -143,12 +143,12 @@ class Case:
         )
 
     def route(self) -> Route | None:
-        """Return the path with its feedrates as it is planned along; None under the uniform law, which plans nothing."""
+        """Return the path to plan along, with feedrates; None under the uniform law."""
         return None if self.feed.law == "uniform" else self._own_route
 
     @cached_property
     def _own_route(self) -> Route:
-        """The route at the case's own feed: it is planned, verified and drawn, but blended once."""
+        """The route at the case's own feed, blended once for planning, verifying and drawing."""
         return self._route(self.feed.override)
 
     def _route(self, factor: float) -> Route:
@@ -172,11 +172,11 @@ class Scenario:
     name : str
     file : Path
     base : Case
-        Machine, controller, motion, feed and run settings without any scheme.
+        The case without any scheme.
     all_cases : tuple of Case
         One for each scheme; the base alone where there is none.
     files : tuple of Path
-        The scenario's own, and every one of a machine, an axis or a controller that was read for it.
+        The scenario's file and all files it includes.
     """
 
     name: str
@@ -197,12 +197,12 @@ class Scenario:
 
     @property
     def motion(self) -> Motion:
-        """What is driven along."""
+        """The base's motion."""
         return self.base.motion
 
     @property
     def inputs(self) -> tuple[File, ...]:
-        """All that is read: `files`, the drawing or the part program with its tools, learned tables."""
+        """All input files: `files`, drawing or part program, tool table, learned tables."""
         motion = self.motion
         tools = motion.reading.tools if isinstance(motion, PartProgram) else None
         tables = [case.learning.table for case in self.cases() if case.learning is not None]
@@ -233,7 +233,7 @@ FEATURES = {
     "me": "modified error",
     "ilc": "learning from trial to trial",
 }
-"""Parts of a scheme's name, and what they stand for."""
+"""Parts of a scheme name and their meaning."""
 
 _KINDS = {"ccc": ("cross-coupled", "cross-coupled-filter"), "mr": ("modified-reference",), "me": ("modified-error",)}
 _WANTED = {
@@ -249,34 +249,34 @@ def chosen(scenario: Scenario, names: Iterable[str]) -> Scenario:
     ----------
     scenario : Scenario
     names : iterable of str
-        Schemes of the scenario, or parts joined by +: see `FEATURES`. A scheme of the scenario has priority. A scheme name with commas
-        may come in pieces, as split from a list.
+        Schemes of the scenario, or `FEATURES` joined by +. The scenario's schemes have priority. A scheme name with commas may be split
+        at them.
 
     Raises
     ------
     ScenarioError
-        If a name is neither, is given twice, or asks for a part that the scenario does not hold.
+        If a name is unknown or given twice, or the scenario lacks a part of it.
     """
     own = {case.name: case for case in scenario.all_cases}
     wanted = _whole([name.strip() for name in names], own)
     twice = [name for name in wanted if wanted.count(name) > 1]
     if twice:
-        raise ScenarioError(f"scheme {twice[0]!r} is asked for twice", file=scenario.file)
+        raise ScenarioError(f"scheme {twice[0]!r} is given twice", file=scenario.file)
     cases = tuple(own[name] if name in own else _composed(scenario, name) for name in wanted)
     if not cases:
-        raise ScenarioError("no scheme is asked for: give names such as fb,ccc,ilc,ccc+ilc", file=scenario.file)
+        raise ScenarioError("no scheme is given: write names such as fb,ccc,ilc,ccc+ilc", file=scenario.file)
     return replace(scenario, all_cases=cases)
 
 
-def _whole(words: list[str], own: Iterable[str]) -> list[str]:
-    """Return names, those of schemes put together again of pieces that follow one another; of several the longest."""
+def _whole(parts: list[str], own: Iterable[str]) -> list[str]:
+    """Rejoin scheme names that were split at commas; the longest match wins."""
     pieces = {tuple(part.strip() for part in name.split(",")): name for name in own}
-    found = []
-    while words:
-        n = next((n for n in range(len(words), 1, -1) if tuple(words[:n]) in pieces), 1)
-        found.append(pieces[tuple(words[:n])] if n > 1 else words[0])
-        words = words[n:]
-    return found
+    names = []
+    while parts:
+        n = next((n for n in range(len(parts), 1, -1) if tuple(parts[:n]) in pieces), 1)
+        names.append(pieces[tuple(parts[:n])] if n > 1 else parts[0])
+        parts = parts[n:]
+    return names
 
 
 def _composed(scenario: Scenario, name: str) -> Case:
@@ -287,37 +287,31 @@ def _composed(scenario: Scenario, name: str) -> Case:
         raise ScenarioError(f"no scheme {name!r}: there are {known}, and these parts joined by +", file=scenario.file)
     couplings = [part for part in parts if part in _KINDS]
     if len(couplings) > 1 or len(set(parts)) < len(parts):
-        raise ScenarioError(f"scheme {name!r}: one coupling at most, and each part once: ccc+ilc, mr+ilc", file=scenario.file)
+        raise ScenarioError(f"scheme {name!r}: name at most one coupling, and each part once, as in ccc+ilc", file=scenario.file)
     controller = _coupled(scenario, couplings[0]) if couplings else replace(scenario.base.controller, estimator=None, coupling=None)
     learning = _learning(scenario) if "ilc" in parts else None
     return replace(scenario.base, name=name, controller=controller, learning=learning)
 
 
 def _coupled(scenario: Scenario, part: str) -> Controller:
-    """Return the base's controller with a coupling, as it stands in the base or in the first scheme that has one of its kind."""
+    """Return the base's controller with a coupling: the first of its kind in the base or a scheme, else the default one."""
     base, kinds = scenario.base.controller, _KINDS[part]
-    held = _first(scenario, lambda case: case.controller if case.controller.coupling and case.controller.coupling.kind in kinds else None)
-    estimator: Any
-    if held is not None:
-        estimator, coupling = held.estimator, held.coupling
-    elif part in _WANTED:
-        raise ScenarioError(_missing(part), file=scenario.file)
-    else:
-        estimator, coupling = base.estimator or component("estimator", "newton")(), component("coupling", kinds[0])()
-    return replace(base, estimator=estimator, coupling=coupling)
+    for controller in (base, *(case.controller for case in scenario.all_cases)):
+        if controller.coupling and controller.coupling.kind in kinds:
+            return replace(base, estimator=controller.estimator, coupling=controller.coupling)
+    if part in _WANTED:
+        raise _missing(scenario, part)
+    estimator: Any = base.estimator or component("estimator", "newton")()
+    return replace(base, estimator=estimator, coupling=component("coupling", kinds[0])())
 
 
 def _learning(scenario: Scenario) -> LearningSettings:
-    found: LearningSettings | None = _first(scenario, lambda case: case.learning)
-    if found is None:
-        raise ScenarioError(_missing("ilc"), file=scenario.file)
-    return found
+    for case in (scenario.base, *scenario.all_cases):
+        if case.learning is not None:
+            return case.learning
+    raise _missing(scenario, "ilc")
 
 
-def _first(scenario: Scenario, of: Callable[[Case], Any]) -> Any:
-    cases: Iterator[Case] = iter((scenario.base, *scenario.all_cases))
-    return next((found for found in map(of, cases) if found is not None), None)
-
-
-def _missing(part: str) -> str:
-    return f"{part} stands for {FEATURES[part]}, which neither the base nor a scheme has; write, for example:\n\n{_WANTED[part]}\n"
+def _missing(scenario: Scenario, part: str) -> ScenarioError:
+    what = f"neither the base nor a scheme has {FEATURES[part]}"
+    return ScenarioError(f"{part}: {what}; write, for example:\n\n{_WANTED[part]}\n", file=scenario.file)

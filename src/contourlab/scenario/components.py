@@ -1,4 +1,4 @@
-"""Component tables: ``kind`` and the parameters that the component itself declares."""
+"""Read component tables: ``kind`` and the parameters that the component declares."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ WORKED_OUT = Origin("design", note="worked out from gains = {...}")
 
 
 def parameters_of(kind: type[Component], units: tuple[str, str]) -> dict[str, Parameter]:
-    """Return the parameters of a component that works with a plant whose command and force have these units."""
+    """Return the parameters of a component for a plant with these units of command and force."""
     return {name: parameter.for_plant(*units) for name, parameter in kind.parameters.items()}
 
 
@@ -27,7 +27,7 @@ def _as_table(node: Node, family: str) -> Table:
     if isinstance(node, Table):
         return node
     if not isinstance(node.value, str):
-        raise node.error(f'{node.value!r} is no {family}: write a table with kind = "..." and its parameters')
+        raise node.error(f'{node.value!r} is no {family}: write a table with kind = "..." and parameters')
     return Table({"kind": node}, node.file, node.key)
 
 
@@ -38,7 +38,7 @@ def find_kind(table: Table, family: str) -> type[Component]:
     if node is None:
         raise table.error(f"key kind is missing: one of {', '.join(names)}")
     if not isinstance(node, Leaf) or not isinstance(node.value, str):
-        raise table.error(f"text is wanted: one of {', '.join(names)}", "kind")
+        raise table.error(f"write one of {', '.join(names)}", "kind")
     try:
         return component(family, node.value)
     except ComponentError:
@@ -53,14 +53,14 @@ def read_component(
     Parameters
     ----------
     node : Node
-        Its table, or the name of its kind.
+        Table, or name of the kind.
     family : str
     units : (str, str)
-        Units of command and force of the plant it works with.
+        Units of the plant's command and force.
     optional : bool
-        Whether ``"none"`` says that there is none.
+        Whether ``"none"`` is allowed.
     given : mapping, optional
-        Values in SI that are worked out from elsewhere; the table's own go before.
+        Computed values in SI; the table's own have priority.
 
     Returns
     -------
@@ -69,7 +69,7 @@ def read_component(
     Raises
     ------
     ScenarioError
-        With file and key of what is wrong.
+        With file and key.
     """
     table = _as_table(node, family)
     kind_node = table.get("kind")
@@ -83,20 +83,20 @@ def read_component(
     values = {**(given or {}), **read_values(kind, own, units)}
     declared = parameters_of(kind, units)
     origins = {name: WORKED_OUT for name in given or () if name not in own.entries} | read_origins(declared, own, values)
-    missing = [name for name, parameter in declared.items() if parameter.default is None and name not in values]
-    if missing:
-        wanted = ", ".join(f"{name}{_wanted(declared[name])}" for name in missing)
-        raise table.error(f"{kind.kind} wants {'a value' if len(missing) == 1 else 'values'} for {wanted}")
+    if missing := _missing(declared, values):
+        raise table.error(f"{kind.kind} needs values for {missing}")
     with located(table):
         return kind(**values).traced(origins)
 
 
-def _wanted(parameter: Parameter) -> str:
-    return f" [{parameter.display}]" if parameter.display else ""
+def _missing(declared: Mapping[str, Parameter], values: Mapping[str, Any]) -> str:
+    """Return names and units of the parameters that have neither value nor default."""
+    missing = {name: parameter for name, parameter in declared.items() if parameter.default is None and name not in values}
+    return ", ".join(f"{name} [{parameter.display}]" if parameter.display else name for name, parameter in missing.items())
 
 
 def read_values(kind: type[Component], table: Table, units: tuple[str, str]) -> dict[str, Any]:
-    """Read the parameters that a table gives, in SI.
+    """Read the parameters of a table in SI.
 
     Raises
     ------
@@ -107,7 +107,7 @@ def read_values(kind: type[Component], table: Table, units: tuple[str, str]) -> 
 
 
 def read_wishes(kind: type[Component], table: Table, units: tuple[str, str]) -> dict[str, float]:
-    """Read ``gains = {...}``, from which a component works out its parameters: all that it asks for, in SI.
+    """Read ``gains = {...}``, from which a component computes its parameters, in SI.
 
     Raises
     ------
@@ -116,9 +116,8 @@ def read_wishes(kind: type[Component], table: Table, units: tuple[str, str]) -> 
     """
     declared = {name: replace(parameter, name=name).for_plant(*units) for name, parameter in kind.wishes.items()}
     given = _read_declared(f"gains of {kind.kind}", declared, table)
-    missing = [f"{name}{_wanted(p)}" for name, p in declared.items() if p.default is None and name not in given]
-    if missing:
-        raise table.error(f"gains of {kind.kind} {'key is' if len(missing) == 1 else 'keys are'} missing: {', '.join(missing)}")
+    if missing := _missing(declared, given):
+        raise table.error(f"gains of {kind.kind} need values for {missing}")
     return {name: given.get(name, parameter.default) for name, parameter in declared.items()}
 
 

@@ -1,4 +1,4 @@
-"""Writes machines, controllers, axes and scenarios as TOML that reads back identical, with units that people use."""
+"""Write machines, controllers, axes and scenarios as TOML that reads back identical, in common units."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
 from contourlab.scenario.provenance import origin_table, written
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.scenario.tree import DEFAULT
-from contourlab.scenario.values import Contour, LearningSettings, Motion, PartProgram
+from contourlab.scenario.values import Contour, LearningSettings, Motion
 from contourlab.units import from_si, to_si
 
 _LIMITS = {"velocity": ("m/s", "mm/min"), "acceleration": ("m/s^2", ""), "jerk": ("m/s^3", ""), "following_error": ("m", "mm")}
@@ -31,7 +31,7 @@ _UNITS = dict.fromkeys(("tolerance", "corner_tolerance", "merge_tolerance"), ("m
 
 
 def quantity(value: float, unit: str, display: str = "") -> str | float:
-    """Return an SI value as a file has it: in the unit people use, if that reads back to the same number, else in SI.
+    """Write an SI value in its display unit if that reads back exactly, else in SI.
 
     >>> quantity(0.02, "m", "mm")
     '20 mm'
@@ -53,24 +53,24 @@ def dump(value: Machine | Controller | Axis | Scenario, machine: Machine | None 
     Parameters
     ----------
     value : Machine, Controller, Axis or Scenario
-        An axis is written as the file of an axis: its name is not in it.
+        The file of an axis has no name.
     machine : Machine, optional
-        Wanted with a controller: its commands decide the units of the gains.
+        Required with a controller: its commands set the units of the gains.
 
     Returns
     -------
     str
-        Every parameter that is finite, so that other defaults do not change what it means. In a scenario the files it was made of are
-        joined in, gains are written out, and a scheme says what differs from the base; a part program is named by its path.
+        All finite parameters, so that changed defaults have no effect. A scenario is one file: included files are joined in, gains are
+        computed, and schemes hold their differences from the base. A part program is named by its path.
 
     Raises
     ------
     TypeError
-        If there is no such file, or a controller comes without its machine.
+        If the value has no file of its own, or a controller comes without its machine.
     """
     if isinstance(value, Controller):
         if machine is None:
-            raise TypeError("dump(controller, machine): the units of the gains are those of the machine's commands")
+            raise TypeError("dump(controller, machine): the machine sets the units of the gains")
         return toml({"controller": controller_table(value, machine)})
     if isinstance(value, Axis):
         return toml(axis_table(value))
@@ -98,13 +98,13 @@ def _value(parameter: Parameter, value: Any) -> Any:
 
 
 def component_table(part: Component | None, units: tuple[str, str]) -> Any:
-    """Return the table of a component; ``"none"`` where there is none."""
+    """Return the table of a component; ``"none"`` for None."""
     if part is None:
         return {"kind": "none"}
     declared = parameters_of(type(part), units)
     table: dict[str, Any] = {"kind": Noted(part.kind, part.reference)}
     for name, value in part.values().items():
-        if not (isinstance(value, float) and math.isinf(value)):  # only a default is infinite, and it is what a file leaves out
+        if not (isinstance(value, float) and math.isinf(value)):  # only defaults are infinite; files leave them out
             shown = _value(declared[name], value)
             if name in part.origins:
                 shown = origin_table(shown, part.origins[name], partial(_value, declared[name]))
@@ -131,9 +131,13 @@ def _error_table(error: AxisError) -> dict[str, Any]:
     return written(table, error.origins)
 
 
+def _units(axis: Axis) -> tuple[str, str]:
+    return axis.plant.command_unit, axis.plant.force_unit
+
+
 def axis_table(axis: Axis) -> dict[str, Any]:
     """Return the table of an axis."""
-    units = (axis.plant.command_unit, axis.plant.force_unit)
+    units = _units(axis)
     table: dict[str, Any] = {}
     if axis.mounted_on:
         table |= {"mounted_on": axis.mounted_on, "alignment": axis.alignment}
@@ -142,16 +146,14 @@ def axis_table(axis: Axis) -> dict[str, Any]:
     if axis.substeps != 1:
         table["substeps"] = axis.substeps
     if axis.correlations:
-        table["correlations"] = [list(one) for one in axis.correlations]
+        table["correlations"] = [list(item) for item in axis.correlations]
     table = written(table, axis.origins)
     for slot in AXIS_SLOTS:
         part = getattr(axis, slot)
         if part is not None and (axis.plant.two_sided or not slot.startswith("motor_")):
             table[slot] = component_table(part, units)
-    for name, found in (("limits", _limits_table(axis.limits)), ("error", _error_table(axis.error))):
-        if found:
-            table[name] = found
-    return table
+    below = {"limits": _limits_table(axis.limits), "error": _error_table(axis.error)}
+    return table | {name: inner for name, inner in below.items() if inner}
 
 
 def machine_tables(machine: Machine) -> dict[str, Any]:
@@ -165,7 +167,7 @@ def machine_tables(machine: Machine) -> dict[str, Any]:
         angles = {f"{a}-{b}": quantity(angle, "rad", "um/m") for (a, b), angle in machine.squareness.items()}
         table["squareness"] = written(angles, {k.removeprefix("squareness."): v for k, v in machine.origins.items()})
     if machine.correlations:
-        table["correlations"] = [list(one) for one in machine.correlations]
+        table["correlations"] = [list(item) for item in machine.correlations]
     table = written(table, machine.origins)
     return {"machine": table, "axes": {axis.name: axis_table(axis) for axis in machine.axes}}
 
@@ -176,9 +178,8 @@ def _axis_controller_table(part: AxisController, units: tuple[str, str]) -> dict
     table = {slot: component_table(getattr(part, slot), units) for slot in kept}
     if part.others:
         table["others"] = {label: component_table(other, units) for label, other in part.others}
-    plain = {
-        name: getattr(part, name) for name in ("feedback", "velocity_feedback") if getattr(part, name) != getattr(AxisController, name)
-    }
+    encoders = {name: getattr(part, name) for name in ("feedback", "velocity_feedback")}
+    plain = {name: value for name, value in encoders.items() if value != getattr(AxisController, name)}
     if part.link is not None:
         ways = {way: component_table(getattr(part.link, way), units) for way in ("down", "up")}
         table["link"] = {"division": part.link.division, **ways}
@@ -187,15 +188,9 @@ def _axis_controller_table(part: AxisController, units: tuple[str, str]) -> dict
 
 def controller_table(controller: Controller, machine: Machine) -> dict[str, Any]:
     """Return ``controller``."""
-
-    def units(name: str) -> tuple[str, str]:
-        plant = machine.axis(name).plant
-        return plant.command_unit, plant.force_unit
-
-    first = units(machine.axis_names[0])
-    table: dict[str, Any] = {slot: component_table(getattr(controller, slot), first) for slot in ("estimator", "coupling")}
-    table["axes"] = {name: _axis_controller_table(controller.axes[name], units(name)) for name in machine.axis_names}
-    return table
+    units = _units(machine.axes[0])
+    table: dict[str, Any] = {slot: component_table(getattr(controller, slot), units) for slot in ("estimator", "coupling")}
+    return table | {"axes": {axis.name: _axis_controller_table(controller.axes[axis.name], _units(axis)) for axis in machine.axes}}
 
 
 def motion_table(motion: Motion) -> dict[str, Any]:
@@ -213,7 +208,7 @@ def motion_table(motion: Motion) -> dict[str, Any]:
         return {"contour": {"name": motion.name, **sizes, **offset}}
     reading = motion.reading
     table = {
-        "file": _file_name(motion),
+        "file": _file_name(motion.file),
         "letters": list(motion.letters),
         "require_end": reading.require_end,
         "dialect": reading.dialect,
@@ -225,12 +220,9 @@ def motion_table(motion: Motion) -> dict[str, Any]:
     return {"program": table}
 
 
-def _file_name(motion: PartProgram) -> str:
-    resolved = motion.file.resolve()
-    for name in builtin_names():
-        if builtin_file(name).resolve() == resolved:
-            return BUILTIN + name
-    return resolved.as_posix()
+def _file_name(file: File) -> str:
+    shipped = (BUILTIN + name for name in builtin_names() if builtin_file(name).resolve() == file.resolve())
+    return next(shipped, file.resolve().as_posix())
 
 
 def case_tables(case: Case) -> dict[str, Any]:
@@ -238,14 +230,13 @@ def case_tables(case: Case) -> dict[str, Any]:
 
     def settings(value: Any) -> dict[str, Any]:
         given = {f.name: getattr(value, f.name) for f in fields(value) if getattr(value, f.name) is not None}
-        plain: dict[str, Any] = {k: list(v) if isinstance(v, tuple) else v for k, v in given.items()}
-        return {k: quantity(v, *_UNITS[k]) if k in _UNITS else v for k, v in plain.items()}
+        return {k: quantity(v, *_UNITS[k]) if k in _UNITS else list(v) if isinstance(v, tuple) else v for k, v in given.items()}
 
     run = settings(case.run)
     if case.changes:
         run["changes"] = [
-            {"at": quantity(one.time, "s"), "controller": one.file, "handover_time": quantity(one.handover_time, "s", "ms")}
-            for one in case.changes
+            {"at": quantity(change.time, "s"), "controller": change.file, "handover_time": quantity(change.handover_time, "s", "ms")}
+            for change in case.changes
         ]
     learning = {} if case.learning is None else {"learning": learning_table(case.learning, case.machine)}
     return {
@@ -259,22 +250,20 @@ def case_tables(case: Case) -> dict[str, Any]:
 
 def learning_table(learning: LearningSettings, machine: Machine) -> dict[str, Any]:
     """Return ``learning``."""
-    plant = machine.axes[0].plant
-    table: dict[str, Any] = {f.name: getattr(learning, f.name) for f in fields(learning) if f.name not in ("law", "table")}
+    table: dict[str, Any] = {name: getattr(learning, name) for name in ("trials", "improvement", "patience")}
     if learning.table is not None:
         table["table"] = learning.table.resolve().as_posix()
-    return {"law": component_table(learning.law, (plant.command_unit, plant.force_unit)), **table}
+    return {"law": component_table(learning.law, _units(machine.axes[0])), **table}
 
 
 def difference(base: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what has to be put on `base` so that it becomes `other`; what only `base` has is taken back."""
-    found: dict[str, Any] = {name: DEFAULT for name in base if name not in other}
+    """Return the overrides that turn `base` into `other`; keys missing from `other` are reset."""
+    changed: dict[str, Any] = {name: DEFAULT for name in base if name not in other}
     for name, value in other.items():
-        if name not in base:
-            found[name] = value
-        elif isinstance(value, Mapping) and isinstance(base[name], Mapping) and value.get("kind") == base[name].get("kind"):
-            inner = difference(base[name], value)
-            found |= {name: inner} if inner else {}
-        elif value != base[name]:
-            found[name] = value
-    return found
+        old = base.get(name)
+        if isinstance(value, Mapping) and isinstance(old, Mapping) and value.get("kind") == old.get("kind"):
+            inner = difference(old, value)
+            changed |= {name: inner} if inner else {}
+        elif name not in base or value != old:
+            changed[name] = value
+    return changed

@@ -1,4 +1,4 @@
-"""Names of files: relative ones, and those that are shipped with contourlab; and the reading of parts from files of their own."""
+"""Find files by name, relative or shipped with contourlab, and join the files of a scenario."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from contourlab.errors import ScenarioError
 from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, hint, located, merge, read_tree
 
 BUILTIN = "builtin:"
-"""Prefix of the names of files that are shipped."""
+"""Prefix of shipped files."""
 EVERY = "*"
 """Stands for every axis, as in ``[controller.axes."*"]``."""
 
@@ -29,8 +29,8 @@ def builtin_names() -> tuple[str, ...]:
     True
     """
     root = _shipped()
-    found = [path.relative_to(root) for path in root.rglob("*") if path.suffix in (".toml", ".ngc")]
-    return tuple(sorted(str((name.with_suffix("") if name.suffix == ".toml" else name).as_posix()) for name in found))
+    names = [path.relative_to(root) for path in root.rglob("*") if path.suffix in (".toml", ".ngc")]
+    return tuple(sorted(str((name.with_suffix("") if name.suffix == ".toml" else name).as_posix()) for name in names))
 
 
 def builtin_file(name: str) -> Path:
@@ -39,7 +39,7 @@ def builtin_file(name: str) -> Path:
     Raises
     ------
     ScenarioError
-        If there is none; says the nearest name.
+        If there is none.
     """
     short = name.removeprefix(BUILTIN).removesuffix(".toml")
     if short not in builtin_names():
@@ -48,14 +48,14 @@ def builtin_file(name: str) -> Path:
 
 
 def locate(reference: str, folder: Path) -> Path:
-    """Return the file that a name in a file of `folder` stands for."""
+    """Return the file that a reference in a file of `folder` means."""
     if reference.startswith(BUILTIN):
         return builtin_file(reference)
     return folder / reference
 
 
 def named_in(table: Table, key: str) -> Path:
-    """Return the file that an entry names, relative to the file it stands in."""
+    """Return the file that an entry names."""
     node = table.entries[key]
     with located(table, key):
         return locate(str(node.plain()), Path(node.file).parent)
@@ -70,9 +70,9 @@ class Reader:
     names : tuple of str
         Axes of the machine, where known: what ``"*"`` stands for.
     open_files : tuple of Path
-        Files that are being read, outermost first, to find cycles.
+        Files being read, outermost first, to detect cycles.
     seen : list of Path
-        Every file that was read, by this reader and by those made from it.
+        All files read so far; derived readers share it.
     """
 
     names: tuple[str, ...] = ()
@@ -85,35 +85,35 @@ class Reader:
         return read_tree(path)
 
     def include(self, leaf: Leaf, part: Callable[[Reader, Table], Table]) -> Table:
-        """Return what the file that `leaf` names holds, read by `part`, marked as read afresh.
+        """Return the content of the file that `leaf` names, read by `part` and marked `afresh`.
 
         Raises
         ------
         ScenarioError
-            If it cannot be read, or is one of the files that lead to it.
+            If it cannot be read, or includes itself.
         """
         if not isinstance(leaf.value, str) or not leaf.value.strip():
             raise leaf.error(f'{leaf.value!r} is no file name: write for example "machine.toml" or "{BUILTIN}xyz"')
         try:
             path = locate(leaf.value, Path(leaf.file).parent)
             resolved = path.resolve()
-            there = path.is_file()
+            exists = path.is_file()
         except ScenarioError as error:
             raise leaf.error(f"{leaf.value!r}: {error.message}") from error
         except (OSError, ValueError) as error:
             raise leaf.error(f"{leaf.value!r} is no file name: {error}") from error
-        if not there:
+        if not exists:
             raise leaf.error(f"no file {leaf.value!r} in {Path(leaf.file).parent.as_posix()}")
         if resolved in self.open_files:
             names = " -> ".join(p.name for p in (*self.open_files, resolved))
-            raise leaf.error(f"the files name each other in a circle: {names}")
+            raise leaf.error(f"files include each other: {names}")
         inner = replace(self, open_files=(*self.open_files, resolved))
         return replace(part(inner, inner.file(path)), afresh=True)
 
     # --- parts -------------------------------------------------------------------------------------------------------------------
 
     def _filled(self, node: Node, part: Callable[[Reader, Table], Table]) -> Node:
-        """Return a part with the file that it names read in: ``x = "file"``, or ``x = {file = "file", ...}`` with changes to it."""
+        """Return a part with its file joined in: ``x = "file"``, or ``x = {file = "file", ...}`` with overrides."""
         base, own = self._split(node, part)
         if base is None:
             return node
@@ -122,7 +122,7 @@ class Reader:
         return replace(join(base, own, self.names), afresh=True)
 
     def _split(self, node: Node, part: Callable[[Reader, Table], Table]) -> tuple[Table | None, Node | None]:
-        """Return the content of the file that a part names, if any, and the rest of the part."""
+        """Return the content of the file that a part names, if any, and the part's other keys."""
         if isinstance(node, Leaf):
             return (None, node) if node.value == DEFAULT else (self.include(node, part), None)
         reference = node.get("file")
@@ -134,18 +134,18 @@ class Reader:
         return self.include(reference, part), rest if rest.entries else None
 
     def axes(self, table: Table) -> Table:
-        """Return tables of axes with the files that they name read in."""
+        """Return the tables of axes, their files joined in."""
         return replace(table, entries={name: self._filled(node, Reader.axis_file) for name, node in table.entries.items()})
 
     def axis_file(self, content: Table) -> Table:
-        """Read an axis' own file: plant, friction, drive ... stand at its top."""
+        """Check the content of an axis file: plant, friction, drive ... are top-level keys."""
         for name in ("machine", "axes"):
             if name in content.entries:
-                raise content.error("this is not the file of an axis: its parts stand at the top of its own file", name)
+                raise content.error("not the file of an axis: write plant, friction, drive ... as top-level keys", name)
         return content
 
     def machine(self, content: Table) -> Table:
-        """Return the machine part of a file, ``machine`` and ``axes``, with the files that they name read in."""
+        """Return ``machine`` and ``axes`` of a file, their files joined in."""
         entries: dict[str, Node] = {}
         base: Table | None = None
         if "machine" in content.entries:
@@ -158,15 +158,15 @@ class Reader:
         names = listed(merge(base, own) if base else own)
         if base is not None:
             return replace(join(base, own, names), afresh=True)
-        return join(own, Table({}, own.file, own.key), names)
+        return spread(own, names)
 
     def machine_file(self, content: Table) -> Table:
-        """Read a machine's own file."""
+        """Check and join the content of a machine file."""
         refuse_others(content, ("machine", "axes"), "a machine")
         return self.machine(content)
 
     def controller(self, node: Node) -> Node:
-        """Return the controller with the files that it names read in."""
+        """Return the controller, its files joined in."""
         base, own = self._split(node, Reader.controller_file)
         if isinstance(own, Leaf):
             return own
@@ -174,30 +174,30 @@ class Reader:
             axes = own.table("axes")
             own = own.having(axes=replace(axes, entries={k: self._filled(v, Reader.axis_file) for k, v in axes.entries.items()}))
         if base is None:
-            assert own is not None  # a table either names a file or says something itself
+            assert own is not None  # without a file the part itself remains
             return own
         return base if own is None else replace(join(base, own, self.names), afresh=True)
 
     def controller_file(self, content: Table) -> Table:
-        """Read a controller's own file."""
+        """Check and join the content of a controller file."""
         refuse_others(content, ("controller",), "a controller")
         if "controller" not in content.entries:
-            raise content.error("key controller is missing: a controller's file has [controller] and [controller.axes.x]")
-        found = self.controller(content.entries["controller"])
-        if isinstance(found, Leaf):
-            raise found.error("a table [controller] is wanted")
-        return found
+            raise content.error("key controller is missing: a controller file has [controller] and [controller.axes.x]")
+        controller = self.controller(content.entries["controller"])
+        if isinstance(controller, Leaf):
+            raise controller.error("write a table [controller]")
+        return controller
 
 
 def refuse_others(content: Table, known: tuple[str, ...], what: str) -> None:
-    """Refuse a key that has no place in a file."""
+    """Refuse unknown keys in a file."""
     for name in content.entries:
         if name not in known:
             raise content.error(f"unknown key in the file of {what}: {hint(name, known)}", name)
 
 
 def listed(machine: Table) -> tuple[str, ...]:
-    """Return the names that ``machine.axes`` lists; `build_machine` reports faults of the list."""
+    """Return the names in ``machine.axes``; `build_machine` reports faults of the list."""
     node = machine.get("machine")
     names = node.get("axes") if isinstance(node, Table) else None
     if not isinstance(names, Leaf) or not isinstance(names.value, list):
@@ -206,21 +206,18 @@ def listed(machine: Table) -> tuple[str, ...]:
 
 
 def join(base: Table, over: Table, names: tuple[str, ...]) -> Table:
-    """Merge two machines, or two controllers, whose ``axes`` may have an entry for every axis.
-
-    ``"*"`` in `over` has priority over an axis by name in `base`.
-    """
-    return merge(_spread(base, names), _spread(over, names))
+    """Merge two machines or two controllers; ``"*"`` in `over` overrides a named axis in `base`."""
+    return merge(spread(base, names), spread(over, names))
 
 
-def _spread(part: Table, names: tuple[str, ...]) -> Table:
-    """Put what ``axes."*"`` says under each axis of `names`; it is kept, for axes that come later."""
+def spread(part: Table, names: tuple[str, ...]) -> Table:
+    """Apply ``axes."*"`` to each axis of `names`; keep it for axes added later."""
     axes = part.get("axes")
     if not isinstance(axes, Table) or EVERY not in axes.entries:
         return part
     every = axes.entries[EVERY]
     if isinstance(every, Leaf):
-        raise every.error("a table is wanted: what all axes have in common")
+        raise every.error("write a table of what all axes share")
     entries = dict(axes.entries)
     for name in names:
         own = entries.get(name)

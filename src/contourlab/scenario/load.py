@@ -12,7 +12,7 @@ from contourlab.errors import ScenarioError
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.scenario.build import build_axis, build_controller, build_machine, in_place
 from contourlab.scenario.case import Case, Scenario
-from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, join, listed
+from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, join, listed, spread
 from contourlab.scenario.motion import read_changes, read_feed, read_learning, read_motion, read_run
 from contourlab.scenario.tables import ScenarioTable, read_table
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, merge, parse_tree, settle
@@ -20,23 +20,19 @@ from contourlab.scenario.values import Contour, Motion
 
 SCHEME_KEYS = ("machine", "axes", "controller", "feed", "run", "learning")
 COMMAND_LINE = "<arguments>"
-"""What messages call values that come from no file; relative names then start at the working folder."""
+"""Stands for the file of values given as arguments; relative names start at the working folder."""
 _loaded: set[Path] = set()
 
 
 @dataclass(frozen=True)
 class _Layers:
-    """The tables of a case, files joined in, not interpreted yet."""
+    """The tables of a case, files joined in, not yet interpreted."""
 
     machine: Table
     controller: Node
     feed: Table
     run: Table
     learning: Table
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        return listed(self.machine)
 
 
 def _load_plugins(plugins: Sequence[str | Path]) -> None:
@@ -47,8 +43,8 @@ def _load_plugins(plugins: Sequence[str | Path]) -> None:
             _loaded.add(file)
 
 
-def _open(file: str | Path, plugins: Sequence[str | Path]) -> tuple[Path, Reader]:
-    """Load plugins; return a file by name, or by the name of a shipped one, and the reader of what it names."""
+def _open(file: str | Path, plugins: Sequence[str | Path]) -> tuple[Reader, Table]:
+    """Load plugins; return the content of a file, own or shipped, and the reader for the files it names."""
     _load_plugins(plugins)
     text = str(file)
     path = builtin_file(text) if text.startswith(BUILTIN) else Path(file)
@@ -56,21 +52,22 @@ def _open(file: str | Path, plugins: Sequence[str | Path]) -> tuple[Path, Reader
         resolved = path.resolve()
     except (OSError, ValueError, RuntimeError) as error:
         raise ScenarioError(f"is no file name: {error}", file=text) from error
-    return path, Reader(open_files=(resolved,))
+    reader = Reader(open_files=(resolved,))
+    return reader, reader.file(path)
 
 
 # --- parts ---------------------------------------------------------------------------------------------------------------------------
 
 
 def load_axis(file: str | Path, name: str = "x", plugins: Sequence[str | Path] = ()) -> Axis:
-    """Read an axis from its own file: plant, friction, drive, sensor ... at its top.
+    """Read an axis from its own file.
 
     Parameters
     ----------
     file : str or Path
         Or ``builtin:`` and the name of a shipped one.
     name : str
-        What the axis is called.
+        Name of the axis.
     plugins : sequence of str or Path
         Python files with further components.
 
@@ -82,27 +79,27 @@ def load_axis(file: str | Path, name: str = "x", plugins: Sequence[str | Path] =
     >>> load_axis("builtin:ghaffari/axis1").plant.gain
     1.695
     """
-    path, reader = _open(file, plugins)
-    return build_axis(settle(reader.axis_file(reader.file(path))), name)
+    reader, content = _open(file, plugins)
+    return build_axis(settle(reader.axis_file(content)), name)
 
 
 def load_module(file: str | Path, place: Axis, plugins: Sequence[str | Path] = ()) -> tuple[Axis, str]:
-    """Read the file of an axis that is to stand in the place of another; return it, and in words what of that axis its file leaves out.
+    """Read a module that replaces an axis; return it, and a note on the values taken over from that axis.
 
     Parameters
     ----------
     file, plugins
         As of `load_axis`.
     place : Axis
-        Its stage mass, limits and substeps hold where the file has none.
+        The replaced axis: its stage mass, limits and substeps apply where the file has none.
 
     Raises
     ------
     ScenarioError
         With file and key of what is wrong.
     """
-    path, reader = _open(file, plugins)
-    table = settle(reader.axis_file(reader.file(path)))
+    reader, content = _open(file, plugins)
+    table = settle(reader.axis_file(content))
     return in_place(table, build_axis(table, place.name), place)
 
 
@@ -124,31 +121,30 @@ def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machin
     >>> load_machine("builtin:xyz").axis_names
     ('x', 'y', 'z')
     """
-    path, reader = _open(file, plugins)
-    content = reader.file(path)
+    reader, content = _open(file, plugins)
     if {"machine", "controller"} <= set(content.entries):
         read_table(ScenarioTable, content)
-        content = _only(content, "machine", "axes")
+        content = content.only("machine", "axes")
     return build_machine(settle(reader.machine_file(content)))
 
 
 def controller_axes(file: str | Path, plugins: Sequence[str | Path] = ()) -> tuple[str, ...]:
-    """Return the names of the axes that a controller's file speaks of, those that stand for every axis left out.
+    """Return the axes that a controller file names, without ``"*"``.
 
     Raises
     ------
     ScenarioError
         With file and key of what is wrong.
     """
-    path, reader = _open(file, plugins)
-    axes = reader.controller_file(reader.file(path)).get("axes")
+    reader, content = _open(file, plugins)
+    axes = reader.controller_file(content).get("axes")
     return tuple(name for name in axes.entries if name != EVERY) if isinstance(axes, Table) else ()
 
 
 def load_controller(
     file: str | Path, machine: Machine, plugins: Sequence[str | Path] = (), *, called: Mapping[str, str] | None = None
 ) -> Controller:
-    """Read a controller from its own file, for a machine whose commands decide the units of the gains.
+    """Read a controller from its own file; the machine's commands set the units of the gains.
 
     Parameters
     ----------
@@ -158,29 +154,20 @@ def load_controller(
     plugins : sequence of str or Path
         Python files with further components.
     called : mapping of str to str, optional
-        What the file calls axes that have another name in the machine.
+        Name in the file of each axis that the machine names otherwise.
 
     Raises
     ------
     ScenarioError
         With file and key of what is wrong.
     """
-    path, reader = _open(file, plugins)
-    there = {(called or {}).get(name, name): name for name in machine.axis_names}
-    reader = replace(reader, names=tuple(there))
-    found = _spread_controller(reader.controller_file(reader.file(path)), tuple(there))
-    axes = found.get("axes")
+    reader, content = _open(file, plugins)
+    machine_name = {(called or {}).get(name, name): name for name in machine.axis_names}
+    table = spread(replace(reader, names=tuple(machine_name)).controller_file(content), tuple(machine_name))
+    axes = table.get("axes")
     if called and isinstance(axes, Table):
-        found = found.having(axes=replace(axes, entries={there.get(name, name): node for name, node in axes.entries.items()}))
-    return build_controller(settle(found), machine)
-
-
-def _only(content: Table, *names: str) -> Table:
-    return replace(content, entries={k: v for k, v in content.entries.items() if k in names})
-
-
-def _spread_controller(found: Table, names: tuple[str, ...]) -> Table:
-    return join(found, Table({}, found.file, found.key), names)
+        table = table.having(axes=replace(axes, entries={machine_name.get(name, name): node for name, node in axes.entries.items()}))
+    return build_controller(settle(table), machine)
 
 
 # --- scenarios -----------------------------------------------------------------------------------------------------------------------
@@ -211,8 +198,8 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scena
     >>> [case.name for case in load_scenario("builtin:ghaffari/demo-stage").cases()][0]
     'position loop'
     """
-    path, reader = _open(file, plugins)
-    return _scenario(reader, reader.file(path), path)
+    reader, content = _open(file, plugins)
+    return _scenario(reader, content, Path(content.file))
 
 
 def scenario_from_parts(
@@ -260,12 +247,12 @@ def scenario_from_parts(
 
 
 def _title(file: Path) -> str:
-    """Return the name of a file as a title: any file name gives one."""
+    """Return a valid scenario name for any file name."""
     return file.stem.encode("utf-8", "replace").decode()[:200]
 
 
 def named_file(reference: str | Path) -> str:
-    """Return the name of a file as a scenario would write it; a name that is no file may be a shipped one."""
+    """Return a file name as a scenario writes it; a bare name that is no file means a shipped one."""
     text = str(reference)
     if not text.startswith(BUILTIN) and not Path(text).suffix and not Path(text).is_file():
         return BUILTIN + text
@@ -273,7 +260,7 @@ def named_file(reference: str | Path) -> str:
 
 
 def parse_scenario(text: str, name: str = "<text>", plugins: Sequence[str | Path] = ()) -> Scenario:
-    """Read a scenario from TOML text; names of files in it start at the working folder.
+    """Read a scenario from TOML text; relative file names start at the working folder.
 
     Raises
     ------
@@ -289,7 +276,7 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
     if ("contour" in content.entries) == ("program" in content.entries):
         both = "contour" in content.entries
         raise content.error("contour and program are both given: leave one out" if both else "one of contour and program is missing")
-    machine = reader.machine(_only(content, "machine", "axes"))
+    machine = reader.machine(content.only("machine", "axes"))
     reader = replace(reader, names=listed(machine))
     settings = (content.table(name) for name in ("feed", "run", "learning"))
     layers = _Layers(machine, reader.controller(content.entries["controller"]), *settings)
@@ -302,15 +289,14 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
 
 
 def _over(reader: Reader, base: _Layers, scheme: Table) -> _Layers:
-    """Return the layers of a case with what a scheme says put on top."""
+    """Return the layers of a case overridden by a scheme."""
     for name in scheme.entries:
         if name not in SCHEME_KEYS:
             raise scheme.error(f"a scheme cannot change this: {hint(name, SCHEME_KEYS)}", name)
     machine = base.machine
-    own = reader.machine(_only(scheme, "machine", "axes"))
+    own = reader.machine(scheme.only("machine", "axes"))
     if own.entries:
-        names = listed(own) or base.names
-        machine = own if own.afresh else join(machine, own, names)
+        machine = own if own.afresh else join(machine, own, listed(own) or listed(machine))
     controller = base.controller
     if "controller" in scheme.entries:
         reader = replace(reader, names=listed(machine))
@@ -322,7 +308,7 @@ def _over(reader: Reader, base: _Layers, scheme: Table) -> _Layers:
 
 
 def _check_axes(over: Node, names: tuple[str, ...], base: Table | Leaf) -> None:
-    """Refuse what a scheme says of an axis that neither the machine nor the base's controller has; a file may serve further machines."""
+    """Refuse axes that neither the machine nor the base controller has; a controller file may serve further machines."""
     axes = over.entries.get("axes") if isinstance(over, Table) else None
     if not isinstance(axes, Table):
         return
@@ -335,19 +321,20 @@ def _check_axes(over: Node, names: tuple[str, ...], base: Table | Leaf) -> None:
 
 def _case(name: str, layers: _Layers, motion: Motion, place: Table, reader: Reader) -> Case:
     if not name.strip() or len(name) > 80 or not name.isprintable():
-        raise place.error("the name of a scheme is wanted: up to 80 letters, digits, spaces")
+        raise place.error("name the scheme with up to 80 letters, digits and spaces")
     machine = build_machine(settle(layers.machine))
     if isinstance(layers.controller, Leaf):
-        raise layers.controller.error("a table [controller] or the name of its file is wanted")
-    controller = build_controller(settle(_spread_controller(layers.controller, machine.axis_names)), machine)
+        raise layers.controller.error("write a table [controller], or the name of its file")
+    controller = build_controller(settle(spread(layers.controller, machine.axis_names)), machine)
     feed = read_feed(settle(layers.feed), motion)
-    run = read_run(settle(layers.run))
+    run_table = settle(layers.run)
+    run, changes = read_run(run_table), read_changes(run_table, machine, reader)
     if motion.n_axis != len(machine.axes):
         what = motion.name if isinstance(motion, Contour) else motion.file.name
         cure = "a scheme's machine must have as many axes as the base's"
         raise place.error(f"{what} has {motion.n_axis} coordinates, {machine.name} has the axes {', '.join(machine.axis_names)}: {cure}")
-    learning, changes = read_learning(settle(layers.learning), machine), read_changes(settle(layers.run), machine, reader)
+    learning = read_learning(settle(layers.learning), machine)
     if learning is not None and (changes or run.start == "moving"):
         key, why = ("changes", "all trials run under one controller") if changes else ("start", "a trial starts from rest")
-        raise settle(layers.run).error(f"cannot stand beside [learning]: {why}", key)
+        raise run_table.error(f"cannot be combined with [learning]: {why}", key)
     return Case(name, machine, controller, motion, feed, run, learning, changes)

@@ -1,4 +1,4 @@
-"""Read what surrounds machine and controller: the tables contour, program, feed, run and learning."""
+"""Read the tables contour, program, feed, run and learning."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from contourlab.loop.simulate import UNITS
 from contourlab.program import Reading, read_program
 from contourlab.scenario.build import build_controller
 from contourlab.scenario.components import read_component
-from contourlab.scenario.files import Reader, join, named_in
+from contourlab.scenario.files import Reader, named_in, spread
 from contourlab.scenario.placing import fitted
 from contourlab.scenario.quantities import read_list, read_number
 from contourlab.scenario.tables import ChangeTable, ContourFileTable, FeedTable, LearningTable, ProgramTable, RunTable, read_table
-from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, located, settle
+from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, located, same_table, settle
 from contourlab.scenario.values import Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings
 
 JUDGED = ("contour_error", "part_error", "planning_deviation", "foot_arc_length", "tracking_error")
@@ -29,17 +29,16 @@ SIZES = (1e-6, 100.0)
 def read_run(table: Table) -> RunSettings:
     """Return the settings of ``[run]``."""
     plain = read_table(RunTable, table)
+    known = (*UNITS, *JUDGED)
+    for signal in plain.signals or ():
+        if signal not in known:
+            raise table.error(f"no signal {signal!r}: {hint(signal, known)}", "signals")
     signals = None if plain.signals is None else tuple(plain.signals)
-    if signals is not None:
-        known = (*UNITS, *JUDGED)
-        for signal in signals:
-            if signal not in known:
-                raise table.error(f"no signal {signal!r}: {hint(signal, known)}", "signals")
     return RunSettings(plain.tolerance, signals, plain.seed, plain.evaluate, plain.start)
 
 
 def read_feed(table: Table, motion: Motion) -> FeedSettings:
-    """Return the settings of ``[feed]``, which have to suit the motion."""
+    """Return the settings of ``[feed]``, checked against the motion."""
     plain = read_table(FeedTable, table)
     is_program = isinstance(motion, PartProgram)
     if plain.law == "uniform":
@@ -48,53 +47,46 @@ def read_feed(table: Table, motion: Motion) -> FeedSettings:
         if not motion.path.closed:  # type: ignore[union-attr]
             raise table.error('the uniform law drives laps: the contour must be closed; take law = "planned"', "law")
         _needs(table, "frequency", '"0.5 Hz"', "feedrate", "the uniform law")
+        if plain.path_control not in ("program", "exact_path"):
+            raise table.error("the uniform law follows the contour exactly: leave this out", "path_control")
+        if plain.curvature_step != 1.0:
+            raise table.error("the uniform law plans nothing: leave this out", "curvature_step")
     elif is_program:
         for name in ("feedrate", "frequency"):
             if name in table.entries:
-                raise table.error("the program says how fast it is driven: leave this out, or scale it with override = 0.8", name)
+                raise table.error("the program sets the feedrate: leave this out, or scale it with override = 0.8", name)
         if plain.laps != 1:
             raise table.error("a program is driven once", "laps")
     else:
         _needs(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
-    if plain.law == "uniform" and plain.path_control not in ("program", "exact_path"):
-        raise table.error("the uniform law goes along the contour itself: leave this out", "path_control")
-    if plain.law == "uniform" and plain.curvature_step != 1.0:
-        raise table.error("the uniform law plans nothing: leave this out", "curvature_step")
     _check_corners(table, plain, is_program)
     return FeedSettings(**plain.model_dump())
 
 
 def _check_corners(table: Table, plain: FeedTable, is_program: bool) -> None:
-    """Refuse tolerances of corners that are not blended; what a scheme inherits may be idle."""
+    """Refuse corner tolerances where nothing is blended; inherited ones may be idle."""
     control = plain.path_control
     if control == "blend":
         return
     # G64 without P takes the tolerance of corners; Q is the program's own.
     idle = ("merge_tolerance",) if control == "program" and is_program else ("corner_tolerance", "merge_tolerance")
     for name in idle:
-        if name not in table.entries or not _beside(table, name, "path_control"):
+        node, other = table.get(name), table.get("path_control")
+        if node is None or (other is not None and not same_table(node, other)):
             continue
         if plain.law == "uniform":
-            raise table.error("the uniform law goes along the contour itself and blends nothing: leave this out", name)
+            raise table.error("the uniform law blends nothing: leave this out", name)
         if control in ("exact_path", "exact_stop"):
-            raise table.error(f'path_control = "{control}" blends nothing: leave this out, or take path_control = "blend"', name)
-        why = "it is the program's own (Q of G64) that counts" if is_program else "corners of a contour are met exactly"
+            raise table.error(f'path_control = "{control}" blends nothing: leave this out, or write path_control = "blend"', name)
+        why = "the program's own (Q of G64) applies" if is_program else "corners of a contour are met exactly"
         raise table.error(f'without path_control = "blend" {why}: add that, or leave this out', name)
-
-
-def _beside(table: Table, name: str, other: str) -> bool:
-    """Tell whether two keys were written in the same table; so they are taken to be where the other one is not there."""
-    one, two = table.entries.get(name), table.entries.get(other)
-    if not isinstance(one, Leaf) or not isinstance(two, Leaf):
-        return True
-    return (one.file, one.key.rpartition(".")[0]) == (two.file, two.key.rpartition(".")[0])
 
 
 def _needs(table: Table, wanted: str, example: str, other: str, who: str) -> None:
     if other in table.entries:
-        raise table.error(f"{who} has no {other}: it wants {wanted} = {example}", other)
+        raise table.error(f"{who} has no {other}: write {wanted} = {example}", other)
     if wanted not in table.entries:
-        raise table.error(f"key {wanted} is missing: {who} wants {wanted} = {example}")
+        raise table.error(f"key {wanted} is missing: {who} needs {wanted} = {example}")
 
 
 def read_motion(content: Table, machine: Machine) -> Motion:
@@ -115,7 +107,7 @@ def read_motion(content: Table, machine: Machine) -> Motion:
     except ProgramError as error:
         if error.line:
             raise
-        if node.entries["file"].file.startswith("<"):  # typed, not read from a file: there is no key to name
+        if node.entries["file"].file.startswith("<"):  # given as an argument: there is no key to name
             raise ScenarioError(error.message, file=error.file) from error
         raise node.error(str(error), "file") from error
     if not plain.fit:
@@ -127,11 +119,11 @@ def read_motion(content: Table, machine: Machine) -> Motion:
 def _check_letters(node: Table, letters: tuple[str, ...], machine: Machine, given: bool) -> None:
     names = ", ".join(machine.axis_names)
     if len(letters) != len(machine.axes):
-        raise node.error(f"{len(letters)} letters for the axes {names}: one for each is wanted", "letters")
+        raise node.error(f"{len(letters)} letters for the axes {names}: write one for each", "letters")
     if len(set(letters)) != len(letters):
-        raise node.error("a letter stands there twice", "letters")
+        raise node.error("a letter is listed twice", "letters")
     if not given and not set(letters) <= set("xyz"):
-        raise node.error(f'the axes {names} are not called x, y, z: say what they obey with letters = ["x", "y"]', "file")
+        raise node.error(f'the axes {names} are not called x, y, z: name their letters, as in letters = ["x", "y"]', "file")
 
 
 def _contour(node: Node, machine: Machine) -> Contour:
@@ -142,7 +134,7 @@ def _contour(node: Node, machine: Machine) -> Contour:
         return _contour_file(node, machine)
     name = node.get("name")
     if not isinstance(name, Leaf) or not isinstance(name.value, str):
-        raise node.error(f"key name is missing: one of {', '.join(contour_names())}; or file, the name of a drawing")
+        raise node.error(f"key name is missing: one of {', '.join(contour_names())}; or write file, the name of a drawing")
     if name.value not in contour_names():
         raise name.error(f"no contour {name.value!r}: {hint(name.value, contour_names())}")
     known = contour_parameters(name.value)
@@ -160,32 +152,32 @@ def _contour(node: Node, machine: Machine) -> Contour:
     if "offset" in node.entries:
         with located(node, "offset"):
             offset = read_list(node.entries["offset"].plain(), "m", "mm")
-    found = Contour(name.value, values)
+    contour = Contour(name.value, values)
     with located(node):
-        _ = found.path
-    return _on_machine(found, offset, machine, node, "name")
+        _ = contour.path
+    return _on_machine(contour, offset, machine, node, "name")
 
 
 def _check_size(table: Table, key: str, value: float, unit: str) -> None:
-    """Refuse sizes at which numbers no longer tell a micrometre, and switches that are neither on nor off."""
+    """Refuse sizes beyond the resolution of doubles, and switches that are neither 0 nor 1."""
     if unit == "m" and value != 0.0 and not SIZES[0] <= abs(value) <= SIZES[1]:
-        raise table.error(f"{value * 1e3:.6g} mm is no size of a contour: must be between 1 um and 100 m", key)
+        raise table.error(f"{value * 1e3:.6g} mm is out of range: must be between 1 um and 100 m", key)
     if key == "clockwise" and value not in (0.0, 1.0):
-        raise table.error(f"{value:g}: 0 for counter-clockwise or 1 for clockwise is wanted", key)
+        raise table.error(f"{value:g}: write 0 for counter-clockwise or 1 for clockwise", key)
 
 
-def _on_machine(found: Contour, offset: tuple[float, ...], machine: Machine, node: Table, key: str) -> Contour:
-    """Return a contour as the machine is to drive it: moved, and with the axes beyond its own held still."""
-    names, n = ", ".join(machine.axis_names), found.path.n_axis
+def _on_machine(contour: Contour, offset: tuple[float, ...], machine: Machine, node: Table, key: str) -> Contour:
+    """Return a contour moved by its offset, for all axes of the machine; axes beyond its own hold still."""
+    names, n = ", ".join(machine.axis_names), contour.path.n_axis
     if n > len(machine.axes):
-        raise node.error(f"{found.name} has {n} coordinates, {machine.name} has the axes {names} only", key)
+        raise node.error(f"{contour.name} has {n} coordinates, {machine.name} has the axes {names} only", key)
     if offset and len(offset) not in (n, len(machine.axes)):
-        raise node.error(f"{len(offset)} values for the axes {names}: one for each is wanted", "offset")
-    return replace(found, offset=offset, axes=machine.axis_names)
+        raise node.error(f"{len(offset)} values for the axes {names}: write one for each", "offset")
+    return replace(contour, offset=offset, axes=machine.axis_names)
 
 
 def _contour_file(node: Table, machine: Machine) -> Contour:
-    """Return the contour of a drawing, or of points; read the file now, to report its faults before anything runs."""
+    """Return the contour of a drawing or of points; read the file now, to report faults before a run."""
     if "name" in node.entries:
         raise node.error("name and file are both given: a test contour has a name, a drawing a file", "name")
     plain = read_table(ContourFileTable, node)
@@ -194,14 +186,14 @@ def _contour_file(node: Table, machine: Machine) -> Contour:
         with located(node, "unit"):
             unit_size(plain.unit)
     options = {name: value for name in node.entries if name not in ("file", "offset") and (value := getattr(plain, name)) is not None}
-    found = Contour(file.name, file=file.absolute(), options=options)  # it is named in full later, from wherever that is
+    contour = Contour(file.name, file=file.absolute(), options=options)  # absolute: the working folder may change
     with located(node, "file"):
-        _ = found.path
-    return _on_machine(found, plain.offset, machine, node, "file")
+        _ = contour.path
+    return _on_machine(contour, plain.offset, machine, node, "file")
 
 
 def read_learning(table: Table, machine: Machine) -> LearningSettings | None:
-    """Return the settings of ``[learning]``; None where there are none, or ``law = "none"``.
+    """Return the settings of ``[learning]``; None without the table or with ``law = "none"``.
 
     Raises
     ------
@@ -220,26 +212,25 @@ def read_learning(table: Table, machine: Machine) -> LearningSettings | None:
 
 
 def read_changes(run: Table, machine: Machine, reader: Reader) -> tuple[Change, ...]:
-    """Return the changes that a table ``run`` asks for, their controllers read and checked.
+    """Return the controller changes of a table ``run``.
 
     Raises
     ------
     ScenarioError
         With file and key.
     """
-    given = read_table(RunTable, run).changes
-    node = run.get("changes")
-    found = []
-    for i, item in enumerate(given):
-        assert isinstance(node, Leaf)  # what the table's own check has read
+    items, node = read_table(RunTable, run).changes, run.get("changes")
+    changes = []
+    for i, item in enumerate(items):
+        assert isinstance(node, Leaf)  # `read_table` has checked it
         if not isinstance(item, dict):
-            raise node.error(f'{item!r}: {{at = "2 s", controller = "other.toml"}} is wanted')
+            raise node.error(f'{item!r}: write {{at = "2 s", controller = "other.toml"}}')
         table = from_mapping(item, node.file, f"{node.key}[{i}]")
         plain = read_table(ChangeTable, table)
         leaf = table.entries["controller"]
         assert isinstance(leaf, Leaf)
         content = replace(reader, names=machine.axis_names).include(leaf, Reader.controller_file)
-        controller = build_controller(settle(join(content, Table({}, content.file, content.key), machine.axis_names)), machine)
+        controller = build_controller(settle(spread(content, machine.axis_names)), machine)
         with located(table):
-            found.append(Change(plain.at, controller, plain.handover_time, content.file))
-    return tuple(found)
+            changes.append(Change(plain.at, controller, plain.handover_time, content.file))
+    return tuple(changes)

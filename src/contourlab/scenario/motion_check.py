@@ -1,4 +1,4 @@
-"""Whether a machine can be asked for a motion: its length in samples, the travel of its axes, and speeds that no planner has bounded."""
+"""Check a motion against a machine: number of samples, travel, and velocity and acceleration without a planner."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ Fault = Callable[[str, int], Exception]
 
 
 def check_motion(reference: Reference, machine: Machine, fault: Fault, *, bounded: bool, cure: str = "move the part") -> None:
-    """Refuse a motion that the machine cannot be asked for.
+    """Refuse a motion that is too long or beyond the limits of the machine.
 
     Parameters
     ----------
     reference : Reference
     machine : Machine
     fault : callable
-        Returns the error to raise for a message and a line of the program, 0 where there is none.
+        Returns the error to raise, from a message and a program line (0 for none).
     bounded : bool
-        Whether the motion was planned within the limits of velocity and acceleration.
+        Whether a planner kept to the limits of velocity and acceleration.
     cure : str
-        How such a motion is brought into the travel, in words.
+        What to do if the motion leaves the travel.
     """
     if reference.n_sample > MOST_SAMPLES:
         raise fault(
-            f"the motion takes {reference.duration:.3g} s, {reference.n_sample:.3g} samples of {reference.servo_period:g} s, and at most "
-            f"{MOST_SAMPLES:.0e} are run: is the feed meant?",
+            f"the motion takes {reference.duration:.3g} s, {reference.n_sample:.3g} samples of {reference.servo_period:g} s; at most "
+            f"{MOST_SAMPLES:.0e} are allowed: check the feed",
             0,
         )
     if any(np.isfinite(axis.limits.travel).any() for axis in machine.axes):
@@ -46,14 +46,14 @@ def check_motion(reference: Reference, machine: Machine, fault: Fault, *, bounde
 
 
 def _blocks(reference: Reference, stop: int) -> Iterator[ReferenceBlock]:
-    # The very blocks that a run will ask for, which the reference keeps.
+    # A run asks for the same blocks, which the reference caches.
     fill = sampler(jit_enabled())
     for start in range(0, stop, BLOCK):
         yield reference.block(start, min(start + BLOCK, stop), fill)
 
 
 def _check_travel(reference: Reference, machine: Machine, fault: Fault, cure: str) -> None:
-    """Refuse the first sample that leaves the travel of an axis, and say how far that axis is sent in all."""
+    """Refuse the first sample outside the travel, with the full range of that axis."""
     first: tuple[str, int] | None = None
     ends = [(np.inf, -np.inf)] * len(machine.axes)
     for block in _blocks(reference, reference.n_sample):
@@ -66,15 +66,12 @@ def _check_travel(reference: Reference, machine: Machine, fault: Fault, cure: st
     if first is not None:
         name, line = first
         (sent_low, sent_high), (low, high) = ends[machine.axis_names.index(name)], machine.axis(name).limits.travel
-        message = (
-            f"axis {name} is sent to {_mm(sent_low)} .. {_mm(sent_high)} mm, its travel is {low * 1e3:g} to {high * 1e3:g} mm: "
-            f"{cure}, or correct limits.travel"
-        )
-        raise fault(message, line)
+        travel = f"its travel is {low * 1e3:g} to {high * 1e3:g} mm"
+        raise fault(f"axis {name} is sent to {_mm(sent_low)} .. {_mm(sent_high)} mm, {travel}: {cure}, or correct limits.travel", line)
 
 
 def _mm(value: float) -> str:
-    """Write a place in mm, to a tenth of a micrometre: what rounding leaves of a zero is nobody's business.
+    """Write a position in mm to 0.1 um, so that rounding errors show as 0.
 
     >>> _mm(-9.5e-18), _mm(0.22)
     ('0', '220')
@@ -83,7 +80,7 @@ def _mm(value: float) -> str:
 
 
 def _check_speeds(reference: Reference, machine: Machine, fault: Fault) -> None:
-    """All laps are alike: the first one tells."""
+    """Check velocity and acceleration over the first lap; all laps are alike."""
     worst = {"velocity": np.zeros(len(machine.axes)), "acceleration": np.zeros(len(machine.axes))}
     for block in _blocks(reference, reference.laps[0][1] if reference.laps else reference.n_sample):
         for name, largest in worst.items():
@@ -94,7 +91,7 @@ def _check_speeds(reference: Reference, machine: Machine, fault: Fault) -> None:
             if asked > limit * (1.0 + 1e-9):
                 what = f"{'an' if name[0] == 'a' else 'a'} {name} of {asked * scale:.4g} {unit}"
                 raise fault(
-                    f"axis {axis.name} is asked for {what}, its limit is {limit * scale:.4g} {unit}: "
+                    f"axis {axis.name} reaches {what}, its limit is {limit * scale:.4g} {unit}: "
                     f"take at most {(limit / asked) ** (1.0 / power):.3g} times this frequency",
                     0,
                 )

@@ -1,4 +1,4 @@
-"""Place a path on a machine: move a contour, or scale and move a part program into the travel (only on request)."""
+"""Move a contour on a machine; scale and move a part program into the travel on request."""
 
 from __future__ import annotations
 
@@ -23,22 +23,22 @@ from contourlab.program import Dwell, Move, Point, Program, Spline
 
 Array = NDArray[np.float64]
 MARGIN = 0.01
-"""Share of the travel that a fitted program leaves free at either end."""
+"""Share of the travel left free at either end of a fitted program."""
 
 
 def placed(path: Path, offset: Sequence[float]) -> Path:
-    """Return a path moved by an offset, in as many coordinates as the offset has.
+    """Return a path moved by an offset.
 
     Parameters
     ----------
     path : Path
     offset : sequence of float [m]
-        At least as many as the path has coordinates; the path stands still in those beyond.
+        One value per coordinate of the result; coordinates beyond the path's own stay constant.
 
     Returns
     -------
     Path
-        The path itself where there is nothing to do. Lines, arcs, elliptical arcs and splines stay what they are.
+        Lines, arcs, elliptical arcs and splines keep their type.
 
     >>> from contourlab.geometry import contour
     >>> placed(contour("circle", radius=0.01), (0.1, 0.0, 0.002)).position([0.0]).round(9).tolist()
@@ -51,12 +51,12 @@ def placed(path: Path, offset: Sequence[float]) -> Path:
 
 
 def _wide(vectors: Array, n: int) -> Array:
-    """Return vectors (..., m) as (..., n), with zeros behind."""
+    """Pad vectors (..., m) with zeros to (..., n)."""
     return np.concatenate([vectors, np.zeros((*vectors.shape[:-1], n - vectors.shape[-1]))], axis=-1)
 
 
 class _Moved(Curve):
-    """Any curve, moved, with further coordinates that stand still."""
+    """A moved curve, with further constant coordinates."""
 
     def __init__(self, curve: Curve, move: Array) -> None:
         self.curve, self.move = curve, move
@@ -64,9 +64,9 @@ class _Moved(Curve):
         self._marks = tuple(getattr(curve, "_marks", (0.0, curve.length)))
 
     def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
-        found = _wide(self.curve.derivatives(s, order), self.n_axis)
-        found[0] += self.move
-        return found
+        derivatives = _wide(self.curve.derivatives(s, order), self.n_axis)
+        derivatives[0] += self.move
+        return derivatives
 
     def smallest_radius(self) -> float:
         return self.curve.smallest_radius()
@@ -108,7 +108,7 @@ def _(curve: Nurbs, move: Array) -> Curve:
 
 
 def fitted(program: Program, letters: Sequence[str], machine: Machine) -> tuple[Program, str]:
-    """Return a program within the travel of a machine, and what was done to it in words.
+    """Return a program fitted into the travel of a machine, and a note on the change.
 
     Parameters
     ----------
@@ -120,8 +120,7 @@ def fitted(program: Program, letters: Sequence[str], machine: Machine) -> tuple[
     Returns
     -------
     program : Program
-        Unchanged if it fits. Otherwise scaled down by one factor for all axes if it is too large, and moved no further than needed.
-        Feedrates stay.
+        Scaled down by one factor for all axes if it is too large, and moved no further than needed. Feedrates stay.
     note : str
         Empty if it is unchanged.
 
@@ -152,7 +151,7 @@ def fitted(program: Program, letters: Sequence[str], machine: Machine) -> tuple[
 def _scaled(program: Program, scale: float, shift: Point) -> Program:
     """Return a program with every point p of its moves at ``scale * p + shift`` [m]."""
 
-    def there(point: Point) -> Point:
+    def scaled(point: Point) -> Point:
         x, y, z = (scale * value + offset for value, offset in zip(point, shift, strict=True))
         return (x, y, z)
 
@@ -160,9 +159,9 @@ def _scaled(program: Program, scale: float, shift: Point) -> Program:
         if isinstance(move, Dwell):
             return move
         if isinstance(move, Spline):
-            return replace(move, points=tuple(there(point) for point in move.points))
+            return replace(move, points=tuple(map(scaled, move.points)))
         if isinstance(move, ProgramArc):
-            return replace(move, start=there(move.start), end=there(move.end), centre=there(move.centre))
-        return replace(move, start=there(move.start), end=there(move.end))
+            move = replace(move, centre=scaled(move.centre))
+        return replace(move, start=scaled(move.start), end=scaled(move.end))
 
     return replace(program, moves=tuple(moved(move) for move in program.moves))

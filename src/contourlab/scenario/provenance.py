@@ -1,6 +1,6 @@
-"""Sources and correlations of numbers: ``mass = {value = "33 kg", source = "datasheet", from = "catalogue, page 12"}``.
+"""Read sources and correlations of numbers: ``mass = {value = "33 kg", source = "datasheet", from = "catalogue, page 12"}``.
 
-A number and its source stand in one table, so that a replacement replaces both.
+A number and its source share a table, so that an override replaces both.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ from contourlab.loop import Machine
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.toml_text import Noted
-from contourlab.scenario.tree import STATED, Leaf, Node, Table, hint, located
+from contourlab.scenario.tree import STATED, Leaf, Node, Table, hint, located, same_table
 
 _KEYS = (STATED, "source", "deviation", "range", "from", "note")
 _EXAMPLE = '{value = "33 kg", source = "fitted", deviation = "1 %", from = "log.mat"}'
 
 
 def bare(node: Node) -> Node:
-    """Return the value of a number that comes with where it is from; any other value as it stands.
+    """Return the value of a number with a source; any other node unchanged.
 
     Raises
     ------
     ScenarioError
-        If there is no value in it.
+        If value or source is missing.
     """
     if isinstance(node, Leaf) or not set(_KEYS) & set(node.entries):
         return node
@@ -45,7 +45,7 @@ def bare(node: Node) -> Node:
 
 
 def read_origins(declared: Mapping[str, Parameter], table: Table, values: Mapping[str, Any]) -> dict[str, Origin]:
-    """Return where the numbers of a component are from, for those whose table says it.
+    """Return the sources of a component's numbers, where given.
 
     Parameters
     ----------
@@ -59,48 +59,48 @@ def read_origins(declared: Mapping[str, Parameter], table: Table, values: Mappin
     ScenarioError
         With file and key of what is wrong.
     """
-    found = {}
+    origins = {}
     for name, node in table.entries.items():
         if isinstance(node, Table) and bare(node) is not node:
             parameter = declared[name]
             if parameter.choices:
-                raise node.error("is a word, no number: it is chosen, and needs no source")
+                raise node.error("is a choice, not a number: it needs no source")
             exact = "a list" if parameter.vector else "a whole number" if parameter.whole else ""
-            exact = exact or ("what the form of the model follows from" if parameter.structural else "")
-            found[name] = _origin(node, None if exact else (parameter, float(values[name])), exact)
-    return found
+            exact = exact or ("part of the model's structure" if parameter.structural else "")
+            origins[name] = _origin(node, None if exact else (parameter, float(values[name])), exact)
+    return origins
 
 
 def without_origins(table: Table, names: tuple[str, ...] = ()) -> tuple[Table, dict[str, Origin]]:
-    """Return a table of fixed shape with bare values, and where these are from; `names` are the only ones looked at, all by default.
+    """Split a fixed table into bare values and their sources; `names` restricts the keys.
 
-    Such numbers are held against or planned with, not simulated: they have no deviation.
+    These numbers are not simulated, so they have no deviation.
     """
     origins = {}
     entries = dict(table.entries)
     for name, node in table.entries.items():
         if isinstance(node, Table) and (not names or name in names) and bare(node) is not node:
-            origins[name] = _origin(node, None, "no part of what is simulated")
+            origins[name] = _origin(node, None, "not simulated")
             entries[name] = bare(node)
     return Table(entries, table.file, table.key, table.afresh), origins
 
 
 def _origin(table: Table, of: tuple[Parameter, float] | None, exact: str) -> Origin:
-    """Return what the table of a number says; `of` is what may have a deviation, and `exact` why it may not."""
-    words = {name: _text(table, name) for name in ("source", "from", "note")}
-    if words["source"] not in SOURCES:
+    """Read the source of a number; `of` is the parameter and its value, None where `exact` says why it has no deviation."""
+    texts = {name: _text(table, name) for name in ("source", "from", "note")}
+    if texts["source"] not in SOURCES:
         known = ", ".join(f"{name} ({meaning})" for name, meaning in SOURCES.items())
-        raise table.error(f"{words['source']!r} is no source: {known}", "source")
+        raise table.error(f"{texts['source']!r} is no source: {known}", "source")
     given: dict[str, Any] = {}
     for name in ("deviation", "range"):
         if name in table.entries:
             if of is None:
-                raise table.error(f"has no place here: this is {exact}", name)
+                raise table.error(f"cannot be given: this is {exact}", name)
             with located(table, name):
                 value = table.entries[name].plain()
                 given |= {"span": _span(value, *of)} if name == "range" else {"deviation": _deviation(value, *of)}
     try:
-        return Origin(words["source"], reference=words["from"], note=words["note"], **given)
+        return Origin(texts["source"], reference=texts["from"], note=texts["note"], **given)
     except ParameterError as error:
         raise table.error(str(error), error.name) from error
 
@@ -110,12 +110,12 @@ def _text(table: Table, name: str) -> str:
     if node is None:
         return ""
     if not isinstance(node, Leaf) or not isinstance(node.value, str) or not 0 < len(node.value) <= 400 or not node.value.isprintable():
-        raise table.error("text in quotes is wanted, one line of up to 400 characters", name)
+        raise table.error("write text in quotes, one line of up to 400 characters", name)
     return node.value
 
 
 def _deviation(given: Any, parameter: Parameter, value: float) -> float:
-    """Return one standard deviation in SI, out of one with a unit or a share of the value."""
+    """Return one standard deviation in SI, from a quantity or a percentage of the value."""
     if isinstance(given, str) and given.strip().endswith("%"):
         share = 0.01 * read_number(given.strip()[:-1].strip() + " count", "")
         if value == 0.0 or not math.isfinite(value):
@@ -140,7 +140,7 @@ def _span(given: Any, parameter: Parameter, value: float) -> tuple[float, float]
 def read_correlations(table: Table, parts: Mapping[str, Component]) -> tuple[tuple[str, str, float], ...]:
     """Return the correlations of an axis' numbers: ``correlations = [["plant.mass", "friction.coulomb", -0.3]]``.
 
-    Those of numbers that have lost their deviation, because something else was put in their place, are left out.
+    Numbers that were overridden without a deviation are left out.
 
     Parameters
     ----------
@@ -157,7 +157,7 @@ def read_correlations(table: Table, parts: Mapping[str, Component]) -> tuple[tup
 
     def replaced(slot: str, node: Leaf) -> bool:
         part = table.get(slot)
-        return part is not None and (part.file, part.key.rpartition(".")[0]) != (node.file, node.key.rpartition(".")[0])
+        return part is not None and not same_table(part, node)
 
     return _read_pairs(table, _Known(parts, ("plant.mass", "friction.coulomb"), replaced))
 
@@ -194,10 +194,10 @@ def read_machine_correlations(table: Table, axes: Table, machine: Machine) -> tu
 
 @dataclass(frozen=True, eq=False)
 class _Known:
-    """Numbers that correlations may be of.
+    """Numbers that may correlate.
 
-    `parts` are components by slot, `example` two numbers for messages, `replaced` tells of a slot and the list whether something else was
-    put in the place of what the list speaks of. `own` are correlations that hold besides; `between` asks for numbers of two axes.
+    `parts` are components by slot, `example` two numbers for messages. `replaced` tells whether a slot was overridden elsewhere than
+    where the list stands. `own` are further correlations; `between` requires numbers of two axes.
     """
 
     parts: Mapping[str, Component]
@@ -222,7 +222,7 @@ def _read_pairs(table: Table, known: _Known) -> tuple[tuple[str, str, float], ..
     if node is None:
         return ()
     if not isinstance(node, Leaf) or not isinstance(node.value, list):
-        raise table.error(f"a list is wanted: [{known.shown}, ...]", "correlations")
+        raise table.error(f"write a list: [{known.shown}, ...]", "correlations")
     kept = []
     for i, item in enumerate(node.value):
         fault = _fault(item, node, known)
@@ -234,17 +234,17 @@ def _read_pairs(table: Table, known: _Known) -> tuple[tuple[str, str, float], ..
         raise node.error("a pair is listed twice")
     names = sorted({name for item in (*kept, *known.own) for name in item[:2]})
     matrix = np.eye(len(names))
-    for one, other, value in (*known.own, *kept):
-        i, j = names.index(one), names.index(other)
+    for first, second, value in (*known.own, *kept):
+        i, j = names.index(first), names.index(second)
         matrix[i, j] = matrix[j, i] = value
     if kept and float(np.linalg.eigvalsh(matrix).min()) < -1e-3:
-        raise node.error("these contradict each other: no set of numbers has all of these correlations")
+        raise node.error("these correlations contradict each other")
     return tuple(kept)
 
 
 def _fault(item: Any, node: Leaf, known: _Known) -> str:
     if not isinstance(item, list) or len(item) != 3 or not all(isinstance(name, str) for name in item[:2]) or item[0] == item[1]:
-        return f"{item!r:.80}: two different numbers and a coefficient are wanted, {known.shown}"
+        return f"{item!r:.80}: write two different numbers and a coefficient, {known.shown}"
     if isinstance(item[2], bool) or not isinstance(item[2], int | float) or not -1.0 <= item[2] <= 1.0:
         return f"{item[2]!r:.40} is no coefficient: between -1 and 1"
     for name in item[:2]:
@@ -253,7 +253,7 @@ def _fault(item: Any, node: Leaf, known: _Known) -> str:
             return f"no number {name!r}: {hint(name, numbers)}"
     axis = item[0].partition(".")[0]
     if known.between and axis == item[1].partition(".")[0]:
-        return f"both are of axis {axis}: correlations within an axis stand at the top of the axis"
+        return f"both belong to axis {axis}: write correlations within an axis under [axes.{axis}]"
     return ""
 
 
@@ -261,7 +261,7 @@ def _fault(item: Any, node: Leaf, known: _Known) -> str:
 
 
 def origin_table(value: Any, origin: Origin, quantity: Callable[[float], Any]) -> dict[str, Any]:
-    """Return the table of a number: its value as written, and where it is from.
+    """Return the table of a number and its source.
 
     Parameters
     ----------
@@ -280,7 +280,7 @@ def origin_table(value: Any, origin: Origin, quantity: Callable[[float], Any]) -
 
 
 def written(table: dict[str, Any], origins: Mapping[str, Origin]) -> dict[str, Any]:
-    """Return a table of fixed shape with where its numbers are from; they have no deviation."""
+    """Return a fixed table with the sources of its numbers, which have no deviation."""
     return {name: Noted(origin_table(value, origins[name], float)) if name in origins else value for name, value in table.items()}
 
 
@@ -298,7 +298,7 @@ def unstated(value: Any) -> Any:
     if isinstance(value, Mapping):
         return {name: unstated(item) for name, item in value.items()}
     if is_dataclass(value) and not isinstance(value, type):
-        bare_parts = {one.name: unstated(getattr(value, one.name)) for one in fields(value) if one.name not in ("origins", "correlations")}
+        bare_parts = {f.name: unstated(getattr(value, f.name)) for f in fields(value) if f.name not in ("origins", "correlations")}
         empty: dict[str, Any] = {name: kind() for name, kind in (("origins", dict), ("correlations", tuple)) if hasattr(value, name)}
         return replace(value, **bare_parts, **empty)
     return value

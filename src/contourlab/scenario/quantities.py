@@ -1,4 +1,4 @@
-"""Values with units out of files: text such as ``"20 mm"`` to SI, checked against dimension and range."""
+"""Read values with units, such as ``"20 mm"``, into SI."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ def _example(unit: str) -> str:
 
 
 def _check_turns(text: str, given: str, wanted: str) -> None:
-    """Refuse to take turns for radians or the other way round: units treat both as bare numbers, a factor of 2 pi apart."""
+    """Refuse to mix turns and radians: units treat both as bare numbers, a factor of 2 pi apart."""
     if _HERTZ.search(given) and wanted in ("rad/s", "1/s"):
         number = 2.0 * math.pi * to_si(text, "Hz")
-        raise UnitError(f'{text!r} is a frequency, {wanted} is wanted: if turns per second are meant, write "{number:.6g} {wanted}"')
+        raise UnitError(f'{text!r} is a frequency, not in {wanted}: for turns per second, write "{number:.6g} {wanted}"')
     if wanted == "Hz" and _TURNS.search(given):
-        raise UnitError(f"{text!r} is an angular velocity, Hz is wanted: divide by the angle of a full turn and write it in Hz")
+        raise UnitError(f"{text!r} is an angular velocity: divide by the angle of a full turn and write it in Hz")
 
 
 def read_number(value: Any, unit: str, display: str = "") -> float:
@@ -34,11 +34,11 @@ def read_number(value: Any, unit: str, display: str = "") -> float:
     Parameters
     ----------
     value : object
-        As it stands in a file: text with a unit, or a bare number where `unit` is empty.
+        Text with a unit, or a bare number if `unit` is empty.
     unit : str
-        The SI unit that is wanted; empty for a bare number.
+        SI unit of the result; empty for a bare number.
     display : str
-        The unit that an example in a message uses.
+        Unit of the example in messages.
 
     Returns
     -------
@@ -48,7 +48,7 @@ def read_number(value: Any, unit: str, display: str = "") -> float:
     Raises
     ------
     UnitError
-        If it is no number, has no or the wrong unit, or is not finite.
+        If it is not a finite number, or has no or the wrong unit.
 
     >>> read_number("6 m/min", "m/s")
     0.1
@@ -73,7 +73,7 @@ def read_number(value: Any, unit: str, display: str = "") -> float:
         number = to_si(value, unit)
     except ContourlabError:
         raise
-    except Exception as error:  # the unit parser passes on whatever its tokenizer and its arithmetic raise
+    except Exception as error:  # the unit parser passes on any error of its tokenizer
         raise UnitError(f"{value!r} has no readable unit: write for example mm, mm/min, N*m, 1/s, um or full_scale") from error
     if not math.isfinite(number):
         raise UnitError(f"{value!r} is not a finite number")
@@ -98,7 +98,7 @@ def read_list(value: Any, unit: str, display: str = "") -> tuple[float, ...]:
     Raises
     ------
     UnitError
-        As `read_number`; says which item.
+        As `read_number`, with the item.
 
     >>> read_list({"unit": "mm", "values": [0, 250]}, "m")
     (0.0, 0.25)
@@ -111,28 +111,28 @@ def read_list(value: Any, unit: str, display: str = "") -> tuple[float, ...]:
             raise UnitError('values must be a list of numbers: {unit = "mm", values = [0, 50, 100]}')
         for number in numbers:
             if isinstance(number, bool) or not isinstance(number, int | float):
-                raise UnitError(f"{number!r} in values is no number: the unit is given once, beside them")
+                raise UnitError(f"{number!r} in values is no number: write the unit once, under unit")
         value = [f"{_bare(number, '', '')!r} {shared}".strip() for number in numbers]
     if not isinstance(value, Sequence) or isinstance(value, str):
         raise UnitError(f"{value!r} is no list: write [{_example(display or unit) if unit else '1, 2'}, ...]")
-    found = []
+    result = []
     for i, item in enumerate(value):
         try:
-            found.append(read_number(item, unit, display))
+            result.append(read_number(item, unit, display))
         except UnitError as error:
             raise UnitError(f"item {i + 1}: {error}") from error
-    return tuple(found)
+    return tuple(result)
 
 
 def show_bound(minimum: float, maximum: float, exclusive: bool, display: str) -> str:
-    """Return a range in words, in the unit of `display`.
+    """Describe a range in the unit of `display`.
 
     >>> show_bound(0.0, 0.05, True, "mm")
     '> 0 and <= 50 mm'
     """
-    words = []
+    bounds = []
     if minimum > -math.inf:
-        words.append(f"{'>' if exclusive else '>='} {from_si(minimum, display):g}")
+        bounds.append(f"{'>' if exclusive else '>='} {from_si(minimum, display):g}")
     if maximum < math.inf:
-        words.append(f"<= {from_si(maximum, display):g}")
-    return (" and ".join(words) + f" {display}").strip() if words else "finite"
+        bounds.append(f"<= {from_si(maximum, display):g}")
+    return (" and ".join(bounds) + f" {display}").strip() if bounds else "finite"

@@ -1,4 +1,4 @@
-"""The tables of fixed shape in scenario, machine and controller files, as strict models, and their error messages."""
+"""Strict models of the fixed tables in scenario, machine and controller files, and their error messages."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from contourlab.scenario.tree import Leaf, Table, hint
 def _number(
     unit: str, display: str = "", *, minimum: float = -math.inf, maximum: float = math.inf, exclusive: bool = False
 ) -> BeforeValidator:
-    """Return the reader of a quantity in SI with bounds in SI."""
+    """Return the reader of a quantity; bounds in SI."""
 
     def read(value: Any) -> float:
         try:
@@ -62,9 +62,9 @@ Letter = Literal["x", "y", "z"]
 class _Strict(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
     needed: ClassVar[tuple[str, ...]] = ()
-    """Keys that must be there, but are read elsewhere."""
+    """Required keys that are read elsewhere."""
     parts: ClassVar[tuple[str, ...]] = ()
-    """Keys that may be there, and are read elsewhere."""
+    """Optional keys that are read elsewhere."""
 
 
 class ScenarioTable(_Strict):
@@ -138,7 +138,7 @@ class LinkTable(_Strict):
 
 
 class ZeroPhaseTable(_Strict):
-    """``feedforward = {kind = "zpetc"}`` without coefficients, which are found for the loop."""
+    """``feedforward = {kind = "zpetc"}`` without coefficients, which are designed for the loop."""
 
     kind: str
     radius: Annotated[float, _number("", minimum=0.0, maximum=1.0, exclusive=True)] = 0.9
@@ -224,17 +224,17 @@ def read_table(model: type[Model], table: Table) -> Model:
     Raises
     ------
     ScenarioError
-        At the first fault, with file, key, what is wrong and what would be right; missing keys are listed together.
+        At the first fault; missing keys are listed together.
     """
     elsewhere = (*model.needed, *model.parts)
     missing = [name for name in model.needed if name not in table.entries]
     try:
-        found = model.model_validate(table.without(*elsewhere).plain())
+        values = model.model_validate(table.without(*elsewhere).plain())
     except ValidationError as error:
         raise _explained([*elsewhere, *model.model_fields], table, error, missing) from None
     if missing:
         raise _missing(table, missing)
-    return found
+    return values
 
 
 def _missing(table: Table, names: list[str]) -> ScenarioError:
@@ -243,7 +243,7 @@ def _missing(table: Table, names: list[str]) -> ScenarioError:
 
 def _explained(known: list[str], table: Table, error: ValidationError, missing: list[str]) -> ScenarioError:
     faults = error.errors(include_url=False, include_context=False)
-    # An unknown key is often a missing one with a slip of the pen: it is named first.
+    # An unknown key is often a misspelt missing one: name it first.
     faults.sort(key=lambda fault: fault["type"] != "extra_forbidden")
     name = str(faults[0]["loc"][0]) if faults[0]["loc"] else ""
     if faults[0]["type"] == "extra_forbidden":
@@ -251,27 +251,19 @@ def _explained(known: list[str], table: Table, error: ValidationError, missing: 
     missing = [*missing, *(str(fault["loc"][0]) for fault in faults if fault["type"] == "missing")]
     if missing:
         return _missing(table, missing)
-    node = table.get(name)
+    node, kind, message = table.get(name), faults[0]["type"], faults[0]["msg"]
+    if kind == "value_error":
+        return table.error(message.removeprefix("Value error, "), name)
     given = repr(node.value)[:80] if isinstance(node, Leaf) else "this table"
-    return table.error(_in_words(faults[0], given), name)
+    return table.error(f"{given}: {_CURES.get(kind, message[:1].lower() + message[1:])}", name)
 
 
-_WORDS = {
-    "string_type": "text in quotes is wanted",
-    "int_type": "a whole number is wanted",
-    "bool_type": "true or false is wanted",
-    "list_type": 'a list such as ["x", "y"] is wanted',
-    "string_pattern_mismatch": "a name of letters, digits and _ is wanted",
-    "string_too_short": "it is empty",
-    "too_short": "it is empty: at least one is wanted",
+_CURES = {
+    "string_type": "write text in quotes",
+    "int_type": "write a whole number",
+    "bool_type": "write true or false",
+    "list_type": 'write a list such as ["x", "y"]',
+    "string_pattern_mismatch": "write a name of letters, digits and _",
+    "string_too_short": "must not be empty",
+    "too_short": "must not be empty",
 }
-
-
-def _in_words(fault: Any, given: str) -> str:
-    """Return a fault in plain words."""
-    message = str(fault["msg"])
-    if fault["type"] == "value_error":
-        return message.removeprefix("Value error, ")
-    if fault["type"] in _WORDS:
-        return f"{given}: {_WORDS[fault['type']]}"
-    return f"{given}: {message[:1].lower()}{message[1:]}"

@@ -1,4 +1,4 @@
-"""Writes TOML; the standard library reads it only."""
+"""Write TOML, which the standard library only reads."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ _WIDTH = 110
 
 @dataclass(frozen=True)
 class Noted:
-    """A value with a comment behind it; the comment does not count when values are compared."""
+    """A value with a comment, which comparisons ignore."""
 
     value: Any
     note: str = field(default="", compare=False)
 
 
 def _text(value: str) -> str:
-    # JSON escapes are TOML escapes, but for DEL, which TOML wants escaped, and surrogates, which neither may hold.
+    # TOML escapes like JSON, but escapes DEL too.
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
@@ -32,7 +32,7 @@ def _key(name: str) -> str:
 
 def _number(value: float) -> str:
     if not math.isfinite(value):
-        raise ValueError(f"{value!r} has no place in a file")
+        raise ValueError(f"{value!r}: TOML files hold finite numbers only")
     text = repr(value)
     return text if "." in text or "e" in text else text + ".0"
 
@@ -51,11 +51,11 @@ def _inline(value: Any) -> str:
         return _number(value)
     if isinstance(value, list | tuple):
         items = [_inline(item) for item in value]
-        one = f"[{', '.join(items)}]"
-        return one if len(one) <= _WIDTH else "[\n" + "".join(f"    {item},\n" for item in items) + "]"
+        line = f"[{', '.join(items)}]"
+        return line if len(line) <= _WIDTH else "[\n" + "".join(f"    {item},\n" for item in items) + "]"
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{_key(k)} = {_inline(v)}" for k, v in value.items()) + "}"
-    raise TypeError(f"{type(value).__name__} has no form in TOML")
+    raise TypeError(f"TOML has no {type(value).__name__}")
 
 
 def toml(content: Mapping[str, Any]) -> str:
@@ -64,7 +64,7 @@ def toml(content: Mapping[str, Any]) -> str:
     Parameters
     ----------
     content : mapping
-        Texts, numbers, booleans, lists, and mappings, which become tables; any of them `Noted`.
+        Text, numbers, booleans, lists, and mappings for tables; any of them `Noted`.
 
     Raises
     ------
@@ -82,7 +82,7 @@ def toml(content: Mapping[str, Any]) -> str:
 
 
 def _blocks(table: Mapping[str, Any], place: tuple[str, ...]) -> list[str]:
-    """Return the text of a table and of those below it."""
+    """Return the text of a table and of the tables below it."""
     lines, below = [], []
     for name, value in table.items():
         if isinstance(value, Mapping):
@@ -90,7 +90,7 @@ def _blocks(table: Mapping[str, Any], place: tuple[str, ...]) -> list[str]:
             continue
         note = f"  # {' '.join(value.note.split())}" if isinstance(value, Noted) and value.note else ""
         lines.append(f"{_key(name)} = {_inline(value)}{note}")
-    # A table without values of its own needs no header, unless there is nothing below it either.
+    # A table that only holds tables needs no header.
     if place and (lines or not table):
         lines.insert(0, "[" + ".".join(_key(name) for name in place) + "]")
     return ["\n".join(lines), *below]

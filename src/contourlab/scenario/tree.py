@@ -1,6 +1,6 @@
-"""The raw content of TOML files as a tree whose every value remembers the file and the key it was written under.
+"""The raw content of TOML files: a tree in which each value keeps its file and key.
 
-Files are joined by `merge` before anything is interpreted, so that a message can always name the place that a person has to edit.
+`merge` joins files before anything is interpreted, so a message can name the place to edit.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from contourlab.components.contract import FAMILIES
 from contourlab.errors import ContourlabError, ScenarioError
 
 DEFAULT = "default"
-"""What a file writes to take back a value that it inherits."""
+"""Resets an inherited value."""
 
 DESIGNED = ("velocity_gain", "position_gain", "integral_gain", "integral_time", "gain", "lead_time", "lag_time", "rate_gain")
-"""What gains = {...} work out: given anew, they take back what was inherited of these."""
+"""Parameters that gains = {...} computes; new gains reset inherited values of these."""
 
 STATED = "value"
-"""Key of a number that comes in a table with where it is from."""
+"""Key of the value in a table of a number and its source."""
 
 MAX_DEPTH = 12
 _BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
@@ -34,7 +34,7 @@ _TEXTS = ("name", "file")
 
 @dataclass(frozen=True, slots=True)
 class Leaf:
-    """A value as TOML gives it, with the file and the dotted key where it stands."""
+    """A value as TOML gives it, with its file and dotted key."""
 
     value: Any
     file: str
@@ -45,7 +45,7 @@ class Leaf:
         return self.value
 
     def error(self, message: str) -> ScenarioError:
-        """Return the error that says what is wrong with this value."""
+        """Return an error that names this value."""
         return ScenarioError(message, file=self.file, key=self.key)
 
 
@@ -53,7 +53,7 @@ class Leaf:
 class Table:
     """A table of values and tables.
 
-    `afresh` is set where a file was read in: such a table takes the place of an inherited one instead of being merged with it.
+    `afresh` marks the content of an included file: it replaces an inherited table instead of being merged with it.
     """
 
     entries: Mapping[str, Node] = field(default_factory=dict)
@@ -62,7 +62,7 @@ class Table:
     afresh: bool = False
 
     def plain(self) -> dict[str, Any]:
-        """Return the content without its origins."""
+        """Return the content without files and keys."""
         return {name: node.plain() for name, node in self.entries.items()}
 
     def get(self, name: str) -> Node | None:
@@ -70,16 +70,16 @@ class Table:
         return self.entries.get(name)
 
     def at(self, name: str) -> str:
-        """Return the dotted key of an entry, there or not."""
+        """Return the dotted key of an entry, present or not."""
         return dotted(self.key, name)
 
     def table(self, name: str) -> Table:
-        """Return the table of that name; an empty one where there is none.
+        """Return the table of that name, empty if missing.
 
         Raises
         ------
         ScenarioError
-            If there is something else.
+            If the entry is no table.
         """
         node = self.entries.get(name)
         if node is None:
@@ -89,7 +89,7 @@ class Table:
         return node
 
     def error(self, message: str, name: str = "") -> ScenarioError:
-        """Return the error that says what is wrong with this table, or with an entry of it."""
+        """Return an error that names this table, or an entry of it."""
         node = self.entries.get(name) if name else None
         if node is not None:
             return ScenarioError(message, file=node.file, key=node.key)
@@ -103,13 +103,22 @@ class Table:
         """Return a copy without some entries."""
         return replace(self, entries={k: v for k, v in self.entries.items() if k not in names})
 
+    def only(self, *names: str) -> Table:
+        """Return a copy with no other entries than these."""
+        return replace(self, entries={k: v for k, v in self.entries.items() if k in names})
+
 
 Node: TypeAlias = Leaf | Table
 
 
+def same_table(a: Node, b: Node) -> bool:
+    """Tell whether two nodes stand in the same table of the same file."""
+    return (a.file, a.key.rpartition(".")[0]) == (b.file, b.key.rpartition(".")[0])
+
+
 @contextmanager
 def located(table: Table, name: str = "") -> Iterator[None]:
-    """Turn an error about a value into one that names file and key."""
+    """Add file and key to errors about a value."""
     try:
         yield
     except ScenarioError:
@@ -129,7 +138,7 @@ def dotted(key: str, name: str) -> str:
 
 
 def hint(name: str, known: Iterable[str]) -> str:
-    """Return what a message says about an unknown name: the nearest known one, or all there are.
+    """Suggest the nearest known name, or list all names.
 
     >>> hint("dampng", ["gain", "damping"])
     "did you mean 'damping'?"
@@ -147,7 +156,7 @@ def from_mapping(values: Mapping[str, Any], file: str, key: str = "", depth: int
     Raises
     ------
     ScenarioError
-        If it is nested deeper than any scenario is, or holds None, which no file can.
+        If it is nested more than `MAX_DEPTH` deep, or holds None.
     """
     if depth > MAX_DEPTH:
         raise ScenarioError(f"tables are nested more than {MAX_DEPTH} deep", file=file, key=key[:80])
@@ -169,7 +178,7 @@ def read_tree(file: Path) -> Table:
     Raises
     ------
     ScenarioError
-        If it cannot be read or is no TOML; says the line.
+        If it cannot be read or is not TOML.
     """
     name = str(file)
     try:
@@ -183,13 +192,13 @@ def read_tree(file: Path) -> Table:
 
 
 def parse_tree(text: str, name: str) -> Table:
-    """Read TOML text that is called `name` in messages."""
+    """Read TOML text; messages call it `name`."""
     try:
         values = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise ScenarioError(f"is no valid TOML: {error}", file=name) from error
     except (RecursionError, ValueError) as error:
-        # tomllib lets through what int() and deep nesting raise.
+        # tomllib passes on what int() and deep nesting raise.
         raise ScenarioError(f"cannot be read as TOML: {error}", file=name) from error
     return from_mapping(values, name)
 
@@ -204,7 +213,7 @@ def _joined(name: str, base: Node, over: Node) -> Node:
         return over
     if isinstance(base, Leaf):
         if "source" in over.entries and name != "file":
-            return over.having(**{STATED: base})  # where an inherited number is from
+            return over.having(**{STATED: base})  # the source of an inherited number
         # `drive = "saturation"` is short for a table with that kind; more of its keys may follow.
         short = name in FAMILIES and isinstance(base.value, str) and base.value != "none"
         if not short or "kind" in over.entries:
@@ -216,9 +225,9 @@ def _joined(name: str, base: Node, over: Node) -> Node:
 
 
 def merge(base: Table, over: Table) -> Table:
-    """Return `base` with what `over` says put on top, table by table.
+    """Return `base` overridden by `over`, table by table.
 
-    A component of another kind replaces the inherited one whole, as does a table that was read from a file. Gains by pole placement replace
+    A component of another kind replaces the inherited one, and so does a table read from a file. Gains by pole placement replace
     inherited gains.
     """
     entries = dict(base.entries)
@@ -231,7 +240,7 @@ def merge(base: Table, over: Table) -> Table:
 
 
 def settle(table: Table) -> Table:
-    """Return the tree without the values that were taken back by ``"default"``."""
+    """Return the tree without values reset by ``"default"``."""
     entries: dict[str, Node] = {}
     for name, node in table.entries.items():
         if isinstance(node, Table):

@@ -1,4 +1,4 @@
-"""The values of a scenario besides machine and controller: motion, feed, run and learning."""
+"""Values of a scenario besides machine and controller: motion, feed, run and learning."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from contourlab.program import Program, Reading
 from contourlab.scenario.placing import placed
 
 DEFAULT_CORNER_TOLERANCE = 1e-5
-"""How far a blend may leave its corner under G64 without P [m]."""
+"""Corner tolerance of G64 without P [m]."""
 
 MOST_NOTICES = 5
-"""So many places are named where the reader of a program was lenient."""
+"""Most reader notices that are listed."""
 
 
 @dataclass(frozen=True)
@@ -30,9 +30,9 @@ class Contour:
     Attributes
     ----------
     name : str
-        One of `contourlab.geometry.contour_names`; the name of the file where there is one.
+        One of `contourlab.geometry.contour_names`, or the file name.
     parameters : mapping of str to float
-        Of a test contour, in m and rad; those that were given.
+        Given parameters of a test contour [m, rad].
     file : Path or None
         Drawing or points.
     options : mapping of str to object
@@ -40,7 +40,7 @@ class Contour:
     offset : tuple of float [m]
         Shift along each of the machine's first axes.
     axes : tuple of str
-        The machine's axes, where it may have more of them than the contour: the others hold still.
+        The machine's axes; those beyond the contour's coordinates hold still.
     """
 
     name: str
@@ -59,10 +59,10 @@ class Contour:
 
     @cached_property
     def path(self) -> Path:
-        """The contour as a path of all the machine's axes."""
-        found = self.reading.path
-        missing = max(len(self.axes), found.n_axis) - len(self.offset)
-        return placed(found, (*self.offset, *[0.0] * missing))
+        """The path in all axes of the machine."""
+        path = self.reading.path
+        missing = max(len(self.axes), path.n_axis) - len(self.offset)
+        return placed(path, (*self.offset, *[0.0] * missing))
 
     @property
     def n_axis(self) -> int:
@@ -71,7 +71,7 @@ class Contour:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Notes on how the contour was read, and on axes held still."""
+        """Notes on the reading of the contour, and on axes that hold still."""
         notes = () if self.file is None else tuple(self.reading.notes)
         n = self.reading.path.n_axis
         if n >= len(self.axes):
@@ -90,13 +90,13 @@ class PartProgram:
     file : Path
     program : Program
     letters : tuple of str
-        The address (x, y, z) that each axis of the machine obeys, in the order of the machine's axes.
+        Program letter (x, y, z) of each axis of the machine.
     reading : Reading
-        How it was read.
+        Options of the reader.
     fit : bool
-        Whether it was to be brought into the machine's travel.
+        Whether it was fitted into the machine's travel.
     note : str
-        What was done to it for that.
+        How it was fitted.
     """
 
     file: File
@@ -120,7 +120,7 @@ class PartProgram:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Where the reader was lenient, and how the program was fitted."""
+        """Notices of the reader, and how the program was fitted."""
         lenient = [f"line {notice.line}: {notice.message}" for notice in self.program.notices[:MOST_NOTICES]]
         more = len(self.program.notices) - len(lenient)
         return (*lenient, *([f"{more} more such lines"] if more > 0 else []), *([self.note] if self.note else []))
@@ -131,12 +131,12 @@ Motion: TypeAlias = Contour | PartProgram
 
 @dataclass(frozen=True)
 class FeedSettings:
-    """How the path is driven along.
+    """Feed along the path.
 
     Attributes
     ----------
     law : {"planned", "uniform"}
-        From rest to rest within the limits of the axes, or laps at constant frequency.
+        Rest to rest within the limits of the axes, or laps at constant frequency.
     feedrate : float [m/s] or None
         Of a planned contour; a program has its own.
     frequency : float [Hz] or None
@@ -145,13 +145,13 @@ class FeedSettings:
     override : float, > 0
         Factor on feedrate or frequency.
     path_control : {"program", "exact_path", "exact_stop", "blend"}
-        How corners are met: as the program says, or one way throughout. A contour says nothing: its corners are met exactly.
+        How corners are met; a contour under ``"program"`` is followed exactly.
     corner_tolerance : float [m], > 0, or None
-        How far a blend may leave its corner, where G64 has no P or ``path_control`` is ``"blend"``; by default 10 um.
+        Of a blend, for G64 without P and ``path_control = "blend"``; by default 10 um.
     merge_tolerance : float [m], >= 0, or None
-        How far points of lines that are merged may lie off, where ``path_control`` is ``"blend"``; by default as `corner_tolerance`.
+        Deviation of merged lines with ``path_control = "blend"``; by default `corner_tolerance`.
     curvature_step : float, 0 to 1
-        By how much of its limit the acceleration of an axis may step where the curvature jumps, as from a line into an arc; 0 stops there.
+        Allowed step of an axis acceleration, as a share of its limit, where the curvature jumps; 0 stops there.
     """
 
     law: Literal["planned", "uniform"] = "planned"
@@ -167,7 +167,7 @@ class FeedSettings:
 
 @dataclass(frozen=True)
 class RunSettings:
-    """What is kept of a run and what it is held against.
+    """Signals, seed and verdict of a run.
 
     Attributes
     ----------
@@ -178,7 +178,7 @@ class RunSettings:
     seed : int
         Of all noise.
     evaluate : {"last-lap", "whole"}
-        Samples that the figures are over.
+        Samples that are evaluated.
     start : {"rest", "moving"}
         Whether the axes have the velocity of the reference at the first sample.
     """
@@ -192,18 +192,18 @@ class RunSettings:
 
 @dataclass(frozen=True)
 class LearningSettings:
-    """How a case learns.
+    """Learning settings of a case.
 
     Attributes
     ----------
     law : LearningLaw
     trials : int
-        Largest number of trials after the first, which has learned nothing.
+        Most trials after the first.
     improvement : float, 0 to 1
-        Learning has converged once `patience` trials bring no more than this part of the contour error.
+        Learning has converged once `patience` trials improve the contour error by no more than this share.
     patience : int
     table : path or None
-        A learned table to start with.
+        Initial learned table.
     """
 
     law: LearningLaw

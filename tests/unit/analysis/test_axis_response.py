@@ -223,5 +223,5 @@ def test_a_component_without_a_linear_model_is_named() -> None:
         family = "controller"
         kind = "bang"
 
-    with pytest.raises(ComponentError, match="controller bang has no linear model"):
+    with pytest.raises(ComponentError, match="bang"):
         axis_response(Axis("x", RigidAxis(gain=A, damping=B)), AxisController(Bang()), 0.0, W)

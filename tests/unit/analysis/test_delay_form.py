@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from contourlab.analysis.linear.delay_form import DelayForm
+from contourlab.analysis.linear.tick_map import DelayForm
 
 Z = np.exp(1j * np.array([1e-3, 0.1, 0.9, 2.0, np.pi]))
 

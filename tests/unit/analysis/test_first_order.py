@@ -119,13 +119,13 @@ def test_what_is_wrong_with_a_record_is_said() -> None:
     u = levels()
     place = measured(u)
     for arguments, said in (
-        ((TIME, u, -place), "counted the other way round"),
+        ((TIME, u, -place), "other way"),
         ((TIME, np.full(N, 0.3), place), "throughout"),
         ((TIME, u, np.zeros(N)), "moves"),
         ((TIME[:20], u[:20], place[:20]), "at least"),
         ((TIME, u, np.where(TIME > 3.0, np.nan, place)), "finite"),
         ((TIME**1.1, u, place), "evenly"),
-        ((TIME, u[:-1], place), "as long as"),
+        ((TIME, u[:-1], place), "long as"),
     ):
         with pytest.raises(ParameterError, match=said):
             identify_first_order(*arguments)
@@ -138,7 +138,7 @@ def test_a_resonance_or_noise_is_no_silent_fit() -> None:
         fit = identify_first_order(TIME, u, noise)
     except ParameterError:
         return
-    assert not fit.usable and fit.remarks
+    assert not fit.usable and fit.findings
 
 
 GAINS = (4000.0, 100.0)
@@ -163,14 +163,14 @@ def test_a_loop_of_known_gains_is_identified() -> None:
     for name, true in (("a", 0.873), ("b", 19.7)):
         assert fit[name] == pytest.approx(true, rel=3e-2)
         assert abs(fit[name] - true) < 4.0 * fit.found.deviation(name)
-    assert fit.found.fit > 99.0 and fit.usable and not fit.remarks
+    assert fit.found.fit > 99.0 and fit.usable and not fit.findings
 
 
 def test_a_slow_reference_does_not_tell_the_loop() -> None:
     reference = 0.02 * (1.0 - np.cos(2.0 * math.pi * 0.05 * TIME))
     noise = 2e-5 * np.random.default_rng(0).normal(size=N)
     fit = identify_closed_loop(TIME, reference, closed_loop_position(reference, PERIOD, 0.873, 19.7, *GAINS) + noise, *GAINS)
-    assert fit.remarks
+    assert fit.findings
     with pytest.raises(ParameterError, match="position_gain"):
         identify_closed_loop(TIME, reference, reference, 0.0, 100.0)
     with pytest.raises(ParameterError, match="throughout"):

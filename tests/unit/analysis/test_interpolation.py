@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.special import eval_chebyt, eval_chebyu
 
-from contourlab.analysis.encoder.interpolation import SinusoidTable, interpolation_order, zero_crossings
+from contourlab.analysis.encoder.interpolation import SinusoidTable, interpolation_order
 from contourlab.errors import ParameterError
 
 TURN = 2.0 * math.pi
@@ -26,7 +26,7 @@ def test_one_micron_becomes_25_and_10_nanometres() -> None:
 
 @pytest.mark.parametrize("resolution", [30e-9, 3e-6, 4e-6, 1e-15])
 def test_other_resolutions_are_refused_with_the_nearest(resolution: float) -> None:
-    with pytest.raises(ParameterError, match="four times a whole number, such as"):
+    with pytest.raises(ParameterError, match="such as"):
         interpolation_order(4e-6, resolution)
     for bad in (0.0, -1.0, math.inf, math.nan):
         with pytest.raises(ParameterError, match="pitch"):
@@ -93,21 +93,11 @@ def test_the_moment_of_becoming_too_fast_is_marked(top: float, order: int) -> No
     assert lost > 0.9
 
 
-def test_an_up_down_counter_agrees_where_it_keeps_up() -> None:
-    time = np.arange(40_000)
-    turns = 3.0 * np.sin(TURN * time / 30_000.0)
-    u1, u2 = np.cos(TURN * turns), np.sin(TURN * turns)
-    table = SinusoidTable(100)
-    counts, lost = zero_crossings(*table.sinusoids(u1, u2))
-    assert not lost.any()
-    assert np.array_equal(counts, table.count(u1, u2).counts)
-    assert counts.max() == 1200 and counts.min() == -1200
-
-
-def test_an_up_down_counter_says_where_it_could_not_follow() -> None:
-    counts, lost = zero_crossings(np.cos([0.0, 0.5 * math.pi, 1.5 * math.pi]), np.sin([0.0, 0.5 * math.pi, 1.5 * math.pi]))
-    assert lost.tolist() == [False, False, True]
-    assert counts.tolist() == [0, 1, 1]
+def test_a_slow_motion_is_counted_whole() -> None:
+    turns = 3.0 * np.sin(TURN * np.arange(40_000) / 30_000.0)
+    found = SinusoidTable(100).count(np.cos(TURN * turns), np.sin(TURN * turns))
+    assert not found.missed.any()
+    assert found.counts.max() == 1200 and found.counts.min() == -1200
 
 
 def test_no_signal_is_a_count_of_zero() -> None:

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from refusals import refuses
 
 from contourlab.analysis.identification.inverse_dynamics import (
     InverseDynamicsFit,
@@ -143,14 +144,14 @@ def test_units_of_the_force_go_through() -> None:
     [
         ({"time": PERIOD * np.arange(900)}, "position = shape"),
         ({"force": np.zeros(7)}, "force = shape"),
-        ({"position": np.r_[np.nan, np.zeros(11_999)]}, "position = nan at sample 0: must be finite"),
-        ({"force": np.r_[np.zeros(11_999), np.inf]}, "force = inf at sample 11999"),
+        ({"position": np.r_[np.nan, np.zeros(11_999)]}, "position = nan.* 0: "),
+        ({"force": np.r_[np.zeros(11_999), np.inf]}, "force = inf.* 11999"),
         ({"time": (PERIOD * np.arange(12_000)) ** 2}, "evenly spaced"),
         ({"time": -PERIOD * np.arange(12_000)}, "rising"),
         ({"position": np.zeros(12_000)}, "moves"),
-        ({"position": 0.1 * PERIOD * np.arange(12_000)}, "never backwards"),
+        ({"position": 0.1 * PERIOD * np.arange(12_000)}, "backwards"),
         ({"position": -0.1 * PERIOD * np.arange(12_000)}, "never forwards"),
-        ({"force": np.full(12_000, 5.0)}, "the drive pushes"),
+        ({"force": np.full(12_000, 5.0)}, "drive"),
         ({"time": np.zeros((2, 3))}, "one record"),
     ],
 )
@@ -165,7 +166,7 @@ def test_a_record_that_is_too_short_says_how_long_one_has_to_be() -> None:
     """And one that long is read, though in it the axis moves one way only."""
     t, q, v, a = motion()
     force = force_of(v, a, **AXIS)
-    for n, word in ((290, "290 samples: must be a record of 291 or more"), (291, "never backwards")):
+    for n, word in ((290, "290 .*291"), (291, "backwards")):
         with pytest.raises(ParameterError, match=word):
             identify_inverse_dynamics(t[:n], q[:n], force[:n], SETTINGS)
 
@@ -174,8 +175,6 @@ def test_a_record_that_is_too_short_says_how_long_one_has_to_be() -> None:
     ("options", "word"),
     [
         ({"cutoff": 500.0}, "Nyquist"),
-        ({"friction": "round"}, "symmetric"),
-        ({"dropped": (-1, 0)}, "dropped"),
         ({"decimation": 0}, "decimation"),
     ],
 )
@@ -187,11 +186,11 @@ def test_settings_out_of_range_are_refused(options: dict[str, object], word: str
 def test_a_negative_mass_or_friction_is_never_returned() -> None:
     t, q, v, a = motion()
     force = force_of(v, a, **AXIS)
-    with pytest.raises(ParameterError, match=r"M = -95.* counted the other way round"):
+    with refuses(ParameterError, name="M", value="-95 kg"):
         identify_inverse_dynamics(t, q, -force, SETTINGS)
-    with pytest.raises(ParameterError, match=r"Fc = -8.*helps the motion"):
+    with refuses(ParameterError, name="Fc", value="-8 N"):
         found(Fc=-8.0)
-    with pytest.raises(ParameterError, match=r"Fc = -8.*helps the motion"):
+    with refuses(ParameterError, name="Fc", value="-8 N"):
         found(Fc=-8.0, settings=replace(SETTINGS, friction="asymmetric"))
 
 
@@ -200,18 +199,18 @@ def test_friction_that_may_be_none_is_marked_unusable_where_it_comes_out_below_z
     below = [fit for fit in fits if fit["Fc"] < 0.0]
     assert below and len(below) < len(fits)
     for fit in below:
-        assert not fit.usable and any("below zero" in said for said in fit.remarks)
+        assert not fit.usable and "CL530" in {one.code for one in fit.findings}
 
 
 def test_gravity_is_not_taken_for_negative_friction() -> None:
     fit = found(offset=100.0, settings=replace(SETTINGS, friction="asymmetric"))
     assert fit["Fc-"] == pytest.approx(-80.0, rel=1e-2)
-    assert fit.usable and any("as gravity does" in said for said in fit.remarks)
+    assert fit.usable and "CL531" in {one.code for one in fit.findings}
 
 
 def test_friction_that_falls_with_speed_is_marked_unusable() -> None:
     fit = found(Fv=-30.0)
-    assert not fit.usable and any("Stribeck" in said for said in fit.remarks)
+    assert not fit.usable and "CL530" in {one.code for one in fit.findings}
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -223,10 +222,10 @@ def test_a_mass_that_a_record_hardly_tells_is_refused_or_marked(seed: int) -> No
     try:
         fit = identify_inverse_dynamics(t, 0.02 * PERIOD * np.cumsum(way), force, replace(SETTINGS, cutoff=5.0))
     except ParameterError as error:
-        assert "M = -" in str(error) and str(error).endswith("the record hardly accelerates")
+        assert error.name == "M" and str(error.value).startswith("-") and "hardly" in error.bound
     else:
         assert not fit.usable
-        assert any("too little excitation" in said and said.startswith("M = ") for said in fit.remarks)
+        assert ("CL526", "M") in {(one.code, one.place) for one in fit.findings}
 
 
 def test_parameters_that_one_speed_does_not_tell_apart_are_named() -> None:
@@ -245,9 +244,9 @@ def test_rest_is_remarked_on_and_left_out_when_asked() -> None:
     q += 1e-8 * np.random.default_rng(2).normal(size=t.size)
     force = np.where(t > t[stop], 11.0, force_of(v, a, **AXIS))  # any force up to Coulomb friction holds
     whole = identify_inverse_dynamics(t, q, force, SETTINGS)
-    assert any("are at rest" in said for said in whole.remarks)
+    assert "CL536" in {one.code for one in whole.findings}
     moving = identify_inverse_dynamics(t, q, force, replace(SETTINGS, slowest=5e-3))
-    assert not any("are at rest" in said for said in moving.remarks)
+    assert "CL536" not in {one.code for one in moving.findings}
     assert moving["offset"] == pytest.approx(AXIS["offset"], abs=0.2)
     assert abs(whole["offset"] - AXIS["offset"]) > 1.0
 
@@ -256,13 +255,13 @@ def test_a_force_of_another_kind_is_remarked_on() -> None:
     t, q, v, a = motion()
     ripple = 150.0 * np.sin(2.0 * math.pi * q / 4e-3)
     fit = identify_inverse_dynamics(t, q, force_of(v, a, **AXIS) + ripple, SETTINGS)
-    assert any("explains" in said for said in fit.remarks)
+    assert "CL533" in {one.code for one in fit.findings}
 
 
 def test_a_residual_that_is_not_white_widens_the_robust_deviations() -> None:
     t, q, v, a = motion()
     slow = 3.0 * np.sin(2.0 * math.pi * 0.17 * t + 0.4)
     fit = identify_inverse_dynamics(t, q, force_of(v, a, **AXIS) + slow, SETTINGS)
-    assert any("not white" in said for said in fit.remarks)
+    assert "CL535" in {one.code for one in fit.findings}
     assert fit.robust_deviations.max() > fit.deviations.max()
     assert (np.abs(fit.values - list(AXIS.values())) < 4.0 * fit.robust_deviations + 1e-3 * np.abs(fit.values)).all()

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from coupled_axes import circle, stages, unlike
 from numpy.typing import NDArray
+from refusals import mentions
 
 from contourlab.analysis.learning.learning_analysis import (
     design_zero_phase,
@@ -171,7 +172,7 @@ def test_laws_with_a_model_learn_steadily_where_it_is_right() -> None:
     for law in (NormOptimal(), NormOptimal(contour_weight=3.0), PlantInversion(gain=0.8, regularisation=1e-3)):
         assert frequency_learning(loop, law).worst_norm[1] <= 1.0 + 1e-9
     operator = TrialOperator(loop, NormOptimal(), circle(40))
-    with pytest.raises(ComponentError, match="learns through a model"):
+    with pytest.raises(ComponentError, match="norm-optimal"):
         operator.transposed(np.zeros((40, 2)))
 
 
@@ -181,15 +182,15 @@ def test_warnings_are_in_words() -> None:
     assert not found.monotone
     assert found.worst_factor == pytest.approx(1.025, abs=2e-3)
     assert found.worst_frequency / TURN == pytest.approx(9.3, abs=0.3)
-    assert any("M = 11 at 1 ms amplifies 9.1 Hz by 2.6 % per trial" in text for text in found.warnings)
-    assert any("a second pass alone does not cure it" in text for text in found.warnings)
+    assert mentions(found.warnings, "M = 11 ", " 1 ms ", "9.1 Hz", "2.6 %")
+    assert mentions(found.warnings, "second pass")
     assert found.design is not None
     better = ZeroPhase(gain=found.design.gain, half_width=found.design.half_width, passes=found.design.passes, lead=found.design.lead)
     assert learning_analysis(*stages(0.1, 15e-3), better).worst_factor <= 1.001
     bare = learning_analysis(*stages(0.1, 0.0), PType(gain=5.0))
-    assert any("without a Q-filter" in text for text in bare.warnings)
+    assert mentions(bare.warnings, "Q-filter")
     slow = learning_analysis(*stages(0.15, 15e-3, 0.03), ZeroPhase())
-    assert any("M = 11 at 30 ms amplifies" in text for text in slow.warnings)
+    assert mentions(slow.warnings, "M = 11 ", " 30 ms ")
 
 
 def test_a_law_that_converges_is_said_to() -> None:
@@ -203,5 +204,5 @@ def test_a_law_that_converges_is_said_to() -> None:
 
 
 def test_nothing_is_learned_on_an_unstable_axis() -> None:
-    with pytest.raises(ComponentError, match="unstable under its own controller"):
+    with pytest.raises(ComponentError, match=r"\bx\b.*unstable"):
         learning_analysis(*stages(5e-3, 15e-3), ZeroPhase())

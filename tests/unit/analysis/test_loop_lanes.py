@@ -12,9 +12,8 @@ from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, un
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.design import Space
-from contourlab.design.bounds import Bounds
-from contourlab.features.swap.guard import Guard
-from contourlab.features.swap.numbers import divided_controller
+from contourlab.design.guards import Bounds, Guards
+from contourlab.design.values import controller_with
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, controller, machine
 
 N = 40
@@ -41,7 +40,7 @@ def test_lanes_agree_with_the_margins_of_each_loop(delay: float) -> None:
     kept = unstable_by(loops, margin_factors(1.5, math.radians(25.0))) < 0.0
     radius = loops.radius(1.0)
     for i in range(N):
-        one = divided_controller(made, {name: float(values[i]) for name, values in mine.items()})
+        one = controller_with(made, {name: float(values[i]) for name, values in mine.items()})
         exact = sampled_loop(stage.axis("2"), one.axes["2"], stage.servo_period)
         assert radius[i] == pytest.approx(np.abs(exact.poles).max(), abs=1e-6)
         assert kept[i] == (not bounds.broken(exact.margins()))
@@ -50,12 +49,12 @@ def test_lanes_agree_with_the_margins_of_each_loop(delay: float) -> None:
 
 def test_a_guard_asks_all_axes_and_remembers() -> None:
     stage, made, columns = candidates()
-    guard, known = Guard(stage, made, Bounds(GAIN, 25.0)), {}
+    guard, known = Guards([(stage, made)], Bounds(GAIN, 25.0)), {}
     excess = guard.excess(columns, known)
     assert not guard.unknown and len(known) == 2
     assert np.array_equal(guard.excess(columns, known), excess)
     assert np.array_equal(guard.excess({name: values[5:6] for name, values in columns.items()}), excess[5:6])
     for i in range(0, N, 8):
-        one = divided_controller(made, {name: float(values[i]) for name, values in columns.items()})
+        one = controller_with(made, {name: float(values[i]) for name, values in columns.items()})
         met = [not guard.bounds.broken(sampled_loop(axis, one.axes[axis.name], stage.servo_period).margins()) for axis in stage.axes]
         assert all(met) == (excess[i] < 0.0)

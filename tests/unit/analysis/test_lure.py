@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from backlash_loops import HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_III, drive, paper_loop
+from backlash_loops import J_L, J_M, K_S, PAPER, SCHEME_III, drive, paper_loop
+from refusals import refuses
 
-from contourlab.analysis.backlash.lure import BacklashLoop, dead_zone
+from contourlab.analysis.backlash.lure import dead_zone
 from contourlab.errors import ParameterError
 from contourlab.papers.shahin.two_inertia_loop import Feedback, motor_pid, p_pi_cascade, two_inertia_loop
 
@@ -55,7 +56,7 @@ def test_scheme_one_switches_its_controller() -> None:
     loop = two_inertia_loop(PAPER, gap, contact)
     assert loop.gap_matrix[1] == pytest.approx([-2000.0, -1e4, 2000.0, 1e4])
     assert loop.contact_matrix[1] == pytest.approx([-2000.0 - K_S / J_M, -1e4, K_S / J_M, 0.0])
-    with pytest.raises(ParameterError, match="one linear part"):
+    with refuses(ParameterError, name="contact_a"):
         loop.transfer(1.0)
 
 
@@ -72,29 +73,8 @@ def test_dead_zone() -> None:
     assert dead_zone([-2.0, -1.0, 0.3, 1.0, 4.0], 1.0).tolist() == [-1.0, 0.0, 0.0, 0.0, 3.0]
 
 
-@pytest.mark.parametrize(
-    ("changes", "match"),
-    [
-        ({"half_gap": 0.0}, "half_gap"),
-        ({"stiffness": -1.0}, "stiffness"),
-        ({"shaft_damping": float("nan")}, "shaft_damping"),
-        ({"c": np.array([0.0, 1.0])}, "c b"),
-        ({"a": np.zeros((3, 3))}, "shape"),
-        ({"a": np.array([[0.0, np.inf], [0.0, 0.0]])}, "inf or nan"),
-        ({"states": ("one",)}, "states"),
-    ],
-)
-def test_what_is_no_loop_is_refused(changes: dict[str, object], match: str) -> None:
-    given: dict[str, object] = {"a": np.array([[0.0, 1.0], [0.0, 0.0]]), "b": np.array([0.0, 1.0]), "c": np.array([1.0, 0.0])}
-    given |= {"stiffness": K_S, "half_gap": HALF_GAP} | changes
-    with pytest.raises(ParameterError, match=match):
-        BacklashLoop(**given)  # type: ignore[arg-type]
-
-
 def test_controllers_that_do_not_fit_are_refused() -> None:
-    with pytest.raises(ParameterError, match="gain and integral"):
-        Feedback((1.0, 2.0, 3.0))
-    with pytest.raises(ParameterError, match="contact_feedback"):
+    with refuses(ParameterError, name="contact_feedback"):
         two_inertia_loop(PAPER, motor_pid(1.0, 1.0), SCHEME_III)
-    with pytest.raises(ParameterError, match="load_inertia"):
+    with refuses(ParameterError, name="load_inertia", value=0.0):
         drive(load_inertia=0.0)

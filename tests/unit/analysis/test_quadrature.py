@@ -43,7 +43,6 @@ def test_heydemanns_constants_are_recovered_to_rounding(model: QuadratureConstan
     fit = fit_ellipse(*signals(true, phase))
     assert gap(fit.constants, true) < 1e-12
     assert fit.scatter < 1e-12
-    assert fit.covered == 1.0
 
 
 @given(model=MODELS, p=st.floats(-20.0, 20.0), q=st.floats(-20.0, 20.0))
@@ -136,8 +135,8 @@ def a_square() -> tuple[np.ndarray, np.ndarray]:
     [
         ((np.ones(50), np.ones(50)), "stands still"),
         ((np.cos(np.arange(50.0)), np.zeros(50)), "u2.*stands still"),
-        (a_line(), "line or a short arc|ellipse"),
-        (an_arc(), "% of the circle.*move a pitch"),
+        (a_line(), "short arc|ellipse"),
+        (an_arc(), "%.*pitch"),
         (a_cloud(), "no ellipse"),
         (a_square(), "no ellipse"),
         ((np.cos(np.arange(10.0)), np.sin(np.arange(10.0))), "at least 16"),

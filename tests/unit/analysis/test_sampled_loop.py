@@ -271,12 +271,12 @@ class DeadBand(Component):
 
 
 def test_a_step_that_is_not_linear_is_named() -> None:
-    with pytest.raises(ComponentError, match=r"x\.controller is not linear"):
+    with pytest.raises(ComponentError, match=r"x\.controller .*linear"):
         sampled_loop(axis(), AxisController(DeadBand()), T)
 
 
 def test_a_delay_that_would_take_too_long_is_refused() -> None:
-    with pytest.raises(ComponentError, match="delay of more than 1000 servo periods"):
+    with pytest.raises(ComponentError, match=r"axis x: .*\b1000\b"):
         sampled_loop(axis(DelayedSaturation(delay=5.0)), controller(), T)
 
 

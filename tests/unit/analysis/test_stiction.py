@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from axis_bench import driven
 from numpy.typing import NDArray
+from refusals import refuses
 
 from contourlab.analysis.identification.stiction import breakaways
 from contourlab.components.friction.laws import Coulomb, LuGre
@@ -55,7 +56,7 @@ def test_bristles_bend_before_they_slip() -> None:
 
 def test_a_ramp_that_moves_nothing_is_told() -> None:
     friction = Coulomb(coulomb=50.0)
-    with pytest.raises(ParameterError, match="its breakaway is higher"):
+    with pytest.raises(ParameterError, match="breakaway"):
         time, u, place = record(friction, 40.0, 1e-7)
         breakaways(time, u, place + 1e-7 * (np.arange(u.size) % 2))
     time, u, place = record(Coulomb(coulomb=20.0), 40.0, 1e-7)
@@ -63,16 +64,16 @@ def test_a_ramp_that_moves_nothing_is_told() -> None:
     place = driven(PLANT, weak, PERIOD, friction=Coulomb(coulomb=20.0), sensor=Encoder(resolution=1e-7))
     found, said = breakaways(time, weak, place)
     assert [one.direction for one in found] == [1, 1]
-    assert len(said) == 2 and all("its breakaway is higher" in words for words in said)
+    assert len(said) == 2 and all("breakaway" in note.text for note in said)
 
 
 def test_what_is_no_ramp_is_refused() -> None:
     time, u, place = record(Coulomb(coulomb=20.0), 40.0, 1e-7)
-    with pytest.raises(ParameterError, match="slow ramps"):
+    with refuses(ParameterError, "slow ramps", name="command"):
         breakaways(time, 40.0 * np.sign(u), place)
-    with pytest.raises(ParameterError, match="slow ramps"):
+    with refuses(ParameterError, "slow ramps", name="command"):
         breakaways(time, np.zeros_like(u), place)
-    with pytest.raises(ParameterError, match="against the command"):
+    with refuses(ParameterError, "against", name="position"):
         breakaways(time, u, -place)
-    with pytest.raises(ParameterError, match="finite"):
+    with refuses(ParameterError, "finite", name="position", value="nan at sample 2001"):
         breakaways(time, u, np.where(time > 2.0, np.nan, place))

@@ -219,7 +219,7 @@ def test_map_of_externals() -> None:
 
 
 def test_what_is_not_linear_has_no_map() -> None:
-    with pytest.raises(ComponentError, match="s is not linear"):
+    with pytest.raises(ComponentError, match=r"^s .*linear"):
         tick_map(summed(3.0, bend=1e-6))
 
 
@@ -228,7 +228,7 @@ def test_a_step_that_breaks_has_no_map() -> None:
         return (), (1.0 / (inp.u - 1.0),)
 
     made = Step("break", step, inputs=(Port("u"),), outputs=(Port("y"),))
-    with pytest.raises(ComponentError, match="cannot be run"):
+    with pytest.raises(ComponentError, match="division by zero"):
         tick_map(Schedule((Node("s", made, {"u": "in.u"}),), (Port("u"),), 1.0, 1))
 
 

@@ -10,7 +10,7 @@ import pytest
 
 import contourlab as cl
 from contourlab.analysis.linear.margins import Margins
-from contourlab.features.run.compare import Outcome, bode_of, run_case
+from contourlab.features.run.outcome import Outcome, bode_of, run_case
 from contourlab.features.run.page import report_data
 from contourlab.features.run.summary import summary_of
 from contourlab.report.comparison import compare

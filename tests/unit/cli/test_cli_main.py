@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -108,10 +109,10 @@ def test_every_kind_of_failure_has_its_code(error, code, said, monkeypatch, caps
 def test_a_parameter_is_called_as_it_was_typed(monkeypatch, capsys):
     for words in (["--gain-margin", "-5"], ["--gain-margin=-5"]):
         assert main(["tune", "builtin:ghaffari/demo-stage", *words]) == 2
-        assert capsys.readouterr().err == "contourlab: --gain-margin = -5 dB: must be 0 to 60 dB\n"
+        assert re.fullmatch(r"contourlab: --gain-margin = -5 dB: .*\b0 to 60 dB\n", capsys.readouterr().err)
     fail_with(monkeypatch, ParameterError("gain_margin", "-5", "0 to 60", "dB"))
     assert main(["components"]) == 2
-    assert capsys.readouterr().err == "contourlab: gain_margin = -5 dB: must be 0 to 60 dB\n"
+    assert re.fullmatch(r"contourlab: gain_margin = -5 dB: .*\b0 to 60 dB\n", capsys.readouterr().err)
 
 
 def test_an_interrupted_command_says_what_it_kept(monkeypatch, capsys):
@@ -138,7 +139,7 @@ def test_output_that_cannot_be_written_is_2(arguments):
     with open("/dev/full", "w") as full:  # noqa: PTH123
         done = subprocess.run([*LAUNCH, *arguments], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
     assert done.returncode == 2
-    assert done.stderr == "contourlab: standard output: No space left on device\n"
+    assert done.stderr.startswith("contourlab: standard output: ") and done.stderr.count("\n") == 1
 
 
 def test_a_terminal_without_greek_letters_is_no_error():

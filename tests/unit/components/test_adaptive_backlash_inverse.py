@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from refusals import refuses
 
 from contourlab.components.compensation.backlash_inverse import AdaptiveBacklashInverse
 from contourlab.engine.step import record
@@ -187,5 +188,5 @@ def test_inertia_without_friction_is_learnt_right_with_its_time_constant_alone()
 
 
 def test_a_guess_beyond_the_largest_gap_is_refused() -> None:
-    with pytest.raises(ParameterError, match=r"backlash_gap = 0\.0002 m: must be <= largest_gap, 0\.0001 m"):
+    with refuses(ParameterError, name="backlash_gap", value="0.0002", bound="<= largest_gap, 0.0001", unit="m"):
         AdaptiveBacklashInverse(backlash_gap=2e-4, largest_gap=1e-4)

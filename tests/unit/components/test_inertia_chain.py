@@ -83,7 +83,7 @@ def test_lost_motion_of_a_chain_is_that_of_all_its_joints() -> None:
 @pytest.mark.parametrize(
     ("values", "message"),
     [
-        ({"inertias": (1e-3,)}, "two or more"),
+        ({"inertias": (1e-3,)}, "two"),
         ({"stiffnesses": (1.0, 2.0, 3.0)}, "stiffnesses = 3 values: must be 2"),
         ({"backlash_gaps": (1e-6, -1e-6)}, "backlash_gaps"),
         ({"inertias": (1e-3, 0.0, 1e-3)}, "inertias"),
@@ -95,7 +95,7 @@ def test_a_chain_that_cannot_be_is_refused(values: dict[str, Any], message: str)
 
 
 def test_bristles_on_a_chain_are_refused_in_words() -> None:
-    with pytest.raises(ComponentError, match=r"inertia-chain takes no friction of law 'bristle': load lugre.*two-inertia"):
+    with pytest.raises(ComponentError, match=r"inertia-chain.*'bristle': load lugre.*two-inertia"):
         link(InertiaChain(**THREE), LuGre(coulomb=10.0, breakaway=12.0, stiffness=1e6))
 
 

@@ -91,16 +91,16 @@ def test_a_file_that_was_edited_takes_its_own_place(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("class Push(\n", r"cannot be imported: SyntaxError: .*line 1"),
-        ("import no_such_package\n", "cannot be imported: ModuleNotFoundError: No module named 'no_such_package'"),
-        ("raise KeyError('x')\n", "cannot be imported: KeyError"),
-        ("x = 1\n", r"defines no component \(a subclass of Component with family and kind\)"),
-        ("from contourlab.components.drive.saturation import Saturation\n", "defines no component"),
-        (source("push").replace('kind = "push"', ""), "defines no component"),
-        (source("push").replace('"disturbance"', '"gearbox"'), "family 'gearbox' is none of plant, friction"),
+        ("class Push(\n", r"SyntaxError: .*line 1"),
+        ("import no_such_package\n", "ModuleNotFoundError: .*'no_such_package'"),
+        ("raise KeyError('x')\n", "imported: KeyError"),
+        ("x = 1\n", "no component .*subclass"),
+        ("from contourlab.components.drive.saturation import Saturation\n", "no component"),
+        (source("push").replace('kind = "push"', ""), "no component"),
+        (source("push").replace('"disturbance"', '"gearbox"'), "'gearbox'.* plant, friction"),
         (source("constant"), "disturbance 'constant' already"),
         (source("push") + source("push", "Second"), "disturbance 'push' already"),
-        ("", "defines no component"),
+        ("", "no component"),
     ],
 )
 def test_a_bad_file_is_refused_with_what_would_mend_it(tmp_path: Path, text: str, said: str) -> None:
@@ -135,7 +135,7 @@ def test_two_files_of_one_name_live_side_by_side(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", ["none.py", ".", "notes.txt", "no/such/folder/drag.py"])
 def test_what_is_no_python_file_is_refused(tmp_path: Path, name: str) -> None:
     (tmp_path / "notes.txt").write_text(source("push"))
-    with pytest.raises(ComponentError, match="no Python file to load components from"):
+    with pytest.raises(ComponentError, match="Python file"):
         cl.load_plugin(tmp_path / name)
 
 
@@ -161,7 +161,7 @@ def test_the_command_of_the_guide_works_as_it_stands(drag: Path) -> None:
         command = [str(script), *arguments]
     done = subprocess.run(command, cwd=drag.parent, capture_output=True, text=True, timeout=60)
     assert done.returncode == 0, done.stderr
-    assert "friction/drag" in done.stdout and "Resistance of air" in done.stdout and "coefficient" in done.stdout
+    assert all(word in done.stdout for word in ("friction/drag", "Resistance", "coefficient"))
 
 
 def test_the_lines_of_the_guide_work_as_they_stand(drag: Path) -> None:
@@ -226,11 +226,11 @@ def test_a_module_of_an_entry_point_brings_all_its_components(monkeypatch: pytes
 @pytest.mark.parametrize(
     ("thing", "said"),
     [
-        (ImportError("no such wheel"), r"entry point push = stranger\.push cannot be loaded: no such wheel"),
-        (RuntimeError("boom"), "cannot be loaded: boom"),
-        (3, "entry point push: 3 is no component"),
-        (Component, "is no component"),
-        (ModuleType("empty"), "entry point push: defines no component"),
+        (ImportError("no such wheel"), r"entry point push = stranger\.push .*such wheel"),
+        (RuntimeError("boom"), "loaded: boom"),
+        (3, "push: 3 .*no component"),
+        (Component, "no component"),
+        (ModuleType("empty"), "push: .*no component"),
     ],
 )
 def test_an_entry_point_that_gives_no_component_is_never_skipped(monkeypatch: pytest.MonkeyPatch, thing: object, said: str) -> None:
@@ -243,13 +243,13 @@ def test_an_entry_point_cannot_take_the_place_of_ours(monkeypatch: pytest.Monkey
     scope: dict[str, object] = {"__name__": "stranger"}
     exec(source("constant"), scope)
     offer(monkeypatch, push=scope["Push"])
-    with pytest.raises(ComponentError, match="entry point push: there is a disturbance 'constant' already"):
+    with pytest.raises(ComponentError, match=r"entry point push: .*'constant'"):
         registry.components()
 
 
 def test_unknown_families_and_kinds_are_answered_with_those_there_are() -> None:
-    with pytest.raises(ComponentError, match="no family 'gearbox'; there are: plant, friction"):
+    with pytest.raises(ComponentError, match=r"'gearbox'.* plant, friction"):
         registry.components("gearbox")
     plants = "ball-screw, inertia-chain, linear-motor, mass-damper, rigid-axis, second-order-integrator, two-inertia"
-    with pytest.raises(ComponentError, match=f"no plant 'rigid axis'; there are: {plants}"):
+    with pytest.raises(ComponentError, match=rf"'rigid axis'.* {plants}$"):
         registry.component("plant", "rigid axis")

@@ -110,12 +110,12 @@ def test_a_machine_that_stands_is_not_shifted() -> None:
 @pytest.mark.parametrize(
     ("changed", "said"),
     [
-        ({"numerator": (2.0, -0.9)}, "numerator = a list of sum 1.1"),
+        ({"numerator": (2.0, -0.9)}, "numerator = .*sum 1.1"),
         ({"denominator": (1.0, -1.5, 1.5)}, "denominator"),
         ({"denominator": (0.0, 1.0)}, "d_0"),
         ({"denominator": (1.0, *(0.0,) * 9)}, "of order 8 at most"),
-        ({"lead": 1.5}, "lead = 1.5: must be a whole number"),
-        ({"numerator": ()}, "a list of numbers"),
+        ({"lead": 1.5}, "lead = 1.5: .*whole"),
+        ({"numerator": ()}, "list"),
     ],
 )
 def test_a_filter_that_cannot_run_is_refused(changed: dict[str, Any], said: str) -> None:

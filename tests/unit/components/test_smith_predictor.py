@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from component_rig import make, run_alone
+from refusals import refuses
 from scipy.signal import cont2discrete
 
 import contourlab as cl
@@ -100,7 +101,7 @@ def test_an_observer_sees_the_loop_without_delay_too() -> None:
 
 
 def test_a_velocity_that_is_not_predicted_is_refused() -> None:
-    with pytest.raises(ParameterError, match="made from the predicted position"):
+    with refuses(ParameterError, "predicted", name="velocity", value='"true"'):
         cl.AxisController(SERVO, predictor=smith(15e-3))
 
 

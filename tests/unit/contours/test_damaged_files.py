@@ -82,7 +82,7 @@ def test_svg_coordinates_far_out_are_refused(tmp_path: File) -> None:
 def test_points_far_out_are_refused_with_their_line(tmp_path: File, row: str, unit: str) -> None:
     file = tmp_path / "part.csv"
     file.write_text(f"x,y\n0,0\n1,0\n{row}\n", encoding="utf-8")
-    with pytest.raises(GeometryError, match=r"part\.csv:4: .* beyond 1e\+06 m: is the unit right"):
+    with pytest.raises(GeometryError, match=r"part\.csv:4: .* 1e\+06 m"):
         read_contour(file, unit=unit)
     file.write_text("x,y\n0,0\n1000000,0\n", encoding="utf-8")
     assert read_contour(file, unit="m").length == pytest.approx(1e6)
@@ -98,19 +98,19 @@ def test_quoted_cells_are_numbers(tmp_path: File, text: str) -> None:
 def test_a_column_of_time_is_named(tmp_path: File) -> None:
     file = tmp_path / "part.csv"
     file.write_text("t [s],x [mm],y [mm]\n0,0,0\n1,3,4\n", encoding="utf-8")
-    with pytest.raises(GeometryError, match=r"part\.csv:1: column t is in s, which is not a unit of length: leave the column out"):
+    with pytest.raises(GeometryError, match=r"part\.csv:1: column t\b.* s,"):
         read_contour(file)
 
 
 @pytest.mark.parametrize(
     ("choice", "message"),
     [
-        ({"chain": 1.5}, "chain = 1.5: write a whole number"),
-        ({"chain": True}, "chain = True: write a whole number"),
-        ({"chain": "1"}, "chain = '1': write a whole number"),
-        ({"ignore": "TEXT"}, r'ignore = "TEXT": write a list: ignore = \["TEXT"\]'),
-        ({"ignore": 3}, "ignore = 3: write a list of kinds"),
-        ({"ignore": [3]}, r"ignore = \[3\]: write a list of kinds"),
+        ({"chain": 1.5}, "chain = 1.5: "),
+        ({"chain": True}, "chain = True: "),
+        ({"chain": "1"}, "chain = '1': "),
+        ({"ignore": "TEXT"}, r'ignore = "TEXT": .*\["TEXT"\]'),
+        ({"ignore": 3}, "ignore = 3: .*list"),
+        ({"ignore": [3]}, r"ignore = \[3\]: .*list"),
     ],
 )
 def test_choices_of_the_wrong_kind(tmp_path: File, choice: dict[str, Any], message: str) -> None:

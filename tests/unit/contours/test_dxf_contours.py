@@ -133,7 +133,7 @@ def test_blocks_are_resolved(tmp_path: File) -> None:
 
 def test_tilted_circles_want_three_axes(tmp_path: File) -> None:
     file = dxf(tmp_path, lambda m: m.add_circle((0, 0, 5), 10, dxfattribs={"extrusion": (1, 0, 1)}))
-    with pytest.raises(GeometryError, match=r"its z runs from .* write axes = 3"):
+    with pytest.raises(GeometryError, match=r"\bz\b.* axes = 3"):
         read_contour(file)
     path = read_contour(file, axes=3)
     assert path.length == pytest.approx(0.02 * math.pi, rel=1e-14)
@@ -149,11 +149,11 @@ def test_units(tmp_path: File) -> None:
     for code, size in ((1, 0.0254), (2, 0.3048), (4, 1e-3), (5, 1e-2), (6, 1.0), (13, 1e-6)):
         assert read_contour(dxf(tmp_path, draw, units=code), tolerance=1e-8).length == pytest.approx(5 * size, rel=1e-15)
     assert read_contour(dxf(tmp_path, draw, units=4), unit="inch", scale=2.0).length == pytest.approx(10 * 0.0254, rel=1e-15)
-    with pytest.raises(GeometryError, match=r'part.dxf: states no unit: write unit = "mm"'):
+    with pytest.raises(GeometryError, match=r'part.dxf: .*unit = "mm"'):
         read_contour(dxf(tmp_path, draw, units=0))
     with pytest.raises(UnitError, match="kg"):
         read_contour(dxf(tmp_path, draw), unit="kg")
-    with pytest.raises(UnitError, match="unit of length"):
+    with pytest.raises(UnitError, match="9\\*\\*9"):
         read_contour(dxf(tmp_path, draw), unit="9**9**9")
 
 
@@ -185,18 +185,16 @@ def test_what_cannot_be_driven_along_is_named(tmp_path: File) -> None:
         m.add_point((0, 0), dxfattribs={"layer": "words"})
 
     file = dxf(tmp_path, draw)
-    with pytest.raises(
-        GeometryError, match=r'1 TEXT on layer words; 1 HATCH on layer cut; 1 POINT on layer words.*ignore = \["TEXT", "HATCH", "POINT"\]'
-    ):
+    with pytest.raises(GeometryError, match=r'1 TEXT.*words; 1 HATCH.*cut; 1 POINT.*words.*ignore = \["TEXT", "HATCH", "POINT"\]'):
         read_contour(file)
-    with pytest.raises(GeometryError, match=r"holds 1 HATCH on layer cut"):
+    with pytest.raises(GeometryError, match=r": holds 1 HATCH[^;]*cut[^;]*$"):
         read_contour(file, layer="cut")
     assert read_contour(file, ignore=["text", "HATCH", "POINT"]).closed
     drawing = read_dxf(file)
     assert [(item.kind, item.layer) for item in drawing.left_out] == [("TEXT", "words"), ("HATCH", "cut"), ("POINT", "words")]
-    with pytest.raises(GeometryError, match="nothing on layer 'cuts': there are cut, words"):
+    with pytest.raises(GeometryError, match=r"'cuts': .*cut, words"):
         read_contour(file, layer="cuts")
-    with pytest.raises(GeometryError, match="holds no contour"):
+    with pytest.raises(GeometryError, match="no contour;"):
         read_contour(file, layer="words", ignore=["TEXT", "POINT"])
 
 
@@ -218,7 +216,7 @@ def test_old_files_without_units_are_asked_for_theirs(tmp_path: File) -> None:
     document.modelspace().add_line((0, 0), (1, 0))
     document.header["$INSUNITS"] = 0
     document.saveas(tmp_path / "old.dxf")
-    with pytest.raises(GeometryError, match="states no unit"):
+    with pytest.raises(GeometryError, match="no unit"):
         read_contour(tmp_path / "old.dxf")
     assert read_contour(tmp_path / "old.dxf", unit="mm").length == pytest.approx(1e-3)
 

@@ -60,19 +60,19 @@ def test_ways_to_write_two_points(tmp_path: File, text: str) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "holds no points"),
+        ("", "no points"),
         ("x [mm],y [mm]\n", "holds 0 points"),
         ("x [mm],y [mm]\n1,2\n", "holds 1 points"),
-        ("x [mm],y [mm]\n1,2\n1,2\n3,4\n", "csv:3: repeats the point of line 2"),
+        ("x [mm],y [mm]\n1,2\n1,2\n3,4\n", "csv:3: .*line 2"),
         ("x [mm],y [mm]\n1,2\n\n3\n", "csv:4: has 1 columns"),
         ("x [mm],y [mm]\n1,2\n3,4,5\n", "csv:3: has 3 columns"),
-        ("x [mm],y [mm]\n1,2\n3,nan\n", "csv:3: nan is not finite"),
-        ("x [mm],y [mm]\n1,2\n3,1e999\n", "csv:3: 1e999 is not finite"),
-        ("x [mm],y [mm]\n1,2\n3,four\n", "csv:3: 'four' is not a number"),
-        ("x [mm],x [mm]\n1,2\n3,4\n", "csv:1: an axis is named twice"),
-        ("x [mm],7\n1,2\n3,4\n", "csv:1: '7' names no axis"),
-        ("x,y\n1,2\n3,4\n", "csv:1: states no unit: write unit"),
-        ("1,2\n3,4\n", "csv:1: states no unit"),
+        ("x [mm],y [mm]\n1,2\n3,nan\n", "csv:3: nan"),
+        ("x [mm],y [mm]\n1,2\n3,1e999\n", "csv:3: 1e999"),
+        ("x [mm],y [mm]\n1,2\n3,four\n", "csv:3: 'four'"),
+        ("x [mm],x [mm]\n1,2\n3,4\n", "csv:1: .*twice"),
+        ("x [mm],7\n1,2\n3,4\n", "csv:1: '7'"),
+        ("x,y\n1,2\n3,4\n", "csv:1: .*no unit"),
+        ("1,2\n3,4\n", "csv:1: .*no unit"),
         ("a,b,c,d\n1,2,3,4\n", "csv:1: has 4 columns"),
         ("x [mm]\n1\n2\n", "csv:1: has 1 columns"),
     ],
@@ -84,18 +84,18 @@ def test_faults_are_named_with_their_line(tmp_path: File, text: str, message: st
 
 def test_faults_of_units_and_settings(tmp_path: File) -> None:
     file = written(tmp_path, "x [mm],y [mm]\n1,2\n3,4\n5,5\n")
-    with pytest.raises(GeometryError, match="states mm, and unit = 'inch'"):
+    with pytest.raises(GeometryError, match=r"\bmm\b.*unit = 'inch'"):
         read_contour(file, unit="inch")
     assert read_contour(file, unit="mm").n_axis == 2
     for wrong in ({"tolerance": 0.0}, {"corner_angle": 4.0}, {"corner_angle": 0.0}, {"layer": "cut"}, {"chain": 1}, {"scale": -1.0}):
         with pytest.raises(GeometryError):
             read_contour(file, **wrong)  # type: ignore[arg-type]
-    with pytest.raises(GeometryError, match=r"csv:1: column x is in kg, which is not a unit of length: write for example mm"):
+    with pytest.raises(GeometryError, match=r"csv:1: column x\b.* kg"):
         read_contour(written(tmp_path, "x [kg],y [kg]\n1,2\n3,4\n"))
     with pytest.raises(UnitError, match="kg"):
         read_contour(written(tmp_path, "1,2\n3,4\n"), unit="kg")
     (tmp_path / "latin.csv").write_bytes(b"x [mm],y [mm]\n1,2\n\xff,3\n")
-    with pytest.raises(GeometryError, match=r"latin.csv: is not UTF-8 text \(byte 18\)"):
+    with pytest.raises(GeometryError, match=r"latin\.csv: .*byte 18"):
         read_contour(tmp_path / "latin.csv")
 
 
@@ -187,9 +187,9 @@ def test_a_file_of_points_is_the_contour_they_are_from(tmp_path: File) -> None:
     # The longest chord, 1.3 steps of the ellipse, leaves it most where the ellipse turns most, with 100 /m: by c^2 / 800.
     step = 2.0 * math.pi / 199.0
     most = max(100.0 * (0.02 * 1.3 * step) ** 2, (0.04 * 1.3 * step) ** 2 * 50.0 / 3.0) / 8.0
-    said = re.fullmatch(r"200 points, on the curve, at most (\S+) um from their chords between them, 0 corners, closed", found.notes[0])
-    assert said
-    bulge = float(said[1])
+    numbers = re.search(r"^200 points.* (\S+) um .*\b0 corners.*closed", found.notes[0])
+    assert numbers
+    bulge = float(numbers[1])
     assert 0.5 * most < 1e-6 * bulge < 1.1 * most
     assert found.path.length == pytest.approx(0.16 * ellipe(0.75), rel=1e-9)
     turned = read_points(file, reverse=True).path

@@ -77,9 +77,9 @@ def test_ends_that_would_drag_the_rest_are_refused() -> None:
     """The ends of an almost full circle cannot part without the circle growing a lot."""
     curve = EllipticalArc((0, 0), (1, 0), (0, 0.5), 0.0, 2 * math.pi - 1e-4)
     ends = curve.position([0.0, curve.length])
-    with pytest.raises(GeometryError, match="without the rest moving further"):
+    with pytest.raises(GeometryError, match=r"EllipticalArc.*1e-06 m"):
         with_ends(curve, ends[0] + [1e-6, 0], ends[1] - [1e-6, 0])
-    with pytest.raises(GeometryError, match="cannot be moved"):
+    with pytest.raises(GeometryError, match="Lemniscate"):
         with_ends(CURVES["lemniscate"], (0, 0), (0, 1e-6))
 
 
@@ -117,7 +117,7 @@ def test_corners_cut_a_spline() -> None:
     double, more = np.insert(points, 2, points[2], axis=0), np.insert(knots, 3, 1.0)
     assert len(spline_curves(2, double, more, None)) == 2
     double[3] += 0.1
-    with pytest.raises(GeometryError, match="gap at parameter 1"):
+    with pytest.raises(GeometryError, match=r"gap.* 1$"):
         spline_curves(2, double, more, None)
 
 
@@ -146,7 +146,7 @@ def test_a_nurbs_circle_is_one() -> None:
     ("degree", "knots", "weights", "message"),
     [
         (3, CLAMPED[:-1], None, "needs 10 knots"),
-        (3, CLAMPED[::-1].copy(), None, "must not fall"),
+        (3, CLAMPED[::-1].copy(), None, "fall"),
         (3, CLAMPED, WEIGHTS[:-1], "one weight"),
         (3, CLAMPED, -WEIGHTS, "one weight"),
         (7, CLAMPED, None, "degree 7"),

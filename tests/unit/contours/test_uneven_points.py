@@ -87,7 +87,7 @@ def test_the_straight_sides_are_lines_and_the_note_says_so(tmp_path: File) -> No
     assert [round(line.length / MM, 3) for line in lines] == [34.0, 54.0, 34.0, 54.0]
     # The sagitta of a tenth of a quarter turn: r (1 - cos(pi / 36)).
     assert f"at most {3e3 * (1.0 - math.cos(math.pi / 36.0)):.2g}" in found.notes[0]
-    assert "4 straight stretches" in found.notes[0]
+    assert "4 straight" in found.notes[0]
     for tolerance in (1e-6, 1e-5, 1e-4):
         near = study_contour(file, tolerance=tolerance).path
         assert off_rectangle(near.position(np.linspace(0.0, near.length, 5001)) / MM, (30.0, 20.0), 3.0).max() * MM < tolerance
@@ -223,9 +223,9 @@ def test_what_no_curve_keeps_to_is_refused_by_its_lines(tmp_path: File, monkeypa
     monkeypatch.setattr(Polygon, "bulges", nowhere)
     file = tmp_path / "points.csv"
     file.write_text("x [mm],y [mm]\n0,0\n# a remark\n10,1\n20,0\n30,-4\n", encoding="utf-8")
-    with pytest.raises(GeometryError, match=r"points.csv: between line 2 and line 4 no curve keeps to the points: .* um. Denser points"):
+    with pytest.raises(GeometryError, match=r"points\.csv: .*line 2.*line 4\b.* um"):
         read_points(file)
-    with pytest.raises(GeometryError, match=r"between line 6 and line 5 no curve"):
+    with pytest.raises(GeometryError, match=r"line 6.*line 5\b"):
         read_points(file, reverse=True)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from contourlab.components.drive.saturation import Saturation
-from contourlab.design import Evaluator, Number, Space, calibration_order
+from contourlab.design import DesignVariable, Evaluator, Space, calibration_order
 from contourlab.errors import ParameterError
 from contourlab.feed import uniform
 from contourlab.geometry import contour
@@ -65,15 +65,15 @@ def test_zero_has_no_factor_around_it() -> None:
 
 @pytest.mark.parametrize("logarithmic", [True, False])
 def test_places_and_values_belong_together(logarithmic: bool) -> None:
-    number = Number("a", 3.0, 1.0, 9.0, logarithmic=logarithmic)
+    number = DesignVariable("a", 3.0, 1.0, 9.0, logarithmic=logarithmic)
     places = np.linspace(0.0, 1.0, 11)
-    np.testing.assert_allclose(number.place(number.physical(places)), places, atol=1e-14)
+    np.testing.assert_allclose(number.normalise(number.physical(places)), places, atol=1e-14)
     assert number.physical(0.5) == pytest.approx(3.0 if logarithmic else 5.0)
     assert number.physical(7.0) == 9.0
 
 
 def test_an_end_of_the_range_is_told_from_one_of_the_component() -> None:
-    number = Number("a", 2.0, 1.0, 4.0, most=4.0)
+    number = DesignVariable("a", 2.0, 1.0, 4.0, most=4.0)
     assert [number.end(value) for value in (1.0, 1.5, 4.0)] == ["lower end of its range", "", "the most it may be"]
     assert [number.cramped(value) for value in (1.0, 1.5, 4.0)] == [True, False, False]
 
@@ -90,16 +90,16 @@ def test_written_values_are_those_that_a_file_reads_back(text: str, width: float
     made = number.written(values)
     assert made == pytest.approx(values, rel=6e-6)
     assert (made >= number.low * (1.0 - 1e-8)).all() and (made <= number.high * (1.0 + 1e-8)).all()
-    assert all(to_si(f"{number.shown(value):.6g} {number.written_in}", number.unit) == value for value in made.tolist())
+    assert all(to_si(f"{number.display_value(value):.6g} {number.display_unit}", number.unit) == value for value in made.tolist())
     np.testing.assert_array_equal(number.written(made), made)
     assert all(len(str(quantity(value, number.unit, number.display)).split()[0]) <= 13 for value in made.tolist())
 
 
 def test_the_scenario_s_own_value_stays_as_it_is() -> None:
-    number = Number("a", 3.123456789, 1.0, 9.0)
+    number = DesignVariable("a", 3.123456789, 1.0, 9.0)
     assert number.written([3.1234567, 3.123457, 3.12344]).tolist() == [3.123456789, 3.123456789, 3.12344]
     space = Space((number,), written=True)
-    assert space.values(space.start) == {"a": 3.123456789} and space.only(["a"]).written and space.around({"a": 2.0}).written
+    assert space.values(space.start) == {"a": 3.123456789} and space.only(["a"]).written
 
 
 def test_figures_are_those_of_a_single_run() -> None:
@@ -123,9 +123,7 @@ def test_company_and_threads_change_nothing() -> None:
     reference = uniform(contour("circle", radius=0.02), 0.5, 1, READING.servo_period)
     name = "controller.axes.3.controller.position_gain"
     values = np.linspace(2000.0, 6000.0, 70)
-    seen: list[int] = []
-    many = Evaluator(MACHINE, CONTROLLER, reference)({name: values}, seen.append)
+    many = Evaluator(MACHINE, CONTROLLER, reference)({name: values})
     few = Evaluator(MACHINE, CONTROLLER, reference, threads=1)({name: values[63:66]})
-    assert seen == [70]
     for figure, found in few.items():
         np.testing.assert_array_equal(found, many[figure][63:66])

@@ -82,20 +82,17 @@ def test_record_point_sees_the_state_before_the_move(jit, width):
 
 
 @pytest.mark.parametrize(("jit", "width"), FORMS)
-def test_rates_phases_and_substeps(jit, width):
+def test_substeps(jit, width):
     def stamp(par, x, inp, clock):
         return (x.runs + 1.0,), (clock.k, clock.t, clock.dt, x.runs + 1.0)
 
     step = Step("stamp", stamp, states=(Port("runs"),), outputs=(Port("k"), Port("t"), Port("dt"), Port("runs")))
-    nodes = (Node("slow", step, every=3, phase=1), Node("fine", step, repeat=4))
-    names = ["slow.k", "slow.dt", "slow.runs", "fine.t", "fine.dt", "fine.runs"]
-    log = run(Schedule(nodes, (Port("u"),), 0.1, 2), np.zeros((6, 1)), names, jit, width)[:, :, 0]
-    assert np.array_equal(log[:, 0], [0, 1, 1, 1, 4, 4])
-    assert log[5, 1] == pytest.approx(0.3)
-    assert np.array_equal(log[:, 2], [0, 1, 1, 1, 2, 2])
-    assert log[2, 3] == pytest.approx(0.2 + 3 * 0.025)
-    assert log[2, 4] == pytest.approx(0.025)
-    assert log[5, 5] == 24
+    names = ["fine.k", "fine.t", "fine.dt", "fine.runs"]
+    log = run(Schedule((Node("fine", step, repeat=4),), (Port("u"),), 0.1, 1), np.zeros((6, 1)), names, jit, width)[:, :, 0]
+    assert np.array_equal(log[:, 0], range(6))
+    assert log[2, 1] == pytest.approx(0.2 + 3 * 0.025)
+    assert log[2, 2] == pytest.approx(0.025)
+    assert log[5, 3] == 24
 
 
 @pytest.mark.parametrize(("jit", "width"), FORMS)
@@ -262,7 +259,7 @@ def test_a_nan_in_one_lane_stays_there():
 
 
 def test_wiring_errors_say_what_is_wrong():
-    with pytest.raises(EngineError, match="computed later"):
+    with pytest.raises(EngineError, match=r"node a .*b\.y.*Late"):
         Schedule(
             (Node("a", GAIN, {"u": "b.y"}, {"factor": 1.0}), Node("b", GAIN, {"u": "in.u"}, {"factor": 1.0})),
             (Port("u"),),
@@ -271,11 +268,11 @@ def test_wiring_errors_say_what_is_wrong():
         )
     with pytest.raises(EngineError, match=r"no signal 'in\.w'"):
         Schedule((Node("a", GAIN, {"u": "in.w"}, {"factor": 1.0}),), (Port("u"),), 1.0, 1)
-    with pytest.raises(EngineError, match="its own output"):
+    with pytest.raises(EngineError, match=r"own .*a\.y"):
         Schedule((Node("a", GAIN, {"u": Late("a.y")}, {"factor": 1.0}),), (Port("u"),), 1.0, 1)
     with pytest.raises(EngineError, match="factor"):
         Node("a", GAIN, {"u": "in.u"}, {})
-    with pytest.raises(EngineError, match="share a name"):
+    with pytest.raises(EngineError, match=r"\['a'\]"):
         node = Node("a", GAIN, {"u": "in.u"}, {"factor": 1.0})
         Schedule((node, node), (Port("u"),), 1.0, 1)
 
@@ -286,7 +283,7 @@ def test_a_step_that_cannot_be_compiled_names_the_culprit():
     def bad(par, x, inp, clock):
         return (), (culprit,)
 
-    with pytest.raises(EngineError, match="cannot be compiled"):
+    with pytest.raises(EngineError, match=r"\.bad .*compiled"):
         compiler._compile(Step("bad", bad, outputs=(Port("y"),)), 1)
 
 
@@ -350,7 +347,7 @@ def global_step(par, x, inp, clock):
     return (), (LAST,)
 
 
-@pytest.mark.parametrize(("function", "said"), [(growing_step, "numbers and tuples"), (undefined_step, "missing"), (global_step, "odd")])
+@pytest.mark.parametrize(("function", "said"), [(growing_step, "tuples"), (undefined_step, "missing"), (global_step, "odd")])
 def test_what_cannot_be_compiled_is_said_in_a_line(function, said):
     step = Step("odd", function, inputs=(Port("u"),), outputs=(Port("y"),))
     with pytest.raises(EngineError, match=said) as caught:

@@ -308,7 +308,7 @@ def test_the_cost_grows_with_the_corners_alone(monkeypatch: pytest.MonkeyPatch) 
 
 @pytest.mark.parametrize(("planned", "programmed"), [([0.0], [0.0]), ([0.0, 1.0, 1.0], [0.0, 1.0, 2.0]), ([0.0, 1.0], [0.0, 1.0, 2.0])])
 def test_a_map_that_does_not_rise_is_refused(planned: list[float], programmed: list[float]) -> None:
-    with pytest.raises(FeedError, match=r"strictly rising|same number"):
+    with pytest.raises(FeedError, match=r"rising|same"):
         Correspondence(np.array(planned), np.array(programmed))
 
 

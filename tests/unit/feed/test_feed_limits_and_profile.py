@@ -39,7 +39,7 @@ def test_bad_limits_are_named(args, name):
 
 
 def test_limits_for_another_number_of_axes_are_refused():
-    with pytest.raises(FeedError, match="2 axes, the path has 3"):
+    with pytest.raises(FeedError, match=r"\b2 axes.*\b3\b"):
         AxisLimits([1.0, 1.0], 1.0).for_axes(3)
 
 

@@ -235,7 +235,7 @@ def test_a_small_kink_is_driven_through_where_velocity_hardly_jumps():
 
 
 def test_limits_that_leave_no_ramp_are_refused():
-    with pytest.raises(FeedError, match="neither an acceleration nor a jerk limit"):
+    with pytest.raises(FeedError, match=r"axis 0 .*acceleration.*jerk"):
         plan(route_of("slot"), AxisLimits(1.0, np.inf, np.inf), 1e-3)
 
 
@@ -247,5 +247,5 @@ def test_bad_arguments_are_refused():
         plan(route, LIMITS, 1e-3, laps=2)
     with pytest.raises(FeedError, match="curvature_step"):
         plan(route, LIMITS, 1e-3, curvature_step=-0.1)
-    with pytest.raises(FeedError, match="3 axes, the path has 2"):
+    with pytest.raises(FeedError, match=r"\b3 axes.*\b2\b"):
         plan(route, AxisLimits([1.0] * 3, 1.0, 1.0), 1e-3)

@@ -47,5 +47,5 @@ def test_a_spline_of_the_program_is_that_curve() -> None:
 @pytest.mark.parametrize("name", ["corner_tolerance", "merge_tolerance"])
 @pytest.mark.parametrize("wrong", [-1e-6, np.nan, np.inf])
 def test_a_tolerance_that_is_none_is_refused(name: str, wrong: float) -> None:
-    with pytest.raises(FeedError, match=f"{name}: each must be finite and >= 0 m"):
+    with pytest.raises(FeedError, match=rf"{name}: .*>= 0 m"):
         Route(Path([Line((0.0, 0.0), (1.0, 0.0))]), 0.1, False, 0.0, 0, **{name: wrong})  # type: ignore[arg-type]

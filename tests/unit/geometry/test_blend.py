@@ -142,16 +142,16 @@ def test_an_uneven_curve_is_divided_and_its_parts_join_smoothly() -> None:
         end, begin = before.derivatives(before.length)[:, 0], after.derivatives(0.0)[:, 0]
         np.testing.assert_allclose(end[0], begin[0], rtol=0, atol=1e-17)
         np.testing.assert_allclose(end[2], begin[2], rtol=1e-8)
-    with pytest.raises(GeometryError, match="too uneven for its series"):
+    with pytest.raises(GeometryError, match="uneven"):
         Blend(quintic_bezier([sharp])[0])
 
 
 @pytest.mark.parametrize(
     ("points", "said"),
     [
-        (np.zeros((6, 2)), "blend 1 has no length"),
-        (np.full((6, 2), math.nan), "blend 1 has no length, or coordinates that are not finite"),
-        (np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 0.0), (-1.0, 0.0), (-1.0, 0.0), (1.0, 0.0)]), "blend 1 has a cusp"),
+        (np.zeros((6, 2)), "blend 1 .*length"),
+        (np.full((6, 2), math.nan), "blend 1 .*finite"),
+        (np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 0.0), (-1.0, 0.0), (-1.0, 0.0), (1.0, 0.0)]), "blend 1 .*cusp"),
     ],
 )
 def test_what_has_no_arc_length_is_refused_by_its_number(points: Array, said: str) -> None:
@@ -160,9 +160,9 @@ def test_what_has_no_arc_length_is_refused_by_its_number(points: Array, said: st
 
 
 def test_wrong_shapes_are_refused() -> None:
-    with pytest.raises(GeometryError, match=r"coefficients of shape \(5, 2\)"):
+    with pytest.raises(GeometryError, match=r"\(5, 2\).*\(6, n_axis\)"):
         Blend(np.ones((5, 2)))
-    with pytest.raises(GeometryError, match=r"coefficients of shape \(6, 2\)"):
+    with pytest.raises(GeometryError, match=r"\(6, 2\).*\(n, 6, n_axis\)"):
         blends(np.ones((6, 2)))
     assert blends(np.ones((0, 6, 2)))[0] == []
 

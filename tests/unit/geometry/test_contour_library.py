@@ -115,13 +115,11 @@ def test_the_line_line_circle_of_the_course() -> None:
 
 
 def test_a_wrong_name_is_told_the_right_ones() -> None:
-    with pytest.raises(
-        GeometryError, match="no contour 'circel'; there are: circle, ellipse, lemniscate, diamond, star, butterfly, line-line-circle"
-    ):
+    with pytest.raises(GeometryError, match=rf"'circel'.* {', '.join(contour_names())}$"):
         contour("circel")
-    with pytest.raises(GeometryError, match="contour circle has no parameter 'diameter'; there are: radius, start_angle, clockwise"):
+    with pytest.raises(GeometryError, match=r"circle.*'diameter'.* radius, start_angle, clockwise$"):
         contour("circle", diameter=0.04)
-    with pytest.raises(GeometryError, match="no contour"):
+    with pytest.raises(GeometryError, match="contour ''"):
         contour_parameters("")
 
 
@@ -135,21 +133,21 @@ def test_a_wrong_name_is_told_the_right_ones() -> None:
         ("lemniscate", {"a": math.inf}, "a = inf: must be > 0"),
         ("diamond", {"side": -1.0}, "side = -1.0: must be > 0"),
         ("square", {"side": 0.0}, "side = 0.0: must be > 0"),
-        ("rectangle", {"corner_radius": 0.02}, "corner_radius = 0.02 m: must be >= 0 and below half"),
+        ("rectangle", {"corner_radius": 0.02}, "corner_radius = 0.02 m"),
         ("rectangle", {"corner_radius": math.nan}, "corner_radius = nan"),
         ("racetrack", {"length": -1.0}, "length = -1.0: must be > 0"),
-        ("polygon", {"sides": 2}, "sides = 2: must be a whole number"),
+        ("polygon", {"sides": 2}, "sides = 2: "),
         ("polygon", {"sides": 5.5}, "sides = 5.5: must be"),
         ("spiral", {"inner_radius": -1e-3}, "inner_radius = -0.001: must be >= 0"),
         ("spiral", {"turns": 1e9}, "turns = .*at most 1000"),
-        ("helix", {"pitch": math.inf}, "pitch = inf m: must be finite"),
-        ("lissajous", {"axes": 1}, "axes = 1: must be a whole number from 2 to 9"),
+        ("helix", {"pitch": math.inf}, "pitch = inf m: "),
+        ("lissajous", {"axes": 1}, "axes = 1: .*2 to 9"),
         ("lissajous", {"axes": 2.5}, "axes = 2.5: must be"),
-        ("lissajous", {"lowest": 0}, "lowest = 0: must be a whole number from 1 to 20"),
+        ("lissajous", {"lowest": 0}, "lowest = 0: .*1 to 20"),
         ("lissajous", {"amplitude": 0.0}, "amplitude = 0.0: must be > 0"),
-        ("lissajous", {"phase": math.inf}, "phase = inf rad: must be finite"),
+        ("lissajous", {"phase": math.inf}, "phase = inf rad: "),
         ("lissajous", {"phase": 0.5 * math.pi}, "cusp"),
-        ("lissajous", {"lowest": 3, "phase": math.pi / 6}, "with lowest = 3"),
+        ("lissajous", {"lowest": 3, "phase": math.pi / 6}, "lowest = 3 "),
         ("star", {"lobes": 5.5}, "5.5 lobes.*whole number"),
         ("star", {"lobes": 1}, "whole number >= 2"),
         ("star", {"depth": 1.0}, "depth from 0 to below 1"),

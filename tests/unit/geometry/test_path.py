@@ -126,20 +126,20 @@ def test_curvature_in_space_is_that_of_the_plane_it_lies_in() -> None:
 
 def test_a_gap_is_refused_with_its_place() -> None:
     lines = [Line((0.0, 0.0), (1.0, 0.0)), Line((1.0, 0.0), (1.0, 1.0)), Line((1.0, 1.5), (0.0, 0.0))]
-    with pytest.raises(GeometryError, match=r"curve 3 starts 0.5 m away from the end of curve 2, at \[1.0, 1.0\]"):
+    with pytest.raises(GeometryError, match=r"curve 3 .*0\.5 m.*curve 2, .*\[1\.0, 1\.0\]"):
         Path(lines)
     near = [Line((0.0, 0.0), (1.0, 0.0)), Line((1.0, 0.9e-9), (1.0, 1.0))]
     assert Path(near).length == pytest.approx(2.0)
-    with pytest.raises(GeometryError, match=r"curve 2 starts 1.1e-09 m away"):
+    with pytest.raises(GeometryError, match=r"curve 2 .*1\.1e-09 m"):
         Path([near[0], Line((1.0, 1.1e-9), (1.0, 1.0))])
 
 
 def test_what_is_no_path_is_refused() -> None:
-    with pytest.raises(GeometryError, match="at least one curve"):
+    with pytest.raises(GeometryError, match="one curve"):
         Path([])
-    with pytest.raises(GeometryError, match="same number of coordinates"):
+    with pytest.raises(GeometryError, match="coordinates"):
         Path([Line((0.0, 0.0), (1.0, 0.0)), Line((1.0, 0.0, 0.0), (1.0, 1.0, 0.0))])
-    with pytest.raises(GeometryError, match="must end where it starts"):
+    with pytest.raises(GeometryError, match="must end"):
         polyline(SQUARE[:4], closed=True)
 
 

@@ -129,9 +129,9 @@ def test_pieces_asked_for_are_given_and_none_is_a_sliver(name: str, pieces: int)
 
 def test_what_makes_no_table_is_refused() -> None:
     for tolerance in (0.0, -1.0, math.nan):
-        with pytest.raises(GeometryError, match=r"tolerance = .*must be > 0 m"):
+        with pytest.raises(GeometryError, match=rf"tolerance = {tolerance}: .*> 0 m"):
             contour("circle").table(tolerance)
-    with pytest.raises(GeometryError, match="no table of quintic pieces reaches 1e-30 m"):
+    with pytest.raises(GeometryError, match=r"Ellipse: .*1e-30 m"):
         contour("ellipse").table(1e-30)
 
 

@@ -148,16 +148,16 @@ def test_the_fan_as_a_spline_through_its_way_points(shared: File) -> None:
 
 
 def test_corners_gaps_and_points_of_rest_inside_a_spline_are_refused() -> None:
-    with pytest.raises(GeometryError, match="corner inside, at parameter 1"):
+    with pytest.raises(GeometryError, match=r"BSpline.*corner.* 1: "):
         BSpline(1, [(0, 0), (1, 0), (1, 1)], [0, 0, 1, 2, 2])
-    with pytest.raises(GeometryError, match=r"corner inside, at parameter 0.5"):
+    with pytest.raises(GeometryError, match=r"Nurbs.*corner.* 0\.5: "):
         Nurbs(2, [(0, 0), (1, 0), (2, 1), (3, 0), (4, 0)], [0, 0, 0, 0.5, 0.5, 1, 1, 1], [1, 1, 1, 1, 1])
-    with pytest.raises(GeometryError, match="gap inside, at parameter 1"):
+    with pytest.raises(GeometryError, match=r"gap.* 1: "):
         BSpline(1, [(0, 0), (1, 0), (2, 0), (3, 0)], [0, 0, 1, 1, 2, 2])
-    with pytest.raises(GeometryError, match=r"is stationary at parameter 0.5"):
+    with pytest.raises(GeometryError, match=r"stationary.* 0\.5"):
         # x = u^2, y = u^3 turns back at its cusp.
         BSpline(3, [(1, -1), (-1 / 3, 1), (-1 / 3, -1), (1, 1)], [0] * 4 + [1] * 4)
-    with pytest.raises(GeometryError, match="is stationary at parameter 0"):
+    with pytest.raises(GeometryError, match=r"stationary.* 0"):
         BSpline(3, [(0, 0), (0, 0), (1, 1), (2, 0)], [0] * 4 + [1] * 4)
 
 
@@ -171,11 +171,11 @@ def test_a_double_knot_that_leaves_no_corner_is_fine() -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ((3, POINTS, KNOTS[:-1]), "degree 3 with 7 control points needs 11 knots"),
+        ((3, POINTS, KNOTS[:-1]), "degree 3 .*7 .*11 knots"),
         ((0, POINTS, KNOTS), "degree 0"),
         ((3, POINTS[:3], KNOTS[:7]), "3 control points"),
-        ((3, POINTS, sorted(KNOTS, reverse=True)), "knots must not fall"),
-        ((3, POINTS, [1.0] * 11), "span an interval"),
+        ((3, POINTS, sorted(KNOTS, reverse=True)), "knots.*fall"),
+        ((3, POINTS, [1.0] * 11), "interval"),
         ((3, POINTS * np.nan, KNOTS), "finite"),
         ((3, POINTS, [math.inf] * 11), "finite"),
         ((3, POINTS[:, 0], KNOTS), r"shape \(n, n_axis\)"),
@@ -190,5 +190,5 @@ def test_what_is_no_spline_is_refused_and_told_why(arguments: tuple, message: st
 
 @pytest.mark.parametrize("weights", [[1.0] * 6, [1.0] * 6 + [0.0], [1.0] * 6 + [-1.0], [1.0] * 6 + [math.nan]])
 def test_weights_are_one_for_each_point_and_positive(weights: list[float]) -> None:
-    with pytest.raises(GeometryError, match="one weight > 0 for each control point"):
+    with pytest.raises(GeometryError, match="weight > 0"):
         Nurbs(3, POINTS, KNOTS, weights)

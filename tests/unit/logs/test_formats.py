@@ -7,6 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from refusals import mentions, refuses
 from scipy.io import savemat
 
 from contourlab.errors import LogError, ParameterError
@@ -91,7 +92,7 @@ def test_halsampler(tmp_path: Path) -> None:
     assert record.channel("sample").values.tolist() == [10.0, 11.0, 14.0]
     assert record.channel("2").values.tolist() == [1.5, 1.501, 1.504]
     assert "1 overruns" in record.notes[0]
-    with pytest.raises(LogError, match=r"a\.txt:2: samples were lost here"):
+    with refuses(LogError, "lost", file=tmp_path / "a.txt", line=2):
         read_record(written(tmp_path, "a.txt", "0.1 0.2 \noverrun\n0.4 0.1 \n"))
 
 
@@ -103,7 +104,7 @@ def test_halscope_in_both_forms(tmp_path: Path) -> None:
     assert old.period == pytest.approx(50e-6)
     assert [c.values.tolist() for c in old.channels] == [[1.25, 1.5], [-2.0, -2.5]]
     assert old.names == ["CHAN1", "b.out"]
-    with pytest.raises(LogError, match=r"a\.log:5: is not a line of CHAN1, b\.out"):
+    with refuses(LogError, r"CHAN1, b\.out", file=tmp_path / "a.log", line=5):
         read_record(written(tmp_path, "a.log", OLD_HALSCOPE + "CHAN1 +1.0 c.out -2.0\n"))
     for text in (HALSCOPE, OLD_HALSCOPE):
         comma = read_record(written(tmp_path, "a.csv", text.replace(".1", ",1").replace(".2", ",2").replace("1.5", "1,5")))
@@ -124,7 +125,7 @@ def test_twincat(tmp_path: Path, mark: str, timelines: str) -> None:
         assert channel.time is not None
         assert channel.time == pytest.approx(np.arange(count) * every * 1e-3)
         assert channel.values == pytest.approx(np.arange(count) * every + 0.5)
-    assert record.notes == ("scaled by the scope, as its export is set by default: cmd",)
+    assert len(record.notes) == 1 and "cmd" in record.notes[0]
 
 
 def test_twincat_with_full_time_stamps(tmp_path: Path) -> None:
@@ -141,13 +142,13 @@ def test_sinumerik(tmp_path: Path) -> None:
     assert actual.time is not None and setpoint.time is not None
     assert actual.time.tolist() == [0.0, 0.002] and actual.values.tolist() == [1.5, 1.7]  # the third is the bits of no number
     assert setpoint.time.tolist() == [0.0, 0.004] and setpoint.values.tolist() == [1.6, 2.0]
-    with pytest.raises(LogError, match=r"a\.xml:\d+: is no complete XML"):
+    with refuses(LogError, "complete XML", line=9):
         read_record(written(tmp_path, "a.xml", SINUMERIK[:-30]))
-    with pytest.raises(LogError, match=r"a\.xml:6: a rec with what is no number: f2 = 'high'"):
+    with refuses(LogError, "f2 = 'high'", line=6):
         read_record(written(tmp_path, "a.xml", SINUMERIK.replace('f2="1.6"', 'f2="high"')))
-    with pytest.raises(LogError, match=r"a\.xml:7: a rec without a time"):
+    with refuses(LogError, "time", line=7):
         read_record(written(tmp_path, "a.xml", SINUMERIK.replace('time="0.002"', 'at="0.002"')))
-    with pytest.raises(LogError, match=r"a\.xml:9: a second dataFrame"):
+    with refuses(LogError, "dataFrame", line=9):
         read_record(written(tmp_path, "a.xml", SINUMERIK.replace("</dataFrame>", "</dataFrame><dataFrame/>")))
 
 
@@ -179,7 +180,7 @@ def test_a_trace_says_what_is_new(tmp_path: Path) -> None:
     record = read_record(written(tmp_path, "a.xml", TRACE))
     assert record.names == ["Setpoint (64 bit) AX1", "started", "Setpoint (64 bit) AX2", "Current"]
     assert [channel.unit for channel in record.channels] == ["mm", "", "", "A"]
-    assert record.notes == ("signals without a value are left out: never written",)
+    assert len(record.notes) == 1 and "never written" in record.notes[0]
     fast, bit, slow, current = record.channels
     for channel, values in (
         (fast, [1.0, 2.0, 2.0, 2.0, 3.0, 3.0]),
@@ -191,7 +192,7 @@ def test_a_trace_says_what_is_new(tmp_path: Path) -> None:
         assert channel.time == pytest.approx((0.004 if channel is slow else 0.002) * np.arange(len(values)))
     columns = parse_columns(["position.x=Setpoint (64 bit) AX1", "position.y=Setpoint (64 bit) AX2 [mm]"])
     assert load_log(tmp_path / "a.xml", columns=columns).result["position"][:4, 0] == pytest.approx([1e-3, 2e-3, 2e-3, 2e-3])
-    with pytest.raises(LogError, match=r"column 'Setpoint \(64 bit\) AX2' says no unit"):
+    with pytest.raises(LogError, match=r"AX2.*unit"):
         load_log(tmp_path / "a.xml", columns=parse_columns(["position.y=Setpoint (64 bit) AX2"]))
 
 
@@ -211,7 +212,7 @@ def test_a_trace_whose_interval_is_none_has_what_is_written(tmp_path: Path, writ
 
 def test_samples_that_a_trace_lost_are_told(tmp_path: Path) -> None:
     record = read_record(written(tmp_path, "a.xml", TRACE.replace('dropOuts="0"', 'dropOuts="3"')))
-    assert "the trace lost samples (3 drop-outs): values are held there" in record.notes
+    assert mentions(record.notes, "3 drop-outs")
 
 
 @pytest.mark.parametrize(
@@ -239,7 +240,7 @@ def test_bits_are_numbers(tmp_path: Path) -> None:
         record = read_record(written(tmp_path, name, "\n".join([head, *lines])))
         assert record.format == ("csv" if name == "a.csv" else "halscope")
         assert record.channel("on").values.tolist() == [1.0, 0.0, 1.0] and record.channel("x").values.tolist() == [0.5, 0.6, 0.7]
-    with pytest.raises(LogError, match=r"b\.csv:4: 'ON' in column 'on' is no number"):
+    with refuses(LogError, "'ON'.*'on'", file=tmp_path / "b.csv", line=4):
         read_record(written(tmp_path, "b.csv", "\n".join([head, *lines]).replace("False", "ON")))
 
 
@@ -252,16 +253,16 @@ def test_a_table_may_have_gaps_and_no_names(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("t,x\n0,1\n1,2,3\n", "a.csv:3: has 3 columns where 2 are wanted"),
-        ("t,x\n0,1\n1,two\n", "a.csv:3: 'two' in column 'x' is no number"),
-        ("t,x\nname,of\n", "has no rows"),
-        ("time [s],x [mm]\n", "has no rows"),
-        ("words of no table\n", "looks like none of the formats"),
+        ("t,x\n0,1\n1,2,3\n", "a.csv:3: has 3 columns instead of 2"),
+        ("t,x\n0,1\n1,two\n", "a.csv:3: .*'two'.*'x'"),
+        ("t,x\nname,of\n", "no rows"),
+        ("time [s],x [mm]\n", "no rows"),
+        ("words of no table\n", "--format"),
         (
             "t;at\n0;3rd of May\n1;4th of May\n",
-            "a.csv:2: holds no row of numbers: '3rd of May' in column 'at' is neither a number nor a date",
+            "a.csv:2: .*'3rd.*'at'",
         ),
-        ("a,b\nc,d\ne,f\n", "looks like none of the formats"),
+        ("a,b\nc,d\ne,f\n", "--format"),
         ("   \n", "is empty"),
     ],
 )
@@ -319,18 +320,18 @@ def test_a_file_whose_writing_was_broken_off(tmp_path: Path, name: str, text: st
     record = read_record(written(tmp_path, name, text))
     values = record.channel({"a.txt": "2"}.get(name, record.names[min(1, len(record.names) - 1)])).values
     assert values[np.isfinite(values)][-1] == last
-    assert "the last line is cut short and left out" in record.notes
+    assert mentions(record.notes, "cut short")
 
 
 def test_two_records_in_one_file(tmp_path: Path) -> None:
     tagged = "".join(f"{k} {k * 0.1:f} \n" for k in range(40))
-    with pytest.raises(LogError, match=r"a.txt:41: the number of the sample goes back from 39 to 0"):
+    with refuses(LogError, "39 to 0", file=tmp_path / "a.txt", line=41):
         read_record(written(tmp_path, "a.txt", tagged * 2))
     counts = "".join(f"{k} {k * 0.1:f} \n" for k in [*range(40), *range(40, 0, -1)])
     assert read_record(written(tmp_path, "a.txt", counts)).names == ["1", "2"]
     grows = "".join(f"{k:f} {k * 0.1:f} \n" for k in range(40))
     assert read_record(written(tmp_path, "a.txt", grows)).names == ["1", "2"]  # a float that grows is a pin
-    with pytest.raises(LogError, match=r"a.csv:4: the head stands here again"):
+    with refuses(LogError, "head", file=tmp_path / "a.csv", line=4):
         read_record(written(tmp_path, "a.csv", "t,x\n0,1\n1,2\n" * 2))
 
 
@@ -361,7 +362,7 @@ def test_what_is_no_log_is_said_in_words(tmp_path: Path, kind: str) -> None:
 
 
 def test_a_device_is_no_file() -> None:
-    with pytest.raises(LogError, match="no plain file"):
+    with refuses(LogError, "regular file", file="/dev/null"):
         read_record(Path("/dev/null"))
 
 
@@ -376,7 +377,7 @@ def test_a_device_is_no_file() -> None:
 )
 def test_a_capture_that_is_none(tmp_path: Path, run: dict[str, object]) -> None:
     savemat(tmp_path / "a.mat", {"run": run})
-    with pytest.raises(LogError, match="looks like a capture"):
+    with pytest.raises(LogError, match="capture"):
         read_record(tmp_path / "a.mat")
 
 
@@ -449,7 +450,7 @@ def test_parquet(tmp_path: Path) -> None:
     assert record.channel("n").unit == "A"
     assert "who" in record.notes[0]
     (tmp_path / "a.parquet").write_bytes(b"PAR1 and nothing else")
-    with pytest.raises(LogError, match="cannot be read as Parquet"):
+    with pytest.raises(LogError, match="Parquet"):
         read_record(tmp_path / "a.parquet")
 
 
@@ -475,11 +476,11 @@ def test_rubbish_is_refused_by_every_reader(tmp_path: Path, kind: str) -> None:
 
 def test_a_format_that_is_none(tmp_path: Path) -> None:
     file = written(tmp_path, "a.csv", "t,x\n0,1\n")
-    with pytest.raises(ParameterError, match="one of contourlab, matlab"):
+    with refuses(ParameterError, "contourlab, matlab", name="format", value="'excel'"):
         read_record(file, "excel")
-    with pytest.raises(LogError, match="is a folder"):
+    with refuses(LogError, "folder", file=tmp_path):
         read_record(tmp_path)
-    with pytest.raises(LogError, match="cannot be read"):
+    with refuses(LogError, "No such file", file=tmp_path / "none.csv"):
         read_record(tmp_path / "none.csv")
 
 

@@ -1,13 +1,15 @@
-"""From a log to a result: which column is what, in which unit, and on which clock."""
+"""From a log to a result: which columns are unknown, in which unit, and on which clock."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from refusals import mentions
 
 from contourlab.errors import LogError, ParameterError
 from contourlab.logs import Channel, Columns, Record, load_log, parse_columns, read_columns, result_of
@@ -41,8 +43,8 @@ def test_of_two_columns_that_would_be_one_signal_neither_is_taken() -> None:
     channels = [Channel(name, np.arange(3.0), "mm") for name in ("x pos", "x encoder", "y pos")]
     log = result_of(record(*channels, period=1e-3), Columns())
     assert log.result.axes == ("y",)
-    assert "position.x may be 'x pos' or 'x encoder': none is taken, say which with --column" in log.notes
-    with pytest.raises(LogError, match=r"position\.x may be 'x pos' or 'x encoder'"):
+    assert mentions(log.notes, "position.x", "'x pos'", "'x encoder'", "--column")
+    with pytest.raises(LogError, match=r"position\.x.*'x pos'.*'x encoder'"):
         result_of(record(*channels[:2], period=1e-3), Columns())
     # One of the two is the reference, so that the other leaves no doubt.
     log = result_of(record(*channels, period=1e-3), Columns(parse_columns(["reference.x=x pos"])))
@@ -72,7 +74,7 @@ def test_times_that_nobody_needs_are_no_fault() -> None:
     even = np.arange(50) * 1e-3
     log = result_of(record(Channel("time", np.zeros(50), "s", even), Channel("x pos", even, "m", even)), Columns())
     assert log.result.servo_period == 1e-3
-    with pytest.raises(LogError, match="times in column 'time' are written too coarsely"):
+    with pytest.raises(LogError, match=r"'time'.*repeat"):
         result_of(record(Channel("time", np.zeros(50), "s"), Channel("x pos", even, "m")), Columns())
 
 
@@ -87,12 +89,12 @@ def test_what_the_user_says_goes_first() -> None:
     [
         (["position.x"], "write for example position.x=NAME"),
         (["place.x=a"], "'place.x' is no signal"),
-        (["position=a"], "of which axis"),
-        (["time.x=a"], "time has no axis"),
-        (["position.x=a [kg]"], "kg is no unit of position"),
+        (["position=a"], "write the axis"),
+        (["time.x=a"], "no axis"),
+        (["position.x=a [kg]"], "kg.*position"),
         (["position.x=a [beans]"], "unknown unit"),
         (["position.x=a [-]"], "unknown unit"),
-        (["position.x=a", "position.x=b"], "position.x is given twice, as 'a' and as 'b'"),
+        (["position.x=a", "position.x=b"], "position.x.*'a'.*'b'"),
     ],
 )
 def test_what_is_no_column_is_refused(texts: list[str], said: str) -> None:
@@ -113,10 +115,10 @@ def test_a_file_of_columns(tmp_path: Path) -> None:
     for line, said in [
         ("speed = 3", "speed: unknown key"),
         ('period = "3 mm"', "period: "),
-        ("columns = 3", "columns: must be a table"),
+        ("columns = 3", "columns: .*table"),
         ('[columns]\n"position.x" = {colum = "a"}', "columns.position.x: write"),
         ('[columns]\n"position.x" = {column = "a", factor = 0}', "factor = 0"),
-        ("[columns", "is no TOML"),
+        ("[columns", "not valid TOML"),
     ]:
         file.write_text(line)
         with pytest.raises(LogError, match=said):
@@ -126,12 +128,12 @@ def test_a_file_of_columns(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("channels", "columns", "said"),
     [
-        ([Channel("a", np.arange(3.0))], [], "which column is what"),
-        ([Channel("a", np.arange(3.0))], ["position.x=b [mm]"], "has no column 'b'; there are 'a'"),
-        ([Channel("a", np.arange(3.0))], ["position.x=a"], "column 'a' says no unit"),
-        ([Channel("a", np.arange(3.0), "kg")], ["position.x=a"], "is in kg, which is no unit of position"),
-        ([Channel("a", 1e5 * np.arange(3.0), "mm")], ["position.x=a"], "reaches 2e[+]05 mm|reaches 200 m, beyond any machine"),
-        ([Channel("a", np.full(3, np.nan), "mm")], ["position.x=a"], "holds no numbers"),
+        ([Channel("a", np.arange(3.0))], [], "columns are unknown"),
+        ([Channel("a", np.arange(3.0))], ["position.x=b [mm]"], "'b'.*'a'"),
+        ([Channel("a", np.arange(3.0))], ["position.x=a"], "'a'.*no unit"),
+        ([Channel("a", np.arange(3.0), "kg")], ["position.x=a"], "kg.*position"),
+        ([Channel("a", 1e5 * np.arange(3.0), "mm")], ["position.x=a"], "2e[+]05 mm|200 m"),
+        ([Channel("a", np.full(3, np.nan), "mm")], ["position.x=a"], "no numbers"),
     ],
 )
 def test_what_cannot_be_right_is_refused(channels: list[Channel], columns: list[str], said: str) -> None:
@@ -141,7 +143,7 @@ def test_what_cannot_be_right_is_refused(channels: list[Channel], columns: list[
 
 def test_without_times_the_period_is_wanted() -> None:
     channel = Channel("a", np.arange(4.0), "mm")
-    with pytest.raises(LogError, match="says no sample times"):
+    with pytest.raises(LogError, match="--period"):
         result_of(record(channel), Columns(parse_columns(["position.x=a"])))
     log = result_of(record(channel), Columns(parse_columns(["position.x=a"]), 2e-3))
     assert log.result.servo_period == 2e-3
@@ -164,15 +166,14 @@ def test_gaps_are_counted_where_they_are() -> None:
     report, _ = look_at_clock(time, "a", FILE)
     assert [(round(gap.time, 6), gap.missing) for gap in report.gaps] == [(0.049, 3), (0.119, 1)]
     assert report.period == pytest.approx(1e-3)
-    assert "4 of 200 samples are missing, in 2 gaps; the longest of 3 from t = 0.049 s to 0.053 s" in report.lines()[0]
+    assert re.findall(r"\d+(?:\.\d+)?", report.lines()[0])[:6] == ["4", "200", "2", "3", "0.049", "0.053"]
 
 
 def test_too_large_a_gap_is_refused_with_its_place() -> None:
     time = np.arange(400) * 1e-3
-    words = r"40 of 400 samples of 'a' are missing at a period of 1000 us, in 1 gap of 40 from t = 0.099 s to 0.14 s: cut the log there"
-    with pytest.raises(LogError, match=words):
+    with pytest.raises(LogError, match=r"40 of 400.*'a'.*1000 us.*0\.099 s to 0\.14 s.*cut"):
         look(np.delete(time, range(100, 140)))
-    with pytest.raises(LogError, match=r"in 80 gaps; the longest of 1 from t = 0 s to 0.002 s: that is no even sampling, or the wrong"):
+    with pytest.raises(LogError, match=r"80 gaps.*0 s to 0\.002 s.*period"):
         look(np.delete(time, range(1, 400, 5)))
 
 
@@ -181,16 +182,16 @@ def test_what_is_interpolated_is_said_with_the_clock_it_is_on() -> None:
     fast, slow = (Channel(name, time, "mm", time) for name, time in (("x act", t), ("x ref", t[::2])))
     log = result_of(record(fast, slow), Columns())
     assert log.result.servo_period == 1e-3 and log.result.n_sample == 101
-    assert log.notes[-1] == "'x ref': a sample every 2000 us, interpolated to an even clock of 1000 us"
+    assert mentions(log.notes[-1:], "'x ref'", "2000 us", "1000 us")
 
 
 @pytest.mark.parametrize(
     ("time", "said"),
     [
-        (np.array([0.0, 1.0, 0.5, 2.0]), "goes back from 1 s to 0.5 s at sample 2"),
+        (np.array([0.0, 1.0, 0.5, 2.0]), "1 s to 0.5 s at sample 2"),
         (np.array([0.0, 1.0, np.nan, 2.0]), "not finite at sample 2"),
-        (np.zeros(5), "holds 1 samples of 'a' at different times"),
-        (np.cumsum(np.append(np.full(30, 1e-3), np.full(20, 7e-3))), "are missing at a period of"),
+        (np.zeros(5), "1 samples of 'a'"),
+        (np.cumsum(np.append(np.full(30, 1e-3), np.full(20, 7e-3))), "missing"),
     ],
 )
 def test_times_that_are_none(time: np.ndarray, said: str) -> None:
@@ -240,7 +241,7 @@ def test_even_samples_are_taken_as_they_are() -> None:
 )
 def test_a_position_that_jumps_is_refused(values: np.ndarray, unit: str) -> None:
     columns = Columns(parse_columns(["position.x=a"]), 1e-3)
-    with pytest.raises(LogError, match="faster than any machine"):
+    with pytest.raises(LogError, match="m/s, faster"):
         result_of(record(Channel("a", values, unit)), columns)
     assert result_of(record(Channel("a", values / 40.0, "mm")), columns).result.n_sample == 2000
     steps = Columns(parse_columns(["reference.x=a", "position.x=b"]), 1e-3)  # a reference may step
@@ -249,14 +250,14 @@ def test_a_position_that_jumps_is_refused(values: np.ndarray, unit: str) -> None
 
 def test_a_time_without_a_unit_is_said(tmp_path: Path) -> None:
     rows = np.column_stack([np.arange(5.0), np.arange(5.0)])
-    assert "time is taken in s: its column says no unit" in load_log(table(tmp_path, "t,x pos [mm]", rows)).notes
+    assert mentions(load_log(table(tmp_path, "t,x pos [mm]", rows)).notes, "time", "unit")
     assert not any("time" in note for note in load_log(table(tmp_path, "t [ms],x pos [mm]", rows)).notes)
 
 
 def test_a_period_that_is_not_that_of_the_times(tmp_path: Path) -> None:
     file = table(tmp_path, "t [ms],x pos [mm]", np.column_stack([np.arange(50.0), np.arange(50.0)]))
     for period in (2e-3, 0.5e-3):
-        with pytest.raises(LogError, match=r"1000 us apart|missing at a period of 500 us"):
+        with pytest.raises(LogError, match=r"1000 us apart|period of 500 us"):
             load_log(file, period=period)
 
 

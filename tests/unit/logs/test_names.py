@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from contourlab.logs.names import meant
+from contourlab.logs.mapping import meant
 from contourlab.logs.reading import name_and_unit
 
 

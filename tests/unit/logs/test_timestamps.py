@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from refusals import mentions
 
 from contourlab.errors import LogError
 from contourlab.logs import load_log, parse_columns
-from contourlab.logs.timestamps import timestamp_channel
+from contourlab.logs.delimited import timestamp_channel
 
 
 def log(folder: Path, cells: list[str], mark: str = ";", name: str = "stamp") -> Path:
@@ -50,7 +51,7 @@ def test_timestamps_become_seconds_from_the_first(tmp_path: Path, cells: list[st
 
 def test_times_of_day_past_midnight_are_told(tmp_path: Path) -> None:
     log_of = [f"23:59:{59 - k}" for k in (2, 1, 0)] + ["00:00:00", "00:00:01"]
-    assert "times of day in 'stamp' run past midnight, and are counted on" in load_log(log(tmp_path, log_of)).notes
+    assert mentions(load_log(log(tmp_path, log_of)).notes, "'stamp'", "midnight")
 
 
 @given(
@@ -105,8 +106,8 @@ def test_a_doubtful_timestamp_is_refused_with_its_line_and_the_cure(tmp_path: Pa
 @pytest.mark.parametrize(
     ("cells", "said"),
     [
-        (["2024-05-31T14:03:21", "2024-05-31T14:03:22;7", "2024-05-31T14:03:23"], "csv:3: has 3 columns where 2"),
-        (["2024-05-31T14:03:21"] * 40 + ["2024-05-31T14:03:22"] * 40 + ["2024-05-31T14:03:23"], "are written too coarsely"),
+        (["2024-05-31T14:03:21", "2024-05-31T14:03:22;7", "2024-05-31T14:03:23"], "csv:3: has 3 columns instead of 2"),
+        (["2024-05-31T14:03:21"] * 40 + ["2024-05-31T14:03:22"] * 40 + ["2024-05-31T14:03:23"], "repeat"),
         (["2024-05-31T14:03:21", "2024-05-31T14:03:20", "2024-05-31T14:03:23"], "time goes back"),
     ],
 )
@@ -122,7 +123,7 @@ def test_a_column_that_is_named_goes_before_one_of_dates(tmp_path: Path) -> None
     assert load_log(file).result.servo_period == pytest.approx(2e-3)
     named = parse_columns(["time=written at"])
     assert load_log(file, columns=named).result.servo_period == pytest.approx(1.0)
-    with pytest.raises(LogError, match="holds dates and times of day: name it without ms"):
+    with pytest.raises(LogError, match="leave out ms"):
         load_log(file, columns=parse_columns(["time=written at [ms]"]))
 
 
@@ -150,7 +151,7 @@ def test_of_two_times_of_day_the_one_that_is_called_so(tmp_path: Path) -> None:
     rows = [f"2024-05-31;14:00:00;14:03:2{k}" for k in range(4)]
     assert load_log(in_two(tmp_path, rows, "Date;Begin;Time")).result.servo_period == pytest.approx(1.0)
     file = in_two(tmp_path, rows, "Date;Begin;Stamp")
-    with pytest.raises(LogError, match="time may be 'Begin' or 'Stamp': none is taken, say which with --column; says no sample times"):
+    with pytest.raises(LogError, match=r"'Begin'.*'Stamp'.*--column"):
         load_log(file)
     assert load_log(file, columns=parse_columns(["time=Stamp"])).result.servo_period == pytest.approx(1.0)
     with pytest.raises(LogError, match="'Date'"):
@@ -168,10 +169,10 @@ def test_dates_that_nobody_needs_are_no_fault(tmp_path: Path, cells: str) -> Non
 @pytest.mark.parametrize(
     ("cells", "why"),
     [
-        (["2024-05-31T14:03:21"] * 30 + ["2024-05-31T14:03:22"] * 30, "written too coarsely"),
-        (["31.05.24 14:03:21", "31.05.24 14:03:22", "31.05.24 14:03:23"], "csv:2: .*no timestamp without doubt"),
+        (["2024-05-31T14:03:21"] * 30 + ["2024-05-31T14:03:22"] * 30, "repeat"),
+        (["31.05.24 14:03:21", "31.05.24 14:03:22", "31.05.24 14:03:23"], "csv:2: .*timestamp"),
         (["14:03:21", "14:03:22", "noon"], "csv:4: 'noon'"),
-        (["", "", ""], "holds no times"),
+        (["", "", ""], "no times"),
     ],
 )
 def test_a_period_counts_samples_that_their_column_does_not(tmp_path: Path, cells: list[str], why: str) -> None:
@@ -179,7 +180,7 @@ def test_a_period_counts_samples_that_their_column_does_not(tmp_path: Path, cell
     file = log(tmp_path, cells, name="timestamp")
     counted = load_log(file, period=1e-3)
     assert counted.result.servo_period == 1e-3
-    assert any("samples are counted by the period" in note and "write times as" not in note for note in counted.notes)
+    assert any("period" in note and "2024-05-31T14:03:21.250" not in note for note in counted.notes)
     with pytest.raises(LogError, match=why):
         load_log(file)
     with pytest.raises(LogError, match=why):
@@ -190,8 +191,8 @@ def test_a_period_counts_samples_that_their_column_does_not(tmp_path: Path, cell
 def test_rows_without_a_time_are_gaps(tmp_path: Path, stamps: list[str]) -> None:
     stamps[0] = stamps[20] = ""
     found = load_log(log(tmp_path, stamps, name="timestamp"))
-    assert "2 of 50 rows say no time, and are left out" in found.notes
-    assert any("1 of 49 samples are missing, in 1 gap" in note for note in found.notes)
+    assert mentions(found.notes, "2 of 50 rows")
+    assert mentions(found.notes, "1 of 49 samples")
     assert found.result["position"][19, 0] == pytest.approx(20e-4)  # between the rows beside it
 
 
@@ -203,4 +204,4 @@ def test_rows_without_a_time_in_parquet_are_gaps(tmp_path: Path) -> None:
     parquet.write_table(arrow.table({"stamp": stamps, "x pos [mm]": [1e-3 * k for k in range(60)]}), tmp_path / "log.parquet")
     found = load_log(tmp_path / "log.parquet")
     assert found.result.servo_period == pytest.approx(1e-3)
-    assert "2 of 60 rows say no time, and are left out" in found.notes
+    assert mentions(found.notes, "2 of 60 rows")

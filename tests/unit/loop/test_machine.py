@@ -7,10 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from refusals import refuses
 from stages import PERIOD, control, make, stage, with_axis
 
 import contourlab as cl
-from contourlab.errors import FeedError
+from contourlab.errors import FeedError, ParameterError
 from contourlab.loop import simulate_blocks
 
 
@@ -102,10 +103,10 @@ def test_crossed_axes_do_not_feel_each_other() -> None:
 
 def test_a_plant_known_by_its_response_is_given_no_more_mass() -> None:
     response = make("plant", "rigid-axis", gain=1.7, damping=10.0)
-    with pytest.raises(cl.ContourlabError, match=r'axes\.x\.plant = "rigid-axis": must be a plant that knows its mass, as it carries 3 kg'):
+    with refuses(ParameterError, "3 kg", name="axes.x.plant", value='"rigid-axis"'):
         cl.Machine("stack", (cl.Axis("x", response), lump("y", 2.0, mounted_on="x", stage_mass=3.0)), PERIOD)
     for below, above in ((cl.Axis("x", response), lump("y", 2.0)), (lump("x", 2.0), cl.Axis("y", response))):
-        with pytest.raises(cl.ContourlabError, match=r"axes\.y\.alignment = 0\.5: must be 0"):
+        with refuses(ParameterError, "must be 0 ", name="axes.y.alignment", value="0.5"):
             cl.Machine("stack", (below, replace(above, mounted_on="x", alignment=0.5)), PERIOD)
     cl.Machine("stack", (cl.Axis("x", response), cl.Axis("y", response, mounted_on="x")), PERIOD)
 
@@ -171,7 +172,7 @@ def test_values_out_of_range_are_refused() -> None:
             cl.Machine("m", (lump("x", 1.0),), bad)
     with pytest.raises(cl.ContourlabError, match="travel"):
         cl.Limits(travel=(1.0, 1.0))
-    with pytest.raises(cl.ContourlabError, match="name of its own"):
+    with refuses(ParameterError, name="axes", value="x, x"):
         cl.Machine("m", (lump("x", 1.0), lump("x", 1.0)), PERIOD)
     with pytest.raises(cl.ContourlabError, match="squareness"):
         cl.Machine("m", (lump("x", 1.0), lump("y", 1.0)), PERIOD, {("x", "z"): 1e-5})
@@ -186,8 +187,8 @@ def test_values_out_of_range_are_refused() -> None:
 @pytest.mark.parametrize(
     ("limits", "wanted"),
     [
-        (cl.Limits(acceleration=1.0), "axis y of m has no velocity limit"),
-        (cl.Limits(velocity=0.5), "axis y of m has no limit for its ramps"),
+        (cl.Limits(acceleration=1.0), " y .*velocity"),
+        (cl.Limits(velocity=0.5), " y .*ramps"),
     ],
 )
 def test_limits_that_do_not_do_for_planning_name_the_axis(limits: cl.Limits, wanted: str) -> None:

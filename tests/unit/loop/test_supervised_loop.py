@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from refusals import refuses
 
 import contourlab as cl
 from contourlab.components.controller.cascade import Cascade
@@ -230,5 +231,5 @@ def test_what_is_fed_forward_on_both_sides_is_that_of_a_drive_that_follows(circl
 
 
 def test_a_batch_refuses_a_shaft_that_its_substeps_cannot_follow(circle: cl.Reference) -> None:
-    with pytest.raises(ParameterError, match=r"axes\.x\.substeps = 4: must be at least \d+ .* in one of the variants"):
+    with refuses(ParameterError, r"\d+ .*variants", name="axes.x.substeps", value="4"):
         cl.simulate_batch(machine(), both(controller=Cascade(**GAINS)), circle, {"axes.x.plant.stiffness": [950.0, 1e6]})

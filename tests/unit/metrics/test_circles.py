@@ -175,7 +175,7 @@ def test_runs_that_are_no_pair() -> None:
 
 
 def test_too_few_samples() -> None:
-    with pytest.raises(ResultError, match="ring: a circle of 7 samples"):
+    with pytest.raises(ResultError, match=r"ring: .*7 samples"):
         figures(ring(0.0, 7))
 
 

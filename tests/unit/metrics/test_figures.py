@@ -177,7 +177,7 @@ def test_saturation_counts_the_window_only() -> None:
 def test_window_outside_the_run(window: tuple[int, int]) -> None:
     reference = circle_laps(100)
     result = with_error(made_run(reference, reference.block(0, 100).position), np.zeros(100))
-    with pytest.raises(ResultError, match=f"window {window[0]} .. {window[1]} of a result of 100 samples"):
+    with pytest.raises(ResultError, match=rf"window {window[0]} \.\. {window[1]}\b.*100 samples"):
         summarise(result, reference, window)
 
 

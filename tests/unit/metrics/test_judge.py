@@ -181,9 +181,9 @@ def test_a_reference_far_ahead_does_not_lose_the_foot() -> None:
 @pytest.mark.parametrize(
     ("name", "row", "words"),
     [
-        ("tool_position", (7, 1), "tool_position of axis y is not finite at sample 7"),
-        ("reference", (3, 0), "reference of axis x is not finite at sample 3"),
-        ("arc_length", (9,), "arc_length is not finite at sample 9"),
+        ("tool_position", (7, 1), "tool_position.* y .*finite.*sample 7"),
+        ("reference", (3, 0), "reference.* x .*finite.*sample 3"),
+        ("arc_length", (9,), "arc_length.*finite.*sample 9"),
     ],
 )
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
@@ -200,7 +200,7 @@ def test_what_is_not_finite_is_named(name: str, row: tuple[int, ...], words: str
 def test_axes_that_are_not_those_of_the_path() -> None:
     ring, line = circle_laps(50), Path([Line((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))])
     result = made_run(ring, ring.block(0, 50).position)
-    with pytest.raises(ResultError, match="axes x, y for a path of 3 coordinates"):
+    with pytest.raises(ResultError, match=r"axes x, y .*3 coordinates"):
         judge(result, samples_on(line, np.linspace(0.0, 1.0, 50)))
 
 
@@ -208,5 +208,5 @@ def test_missing_signal_is_named() -> None:
     ring = circle_laps(50)
     result = made_run(ring, ring.block(0, 50).position)
     bare = type(result)("bare", result.axes, result.servo_period, {"reference": result.signals["reference"]})
-    with pytest.raises(ResultError, match="no signal 'tool_position' in bare; there are: reference"):
+    with pytest.raises(ResultError, match=r"'tool_position'.* bare.* reference$"):
         judge(bare, ring)

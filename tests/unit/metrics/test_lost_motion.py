@@ -126,7 +126,7 @@ def test_force_tells_windup_from_gap() -> None:
 
 def test_a_force_of_one_size_cannot_tell_stiffness_from_gap() -> None:
     motor, load, force = windup_record(12e-6, 2.5e7, (5e-3, 5e-3, 5e-3))
-    with pytest.raises(ResultError, match="varies in its direction alone"):
+    with pytest.raises(ResultError, match="stiffness"):
         lost_motion_from_pair(motor, load, force=force)
     assert lost_motion_from_pair(motor, load, force=force, stiffness=2.5e7).gap == pytest.approx(12e-6, abs=1e-10)
 
@@ -171,11 +171,11 @@ GOOD = strokes(1, samples=100)
     [
         (GOOD, GOOD[1:], "shapes"),
         (GOOD, np.where(np.arange(GOOD.size) == 7, np.nan, GOOD), "not finite"),
-        (np.zeros(50), np.zeros(50), "does not move"),
-        (GOOD[:100], behind(GOOD, 1e-5)[:100], "never goes backwards"),
-        (np.arange(50) * -1e-4, np.arange(50) * -1e-4 + 1e-9 * np.sin(np.arange(50)), "never goes forwards"),
+        (np.zeros(50), np.zeros(50), "not move"),
+        (GOOD[:100], behind(GOOD, 1e-5)[:100], "backwards"),
+        (np.arange(50) * -1e-4, np.arange(50) * -1e-4 + 1e-9 * np.sin(np.arange(50)), "forwards"),
         (GOOD, 0.0 * GOOD, "never goes"),
-        (np.zeros(1), np.zeros(1), "does not move"),
+        (np.zeros(1), np.zeros(1), "not move"),
     ],
 )
 def test_a_record_that_says_nothing_is_refused(motor: Array, load: Array, said: str) -> None:
@@ -194,7 +194,7 @@ def test_options_out_of_range_are_refused(options: dict[str, Any]) -> None:
 
 def test_a_force_with_the_wrong_sign_is_refused() -> None:
     motor, load, force = windup_record(12e-6, 2.5e7, (2e-3, 20e-3))
-    with pytest.raises(ContourlabError, match="positive where it pushes forwards"):
+    with pytest.raises(ContourlabError, match=r"m/N.*positive"):
         lost_motion_from_pair(motor, load, force=-force)
 
 

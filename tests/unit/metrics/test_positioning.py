@@ -110,9 +110,9 @@ RAMP = np.arange(100) * 1e-3
     [
         (RAMP, RAMP[1:], "shapes"),
         (RAMP, np.full(100, np.inf), "not finite"),
-        (RAMP, RAMP, "no approach to a stand"),
-        (np.zeros(100), np.zeros(100), "no approach to a stand"),
-        (np.concatenate([RAMP, np.full(60, RAMP[-1])]), np.zeros(160), "none of them approached from both sides"),
+        (RAMP, RAMP, "no approach"),
+        (np.zeros(100), np.zeros(100), "no approach"),
+        (np.concatenate([RAMP, np.full(60, RAMP[-1])]), np.zeros(160), "both sides"),
         (np.zeros(3), np.zeros(3), "no approach"),
     ],
 )

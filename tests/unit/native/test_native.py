@@ -47,7 +47,7 @@ def test_other_arrays_are_refused(table: np.ndarray) -> None:
 
 
 def test_a_kernel_that_asks_for_memory_is_refused() -> None:
-    with pytest.raises(EngineError, match="greedy makes an array"):
+    with pytest.raises(EngineError, match=r"greedy.*array"):
         kernel(greedy, SUM)
 
 

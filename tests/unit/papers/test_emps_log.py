@@ -66,7 +66,7 @@ def test_files_that_are_no_log_say_what_is_wanted(tmp_path: Path) -> None:
     lacking = saved(tmp_path / "lacking.mat", {name: value for name, value in held().items() if name not in ("kp", "vir")})
     for file, told in (
         (tmp_path / "nowhere.mat", "cannot be read: No such file"),
-        (folder, "is no plain file"),
+        (folder, "is not a regular file"),
         (text, "cannot be read as MATLAB"),
         (lacking, "holds no vir, kp"),
     ):

@@ -42,7 +42,7 @@ def test_curves_pass_through_table_iii() -> None:
     """At the table's own values a curve has the integral of Fig 9's run."""
     for number in (1, 2):
         curve = axis_curves(number)["a'"]
-        here = 1e6 * float(np.interp(curve.number.value, curve.values, curve.figures))
+        here = 1e6 * float(np.interp(curve.variable.value, curve.values, curve.figures))
         assert here == pytest.approx(integral(number, Reading(), TABLE_3), rel=0.02)
 
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import pytest
+from refusals import refuses
 
 from contourlab.errors import ProgramError
 from contourlab.program import Program, parse_program
 from contourlab.program.block import read_words
-from contourlab.program.parameters import Parameters
+from contourlab.program.expressions import Parameters
 from contourlab.program.vocabulary import BlockError
 
 
@@ -89,35 +90,35 @@ def test_comments_and_blanks_inside() -> None:
 @pytest.mark.parametrize(
     ("line", "column", "message"),
     [
-        ("X[1/0]", 4, r"1 / 0 has no value"),
-        ("X[5 MOD 0]", 5, "5 MOD 0 has no value"),
-        ("X[-8 ** 0.5]", 6, r"-8 \*\* 0\.5 has no value"),
-        ("X[10 ** 400]", 6, "has no value"),
-        ("XSQRT[-1]", 2, r"SQRT\[-1\] has no value"),
-        ("XLN[0]", 2, "has no value"),
-        ("XASIN[1.5]", 2, "has no value"),
-        ("XATAN[1]", 8, "'/' is missing between the two values of ATAN"),
-        ("XFOO[1]", 2, "'F' begins no function"),
-        ("X-SIN+[30]#1=1", 6, r"SIN has no value: write it in brackets"),
-        ("X[1 + ]", 7, "a number is missing: ']' stands here"),
-        ("X[1 2 3", 7, "an operation or ']' is missing before the end of the line"),
-        ("X[]", 3, "a number is missing"),
-        ("X#<deep>", 2, "#<deep> has no value yet"),
-        ("X#<deep", 3, "has no end"),
-        ("X#0", 2, "there is no parameter #0"),
-        ("X#5602", 2, "there is no parameter #5602"),
-        ("X#1.5", 3, r"#1\.5: the number of a parameter is whole"),
-        ("#5 3", 4, "'=' is missing behind the parameter"),
-        ("#5 =", 4, "a number is missing: the line ends here"),
-        ("#5420 = 3", 2, "#5420 is the interpreter's own"),
-        ("G1 X[1] = 2", 9, "'=' has no parameter before it"),
-        ("X1 ]#1=2", 4, "']' closes no expression"),
-        ("N[1] X1", 1, "a line number is written in digits"),
-        ("X[1e3]", 4, "an operation or ']' is missing before 'e'"),
-        ("X" + "[" * 60 + "1" + "]" * 60, 53, "nested more than 50 deep"),
-        ("X[2 ** 40]", 1, "no sensible number"),
-        ("O[1] sub", 1, "an O-word stands alone on its line"),
-        ("G1 X[2] O[1] call", 9, "an O-word stands alone on its line"),
+        ("X[1/0]", 4, r"1 / 0"),
+        ("X[5 MOD 0]", 5, "5 MOD 0"),
+        ("X[-8 ** 0.5]", 6, r"-8 \*\* 0\.5"),
+        ("X[10 ** 400]", 6, "no value"),
+        ("XSQRT[-1]", 2, r"SQRT\[-1\]"),
+        ("XLN[0]", 2, "no value"),
+        ("XASIN[1.5]", 2, "no value"),
+        ("XATAN[1]", 8, "'/'.*ATAN"),
+        ("XFOO[1]", 2, "'F'"),
+        ("X-SIN+[30]#1=1", 6, r"SIN .*brackets"),
+        ("X[1 + ]", 7, "number.*']'"),
+        ("X[1 2 3", 7, "']'.*end"),
+        ("X[]", 3, "number"),
+        ("X#<deep>", 2, "#<deep>"),
+        ("X#<deep", 3, "no end"),
+        ("X#0", 2, "#0"),
+        ("X#5602", 2, "#5602"),
+        ("X#1.5", 3, r"#1\.5.*whole"),
+        ("#5 3", 4, "'=' is missing"),
+        ("#5 =", 4, "number.*ends"),
+        ("#5420 = 3", 2, "#5420"),
+        ("G1 X[1] = 2", 9, "'='.*parameter"),
+        ("X1 ]#1=2", 4, "']'"),
+        ("N[1] X1", 1, "digits"),
+        ("X[1e3]", 4, "'e'"),
+        ("X" + "[" * 60 + "1" + "]" * 60, 53, "50 deep"),
+        ("X[2 ** 40]", 1, "number"),
+        ("O[1] sub", 1, "alone"),
+        ("G1 X[2] O[1] call", 9, "alone"),
     ],
 )
 def test_refusals_name_the_place(line: str, column: int, message: str) -> None:
@@ -138,5 +139,5 @@ def test_the_position_is_in_the_units_in_force() -> None:
 
 
 def test_faults_come_with_line_and_column() -> None:
-    with pytest.raises(ProgramError, match=r"part\.ngc:2:7: 1 / 0 has no value"):
+    with refuses(ProgramError, "1 / 0", file="part.ngc", line=2, column=7):
         parse_program("G21\nG1 X[1/0] F1\nM2", "part.ngc")

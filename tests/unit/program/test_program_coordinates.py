@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from refusals import refuses
 
 from contourlab.errors import ProgramError
 from contourlab.program import Arc, Dwell, Reading, parse_program
@@ -129,10 +130,10 @@ def test_tools_from_a_table(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "line", "message"),
     [
-        ("T1 Z1\nT1 Z2", 2, "tool 1 stands there twice"),
+        ("T1 Z1\nT1 Z2", 2, "tool 1"),
         ("T1.5 Z1", 1, "whole number"),
         ("Z1", 1, "whole number"),
-        ("T1 Z1 what", 1, "write words such as"),
+        ("T1 Z1 what", 1, "words"),
     ],
 )
 def test_bad_tables(tmp_path: Path, text: str, line: int, message: str) -> None:
@@ -141,7 +142,7 @@ def test_bad_tables(tmp_path: Path, text: str, line: int, message: str) -> None:
     with pytest.raises(ProgramError, match=message) as caught:
         read_tools(table)
     assert (caught.value.file, caught.value.line) == (str(table), line)
-    with pytest.raises(ProgramError, match="cannot be read"):
+    with refuses(ProgramError, "No such file", file=tmp_path / "none.tbl"):
         read_tools(tmp_path / "none.tbl")
 
 

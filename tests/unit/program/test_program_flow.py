@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from refusals import refuses
 
 from contourlab.errors import ProgramError
 from contourlab.program import Dwell, Reading, iter_moves, parse_program, read_program
@@ -83,51 +84,51 @@ def test_subprograms(text: str, wanted: list[float]) -> None:
 @pytest.mark.parametrize(
     ("text", "line", "column", "message"),
     [
-        ("o100 sub", 1, 1, "O100 sub has no end: write O100 endsub"),
-        ("o<name> call", 1, 1, "there is no subprogram Oname"),
-        ("G0 X1\n  O100 if [0]\nX2\nX3", 2, 3, "O100 if has no end"),
-        ("G0 X1\no1 while [1]\nX2", 3, 0, "O1 while has no end: write O1 endwhile"),
-        ("o1 endif", 1, 1, "O1 endif belongs to no if"),
-        ("o1 else", 1, 1, "O1 else belongs to no if"),
-        ("o1 if [1]\no2 endif", 2, 1, "O2 endif belongs to no if"),
-        ("o1 if [1]\no2 while [1]\no1 endif", 3, 1, "O1 endif belongs to no if"),
-        ("o1 endwhile", 1, 1, "closes no while"),
-        ("o1 endrepeat", 1, 1, "closes no repeat"),
-        ("o1 break", 1, 1, "stands in no loop"),
-        ("o1 continue", 1, 1, "stands in no loop"),
-        ("o1 endsub", 1, 1, "stands in no subprogram"),
-        ("o1 return [1]", 1, 1, "stands in no subprogram"),
-        ("o1 if", 1, 1, "if takes one expression"),
-        ("o1 if [1] [2]", 1, 1, "if takes one expression"),
-        ("o1 repeat [1/0]", 1, 13, "1 / 0 has no value"),
-        ("o1 repeat [2 ** 60]", 1, 1, "keep the number of repeats below"),
-        ("o1 begin", 1, 4, "is followed by no keyword"),
-        ("o1 do [2]", 1, 1, "do takes no value"),
-        ("o1 if [1] X2", 1, 11, "behind an O-word"),
-        ("o call", 1, 3, "begins no function"),
-        ("o<open call", 1, 2, "has no end"),
+        ("o100 sub", 1, 1, "O100 endsub"),
+        ("o<name> call", 1, 1, "Oname"),
+        ("G0 X1\n  O100 if [0]\nX2\nX3", 2, 3, "O100 if"),
+        ("G0 X1\no1 while [1]\nX2", 3, 0, "O1 while"),
+        ("o1 endif", 1, 1, "O1 endif"),
+        ("o1 else", 1, 1, "O1 else"),
+        ("o1 if [1]\no2 endif", 2, 1, "O2 endif"),
+        ("o1 if [1]\no2 while [1]\no1 endif", 3, 1, "O1 endif"),
+        ("o1 endwhile", 1, 1, "no while"),
+        ("o1 endrepeat", 1, 1, "no repeat"),
+        ("o1 break", 1, 1, "no loop"),
+        ("o1 continue", 1, 1, "no loop"),
+        ("o1 endsub", 1, 1, "no subprogram"),
+        ("o1 return [1]", 1, 1, "no subprogram"),
+        ("o1 if", 1, 1, "one expression"),
+        ("o1 if [1] [2]", 1, 1, "one expression"),
+        ("o1 repeat [1/0]", 1, 13, "1 / 0"),
+        ("o1 repeat [2 ** 60]", 1, 1, "repeats"),
+        ("o1 begin", 1, 4, "no keyword"),
+        ("o1 do [2]", 1, 1, "do .*no value"),
+        ("o1 if [1] X2", 1, 11, "O-word"),
+        ("o call", 1, 3, "function"),
+        ("o<open call", 1, 2, "no end"),
         ("o[1.5] call", 1, 2, "whole number"),
-        ("o1234567890 call", 1, 2, "at most 9 digits"),
-        ("o1 sub\no2 sub\no2 endsub\no1 endsub", 2, 1, "O2 sub stands inside O1 sub"),
-        ("o1 sub\no1 endsub\no1 sub\no1 endsub", 3, 1, "there twice"),
-        ("o1 if [1]\no1 endif\no1 if [1]\no1 endif", 3, 1, "line 1 uses this label"),
+        ("o1234567890 call", 1, 2, "9 digits"),
+        ("o1 sub\no2 sub\no2 endsub\no1 endsub", 2, 1, "O2 sub .*O1 sub"),
+        ("o1 sub\no1 endsub\no1 sub\no1 endsub", 3, 1, "twice"),
+        ("o1 if [1]\no1 endif\no1 if [1]\no1 endif", 3, 1, "line 1 "),
         (
             "o1 repeat [1]\no1 endrepeat\no1 while [1]\no1 endwhile",
             3,
             1,
-            "line 1 uses this label",
+            "line 1 ",
         ),
-        ("o1 call" + " [1]" * 31, 1, 1, "at most 30 arguments"),
-        ("M98", 1, 1, "M98 has no P"),
+        ("o1 call" + " [1]" * 31, 1, 1, "30 arguments"),
+        ("M98", 1, 1, "no P"),
         ("M98 P1.5", 1, 5, "whole number"),
-        ("M98 P7", 1, 1, "there is no subprogram O7"),
-        ("o1 sub\no1 call\no1 endsub\no1 call", 2, 1, "nested more than 9 deep"),
-        ("M98 P1\nM2\nO1\nM98 P1\nM99", 4, 1, "nested more than 9 deep"),
+        ("M98 P7", 1, 1, "O7"),
+        ("o1 sub\no1 call\no1 endsub\no1 call", 2, 1, "9 deep"),
+        ("M98 P1\nM2\nO1\nM98 P1\nM99", 4, 1, "9 deep"),
     ],
 )
 def test_refusals(text: str, line: int, column: int, message: str) -> None:
     with pytest.raises(ProgramError, match=message) as caught:
-        parse_program(f"{text}\nM2" if line < 3 or "while has" not in message else text)
+        parse_program(f"{text}\nM2" if column else text)  # the place of an end that is missing has no column
     assert (caught.value.line, caught.value.column) == (line, column)
 
 
@@ -149,7 +150,7 @@ def test_endless_loops_are_stopped_soon(text: str, monkeypatch: pytest.MonkeyPat
 def test_loops_may_count_to_three_hundred_thousand_and_not_for_ever() -> None:
     text = "#1 = 0\no1 while [#1 lt {}]\n#1 = [#1 + 1]\no1 endwhile\nG1 F1 X1"
     assert ends(text.format(300_000)) == [1]
-    with pytest.raises(ProgramError, match="1000000 lines of loops and subprograms without a move"):
+    with pytest.raises(ProgramError, match="1000000 lines"):
         parse_program(text.format(400_000) + "\nM2")
 
 
@@ -165,13 +166,12 @@ def test_subprograms_in_files_of_their_own(tmp_path: Path) -> None:
     moves = read_program(main).moves
     assert [move.end for move in moves] == [(0.007, 0.0, 0.0), (0.007, 0.001, 0.0)]  # type: ignore[union-attr]
     main.write_text("o<bad> call\nM2\n", encoding="utf-8")
-    with pytest.raises(ProgramError, match="X has no number") as caught:
+    with refuses(ProgramError, "X has", file=tmp_path / "bad.ngc", line=3):
         read_program(main)
-    assert (caught.value.file, caught.value.line) == (str(tmp_path / "bad.ngc"), 3)
-    with pytest.raises(ProgramError, match="there is no subprogram Odrill"):
+    with refuses(ProgramError, "Odrill", line=1, column=1):
         parse_program("o<drill> call [7]\nM2")
     assert len(parse_program("o<drill> call [7]\nM2", reading=Reading(folder=tmp_path)).moves) == 1
-    with pytest.raises(ProgramError, match="there is no subprogram"):
+    with refuses(ProgramError, r"O\.\./main", line=1, column=1):
         parse_program("o<../main> call\nM2", reading=Reading(folder=tmp_path / "deeper"))
 
 
@@ -217,9 +217,8 @@ def _lines(count: int) -> Iterator[str]:
 
 
 def test_a_loop_that_moves_but_never_changes_anything_is_refused() -> None:
-    with pytest.raises(ProgramError, match="O1 while never ends") as caught:
+    with refuses(ProgramError, "O1 while", line=4, column=1):
         parse_program("o1 while [1]\nG0 X1\nG0 X0\no1 endwhile\nM2\n")
-    assert (caught.value.line, caught.value.column) == (4, 1)
     # One that comes further with each turn ends some time: by its own condition.
     assert len(parse_program("G91\no1 while [#5420 LT 5]\nG0 X1\no1 endwhile\nM2\n").moves) == 5
 
@@ -256,6 +255,5 @@ def test_loops_cannot_ask_for_any_number_of_moves(monkeypatch: pytest.MonkeyPatc
     text = "F100\n{}\no1 repeat [{}]\nG1 X1\nX0\no1 endrepeat\nM2"
     lines = "\n".join(f"G1 Y{i % 7 + 1}" for i in range(1500))  # what the text itself holds is not counted
     assert len(parse_program(text.format(lines, 500)).moves) == 1500 + 1000
-    with pytest.raises(ProgramError, match="loops and subprograms make more than 1000 moves") as caught:
+    with refuses(ProgramError, "1000 moves", line=4):
         parse_program(text.format("", 501))
-    assert caught.value.line == 4

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
+from refusals import refuses
 
 from contourlab.errors import ProgramError
 from contourlab.program import Feed, Notice, Reader, Reading, parse_program
@@ -15,13 +16,13 @@ GRBL = Reading(dialect="grbl")
 @pytest.mark.parametrize(
     ("text", "line", "column", "message"),
     [
-        ("G1 F10 X1", 1, 1, "the program has no end"),
-        ("$H\nG0 X1\nM2", 1, 1, r"\$H is for the controller itself"),
-        ("G0 X1\n!\nM2", 2, 1, "! is for the controller itself"),
-        ("G0 X1\n%\nM2", 2, 1, "a line of % was passed over"),
-        ("G0 X1 (to one\nM2", 1, 7, "the comment has no end"),
-        ("(a) Y1 X1\nM2", 1, 5, "a move before any motion code"),
-        ("X1 (then G0)\nM2", 1, 1, "a move before any motion code"),
+        ("G1 F10 X1", 1, 1, "no end"),
+        ("$H\nG0 X1\nM2", 1, 1, r"\$H"),
+        ("G0 X1\n!\nM2", 2, 1, "!"),
+        ("G0 X1\n%\nM2", 2, 1, "%"),
+        ("G0 X1 (to one\nM2", 1, 7, "comment"),
+        ("(a) Y1 X1\nM2", 1, 5, "motion code"),
+        ("X1 (then G0)\nM2", 1, 1, "motion code"),
     ],
 )
 def test_each_leniency_is_told(text: str, line: int, column: int, message: str) -> None:
@@ -29,7 +30,7 @@ def test_each_leniency_is_told(text: str, line: int, column: int, message: str) 
     assert len(notices) == 1
     assert (notices[0].line, notices[0].column) == (line, column)
     assert isinstance(notices[0], Notice)
-    assert re.match(message, notices[0].message)
+    assert re.search(message, notices[0].message)
     with pytest.raises(ProgramError):
         parse_program(text)
 
@@ -49,7 +50,7 @@ def test_grbl_does_not_hide_faults() -> None:
 
 
 def test_an_unknown_dialect() -> None:
-    with pytest.raises(ProgramError, match="no dialect 'fanuc': there are linuxcnc, grbl"):
+    with pytest.raises(ProgramError, match=r"'fanuc'.*linuxcnc, grbl"):
         Reading(dialect="fanuc")  # type: ignore[arg-type]
 
 
@@ -70,7 +71,7 @@ def test_names_that_the_interpreter_keeps(lines: str, name: str, value: float) -
     reader = Reader(f"{lines}\n#100 = #<{name}>\nG21 G0 Y9\nM2".split("\n"))
     list(reader.moves())
     assert reader.parameters.number(100) == value
-    with pytest.raises(ProgramError, match=f"#<{name}> is the interpreter's own"):
+    with refuses(ProgramError, f"#<{name}>", line=1, column=2):
         parse_program(f"#<{name}> = 1\nM2")
 
 
@@ -128,5 +129,5 @@ def test_inverse_time_is_never_slower_than_a_tenth_per_minute() -> None:
 def test_feed_per_turn_needs_a_speed() -> None:
     moves = parse_program("G95 F0.5 S120\nG1 X1\nM2").moves
     assert [round(6e4 * m.feedrate, 9) for m in moves if isinstance(m, Feed)] == [60.0]
-    with pytest.raises(ProgramError, match="needs a spindle speed"):
+    with refuses(ProgramError, "spindle", line=2):
         parse_program("G95 F0.5\nG1 X1\nM2")

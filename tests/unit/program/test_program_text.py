@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from refusals import refuses
 
 from contourlab.errors import ProgramError
 from contourlab.program import Dwell, Traverse, iter_moves, parse_program, read_program
@@ -76,14 +77,13 @@ def test_errors_name_the_file_as_given(tmp_path: Path) -> None:
     with pytest.raises(ProgramError) as caught:
         read_program(file)
     assert (caught.value.file, caught.value.line, caught.value.column) == (str(file), 2, 1)
-    assert str(caught.value).startswith(f"{file}:2:1: G41 (cutter compensation) is not supported yet: ")
+    assert str(caught.value).startswith(f"{file}:2:1: G41 ")
 
 
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     for place in (tmp_path / "missing.ngc", tmp_path, "nul\0byte"):
-        with pytest.raises(ProgramError, match="cannot be read") as caught:
+        with refuses(ProgramError, "read", file=str(place), line=0):
             read_program(place)
-        assert caught.value.file == str(place)
 
 
 def test_iter_moves_reads_no_further_than_asked() -> None:

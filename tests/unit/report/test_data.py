@@ -12,7 +12,7 @@ from contourlab.report.run_data import AxisBounds, FrequencyResponse
 
 
 def test_no_scheme(circle):
-    with pytest.raises(ParameterError, match="at least one run"):
+    with pytest.raises(ParameterError, match="schemes"):
         replace(circle, schemes=())
 
 
@@ -24,7 +24,7 @@ def test_two_schemes_of_one_name(circle):
 def test_schemes_of_different_axes(circle):
     second = circle.schemes[1]
     other = replace(second, result=replace(second.result, axes=("u", "v")))
-    with pytest.raises(ParameterError, match="as in the first scheme"):
+    with pytest.raises(ParameterError, match="axes"):
         replace(circle, schemes=(circle.schemes[0], other))
 
 
@@ -51,5 +51,5 @@ def test_frequencies_must_rise_from_above_zero(frequency):
 
 
 def test_one_response_for_each_frequency():
-    with pytest.raises(ParameterError, match="one value per frequency"):
+    with pytest.raises(ParameterError, match="frequency"):
         FrequencyResponse(np.array([1.0, 2.0]), np.ones(3))

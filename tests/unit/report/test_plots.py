@@ -50,13 +50,13 @@ def test_gaps_in_a_signal_are_gaps_in_the_picture(square, tmp_path):
 
 
 def test_unknown_format_names_those_that_are_known(square, tmp_path):
-    with pytest.raises(ParameterError, match="of png, svg, pdf"):
+    with pytest.raises(ParameterError, match="png, svg, pdf"):
         write_plots(square, tmp_path, ("gif",))
 
 
 def test_a_folder_that_is_a_file(square, tmp_path):
     (tmp_path / "file").write_text("")
-    with pytest.raises(OutputError, match="cannot be written"):
+    with pytest.raises(OutputError, match="file"):
         write_plots(square, tmp_path / "file")
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from dataclasses import replace
 
 import pytest
@@ -11,15 +10,8 @@ import synthetic
 from contourlab.feed import AxisLimits, plan, route_from_path
 from contourlab.geometry import Line, Path
 from contourlab.report.comparison import compare
-from contourlab.report.tables import comparison_markdown, comparison_text, print_comparison
+from contourlab.report.tables import comparison_markdown, comparison_text
 from contourlab.result import Status
-
-
-class Terminal(io.StringIO):
-    """A stream that says it is a terminal."""
-
-    def isatty(self) -> bool:
-        return True
 
 
 def cells(data, label):
@@ -28,7 +20,7 @@ def cells(data, label):
 
 def test_figures_are_the_metrics_in_print_units(circle):
     row = cells(circle, "contour error, largest")
-    assert row.unit == "µm" and row.strong
+    assert row.unit == "um" and row.strong
     for cell, scheme in zip(row.cells, circle.schemes, strict=True):
         assert float(cell.text) == pytest.approx(scheme.metrics.contour_error.max * 1e6, rel=6e-3)
     feed = cells(circle, "feedrate, mean")
@@ -37,18 +29,18 @@ def test_figures_are_the_metrics_in_print_units(circle):
 
 def test_change_is_of_the_last_against_the_first(circle):
     row = cells(circle, "contour error, rms")
-    assert row.change == "−75 %" and row.mood == "good"
+    assert row.change.text == "-75 %" and row.change.mood == "good"
 
 
 def test_pass_and_fail_are_told_in_words(circle):
-    row = cells(circle, "tolerance 5 µm")
-    assert [cell.text.split()[1] for cell in row.cells] == ["fail", "pass"]
+    row = cells(circle, "tolerance 5 um")
+    assert [cell.text for cell in row.cells] == ["fail", "pass"]
 
 
 def test_without_a_verdict_the_largest_part_error_decides(circle):
     bare = tuple(replace(scheme, verdict=None) for scheme in circle.schemes)
     largest = circle.schemes[0].metrics.part_error.max
-    row = cells(replace(circle, schemes=bare, tolerance=largest), f"tolerance {largest * 1e6:.6g} µm")
+    row = cells(replace(circle, schemes=bare, tolerance=largest), f"tolerance {largest * 1e6:.6g} um")
     assert [cell.mood for cell in row.cells] == ["good", "good"]
     row = next(iter(compare(replace(circle, schemes=bare, tolerance=0.999 * largest)).rows))
     assert [cell.mood for cell in row.cells] == ["poor", "good"]
@@ -59,7 +51,7 @@ def test_a_run_that_stopped_early_never_passes(circle):
     stopped = replace(second, result=replace(second.result, status=Status(False, 9, "x", "position left its range")))
     table = compare(replace(circle, schemes=(circle.schemes[0], stopped)))
     assert table.rows[0].cells[1].mood == "poor"
-    assert "modified reference did not finish: position left its range" in table.note
+    assert f"{second.name} " in table.note and "position left" in table.note
 
 
 def test_an_error_in_space_has_no_signed_mean(single):
@@ -73,34 +65,21 @@ def test_without_tolerance_nobody_passes_or_fails(square):
     assert not any("tolerance" in row.label for row in compare(square).rows)
 
 
-def test_a_pipe_gets_plain_ascii(circle):
-    stream = io.StringIO()
-    print_comparison(circle, stream)
-    assert stream.getvalue().isascii() and "\x1b" not in stream.getvalue()
-    assert stream.getvalue() == comparison_text(circle) + "\n"
-    assert "um s" in stream.getvalue() and "-75 %" in stream.getvalue()
-
-
-def test_a_terminal_gets_colours(circle, monkeypatch):
-    monkeypatch.delenv("NO_COLOR", raising=False)
-    monkeypatch.setenv("TERM", "xterm-256color")
-    monkeypatch.setenv("COLUMNS", "120")
-    stream = Terminal()
-    print_comparison(circle, stream)
-    assert "\x1b[" in stream.getvalue() and "pass" in stream.getvalue()
+def test_the_text_is_plain_ascii_and_fits_the_page(circle):
+    text = comparison_text(circle, 80)
+    assert text.isascii()
+    assert max(map(len, text.splitlines())) <= 80
+    assert "um s" in text
+    assert "-75 %" in text
 
 
 def test_the_part_that_errors_are_of_is_told_of_each_run_where_it_differs(circle):
     first, second = circle.schemes
-    assert compare(circle).note.startswith("Errors over the last lap, 2.000 s to 4.000 s.")
+    assert "2 s to 4 s." in compare(circle).note
     other = replace(second, metrics=replace(second.metrics, window=(100, 900)))
     note = compare(replace(circle, schemes=(first, other))).note
-    assert f"s of {first.name}, 0.1000 s to 0.9000 s of {second.name}." in note
-    lap = replace(other, metrics=replace(other.metrics, basis="moving part"))
-    assert (
-        f"the last lap of {first.name}, 2.000 s to 4.000 s, the moving part of {second.name}, 0.1000 s to 0.9000 s."
-        in compare(replace(circle, schemes=(first, lap))).note
-    )
+    assert f"2 s to 4 s ({first.name})" in note
+    assert f"0.1 s to 0.9 s ({second.name})" in note
 
 
 def test_markup_in_names_is_printed_as_it_is(circle):
@@ -118,12 +97,11 @@ def test_markdown_has_one_column_per_scheme_and_the_change(circle):
 
 
 def test_a_measured_run_says_what_its_encoders_do_not(circle):
-    assert "programmed one" in comparison_text(circle)
-    measured = comparison_text(replace(circle, is_measured=True))
-    assert "programmed one" not in measured and "encoders" in measured
+    assert "encoders" not in compare(circle).note
+    assert "encoders" in compare(replace(circle, is_measured=True)).note
 
 
 def test_notes_stand_below_the_table_as_they_are(circle):
-    noted = replace(circle, notes=("one and two are equal: are they?", "the path is *scaled*"))
-    assert comparison_text(noted).splitlines()[-2:] == ["note: one and two are equal: are they?", "note: the path is *scaled*"]
-    assert comparison_markdown(noted).endswith("Note: one and two are equal: are they?\n\nNote: the path is \\*scaled\\*\n")
+    noted = replace(circle, notes=("one: two?", "three *four*"))
+    assert comparison_text(noted).splitlines()[-2:] == ["note: one: two?", "note: three *four*"]
+    assert comparison_markdown(noted).endswith("Note: one: two?\n\nNote: three \\*four\\*\n")

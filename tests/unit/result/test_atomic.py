@@ -59,7 +59,7 @@ def test_files_are_as_readable_as_others(tmp_path: Path) -> None:
 def test_full_disk_while_bytes_are_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "a").write_bytes(b"old")
     monkeypatch.setattr(Path, "write_bytes", full)
-    with pytest.raises(OutputError, match="a: cannot be written: No space left on device"):
+    with pytest.raises(OutputError, match=r"a: .*No space"):
         write_bytes_atomic(tmp_path / "a", b"new")
     only(tmp_path, "a", b"old")
 
@@ -75,14 +75,14 @@ def test_target_that_cannot_be_replaced(tmp_path: Path, monkeypatch: pytest.Monk
 
 def test_a_folder_in_the_way(tmp_path: Path) -> None:
     (tmp_path / "run.nc").mkdir()
-    with pytest.raises(OutputError, match=r"run\.nc: cannot be written"):
+    with pytest.raises(OutputError, match=r"run\.nc: "):
         a_result().save(tmp_path / "run.nc")
     assert [p.name for p in tmp_path.iterdir()] == ["run.nc"]
 
 
 def test_a_file_in_place_of_the_folder(tmp_path: Path) -> None:
     (tmp_path / "out").write_bytes(b"")
-    with pytest.raises(OutputError, match="cannot be written"):
+    with pytest.raises(OutputError, match=r"out/run\.nc"):
         a_result().save(tmp_path / "out" / "run.nc")
 
 
@@ -112,7 +112,7 @@ def test_full_disk_after_some_writes(tmp_path: Path, monkeypatch: pytest.MonkeyP
         return plain_write(self, data)
 
     monkeypatch.setattr(Spool, "write", write)
-    with pytest.raises(OutputError, match=r"run\.nc: cannot be written: No space left on device"):
+    with pytest.raises(OutputError, match=r"run\.nc: .*No space"):
         result.save(file)
     assert count > after
     only(tmp_path, "run.nc", b"old")
@@ -133,8 +133,9 @@ def test_spool_reads_back_what_the_disk_refused(tmp_path: Path, monkeypatch: pyt
         spool.seek(2)
         assert spool.readinto(buffer) == 10
         assert bytes(buffer) == b"cdEFgH" + bytes(4)
-        with pytest.raises(OSError, match="No space left"):
+        with pytest.raises(OSError) as caught:
             spool.check()
+        assert caught.value.errno == errno.ENOSPC
     assert (tmp_path / "s").read_bytes() == b"abcdef"
 
 

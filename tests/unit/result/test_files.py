@@ -139,7 +139,7 @@ def test_blocks_with_other_signals(tmp_path: Path) -> None:
     extra = {**result.signals, "feedrate": Signal(np.zeros(5), ("sample",), "m/s")}
     for first, second in ((result.signals, extra), (extra, result.signals)):
         with (
-            pytest.raises(ResultError, match="differs in feedrate"),
+            pytest.raises(ResultError, match="feedrate"),
             ResultWriter(tmp_path / "r.nc", result.header(), result.axes) as writer,
         ):
             writer.append(first)
@@ -151,7 +151,7 @@ def test_blocks_with_other_signals(tmp_path: Path) -> None:
 
 
 def test_no_such_file(tmp_path: Path) -> None:
-    with pytest.raises(ResultError, match=r"none\.nc: cannot be read as a result"):
+    with pytest.raises(ResultError, match=r"none\.nc: .*errno = 2"):
         Result.load(tmp_path / "none.nc")
 
 
@@ -159,19 +159,19 @@ def test_no_such_file(tmp_path: Path) -> None:
 def test_files_of_another_kind(tmp_path: Path, content: bytes) -> None:
     file = tmp_path / "run.nc"
     file.write_bytes(content)
-    with pytest.raises(ResultError, match=r"run\.nc: cannot be read as a result"):
+    with pytest.raises(ResultError, match=r"run\.nc: "):
         Result.load(file)
 
 
 def test_a_folder_is_no_file(tmp_path: Path) -> None:
-    with pytest.raises(ResultError, match="cannot be read as a result"):
+    with pytest.raises(ResultError, match="errno = 21"):
         Result.load(tmp_path)
 
 
 def test_netcdf_of_another_program(tmp_path: Path) -> None:
     file = tmp_path / "sea.nc"
     xarray.Dataset({"temperature": ("time", [1.0, 2.0])}).to_netcdf(file, engine="h5netcdf")
-    with pytest.raises(ResultError, match=r"sea\.nc: is no result of contourlab \(attribute format = None\)"):
+    with pytest.raises(ResultError, match=r"sea\.nc: .*format = None"):
         Result.load(file)
 
 
@@ -190,7 +190,7 @@ def test_a_header_with_something_missing(tmp_path: Path, lost: str) -> None:
     plain().save(file)
     with h5py.File(file, "a") as raw:
         del raw.attrs[lost]
-    with pytest.raises(ResultError, match=f"cannot be read as a result: {lost} is missing"):
+    with pytest.raises(ResultError, match=f"{lost} is missing"):
         Result.load(file)
 
 
@@ -240,7 +240,7 @@ def test_a_byte_turned_over_in_the_head(tmp_path: Path) -> None:
 def test_a_file_of_known_length_wants_just_so_many_samples(tmp_path: Path, blocks: int) -> None:
     result = Result("base", ("x",), 1e-3, {"position": Signal(np.arange(4.0)[:, None], ("sample", "axis"), "m")})
     with (
-        pytest.raises(ResultError, match=f"{4 * blocks} samples for a file of 8"),
+        pytest.raises(ResultError, match=rf"^{4 * blocks} .*\b8$"),
         ResultWriter(tmp_path / "r.nc", result.header(), ("x",), 8) as writer,
     ):
         for _ in range(blocks):

@@ -7,19 +7,17 @@ import pytest
 from contourlab.errors import ScenarioError
 from contourlab.scenario import chosen, load_scenario
 
+MODIFIED = [f"with modified reference, {gains} gains" for gains in ("initial", "calibrated")]
+
 
 def test_a_name_with_commas_may_come_in_pieces() -> None:
     scenario = load_scenario("builtin:ghaffari/demo-stage")
-    text = "position loop,with modified reference, initial gains,with modified reference, calibrated gains"
-    found = chosen(scenario, text.split(",")).cases()
-    assert [case.name for case in found] == [
-        "position loop",
-        "with modified reference, initial gains",
-        "with modified reference, calibrated gains",
-    ]
+    names = ["position loop", *MODIFIED]
+    found = chosen(scenario, ",".join(names).split(",")).cases()
+    assert [case.name for case in found] == names
 
 
 def test_names_are_told_apart_where_one_is_unknown() -> None:
     scenario = load_scenario("builtin:ghaffari/demo-stage")
-    with pytest.raises(ScenarioError, match="'with modified reference, initial gains', 'with modified"):
+    with pytest.raises(ScenarioError, match=", ".join(f"'{name}'" for name in MODIFIED)):
         chosen(scenario, ["with modified reference"])

@@ -98,12 +98,12 @@ def test_every_design_is_among_what_a_scheme_takes_back() -> None:
 @pytest.mark.parametrize(
     ("controller", "message"),
     [
-        ('{kind = "pid", gains = {bandwidth = "1 rad/s"}}', "pid works out no gains: give them themselves"),
-        ('{kind = "cascade", gains = {damping = 1}}', r"gains of cascade key is missing: bandwidth \[rad/s\]"),
+        ('{kind = "pid", gains = {bandwidth = "1 rad/s"}}', "pid .*no gains"),
+        ('{kind = "cascade", gains = {damping = 1}}', r"cascade.* bandwidth \[rad/s\]"),
         ('{kind = "cascade", gains = {bandwidth = "1 mm"}}', "bandwidth"),
-        ('{kind = "cascade", gains = {bandwidth = "0 rad/s"}}', "out of range"),
-        ('{kind = "cascade", gains = {bandwith = "100 rad/s"}}', "gains of cascade has no parameter 'bandwith'.*bandwidth"),
-        ('{kind = "cascade", gains = {bandwidth = "100 rad/s"}, velocity_gain = "1 full_scale*s/m"}', "is given beside gains"),
+        ('{kind = "cascade", gains = {bandwidth = "0 rad/s"}}', "range"),
+        ('{kind = "cascade", gains = {bandwith = "100 rad/s"}}', "cascade.*'bandwith'.*bandwidth"),
+        ('{kind = "cascade", gains = {bandwidth = "100 rad/s"}, velocity_gain = "1 full_scale*s/m"}', "velocity_gain.*gains"),
         ('{kind = "cascade", gains = {bandwidth = "2 rad/s"}}', "model_damping = 5 1/s: must be >= 0 and < 2 damping bandwidth"),
     ],
 )

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import pytest
+from refusals import refuses
 from texts_of_scenarios import SCENARIO
 
 import contourlab as cl
+from contourlab.errors import ScenarioError
 from contourlab.scenario import parse_scenario
 
 
@@ -20,32 +22,28 @@ def scenario(*changes: tuple[str, str]) -> cl.Scenario:
 def test_a_uniform_law_keeps_to_the_limits_of_the_axes() -> None:
     """R = 20 mm: at 1 Hz 125.7 mm/s and 0.79 m/s^2, at 1.25 Hz 157.1 mm/s of 150 mm/s; 2.1 m/s^2 at 1.25 Hz would be R = 34 mm."""
     assert scenario(("0.5 Hz", "1 Hz")).base.reference().n_sample == 2000
-    with pytest.raises(
-        cl.ContourlabError, match=r"circle: axis x is asked for a velocity of 157\.1 mm/s, its limit is 150 mm/s: take at most"
-    ):
+    with pytest.raises(cl.ContourlabError, match=r"circle: axis x .*157\.1 mm/s.* 150 mm/s.*0\.955"):
         scenario(("0.5 Hz", "1.25 Hz")).base.reference()
     free = scenario(("0.5 Hz", "1.25 Hz"), ('velocity = "150 mm/s"', 'velocity = "1 m/s"'))
-    with pytest.raises(
-        cl.ContourlabError, match=r"acceleration of 1\.234 m/s\^2, its limit is 1 m/s\^2: take at most 0\.9 times this frequency"
-    ):
+    with pytest.raises(cl.ContourlabError, match=r"1\.234 m/s\^2.* 1 m/s\^2.* 0\.9 "):
         free.base.reference()
 
 
 def test_a_motion_of_months_is_refused_at_once() -> None:
-    with pytest.raises(cl.ContourlabError, match=r"the motion takes 2e\+07 s, 2e\+10 samples of 0\.001 s, and at most 1e\+08 are run"):
+    with pytest.raises(cl.ContourlabError, match=r"2e\+07 s.*2e\+10 samples.* 1e\+08 "):
         scenario(("0.5 Hz", "1e-7 Hz")).base.reference()
 
 
 def test_a_scheme_cannot_name_an_axis_that_nobody_has() -> None:
     scheme = '[schemes.off]\ncontroller.axes."9".observer = "none"\n'
-    with pytest.raises(cl.ContourlabError, match="the machine has no axis '9'"):
+    with refuses(ScenarioError, "'9'.*x, y", key="schemes.off.controller.axes.9"):
         parse_scenario(SCENARIO + scheme)
     named = SCENARIO.replace('controller.axes."*".controller]', "controller.axes.x.controller]").replace(
         "[controller.axes.y.observer]",
         '[controller.axes.y.controller]\nkind = "position"\nposition_gain = "4 full_scale/mm"\n[controller.axes.y.observer]',
     )
     assert named != SCENARIO
-    with pytest.raises(cl.ContourlabError, match="the machine has no axis '9'"):
+    with refuses(ScenarioError, "'9'.*x, y", key="schemes.off.controller.axes.9"):
         parse_scenario(named + scheme)
     assert parse_scenario(named + scheme.replace('"9"', "y")).case("off").controller.axes["y"].observer is None
 
@@ -56,7 +54,7 @@ def test_a_friction_that_the_step_cannot_follow_is_refused() -> None:
         'kind = "coulomb"\ncoulomb = "0.05 full_scale"',
         'kind = "smooth-coulomb"\ncoulomb = "0.05 full_scale"\nbreakaway = "0.06 full_scale"',
     )
-    with pytest.raises(cl.ContourlabError, match=r"axes\.y\.substeps = 1: must be at least 3 for a smooth-coulomb friction"):
+    with refuses(ScenarioError, r"axes\.y\.substeps = 1: .*\b3\b.*smooth-coulomb", key="machine"):
         scenario(smooth)
     assert scenario(smooth, ('mounted_on = "x"', "substeps = 3")).machine.axis("y").substeps == 3
     assert scenario(smooth, ('breakaway = "0.06 full_scale"', 'breakaway = "0.06 full_scale"\nsmoothing_velocity = "0.1 mm/s"'))

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from refusals import refuses
 
 from contourlab.components.origin import SOURCES, Origin
 from contourlab.errors import ParameterError, ScenarioError
@@ -88,22 +89,22 @@ def test_deviations_are_in_units_or_percent(said: str, wanted: Origin) -> None:
 @pytest.mark.parametrize(
     ("mass", "key", "words"),
     [
-        ('{value = "20 kg"}', "plant.mass", "key source is missing"),
-        ('{source = "fitted"}', "plant.mass", "key value is missing"),
-        ('{value = "20 kg", source = "guessed"}', "plant.mass.source", "measured (read off an instrument)"),
-        ('{value = "20 kg", source = "fitted", devation = "1 %"}', "plant.mass.devation", "did you mean 'deviation'"),
-        ('{value = "20 kg", source = "fitted", deviation = "1 mm"}', "plant.mass.deviation", "cannot be converted to kg"),
-        ('{value = "20 kg", source = "fitted", deviation = 0.5}', "plant.mass.deviation", "has no unit"),
+        ('{value = "20 kg"}', "plant.mass", "source"),
+        ('{source = "fitted"}', "plant.mass", "key value"),
+        ('{value = "20 kg", source = "guessed"}', "plant.mass.source", "measured ("),
+        ('{value = "20 kg", source = "fitted", devation = "1 %"}', "plant.mass.devation", "'deviation'"),
+        ('{value = "20 kg", source = "fitted", deviation = "1 mm"}', "plant.mass.deviation", "to kg"),
+        ('{value = "20 kg", source = "fitted", deviation = 0.5}', "plant.mass.deviation", "no unit"),
         ('{value = "20 kg", source = "fitted", deviation = "-1 %"}', "plant.mass.deviation", "must be > 0"),
         ('{value = "20 kg", source = "fitted", deviation = "x %"}', "plant.mass.deviation", "no quantity"),
-        ('{value = "20 kg", source = "fitted", range = "1 kg"}', "plant.mass.range", "in a list"),
-        ('{value = "20 kg", source = "fitted", range = ["21 kg", "22 kg"]}', "plant.mass.range", "the value between them"),
+        ('{value = "20 kg", source = "fitted", range = "1 kg"}', "plant.mass.range", "list"),
+        ('{value = "20 kg", source = "fitted", range = ["21 kg", "22 kg"]}', "plant.mass.range", "between"),
         ('{value = "20 kg", source = "fitted", range = ["-1 kg", "22 kg"]}', "plant.mass.range", "must be > 0"),
         ('{value = "20 kg", source = "fitted", deviation = "1 %", range = ["19 kg", "22 kg"]}', "plant.mass.range", "one distribution"),
-        ('{value = "20 kg", source = "design", deviation = "1 %"}', "plant.mass.source", "what is chosen has no deviation"),
-        ('{value = "20 kg", source = "fitted", from = ["log"]}', "plant.mass.from", "text in quotes"),
+        ('{value = "20 kg", source = "design", deviation = "1 %"}', "plant.mass.source", "no deviation"),
+        ('{value = "20 kg", source = "fitted", from = ["log"]}', "plant.mass.from", "quotes"),
         ('{value = "20 kg", source = "fitted", note = "a\\nb"}', "plant.mass.note", "one line"),
-        ('{value = "20 mm", source = "fitted"}', "plant.mass", "cannot be converted to kg"),
+        ('{value = "20 mm", source = "fitted"}', "plant.mass", "to kg"),
         ('{value = "-20 kg", source = "fitted"}', "plant.mass", "must be > 0"),
     ],
 )
@@ -115,17 +116,17 @@ def test_what_cannot_be_is_refused_in_words(mass: str, key: str, words: str) -> 
 
 
 def test_a_share_of_nothing_is_no_deviation() -> None:
-    with pytest.raises(ScenarioError, match="the value is 0"):
+    with refuses(ScenarioError, "value is 0", key="friction.coulomb.deviation"):
         axis(coulomb='{value = "0 N", source = "fitted", deviation = "1 %"}')
 
 
 @pytest.mark.parametrize(
     ("more", "words"),
     [
-        ('[limits]\nvelocity = {value = "1 m/s", source = "datasheet", deviation = "1 %"}', "no part of what is simulated"),
-        ('[drive]\nkind = {value = "saturation", source = "datasheet"}', "text is wanted"),
+        ('[limits]\nvelocity = {value = "1 m/s", source = "datasheet", deviation = "1 %"}', "simulated"),
+        ('[drive]\nkind = {value = "saturation", source = "datasheet"}', "drive.kind"),
         ('[disturbance]\nkind = "force-ripple"\npitch = "20 mm"\nphases = ["0 deg"]\n'
-         'amplitudes = {value = ["1 N"], source = "fitted", deviation = "1 %"}', "this is a list"),
+         'amplitudes = {value = ["1 N"], source = "fitted", deviation = "1 %"}', "list"),
     ],
 )  # fmt: skip
 def test_only_numbers_that_are_simulated_deviate(more: str, words: str) -> None:
@@ -152,12 +153,12 @@ def test_correlations_are_of_numbers_with_a_deviation() -> None:
 @pytest.mark.parametrize(
     ("said", "words"),
     [
-        ('"plant.mass"', "a list is wanted"),
+        ('"plant.mass"', "list"),
         ('[["plant.mass", "friction.coulomb"]]', "item 1"),
-        ('[["plant.mass", "plant.mass", 0.3]]', "two different numbers"),
+        ('[["plant.mass", "plant.mass", 0.3]]', "different"),
         ('[["plant.mass", "friction.coulomb", 1.5]]', "between -1 and 1"),
         ('[["plant.mass", "friction.coulomb", true]]', "no coefficient"),
-        ('[["plant.mas", "friction.coulomb", 0.5]]', "did you mean 'plant.mass'"),
+        ('[["plant.mas", "friction.coulomb", 0.5]]', "'plant.mass'"),
         ('[["plant.mass", "friction.coulomb", 0.5], ["friction.coulomb", "plant.mass", 0.5]]', "listed twice"),
     ],
 )
@@ -200,10 +201,10 @@ def test_correlations_between_axes_stand_at_the_machine(written: Callable[..., P
 @pytest.mark.parametrize(
     ("said", "words"),
     [
-        ('[["x.plant.mass", "x.friction.coulomb", 0.4]]', "both are of axis x"),
+        ('[["x.plant.mass", "x.friction.coulomb", 0.4]]', "axis x"),
         ('[["x.plant.mass", "z.plant.mass", 0.4]]', "no number 'z.plant.mass'"),
         ('[["x.plant.mass", "y.plant.mass", 0.9], ["x.friction.coulomb", "y.plant.mass", -0.9]]', "contradict"),
-        ('"x.plant.mass"', "a list is wanted"),
+        ('"x.plant.mass"', "list"),
     ],
 )
 def test_other_correlations_between_axes_are_refused(said: str, words: str, written: Callable[..., Path]) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from refusals import refuses
 from texts_of_scenarios import CONTROLLER, MACHINE, SCENARIO
 
 from contourlab.errors import ContourlabError, ProgramError, ScenarioError
@@ -37,7 +38,7 @@ FAULTS = [
     ('mounted_on = "x"', 'mounted_on = "q"', "axes.y.mounted_on", "no axis 'q'"),
     ('mounted_on = "x"', 'mounted_on = "y"', "axes.y.mounted_on", "itself"),
     ('mounted_on = "x"', 'stage_mass = "-3 kg"', "axes.y.stage_mass", ">= 0 kg"),
-    ('mounted_on = "x"', 'mounted_on = "x"\nstage_mass = "3 kg"', "machine", "a plant that knows its mass, as it carries 3 kg"),
+    ('mounted_on = "x"', 'mounted_on = "x"\nstage_mass = "3 kg"', "machine", "3 kg"),
     ('mounted_on = "x"', 'mounted_on = "x"\nalignment = 0.5', "machine", 'axes.y.alignment = 0.5: must be 0 on a "rigid-axis" plant'),
     ('mounted_on = "x"', "substeps = 0", "axes.y.substeps", "greater"),
     ('mounted_on = "x"', "substeps = 2.5", "axes.y.substeps", "whole number"),
@@ -46,36 +47,36 @@ FAULTS = [
         'velocity = "150 mm/s"\nacceleration = "1 m/s^2"\n[axes.y]',
         'travel = ["1 mm", "-1 mm"]\n[axes.y]',
         "axes.x.limits",
-        "lower one first",
+        "first",
     ),
     ("weight = 0.5", "weight = 1.5", "controller.coupling.weight", "<= 0.99"),
     ("weight = 0.5", "weight = true", "controller.coupling.weight", "number"),
     ('kind = "newton"', 'kind = "newton"\niterations = 2.5', "controller.estimator.iterations", "whole number"),
-    ('kind = "newton"', 'kind = "newton"\nstart = "cold"', "controller.estimator.start", "one of both, warm"),
+    ('kind = "newton"', 'kind = "newton"\nstart = "cold"', "controller.estimator.start", "both, warm"),
     ('[controller.estimator]\nkind = "newton"\n', "", "controller.coupling", "estimator"),
-    ('kind = "disturbance-observer"\n', "", "controller.axes.y.observer", "kind is missing"),
+    ('kind = "disturbance-observer"\n', "", "controller.axes.y.observer", "kind"),
     ("[controller.axes.y.observer]", "[controller.axes.z.observer]", "controller.axes.z", "no axis 'z'"),
     ('name = "circle"', 'name = "circel"', "contour.name", "'circle'"),
     ('radius = "20 mm"', 'radios = "20 mm"', "contour.radios", "'radius'"),
     ('radius = "20 mm"', 'radius = "0 mm"', "contour", "> 0"),
     ('radius = "20 mm"', "radius = 20", "contour.radius", "no unit"),
-    ('radius = "20 mm"', 'radius = "1e30 mm"', "contour.radius", "between 1 um and 100 m"),
-    ('radius = "20 mm"', 'radius = "0.9 um"', "contour.radius", "between 1 um and 100 m"),
-    ('radius = "20 mm"', 'radius = "20 mm"\nclockwise = 3', "contour.clockwise", "0 for counter-clockwise or 1"),
-    ('radius = "20 mm"', 'radius = "20 mm"\noffset = ["1 mm"]', "contour.offset", "1 values for the axes x, y"),
+    ('radius = "20 mm"', 'radius = "1e30 mm"', "contour.radius", "100 m"),
+    ('radius = "20 mm"', 'radius = "0.9 um"', "contour.radius", "100 m"),
+    ('radius = "20 mm"', 'radius = "20 mm"\nclockwise = 3', "contour.clockwise", "counter-clockwise"),
+    ('radius = "20 mm"', 'radius = "20 mm"\noffset = ["1 mm"]', "contour.offset", "axes x, y"),
     ('radius = "20 mm"', 'radius = "20 mm"\noffset = [1, 2]', "contour.offset", "no unit"),
     ('law = "uniform"', 'law = "unifrom"', "feed.law", "planned"),
     ('frequency = "0.5 Hz"', 'feedrate = "1 m/min"', "feed.feedrate", "frequency"),
-    ('frequency = "0.5 Hz"\n', "", "feed", "frequency is missing"),
-    ("laps = 2", 'laps = 2\ncorner_tolerance = "5 um"', "feed.corner_tolerance", "blends nothing"),
-    ("laps = 2", 'laps = 2\nmerge_tolerance = "5 um"', "feed.merge_tolerance", "blends nothing"),
+    ('frequency = "0.5 Hz"\n', "", "feed", "frequency"),
+    ("laps = 2", 'laps = 2\ncorner_tolerance = "5 um"', "feed.corner_tolerance", "blends"),
+    ("laps = 2", 'laps = 2\nmerge_tolerance = "5 um"', "feed.merge_tolerance", "blends"),
     ("laps = 2", "laps = 0", "feed.laps", "greater"),
     ('tolerance = "20 um"', 'tolerance = "0 um"', "run.tolerance", "> 0 um"),
     ('tolerance = "20 um"', 'signals = ["positon"]', "run.signals", "'position'"),
     ('tolerance = "20 um"', "seed = -1", "run.seed", "greater"),
     ('name = "test"', "name = 3", "name", "text"),
     ('name = "test"', 'title = "test"', "title", "there are"),
-    ('name = "test"', 'program = "part.ngc"', "", "leave one out"),
+    ('name = "test"', 'program = "part.ngc"', "", "leave one"),
     ("[run]", '[schemes."a".contour]\nname = "circle"\n[run]', "schemes.a.contour", "cannot change"),
     ("[run]", "[schemes.a.controller.couplin]\n[run]", "schemes.a.controller.couplin", "'coupling'"),
     ("[run]", '[schemes.a]\naxes.x.plant.gain = "1 kg"\n[run]', "schemes.a.axes.x.plant.gain", "converted"),
@@ -98,7 +99,7 @@ def test_a_fault_is_named_with_its_file_and_key(written: Write, before: str, aft
 
 
 def test_missing_keys_are_listed_together() -> None:
-    with pytest.raises(ScenarioError, match="2 keys are missing: machine, controller"):
+    with pytest.raises(ScenarioError, match=r"2 .*machine, controller$"):
         parse_scenario('[contour]\nname = "circle"')
 
 
@@ -124,10 +125,10 @@ def test_files_that_are_not_there(tmp_path: Path) -> None:
 
 def test_a_circle_of_files_is_named(written: Write) -> None:
     written(a='machine = "b.toml"', b='machine = "a.toml"')
-    with pytest.raises(ScenarioError, match=r"circle: a\.toml -> b\.toml -> a\.toml"):
+    with pytest.raises(ScenarioError, match=r"other: a\.toml -> b\.toml -> a\.toml"):
         load_machine(written(a='machine = "b.toml"'))
     itself = '[machine]\nname = "m"\nservo_period = "1 ms"\naxes = ["x"]\n[axes.x]\nfile = "m.toml"\n'
-    with pytest.raises(ScenarioError, match=r"circle: m\.toml -> m\.toml"):
+    with pytest.raises(ScenarioError, match=r"other: m\.toml -> m\.toml"):
         load_machine(written(m=itself))
 
 
@@ -141,14 +142,14 @@ def test_a_fault_in_a_part_of_its_own_names_that_file(written: Write) -> None:
 
 def test_a_wrong_kind_of_file_is_told_apart(written: Write) -> None:
     controller = written(controller=CONTROLLER)
-    with pytest.raises(ScenarioError, match="file of a machine"):
+    with refuses(ScenarioError, "machine, axes$", file=controller, key="controller"):
         load_machine(controller)
     machine = load_machine(written(machine=MACHINE))
-    with pytest.raises(ScenarioError, match="file of a controller"):
+    with refuses(ScenarioError, "controller$", key="machine"):
         load_controller(written(machine=MACHINE), machine)
-    with pytest.raises(ScenarioError, match="controller is missing"):
+    with refuses(ScenarioError, r"\[controller\.axes\.x\]", key=""):
         load_controller(written(none=""), machine)
-    with pytest.raises(ScenarioError, match="file of an axis"):
+    with refuses(ScenarioError, r"\baxis\b", key="machine"):
         load_axis(written(machine=MACHINE))
 
 
@@ -159,7 +160,7 @@ def test_programs_are_checked_against_the_machine(written: Write, tmp_path: Path
     ok = scenario_from_parts(part, machine, controller)
     assert ok.name == "part" and ok.cases()[0].lines == ("G1 X10 F600", "M2")
     for words, message in (
-        ({"feed": {"feedrate": "1 m/min"}}, "how fast"),
+        ({"feed": {"feedrate": "1 m/min"}}, "override"),
         ({"feed": {"laps": 2}}, "once"),
         ({"feed": {"law": "uniform"}}, "planned"),
         ({"feed": {"override": 3.0}}, "<= 2"),
@@ -167,10 +168,10 @@ def test_programs_are_checked_against_the_machine(written: Write, tmp_path: Path
     ):
         with pytest.raises(ScenarioError, match=message):
             scenario_from_parts(part, machine, controller, **words)  # type: ignore[arg-type]
-    with pytest.raises(ScenarioError, match="cannot be read"):
+    with refuses(ScenarioError, "No such file", file=tmp_path / "no.ngc"):
         scenario_from_parts(tmp_path / "no.ngc", machine, controller)
     part.write_text("G1 X10 F600 Q\nM2\n", encoding="ascii")
-    with pytest.raises(ProgramError, match=r"part\.ngc:1"):
+    with refuses(ProgramError, file=part, line=1):
         scenario_from_parts(part, machine, controller)
     part.write_text("G1 Z10 F600\nM2\n", encoding="ascii")
     with pytest.raises(ContourlabError, match="Z"):
@@ -189,5 +190,5 @@ def test_letters_stand_for_axes_of_other_names() -> None:
 
 
 def test_the_path_cannot_have_more_axes_than_the_machine() -> None:
-    with pytest.raises(ScenarioError, match=r"contour\.name: helix has 3 coordinates, stage has the axes x, y only"):
+    with refuses(ScenarioError, "helix.* 3 .*stage.*x, y", key="contour.name"):
         parse_scenario(SCENARIO.replace('name = "circle"\nradius', 'name = "helix"\nradius'))

@@ -49,7 +49,7 @@ def test_what_is_no_length_is_refused(value: object) -> None:
 
 @pytest.mark.parametrize("text", ["2e", "2E", "1e3e3", "2eV"])
 def test_an_exponent_that_may_be_a_unit_wants_a_space(text: str) -> None:
-    with pytest.raises(UnitError, match="put a space between them"):
+    with pytest.raises(UnitError, match="space"):
         read_number(text, "J")
     assert read_number("2 eV", "J") == pytest.approx(3.204353268e-19)
 
@@ -63,7 +63,7 @@ def test_what_the_unit_parser_chokes_on_is_a_unit_error(text: str) -> None:
 def test_hertz_is_not_taken_for_radians() -> None:
     with pytest.raises(UnitError, match=r"157\.08 rad/s"):
         read_number("25 Hz", "rad/s")
-    with pytest.raises(UnitError, match="Hz is wanted"):
+    with pytest.raises(UnitError, match=r"'60 rpm'.*Hz"):
         read_number("60 rpm", "Hz")
     assert read_number("0.5 Hz", "Hz") == 0.5
 

@@ -41,7 +41,7 @@ def test_the_design_is_that_of_the_loop_with_its_delay() -> None:
     case = scenario('{kind = "zpetc", radius = 0.8}').cases()[0]
     bare = scenario('"none"').cases()[0]
     loop = sampled_loop(bare.machine.axis("x"), bare.controller.axes["x"], 1e-3)
-    assert case.controller.axes["x"].feedforward == zpetc_design(loop, radius=0.8).component()
+    assert case.controller.axes["x"].feedforward == zpetc_design(loop, radius=0.8)
     errors = {}
     for name, one in (("zpetc", case), ("none", bare)):
         run = simulate(one.machine, one.controller, one.reference())
@@ -59,14 +59,14 @@ def test_what_was_found_is_written_and_read_back() -> None:
 @pytest.mark.parametrize(
     ("feedforward", "controller", "message"),
     [
-        ('{kind = "zpetc", radius = 1.5}', PID, r"feedforward.radius: .*out of range"),
-        ('{kind = "zpetc", lead = 3}', PID, "zpetc wants values for numerator, denominator"),
+        ('{kind = "zpetc", radius = 1.5}', PID, r"feedforward\.radius: .*range"),
+        ('{kind = "zpetc", lead = 3}', PID, "zpetc .*numerator, denominator"),
         (
             '"zpetc"',
             '{kind = "speed-pid", dc_gain = "10 mm/s/V", damping_ratio = 1.1, natural_frequency = "150 rad/s", time_constant = "50 ms"}',
-            "feeds velocity or acceleration of the reference forward",
+            "velocity or acceleration",
         ),
-        ('"zpetc"', '{kind = "pid", proportional_gain = "200 V/mm"}', "the loop is unstable"),
+        ('"zpetc"', '{kind = "pid", proportional_gain = "200 V/mm"}', "unstable"),
     ],
 )
 def test_what_cannot_be_designed_is_refused_with_its_key(feedforward: str, controller: str, message: str) -> None:

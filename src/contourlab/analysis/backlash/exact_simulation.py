@@ -86,12 +86,12 @@ class ExactRun:
     def _lengthened(self, time: ArrayLike) -> tuple[Array, NDArray[np.int64]]:
         t = np.clip(np.atleast_1d(np.asarray(time, dtype=float)), 0.0, self.duration)
         index = np.searchsorted(self.times, t, side="right") - 1
-        found = np.empty((t.size, self.flow.size))
+        lengthened = np.empty((t.size, self.flow.size))
         for i in np.unique(index):
             at = np.flatnonzero(index == i)
             here = self.spans[i]
-            found[at] = self.flow.exponentials(here.mode, t[at] - here.time) @ here.start
-        return found, self.modes[index]
+            lengthened[at] = self.flow.exponentials(here.mode, t[at] - here.time) @ here.start
+        return lengthened, self.modes[index]
 
     def state(self, time: ArrayLike) -> Array:
         """Return the states (n_time, n) at times (n_time,) [s]."""
@@ -141,16 +141,12 @@ def simulate_exact(
     Raises
     ------
     ParameterError
-        For a start of the wrong length, a duration that is not positive, or more changes of mode than `most`.
+        For more changes of mode than `most`.
     """
     x = np.asarray(start, dtype=float)
-    if x.shape != (loop.n,) or not np.isfinite(x).all():
-        raise ParameterError("start", f"an array of shape {x.shape}", f"{loop.n} finite numbers, one for each state")
-    if not 0.0 < duration < np.inf:
-        raise ParameterError("duration", duration, "above 0", "s")
     flow = Flow(loop, reference)
     w, mode = flow.lengthened(x, twist)
-    found = tuple(spans(flow, w, mode, duration, most))
-    end = found[-1].time + found[-1].duration
-    times, modes = np.array([span.time for span in found]), np.array([span.mode for span in found], dtype=np.int64)
-    return ExactRun(loop, end, times, modes, end < duration * (1.0 - 1e-12), flow, found)
+    spans_run = tuple(spans(flow, w, mode, duration, most))
+    end = spans_run[-1].time + spans_run[-1].duration
+    times, modes = np.array([span.time for span in spans_run]), np.array([span.mode for span in spans_run], dtype=np.int64)
+    return ExactRun(loop, end, times, modes, end < duration * (1.0 - 1e-12), flow, spans_run)

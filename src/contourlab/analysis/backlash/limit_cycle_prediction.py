@@ -20,16 +20,6 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 
-def dead_zone_gain(amplitude: ArrayLike, half_gap: float = 1.0) -> Array:
-    """Return the describing function N(A)/k of a dead zone, in [0, 1).
-
-    >>> float(dead_zone_gain(1.0)), round(float(dead_zone_gain(2.0)), 6)
-    (0.0, 0.391002)
-    """
-    ratio = np.minimum(half_gap / np.maximum(np.asarray(amplitude, dtype=float), half_gap), 1.0)
-    return np.asarray(1.0 - 2.0 / math.pi * (np.arcsin(ratio) + ratio * np.sqrt(1.0 - ratio**2)))
-
-
 def inverse_dead_zone_gain(gain: float) -> float:
     """Return A/h at which the describing function N/k is `gain`, in (0, 1).
 
@@ -164,21 +154,8 @@ class LimitCycle:
         return f"poor: {share}; trust only the exact periodic orbit"
 
 
-@dataclass(frozen=True)
-class Prediction:
-    """Limit cycles predicted for a loop.
-
-    Attributes
-    ----------
-    cycles : tuple of LimitCycle
-        By falling amplitude; empty if none is predicted.
-    """
-
-    cycles: tuple[LimitCycle, ...]
-
-
-def predict_limit_cycles(loop: BacklashLoop) -> Prediction:
-    """Return all limit cycles of a loop at rest that the describing function predicts.
+def predict_limit_cycles(loop: BacklashLoop) -> tuple[LimitCycle, ...]:
+    """Return all limit cycles of a loop at rest that the describing function predicts, by falling amplitude.
 
     Parameters
     ----------
@@ -187,7 +164,7 @@ def predict_limit_cycles(loop: BacklashLoop) -> Prediction:
 
     Returns
     -------
-    Prediction
+    tuple of LimitCycle
         Without shaft damping every solution: N is real, so G has to be, and the frequencies where it is are eigenvalues. With it, those on
         amplitudes from 1 to 10^4 half-gaps, found on a grid and made exact.
 
@@ -202,7 +179,7 @@ def predict_limit_cycles(loop: BacklashLoop) -> Prediction:
     """
     loop.require_one_controller("a describing function")
     pairs = _undamped(loop) if loop.shaft_damping == 0.0 else _damped(loop)
-    return Prediction(tuple(sorted((_cycle(loop, ratio, w) for ratio, w in pairs), key=lambda cycle: -cycle.ratio)))
+    return tuple(sorted((_cycle(loop, ratio, w) for ratio, w in pairs), key=lambda cycle: -cycle.ratio))
 
 
 def real_frequencies(loop: BacklashLoop) -> list[float]:
@@ -226,7 +203,7 @@ def real_frequencies(loop: BacklashLoop) -> list[float]:
 
 def _polished(loop: BacklashLoop, near: Array) -> list[float]:
     """Refine frequencies at which G is nearly real, and drop those where it is not."""
-    found: list[float] = []
+    frequencies: list[float] = []
     for w in near:
         for _ in range(30):
             here = loop.transfer(np.array([w, w * (1.0 + 1e-6)]))
@@ -238,19 +215,19 @@ def _polished(loop: BacklashLoop, near: Array) -> list[float]:
         around = loop.transfer(w * np.array([1.0 - 1e-3, 1.0, 1.0 + 1e-3])).imag
         # G has to pass through the real axis there: far below all rates it is real but for rounding, everywhere.
         crosses = around[0] * around[2] < 0.0 and abs(around[1]) <= 1e-3 * min(abs(around[0]), abs(around[2]))
-        if crosses and not any(abs(w - other) < 1e-9 * w for other in found):
-            found.append(float(w))
-    return found
+        if crosses and not any(abs(w - other) < 1e-9 * w for other in frequencies):
+            frequencies.append(float(w))
+    return frequencies
 
 
 def _undamped(loop: BacklashLoop) -> list[tuple[float, float]]:
     """Return amplitude ratio and frequency of all solutions for a dead zone."""
-    found = []
+    solutions = []
     for w in real_frequencies(loop):
         reach = -loop.stiffness * float(loop.transfer(np.array([w]))[0].real)
         if reach > 1.0:
-            found.append((inverse_dead_zone_gain(1.0 / reach), w))
-    return found
+            solutions.append((inverse_dead_zone_gain(1.0 / reach), w))
+    return solutions
 
 
 def _damped(loop: BacklashLoop) -> list[tuple[float, float]]:
@@ -260,12 +237,12 @@ def _damped(loop: BacklashLoop) -> list[tuple[float, float]]:
     gain = loop.transfer(w)
     values = 1.0 + loop.stiffness * harmonic(ratios[:, None], w[None, :] * loop.shaft_damping / loop.stiffness) * gain[None, :]
     cells = np.argwhere(_may_vanish(values.real) & _may_vanish(values.imag))
-    found: list[tuple[float, float]] = []
+    solutions: list[tuple[float, float]] = []
     for i, j in cells:
         at = _solved(loop, math.sqrt((ratios[i] - 1.0) * (ratios[i + 1] - 1.0)), math.sqrt(w[j] * w[j + 1]))
-        if at is not None and not any(abs(at[0] / r - 1.0) < 1e-6 and abs(at[1] / v - 1.0) < 1e-6 for r, v in found):
-            found.append(at)
-    return found
+        if at is not None and not any(abs(at[0] / r - 1.0) < 1e-6 and abs(at[1] / v - 1.0) < 1e-6 for r, v in solutions):
+            solutions.append(at)
+    return solutions
 
 
 def _frequencies(loop: BacklashLoop) -> Array:

@@ -7,13 +7,14 @@ matrix at each change of mode.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.backlash.exact_simulation import ExactRun, Span, simulate_exact, spans
-from contourlab.analysis.backlash.limit_cycle_prediction import Prediction, predict_limit_cycles, quasi_linear
+from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles, quasi_linear
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.analysis.backlash.mode_flow import GAP, Flow
 from contourlab.errors import ParameterError
@@ -43,12 +44,6 @@ class PeriodicOrbit:
         Amplitude over half of the gap.
     multipliers : ndarray (m,) of complex
         Floquet multipliers by falling size; the one at 1 along the orbit is left out.
-    residual : float
-        Gap between start and end, over the size of the orbit.
-    modes : tuple of int
-        Modes that it runs through in a period, from `start` on.
-    run : ExactRun
-        One period.
     """
 
     period: float
@@ -56,9 +51,6 @@ class PeriodicOrbit:
     amplitude: float
     ratio: float
     multipliers: Complex
-    residual: float
-    modes: tuple[int, ...]
-    run: ExactRun = field(repr=False)
 
     @property
     def frequency(self) -> float:
@@ -100,18 +92,18 @@ class Shooter:
         """Return the end of a motion from y (n,) and its Jacobian (n, n)."""
         flow, x = self.flow, y[: self.flow.n]
         w, mode = flow.lengthened(x, self._twist(y))
-        found = tuple(spans(flow, w, mode, duration, MOST))
-        if found[-1].time + found[-1].duration < duration * (1.0 - 1e-9):
+        motion = tuple(spans(flow, w, mode, duration, MOST))
+        if motion[-1].time + motion[-1].duration < duration * (1.0 - 1e-9):
             raise ParameterError("start", "a motion that runs away", "one that comes back")
         jacobian = np.eye(flow.size)
-        for span in found:
+        for span in motion:
             jacobian = flow.exponential(span.mode, span.duration) @ jacobian
-            if span.following is not None and span is not found[-1]:
+            if span.following is not None and span is not motion[-1]:
                 jacobian = _saltation(flow, span.mode, span.following, span.end) @ jacobian
-        last = found[-1]
+        last = motion[-1]
         slope = flow.matrices[last.mode] @ last.end
-        end, modes = self._settled(last), tuple(span.mode for span in found)
-        return Shot(w[: self.n], end, jacobian[: self.n, : self.n], slope[: self.n], modes, found)
+        end, modes = self._settled(last), tuple(span.mode for span in motion)
+        return Shot(w[: self.n], end, jacobian[: self.n, : self.n], slope[: self.n], modes, motion)
 
     def _twist(self, y: Array) -> float | None:
         """Return the twist of a start, limited to what contact allows."""
@@ -157,13 +149,7 @@ def close_orbit(loop: BacklashLoop, start: ArrayLike, period: float, *, twist: f
     PeriodicOrbit or None
         None if Newton's steps do not converge, or end at a point of rest.
 
-    Raises
-    ------
-    ParameterError
-        For a period that is not positive.
     """
-    if not 0.0 < period < math.inf:
-        raise ParameterError("period", period, "above 0", "s")
     shooter = Shooter(loop)
     y = np.asarray(start, dtype=float)
     y = np.append(y, twist) if shooter.flow.twisted else y
@@ -235,9 +221,9 @@ def _size(shot: Shot) -> Array:
 
 def _orbit(shooter: Shooter, shot: Shot, period: float) -> PeriodicOrbit | None:
     """Return a closed shot as an orbit, unless it is a point of rest."""
-    loop, found = shooter.flow.loop, shot.found
-    times, modes = np.array([span.time for span in found]), np.array([span.mode for span in found], dtype=np.int64)
-    run = ExactRun(loop, period, times, modes, False, shooter.flow, found)
+    loop, motion = shooter.flow.loop, shot.found
+    times, modes = np.array([span.time for span in motion]), np.array([span.mode for span in motion], dtype=np.int64)
+    run = ExactRun(loop, period, times, modes, False, shooter.flow, motion)
     difference = run.difference(np.linspace(0.0, period, SAMPLES + 1))
     amplitude = _half_range(difference)
     if amplitude < loop.half_gap:
@@ -245,9 +231,8 @@ def _orbit(shooter: Shooter, shot: Shot, period: float) -> PeriodicOrbit | None:
     multipliers = np.linalg.eigvals(shot.jacobian).astype(np.complex128)
     multipliers = np.delete(multipliers, int(np.argmin(np.abs(multipliers - 1.0))))
     multipliers = multipliers[np.argsort(-np.abs(multipliers))]
-    residual = float(np.abs((shot.end - shot.start) / _size(shot)).max())
     ratio = amplitude / loop.half_gap
-    return PeriodicOrbit(period, shot.start[: loop.n], amplitude, ratio, multipliers, residual, shot.modes, run)
+    return PeriodicOrbit(period, shot.start[: loop.n], amplitude, ratio, multipliers)
 
 
 def _half_range(values: Array) -> float:
@@ -286,7 +271,7 @@ class OrbitSearch:
         return tuple(orbit for orbit in self.orbits if orbit.stable)
 
 
-def find_orbits(loop: BacklashLoop, *, prediction: Prediction | None = None, kicks: tuple[float, ...] = KICKS) -> OrbitSearch:
+def find_orbits(loop: BacklashLoop, *, prediction: Sequence[LimitCycle] | None = None, kicks: tuple[float, ...] = KICKS) -> OrbitSearch:
     """Return the limit cycles of a loop at rest.
 
     Shots start from each prediction of the describing function, and from where motions settle.
@@ -294,7 +279,7 @@ def find_orbits(loop: BacklashLoop, *, prediction: Prediction | None = None, kic
     Parameters
     ----------
     loop : BacklashLoop
-    prediction : Prediction, optional
+    prediction : sequence of LimitCycle, optional
         Of the describing function, if known; a loop that switches its controller has none.
     kicks : tuple of float
         Motor-load differences, over half of the gap, from which motions are followed until they settle.
@@ -306,7 +291,7 @@ def find_orbits(loop: BacklashLoop, *, prediction: Prediction | None = None, kic
     if prediction is None and loop.contact_a is None:
         prediction = predict_limit_cycles(loop)
     shots = []
-    for cycle in prediction.cycles if prediction is not None else ():
+    for cycle in prediction or ():
         start = _predicted_start(loop, cycle.amplitude, cycle.ratio, cycle.frequency)
         shots.append(close_orbit(loop, start, 2.0 * math.pi / cycle.frequency))
     shots += [_settled_orbit(loop, kick) for kick in kicks]
@@ -366,8 +351,8 @@ def _first_look(loop: BacklashLoop) -> float:
     return 100.0 * 2.0 * math.pi / max(slowest, 1e-300)
 
 
-def _same(one: PeriodicOrbit, other: PeriodicOrbit) -> bool:
+def _same(orbit: PeriodicOrbit, other: PeriodicOrbit) -> bool:
     """Whether two orbits are equal, or one is several rounds of the other."""
-    rounds = one.period / other.period
+    rounds = orbit.period / other.period
     whole = max(round(rounds), 1) if rounds >= 1.0 else 1.0 / max(round(1.0 / rounds), 1)
-    return abs(rounds / whole - 1.0) < 1e-6 and abs(one.amplitude / other.amplitude - 1.0) < 1e-5
+    return abs(rounds / whole - 1.0) < 1e-6 and abs(orbit.amplitude / other.amplitude - 1.0) < 1e-5

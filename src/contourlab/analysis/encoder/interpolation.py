@@ -157,25 +157,6 @@ def quadrant(cosine: Array, sine: Array) -> Whole:
     return np.where(up, np.where(right, 0, 1), np.where(right, 3, 2)).astype(np.int64)
 
 
-def zero_crossings(cosine: ArrayLike, sine: ArrayLike) -> tuple[Whole, NDArray[np.bool_]]:
-    """Count the zero crossings of two sinusoids in quadrature as an up-down counter does, four in a period.
-
-    Parameters
-    ----------
-    cosine, sine : array_like (n,)
-
-    Returns
-    -------
-    counts : ndarray of int (n,)
-        From 0 at the first sample.
-    lost : ndarray of bool (n,)
-        Where two crossings fall into one sample, so that the direction is unknown. They count as none.
-    """
-    state = quadrant(np.asarray(cosine, dtype=np.float64), np.asarray(sine, dtype=np.float64))
-    step = np.diff(state, prepend=state[:1]) % 4
-    return np.cumsum(np.where(step == 3, -1, step % 2)), step == 2
-
-
 def period_count(turns: ArrayLike) -> tuple[Whole, NDArray[np.bool_]]:
     """Count whole periods, taking the shorter way round from one sample to the next.
 

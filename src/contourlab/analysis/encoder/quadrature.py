@@ -99,8 +99,8 @@ class QuadratureConstants:
     def coefficients(self) -> tuple[float, float, float, float, float]:
         """Return A .. E of the ellipse on which the signals lie; they are infinite where it passes through the origin."""
         with np.errstate(divide="ignore"):
-            found = ellipse(self.offset_1, self.offset_2, self.ratio, math.sin(self.phase_error), np.float64(self.amplitude))
-        a, b, c, d, e = (float(value) for value in found)
+            coefficients = ellipse(self.offset_1, self.offset_2, self.ratio, math.sin(self.phase_error), np.float64(self.amplitude))
+        a, b, c, d, e = (float(value) for value in coefficients)
         return a, b, c, d, e
 
     def distorted(self, phase: ArrayLike) -> tuple[Array, Array]:
@@ -136,13 +136,10 @@ class EllipseFit:
     constants : QuadratureConstants
     scatter : float
         Distance of the corrected points from their circle, rms, over the radius: noise, converter steps and harmonics.
-    covered : float
-        Part of the circle that holds samples, 0 to 1.
     """
 
     constants: QuadratureConstants
     scatter: float
-    covered: float
 
 
 def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
@@ -180,14 +177,14 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
             raise ParameterError(name, f"{values[0]:g} throughout", "a signal that moves: the axis stands still")
     x, y = (first - middle[0]) / half[0], (second - middle[1]) / half[1]
     inner = QuadratureConstants.from_coefficients(*_solved(x, y))
-    found = QuadratureConstants(
+    constants = QuadratureConstants(
         middle[0] + half[0] * inner.offset_1,
         middle[1] + half[1] * inner.offset_2,
         inner.ratio * half[0] / half[1],
         inner.phase_error,
         inner.amplitude * half[0],
     )
-    return _judged(found, first, second)
+    return _judged(constants, first, second)
 
 
 def _solved(x: Array, y: Array) -> tuple[float, ...]:
@@ -203,10 +200,10 @@ def _solved(x: Array, y: Array) -> tuple[float, ...]:
     return tuple(float(value) for value in np.linalg.solve(gram, right))
 
 
-def _judged(found: QuadratureConstants, first: Array, second: Array) -> EllipseFit:
+def _judged(constants: QuadratureConstants, first: Array, second: Array) -> EllipseFit:
     """Return the fit if the points form a whole ellipse."""
-    c1, c2 = found.corrected(first, second)
-    radius = np.hypot(c1, c2) / found.amplitude
+    c1, c2 = constants.corrected(first, second)
+    radius = np.hypot(c1, c2) / constants.amplitude
     scatter = float(np.sqrt(np.mean((radius - 1.0) ** 2)))
     if scatter > ROUNDEST:
         shown = f"{100.0 * scatter:.0f} % of the radius"
@@ -216,7 +213,7 @@ def _judged(found: QuadratureConstants, first: Array, second: Array) -> EllipseF
     if covered < 1.0:
         shown = f"{100.0 * covered:.0f} % of the circle"
         raise ParameterError("signals", shown, "from all round it: the axis has to move a pitch or more, at changing phases")
-    return EllipseFit(found, scatter, covered)
+    return EllipseFit(constants, scatter)
 
 
 @dataclass(frozen=True)
@@ -277,13 +274,10 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int
         right += w @ error[part]
     weights = np.linalg.lstsq(gram, right, rcond=None)[0]
     square = sum(float(np.sum((error[part] - weights @ rows(part)) ** 2)) for part in parts)
-    one = np.linspace(0.0, 2.0 * np.pi, 2049)
-    sums = sum(weights[2 * k] * np.cos(k * one) + weights[2 * k + 1] * np.sin(k * one) for k in range(1, orders + 1))
+    turn = np.linspace(0.0, 2.0 * np.pi, 2049)
+    sums = sum(weights[2 * k] * np.cos(k * turn) + weights[2 * k + 1] * np.sin(k * turn) for k in range(1, orders + 1))
     amplitudes = tuple(float(np.hypot(weights[2 * k], weights[2 * k + 1])) for k in range(1, orders + 1))
     return Subdivisional(float(np.abs(sums).max()), amplitudes, math.sqrt(square / error.size))
-
-
-BLOCK = 1 << 16
 
 
 @dataclass(frozen=True, eq=False)
@@ -313,9 +307,9 @@ class Tracked:
 
     def constants(self, index: int = -1) -> QuadratureConstants:
         """Return the constants at one of the kept samples, the last by default, in the unit of the signals."""
-        found = QuadratureConstants.from_coefficients(*(float(value) for value in self.coefficients[index]))
-        scaled = {name: getattr(found, name) * self.amplitude for name in ("offset_1", "offset_2", "amplitude")}
-        return replace(found, **scaled)
+        relative = QuadratureConstants.from_coefficients(*(float(value) for value in self.coefficients[index]))
+        scaled = {name: getattr(relative, name) * self.amplitude for name in ("offset_1", "offset_2", "amplitude")}
+        return replace(relative, **scaled)
 
 
 def _track(par: Any, x: Any, inp: Any, clock: Any) -> Any:

@@ -93,14 +93,14 @@ def constant_speed_stretches(
         require_finite(name, values)
     shortest = max(round(SHORTEST / period), FEWEST)
     spans = _spans_of_position(position) if reference is None else _spans_of_reference(reference, shortest)
-    found = []
+    stretches = []
     for start, stop in spans:
         settled = start + math.ceil(DROPPED * (stop - start))
         if reference is None:
             settled, stop = _without_turns(position, settled, stop)
         if stop - settled >= shortest and _is_even(position[settled:stop]):
-            found.append(_stretch(period, position, command, settled, stop, source))
-    return found
+            stretches.append(_stretch(period, position, command, settled, stop, source))
+    return stretches
 
 
 def _spans_of_reference(reference: Array, shortest: int) -> list[tuple[int, int]]:

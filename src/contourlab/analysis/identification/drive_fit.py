@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from contourlab.analysis.identification.frequency_response import MeasuredResponse
 from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output, fit_percent
 from contourlab.errors import ParameterError
+from contourlab.findings import Finding, finding
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -103,9 +104,9 @@ LEAST_COHERENCE = 0.5
 LEAST_SURE = 0.3
 """Relative deviation from which a sine's point is left out."""
 WELL_KNOWN, USELESS = 10.0, 50.0
-"""Relative deviations [percent] from which a parameter gets a remark, and from which a model cannot be used."""
+"""Relative deviations [percent] from which a parameter is poorly known, and from which a model cannot be used."""
 EXPLAINED = 80.0
-"""Fit [percent] below which a model gets a remark."""
+"""Fit [percent] below which a model is in doubt."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,7 +125,7 @@ class DriveFit:
     fit : float [percent]
         Of the complex velocity response.
     usable : bool
-    remarks : tuple of str
+    findings : tuple of Finding
     given : mapping of str to float
         Parameters that were not fitted.
     """
@@ -135,7 +136,7 @@ class DriveFit:
     predicted: Complex
     fit: float
     usable: bool
-    remarks: tuple[str, ...]
+    findings: tuple[Finding, ...]
     given: Mapping[str, float] = field(default_factory=dict)
 
     @property
@@ -196,10 +197,10 @@ def _rigid_start(points: _Points) -> dict[str, Free]:
         inverse = hold * np.exp(-s * delay) / points.speed(points.response)
         w = points.weight / np.abs(inverse)
         columns = np.concatenate([np.column_stack([0.0 * w, w]), np.column_stack([s.imag * w, 0.0 * w])])
-        found, *_ = np.linalg.lstsq(columns, np.concatenate([inverse.real * w, inverse.imag * w]), rcond=None)
-        cost = float(np.sum((columns @ found - np.concatenate([inverse.real * w, inverse.imag * w])) ** 2))
-        if cost < least and found[0] > 0.0:
-            best, least = (float(found[0]), float(found[1]), float(delay)), cost
+        solution, *_ = np.linalg.lstsq(columns, np.concatenate([inverse.real * w, inverse.imag * w]), rcond=None)
+        cost = float(np.sum((columns @ solution - np.concatenate([inverse.real * w, inverse.imag * w])) ** 2))
+        if cost < least and solution[0] > 0.0:
+            best, least = (float(solution[0]), float(solution[1]), float(delay)), cost
     mass, damping, delay = best
     if mass <= 0.0:
         raise ParameterError("M", "below zero", "> 0: the axis goes against its command; reverse the sign of one of the two")
@@ -242,8 +243,6 @@ def fit_two_inertia(measured: MeasuredResponse, side: str = "motor") -> DriveFit
     ParameterError
         If there are fewer than 8 points, a mass comes out below zero, or the parameters are not told apart.
     """
-    if side not in ("motor", "load"):
-        raise ParameterError("side", repr(side), "one of 'motor', 'load'")
     points = _points(measured, 8)
     rigid = _fitted(points, linear_motor, _rigid_start(points))
 
@@ -346,50 +345,50 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
     def response(x: Parameters) -> Complex:
         return held_response(lambda s: model(x, s), points.frequency, points.period)
 
-    found = fit_output(lambda x: points.row(response(x)), points.measured, free)
+    output_fit = fit_output(lambda x: points.row(response(x)), points.measured, free)
     # Points over frequency are not a record in time, and often few: colour may not lower a deviation.
-    found = replace(found, robust_deviations=np.maximum(found.deviations, found.robust_deviations))
-    predicted = response(dict(zip(found.names, found.values.tolist(), strict=True)))
+    output_fit = replace(output_fit, robust_deviations=np.maximum(output_fit.deviations, output_fit.robust_deviations))
+    predicted = response(dict(zip(output_fit.names, output_fit.values.tolist(), strict=True)))
     fit = fit_percent(points.speed(points.response), points.speed(predicted))
-    remarks, usable = [], True
+    findings, usable = [], True
     if points.left_out:
-        remarks.append(f"{points.left_out} points within the noise are left out, by coherence or deviation")
-    for name in found.names:
-        value, deviation = found[name], found.deviation(name)
+        findings.append(finding("CL537", points=points.left_out))
+    for name in output_fit.names:
+        value, deviation = output_fit[name], output_fit.deviation(name)
         if name == "delay" and value < 1e-3 * points.period:
-            remarks.append("no delay is visible")
-        elif name in found.at_bound:
-            remarks.append(f"{name} = {value:.3g} is at the bound of what is looked for: this response does not determine it")
+            findings.append(finding("CL528", "delay"))
+        elif name in output_fit.at_bound:
+            findings.append(finding("CL527", name, value=value))
             usable = usable and name not in VITAL
         elif deviation > 0.01 * WELL_KNOWN * abs(value) and not (name == "delay" and deviation < points.period):
-            remarks.append(f"{name} = {value:.4g} is poorly determined: known to {100.0 * deviation / abs(value):.2g} % only")
+            findings.append(finding("CL526", name, value=value, deviation=deviation, share=deviation / abs(value)))
             usable = usable and (name not in VITAL or deviation < 0.01 * USELESS * value)
     if fit < EXPLAINED:
-        remarks.append(f"the model explains {fit:.3g} % of the response: a resonance, a delay or friction of another kind is at work")
+        findings.append(finding("CL533", fit=fit / 100.0, output="response"))
         usable = usable and fit > 0.5 * EXPLAINED
-    return DriveFit(found, points.frequency, points.response, predicted, fit, usable, tuple(remarks))
+    return DriveFit(output_fit, points.frequency, points.response, predicted, fit, usable, tuple(findings))
 
 
 def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit:
-    """Return the fit with remarks on its resonance: does it lie among the points, and would one mass do?"""
+    """Return the fit with findings on its resonance: does it lie among the points, and would one mass do?"""
     x = fit.parameters
     resonance = x["resonance"] if "resonance" in x else resonances(x)[0]
-    remarks, usable = list(fit.remarks), fit.usable
+    findings, usable = list(fit.findings), fit.usable
     if not points.frequency.min() < resonance < 1.1 * points.frequency.max():
-        remarks.append(f"the resonance, {resonance:.4g} Hz, lies outside the points: extrapolated")
+        findings.append(finding("CL538", frequency=resonance))
         usable = False
     if "resonance" in x:
-        remarks.append("the load's side shows the whole mass and the resonance, not the shares of motor and load: measure at the motor")
+        findings.append(finding("CL539"))
     elif fit.given:
-        remarks.append("the load's side does not show the share of the motor: load, stiffness and shaft damping depend on the given mass")
+        findings.append(finding("CL540"))
     n = 2 * points.frequency.size
 
-    def criterion(one: DriveFit) -> float:
-        left = float(np.sum((one.found.measured - one.found.predicted) ** 2))
-        k = len(one.found.names) + 1
+    def criterion(fitted: DriveFit) -> float:
+        left = float(np.sum((fitted.found.measured - fitted.found.predicted) ** 2))
+        k = len(fitted.found.names) + 1
         return n * math.log(max(left / n, 1e-300)) + 2.0 * k + 2.0 * k * (k + 1) / max(n - k - 1, 1)
 
     if criterion(fit) > criterion(rigid) - 2.0:
-        remarks.append("one mass explains the response as well: use linear-motor")
+        findings.append(finding("CL541"))
         usable = False
-    return replace(fit, usable=usable, remarks=tuple(remarks))
+    return replace(fit, usable=usable, findings=tuple(findings))

@@ -24,7 +24,7 @@ ANTI_ALIAS_ORDER, ANTI_ALIAS_RIPPLE, ANTI_ALIAS_BAND = 8, 0.05, 0.8
 
 @dataclass(frozen=True, eq=False)
 class FilteredMotion:
-    """A motion as it is told by a measured position.
+    """Motion from a measured position.
 
     Attributes
     ----------
@@ -59,8 +59,6 @@ def filtered_motion(position: ArrayLike, period: float, *, cutoff: float, order:
     nyquist = 0.5 / period
     if not 0.0 < cutoff < nyquist:
         raise ParameterError("cutoff", f"{cutoff:g}", f"> 0 and below the Nyquist frequency of the record, {nyquist:g}", "Hz")
-    if not (isinstance(order, int) and order >= 1):
-        raise ParameterError("order", order, "a whole number of 1 or more")
     padding = 3 * order
     if measured.size <= padding:
         raise ParameterError("position", f"{measured.size} samples", f"more than the {padding} that the filter starts with")
@@ -104,8 +102,6 @@ def decimate(signal: ArrayLike, factor: int) -> Array:
     from scipy.signal import cheby1, sosfiltfilt
 
     y = np.asarray(signal, dtype=float)
-    if not (isinstance(factor, int) and factor >= 1):
-        raise ParameterError("decimation", factor, "a whole number of 1 or more")
     if factor == 1:
         return y
     padding, n = 3 * ANTI_ALIAS_ORDER, y.shape[0]
@@ -160,14 +156,14 @@ def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int
         raise ParameterError("time", f"shape {t.shape}", "one record, (n,)")
     if t.size < shortest:
         raise ParameterError("time", f"{t.size} samples", f"a record of at least {shortest}")
-    found = []
+    arrays = []
     for name, values in (("time", t), *signals.items()):
         array = np.asarray(values, dtype=float)
         if array.shape != t.shape:
             raise ParameterError(name, f"shape {array.shape}", f"as long as time, {t.shape}")
         require_finite(name, array)
-        found.append(array)
+        arrays.append(array)
     period = float(t[-1] - t[0]) / (t.size - 1)
     if not (period > 0.0 and np.all(np.abs(np.diff(t) - period) <= JITTER * period)):
         raise ParameterError("time", "a record", "rising and evenly spaced: resample it first")
-    return period, found
+    return period, arrays

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -26,13 +26,14 @@ from contourlab.analysis.identification.filtered_motion import even_record
 from contourlab.analysis.identification.first_order_motion import delayed, first_order_motion
 from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output
 from contourlab.errors import ParameterError
+from contourlab.findings import Finding, finding
 
 Array = NDArray[np.float64]
 
 WELL_KNOWN = 10.0
 """Relative deviation [percent] up to which a or b counts as identified."""
 EXPLAINED = 80.0
-"""Fit [percent] below which the model gets a remark."""
+"""Fit [percent] below which the model is in doubt."""
 LONGEST_DELAY = 0.05
 """Longest delay that is fitted [s]."""
 
@@ -51,7 +52,7 @@ class FirstOrderFit:
         Mean over each difference.
     smoothing : int
     usable : bool
-    remarks : tuple of str
+    findings : tuple of Finding
     """
 
     found: OutputFit
@@ -59,7 +60,7 @@ class FirstOrderFit:
     command: Array
     smoothing: int
     usable: bool = True
-    remarks: tuple[str, ...] = field(default=())
+    findings: tuple[Finding, ...] = ()
 
     @property
     def velocity(self) -> Array:
@@ -143,16 +144,16 @@ def identify_first_order(time: ArrayLike, command: ArrayLike, position: ArrayLik
     if not np.ptp(measured) > 0.0:
         raise ParameterError("position", "a record", "one in which the axis moves")
     free = _start(blocks, measured, friction)
-    found = fit_output(blocks.model, measured, free)
-    left_out: list[str] = []
+    fit = fit_output(blocks.model, measured, free)
+    left_out: list[Finding] = []
     for name in ("start", "delay", "friction"):
-        if name in free and (name in found.at_bound or abs(found[name]) < 2.0 * found.deviation(name)):
-            left_out.append(f"{name} is not distinguishable from zero and is left out")
-            free = {key: replace(part, start=found[key]) for key, part in free.items() if key != name}
-            found = fit_output(blocks.model, measured, free)
+        if name in free and (name in fit.at_bound or abs(fit[name]) < 2.0 * fit.deviation(name)):
+            left_out.append(finding("CL528", name))
+            free = {key: replace(part, start=fit[key]) for key, part in free.items() if key != name}
+            fit = fit_output(blocks.model, measured, free)
     middle = np.asarray(time, dtype=float)[0] + period * smoothing * (np.arange(measured.size) + 0.5)
-    remarks, usable = _remarks(found, "velocity", "other friction, a resonance or a load is at work")
-    return FirstOrderFit(found, middle, blocks.averaged(u), smoothing, usable, (*left_out, *remarks))
+    findings, usable = _fit_findings(fit, "velocity")
+    return FirstOrderFit(fit, middle, blocks.averaged(u), smoothing, usable, (*left_out, *findings))
 
 
 def _start(blocks: _Blocks, measured: Array, with_friction: bool) -> dict[str, Free]:
@@ -183,20 +184,20 @@ def _start(blocks: _Blocks, measured: Array, with_friction: bool) -> dict[str, F
     return free
 
 
-def _remarks(fit: OutputFit, output: str, other_causes: str) -> tuple[list[str], bool]:
-    """Return remarks on a, b and the share of the output that the model explains, and whether the model is usable."""
-    remarks, usable = [], True
+def _fit_findings(fit: OutputFit, output: str) -> tuple[list[Finding], bool]:
+    """Return findings on a, b and the share of the output that the model explains, and whether the model is usable."""
+    findings, usable = [], True
     for name in ("a", "b"):
         value, deviation = fit[name], fit.deviation(name)
         if name in fit.at_bound or deviation > 0.5 * value:
-            remarks.append(f"{name} = {value:.4g}: this record does not determine it")
+            findings.append(finding("CL527", name, value=value))
             usable = False
         elif deviation > 0.01 * WELL_KNOWN * value:
-            remarks.append(f"{name} = {value:.4g} is known to {100.0 * deviation / value:.2g} % only: too little excitation")
+            findings.append(finding("CL526", name, value=value, deviation=deviation, share=deviation / value))
     if fit.fit < EXPLAINED:
-        remarks.append(f"the model explains {fit.fit:.3g} % of the {output}: {other_causes}")
+        findings.append(finding("CL533", fit=fit.fit / 100.0, output=output))
         usable = usable and fit.fit > 0.5 * EXPLAINED
-    return remarks, usable
+    return findings, usable
 
 
 DAMPING_GRID, BAND_GRID = (0.3, 0.7, 1.0, 1.5, 3.0), 16
@@ -273,6 +274,6 @@ def identify_closed_loop(
                 best, least = (a, b), cost
     a, b = best
     scale = max(b, 0.1 * a * velocity_gain, 1e-3 / period)
-    found = fit_output(model, p, {"a": Free(a, 1e-3 * a, 1e3 * a, a), "b": Free(b, 0.0, 10.0 / period, scale)})
-    remarks, usable = _remarks(found, "position", "the drive saturates, or the observer is off")
-    return FirstOrderFit(found, np.asarray(time, dtype=float), r, 1, usable, tuple(remarks))
+    fit = fit_output(model, p, {"a": Free(a, 1e-3 * a, 1e3 * a, a), "b": Free(b, 0.0, 10.0 / period, scale)})
+    findings, usable = _fit_findings(fit, "position")
+    return FirstOrderFit(fit, np.asarray(time, dtype=float), r, 1, usable, tuple(findings))

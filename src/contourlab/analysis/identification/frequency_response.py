@@ -17,13 +17,14 @@ Bendat & Piersol, "Random Data", 4th ed., sections 6.2 and 9.2, for H1, coherenc
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.identification.filtered_motion import require_finite
 from contourlab.errors import ParameterError
+from contourlab.findings import Finding, finding
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -78,7 +79,7 @@ class MeasuredResponse:
         Of the samples.
     distortion : ndarray (n,)
         Of sines: harmonics of the velocity over its fundamental; not a number otherwise.
-    remarks : tuple of str
+    findings : tuple of Finding
     """
 
     frequency: Array
@@ -88,7 +89,7 @@ class MeasuredResponse:
     method: str
     period: float
     distortion: Array
-    remarks: tuple[str, ...] = field(default=())
+    findings: tuple[Finding, ...] = ()
 
     @property
     def velocity(self) -> Complex:
@@ -226,9 +227,9 @@ def _detrended(values: Array) -> Array:
     return np.asarray(values - np.polyval(np.polyfit(t, values, 1), t))
 
 
-def _coherence(cross: Complex, one: Complex, other: Complex) -> Array:
+def _coherence(cross: Complex, power: Complex, other_power: Complex) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(np.clip(np.nan_to_num(np.abs(cross) ** 2 / (one.real * other.real)), 0.0, 1.0))
+        return np.asarray(np.clip(np.nan_to_num(np.abs(cross) ** 2 / (power.real * other_power.real)), 0.0, 1.0))
 
 
 FEWEST_LINES, WIDTH = 15, 0.08
@@ -299,11 +300,11 @@ def _local(x: Complex, y: Complex, u: Complex, closed: bool) -> tuple[complex, f
         return None
 
     def solved(signal: Complex) -> tuple[complex, float, float]:
-        found = inverse @ signal
-        left = float(np.sum(np.abs(signal - columns @ found) ** 2))
+        solution = inverse @ signal
+        left = float(np.sum(np.abs(signal - columns @ solution) ** 2))
         variance = left / (x.size - 6)
-        explained = float(np.sum(np.abs(columns[:, :3] @ found[:3]) ** 2))
-        return complex(found[0]), spread * variance / 2.0, explained / (explained + left)
+        explained = float(np.sum(np.abs(columns[:, :3] @ solution[:3]) ** 2))
+        return complex(solution[0]), spread * variance / 2.0, explained / (explained + left)
 
     top, top_variance, coherence = solved(y)
     if not closed:
@@ -320,7 +321,7 @@ WIDE, RISING = 5.0, 0.5
 """Ratio of frequencies over which a slope is looked at, and the slope, in powers of the frequency, of what is no axis."""
 
 
-def response_doubts(measured: MeasuredResponse) -> list[str]:
+def response_findings(measured: MeasuredResponse) -> list[Finding]:
     """Return reasons why a response cannot be that of an axis; none for a plausible one.
 
     At low frequencies the force per velocity of an axis is B + j (M w - K/w): damping, mass, and stiffness if a spring holds it, none below
@@ -336,12 +337,9 @@ def response_doubts(measured: MeasuredResponse) -> list[str]:
     f, h = measured.frequency[good], h[good]
     if not f.size:
         return []
-    doubts = []
     if f[-1] >= WIDE * f[0] and np.polyfit(np.log(f), np.log(np.abs(h)), 1)[0] > RISING:
-        doubts.append("the response of the position grows with frequency: are command and position exchanged?")
-    elif _goes_against(f, h, measured.period):
-        doubts.append("the axis goes against its command: reverse the sign of one of the two")
-    return doubts
+        return [finding("CL508")]
+    return [finding("CL509")] if _goes_against(f, h, measured.period) else []
 
 
 def _goes_against(f: Array, h: NDArray[np.complex128], period: float) -> bool:

@@ -13,7 +13,6 @@ friction", Automatica 30 (1994), section 2; Burnham & Anderson, "Model Selection
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.identification.output_error import fit_percent
 from contourlab.errors import ParameterError
+from contourlab.findings import Finding, finding
 
 Array = NDArray[np.float64]
 FEWEST = 3
@@ -30,7 +30,7 @@ WITHIN = 2.0
 SPEEDS = 30
 """Stribeck velocities that are tried; the best is then refined."""
 WELL_KNOWN = 10.0
-"""Relative deviation [percent] from which a parameter gets a remark."""
+"""Relative deviation [percent] from which a parameter is poorly known."""
 EXPLAINED = 75.0
 """Smallest usable fit [percent] of a curve through both directions; real axes have 95 and more."""
 
@@ -133,11 +133,11 @@ class FrictionCurve:
 
 @dataclass(frozen=True, eq=False)
 class FrictionFit:
-    """The chosen curve, all curves tried, and remarks."""
+    """The chosen curve, all curves tried, and findings."""
 
     chosen: FrictionCurve
     tried: tuple[FrictionCurve, ...]
-    remarks: tuple[str, ...]
+    findings: tuple[Finding, ...]
     usable: bool
 
 
@@ -178,10 +178,9 @@ def fit_friction(speed: ArrayLike, command: ArrayLike, deviation: ArrayLike) -> 
     at = next(i for i, value in enumerate(criteria) if value <= min(criteria) + WITHIN)
     chosen = sound[at]
     others = [f"{curve.name} {value - criteria[at]:+.1f}" for curve, value in zip(sound, criteria, strict=True) if curve is not chosen]
-    beside = f"; {name} of the others above it: {', '.join(others)}" if others else ""
-    remarks, usable = _remarks(chosen, tried, sound, v, both)
-    asked = f"best model for the {v.size} points: {chosen.name}{beside}"
-    return FrictionFit(chosen, tuple(tried), (asked, *remarks), usable)
+    choice = finding("CL543", points=v.size, model=chosen.name, criterion=name, others="; ".join(others) or "none")
+    findings, usable = _curve_findings(chosen, v, both)
+    return FrictionFit(chosen, tuple(tried), (choice, *findings), usable)
 
 
 def _columns(model: FrictionModel, v: Array, vs: float, offset: bool) -> tuple[list[str], Array]:
@@ -190,9 +189,9 @@ def _columns(model: FrictionModel, v: Array, vs: float, offset: bool) -> tuple[l
     parts: list[tuple[str, Array]] = []
     if model.directed:
         for sign, mark in ((1.0, "+"), (-1.0, "-")):
-            there = (way == sign).astype(float)
-            parts += [(f"Fc{mark}", way * there), (f"Fv{mark}", v * there)]
-            parts += [(f"drop{mark}", way * there * bend)] if model.stribeck else []
+            here = (way == sign).astype(float)
+            parts += [(f"Fc{mark}", way * here), (f"Fv{mark}", v * here)]
+            parts += [(f"drop{mark}", way * here * bend)] if model.stribeck else []
     else:
         parts = [("Fc", way)] if model.coulomb else []
         parts += [("Fv", v)] if model.viscous else []
@@ -213,8 +212,8 @@ def _weighted(columns: Array, u: Array, s: Array, precision: float = 1e-3) -> tu
         return x, float(np.sum(np.log(2.0 * math.pi * variance) + left**2 / variance))
 
     top = math.log(max(float(np.abs(u).max()), 1e-300))
-    found = minimize_scalar(lambda z: solved(math.exp(z))[1], bounds=(top - 20.0, top), method="bounded", options={"xatol": precision})
-    best = math.exp(float(found.x))
+    scatter = minimize_scalar(lambda z: solved(math.exp(z))[1], bounds=(top - 20.0, top), method="bounded", options={"xatol": precision})
+    best = math.exp(float(scatter.x))
     x, likelihood = solved(best)
     nothing = solved(0.0)
     return (nothing[0], 0.0, nothing[1]) if nothing[1] <= likelihood else (x, best, likelihood)
@@ -286,43 +285,32 @@ def _level(curve: FrictionCurve) -> tuple[float, float]:
     return 0.5 * (curve["Fc+"] + curve["Fc-"]), 0.5 * math.hypot(curve.deviation("Fc+"), curve.deviation("Fc-"))
 
 
-def _remarks(
-    chosen: FrictionCurve, tried: Sequence[FrictionCurve], sound: Sequence[FrictionCurve], v: Array, both: bool
-) -> tuple[list[str], bool]:
-    remarks, usable = [], True
-    w = np.abs(v)
-    for curve in tried:
-        if not any(curve is other for other in sound):
-            remarks.append(f"{curve.name} would need a friction below zero")
-    if not both:
-        remarks.append("one direction only: Fc contains both Coulomb friction and an offset, such as gravity")
-    if chosen.model.stribeck:
-        if chosen.bends_both_ways:
-            remarks.append("friction dips from rest in one direction and rises in the other: one law for both has the mean")
-        elif chosen.rises:
-            remarks.append(
-                f"concave: friction rises from {1e3 * w.min():.3g} mm/s on to its Coulomb level over vs: no Stribeck dip"
-            )
-        elif chosen["vs"] < 1.2 * w.min():
-            remarks.append(f"vs is below the slowest run, {1e3 * w.min():.3g} mm/s: the level at rest is a guess from one speed")
-            usable = False
-    else:
-        remarks.append(f"no Stribeck effect is visible: the slowest run is at {1e3 * w.min():.3g} mm/s")
+def _curve_findings(chosen: FrictionCurve, v: Array, both: bool) -> tuple[list[Finding], bool]:
+    findings, usable = [] if both else [finding("CL544")], True
+    slowest = float(np.abs(v).min())
+    if not chosen.model.stribeck:
+        findings.append(finding("CL548", speed=slowest))
+    elif chosen.bends_both_ways:
+        findings.append(finding("CL545"))
+    elif chosen.rises:
+        findings.append(finding("CL546", speed=slowest))
+    elif chosen["vs"] < 1.2 * slowest:
+        findings.append(finding("CL547", speed=slowest))
+        usable = False
     level, deviation = _level(chosen)
     if both and chosen.fit < EXPLAINED:
-        remarks.append(
-            f"the curve explains {chosen.fit:.3g} % of the command: more than friction acts, or it belongs to another axis"
-        )
+        findings.append(finding("CL533", fit=chosen.fit / 100.0, output="command"))
         usable = False
     if chosen.fit < EXPLAINED and level < 2.0 * deviation:
-        remarks.append(f"friction is not distinguishable from the scatter: {level:.4g} with a standard deviation of {deviation:.2g}")
+        findings.append(finding("CL549", level=level, deviation=deviation))
         usable = False
     if not chosen.model.coulomb:
-        remarks.append("Coulomb friction is not distinguishable from zero")
+        findings.append(finding("CL528", "Coulomb friction"))
     for name in chosen.names:
-        if name.startswith("Fv") and chosen[name] < 0.0:
-            remarks.append(f"{name} = {chosen[name]:.4g} is below zero within its deviation: take no viscous friction")
-        if name != "offset" and chosen.deviation(name) > 0.01 * WELL_KNOWN * abs(chosen[name]):
-            share = 100.0 * chosen.deviation(name) / abs(chosen[name]) if chosen[name] else math.inf
-            remarks.append(f"{name} = {chosen[name]:.4g} is known to {share:.2g} % only")
-    return remarks, usable
+        value, deviation = chosen[name], chosen.deviation(name)
+        if name.startswith("Fv") and value < 0.0:
+            findings.append(finding("CL530", name, value=value))
+        if name != "offset" and deviation > 0.01 * WELL_KNOWN * abs(value):
+            share = deviation / abs(value) if value else math.inf
+            findings.append(finding("CL526", name, value=value, deviation=deviation, share=share))
+    return findings, usable

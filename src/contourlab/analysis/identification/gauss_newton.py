@@ -42,11 +42,6 @@ class DescentSettings:
     most_iterations: int = 40
     least_gain: float = 1e-4
 
-    def __post_init__(self) -> None:
-        if not (0.0 < self.difference < 0.5 and self.visible > 0.0 and self.most_iterations >= 1 and 0.0 < self.least_gain < 1.0):
-            bound = "difference and least_gain between 0 and 1, visible above 0, most_iterations 1 or more"
-            raise ParameterError("settings", f"{self}", bound)
-
 
 @dataclass(frozen=True, eq=False)
 class Descent:
@@ -177,10 +172,10 @@ def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, 
     points = np.repeat(x[None], 2 * p, axis=0)
     points[np.arange(p), np.arange(p)] = up
     points[p + np.arange(p), np.arange(p)] = down
-    found = residuals(points)
+    around = residuals(points)
     slopes = np.zeros((r.size, p))
     for i in range(p):
-        above, below = found[i], found[p + i]
+        above, below = around[i], around[p + i]
         (top, at_top) = (above, up[i]) if np.isfinite(above).all() else (r, x[i])
         (bottom, at_bottom) = (below, down[i]) if np.isfinite(below).all() else (r, x[i])
         if at_top > at_bottom:
@@ -234,18 +229,15 @@ class FitCovariance:
 
     Attributes
     ----------
-    covariance : ndarray (p, p)
-        That allows for a residual correlated over neighbouring rows and across channels; infinite on the diagonal where a parameter is
-        undetermined.
     deviations, white_deviations : ndarray (p,)
-        Standard deviations from it; and as they would be were the residual white.
+        Standard deviations that allow for a residual correlated over neighbouring rows and across channels, infinite for an undetermined
+        parameter; and for a white residual.
     correlation : ndarray (p, p)
         Of the parameters, by the shape of the problem alone.
     untold : ndarray (p,) of bool
         Parameters, or combinations of them, without effect on the residual.
     """
 
-    covariance: Array
     deviations: Array
     white_deviations: Array
     correlation: Array
@@ -278,7 +270,7 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     p = jacobians[0].shape[-1]
     if p == 0:  # all parameters are at the bounds of their ranges
         nothing, none = np.zeros(0), np.zeros((0, 0))
-        return FitCovariance(none, nothing, nothing, none, np.zeros(0, dtype=bool))
+        return FitCovariance(nothing, nothing, none, np.zeros(0, dtype=bool))
     flat = np.concatenate([j.reshape(-1, p) for j in jacobians])
     left = np.concatenate([r.ravel() for r in residuals])
     normal = flat.T @ flat
@@ -293,17 +285,17 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     lags = max(_remembered(r) for r in residuals)
     pushed = [np.einsum("ncp,nc->np", j, r) for j, r in zip(jacobians, residuals, strict=True)]
     windows = flat_top(lags), bartlett(2 * lags - 1)
-    found = [inverse @ sum(long_run(part, window) for part in pushed) @ inverse * (left.size / spare) for window in windows]
+    covariances = [inverse @ sum(long_run(part, window) for part in pushed) @ inverse * (left.size / spare) for window in windows]
     # Never below Bartlett's window or the white deviation; correlations stay.
-    covariance, own = found[0], np.diag(found[0]).copy()
-    least = np.maximum(np.diag(found[1]), white**2)
+    covariance, own = covariances[0], np.diag(covariances[0]).copy()
+    least = np.maximum(np.diag(covariances[1]), white**2)
     raised = np.sqrt(np.where(own > 0.0, np.maximum(own, least) / np.where(own > 0.0, own, 1.0), 0.0))
     covariance = covariance * np.outer(raised, raised)
     np.fill_diagonal(covariance, np.maximum(own, least))
     covariance[untold, untold] = np.inf
     scale = np.sqrt(np.where(np.diag(inverse) > 0.0, np.diag(inverse), 1.0))
     deviations = np.sqrt(np.maximum(np.diag(covariance), 0.0))
-    return FitCovariance(covariance, deviations, np.where(untold, np.inf, white), inverse / np.outer(scale, scale), untold)
+    return FitCovariance(deviations, np.where(untold, np.inf, white), inverse / np.outer(scale, scale), untold)
 
 
 def _remembered(residual: Array) -> int:

@@ -21,9 +21,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.identification.filtered_motion import decimate, even_record, filtered_motion, kept_samples
-from contourlab.analysis.identification.identification_remarks import check_signs, remarks_on
+from contourlab.analysis.identification.fit_plausibility import check_signs, fit_findings
 from contourlab.analysis.identification.output_error import bartlett, coloured_deviations, usual_lags
 from contourlab.errors import ParameterError
+from contourlab.findings import Finding
 
 Array = NDArray[np.float64]
 
@@ -67,16 +68,10 @@ class InverseDynamicsSettings:
     lost_degrees: int | None = None
 
     def __post_init__(self) -> None:
-        if self.friction not in PARAMETERS:
-            raise ParameterError("friction", repr(self.friction), f"one of {', '.join(map(repr, PARAMETERS))}")
         if not (isinstance(self.decimation, int) and self.decimation >= 1):
             raise ParameterError("decimation", self.decimation, "a whole number of 1 or more")
-        if len(self.dropped) != 2 or min(self.dropped) < 0:
-            raise ParameterError("dropped", self.dropped, "two numbers of samples >= 0, at the start and at the end")
         if not (math.isfinite(self.slowest) and self.slowest >= 0.0):
             raise ParameterError("slowest", f"{self.slowest:g}", ">= 0", "m/s")
-        if self.lost_degrees is not None and self.lost_degrees < 0:
-            raise ParameterError("lost_degrees", self.lost_degrees, ">= 0")
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,7 +135,7 @@ class InverseDynamicsFit(Validation):
         Of the parameters, residual white.
     usable : bool
         False if a friction is below zero or the mass is known to no better than 10 percent.
-    remarks : tuple of str
+    findings : tuple of Finding
         Reasons to doubt the figures; may be empty.
     """
 
@@ -152,7 +147,7 @@ class InverseDynamicsFit(Validation):
     robust_deviations: Array = field(default_factory=lambda: np.empty(0))
     correlation: Array = field(default_factory=lambda: np.empty((0, 0)))
     usable: bool = True
-    remarks: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
 
     def __getitem__(self, name: str) -> float:
         """Return the value of a parameter by name."""
@@ -200,7 +195,7 @@ def identify_inverse_dynamics(
     robust = coloured_deviations(rows.columns, residual, unscaled, bartlett(usual_lags(residual.size)))
     explained = _judged(rows, rows.columns @ values)
     check_signs(names, values, np.maximum(deviations, robust))
-    remarks, usable = remarks_on(names, values, deviations, robust, rows.columns, rows.velocity, explained.fit, chosen.slowest)
+    findings, usable = fit_findings(names, values, deviations, robust, rows.columns, rows.velocity, explained.fit, chosen.slowest)
     with np.errstate(divide="ignore"):
         relative = 100.0 * deviations / np.abs(values)
     return InverseDynamicsFit(
@@ -213,7 +208,7 @@ def identify_inverse_dynamics(
         robust_deviations=robust,
         correlation=unscaled / np.outer(scale, scale),
         usable=usable,
-        remarks=remarks,
+        findings=findings,
     )
 
 

@@ -124,8 +124,8 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
         return (output(x) - measured) / size
 
     start = np.clip([f.start for f in free.values()], low, high)
-    found = least_squares(left, start, jac="3-point", bounds=(low, high), x_scale=scale, xtol=1e-10, ftol=1e-12, gtol=1e-12)
-    values = np.asarray(found.x, dtype=float)
+    solution = least_squares(left, start, jac="3-point", bounds=(low, high), x_scale=scale, xtol=1e-10, ftol=1e-12, gtol=1e-12)
+    values = np.asarray(solution.x, dtype=float)
     lowest, highest = values - low <= NEAR_BOUND * scale, high - values <= NEAR_BOUND * scale
     values, bound = np.where(lowest, low, np.where(highest, high, values)), lowest | highest
     predicted = output(values)

@@ -17,6 +17,7 @@ from contourlab.analysis.identification.filtered_motion import true_spans
 from contourlab.analysis.identification.frequency_response import Measured, MeasuredResponse
 from contourlab.analysis.identification.output_error import coloured_deviations, lasting_window
 from contourlab.errors import ParameterError
+from contourlab.findings import Finding, finding
 
 Array = NDArray[np.float64]
 PURE = 0.03
@@ -24,7 +25,7 @@ PURE = 0.03
 HARMONICS = 5
 LEAST_PERIODS = 0.9
 DISTORTED = 0.1
-"""Harmonics of the velocity over its fundamental from which a point gets a remark."""
+"""Harmonics of the velocity over its fundamental from which a response is not linear."""
 STILL = 0.03
 """Share of the stretch at rest from which a point is left out."""
 
@@ -94,8 +95,8 @@ def _frequency(part: Array, period: float) -> float | None:
     def left(frequency: float) -> float:
         w = 2.0 * math.pi * frequency
         columns = np.column_stack([np.ones_like(t), np.sin(w * t), np.cos(w * t)])
-        found = np.linalg.lstsq(columns, part, rcond=None)[0]
-        return float(np.sum((part - columns @ found) ** 2))
+        solution = np.linalg.lstsq(columns, part, rcond=None)[0]
+        return float(np.sum((part - columns @ solution) ** 2))
 
     size = 8 * part.size
     spectrum = np.abs(np.fft.rfft((part - part.mean()) * np.hanning(part.size), size))
@@ -103,8 +104,8 @@ def _frequency(part: Array, period: float) -> float | None:
     step = 1.0 / (part.size * period)
     candidates = np.linspace(max(peak - 1.5 * step, 0.5 * step), peak + 1.5 * step, 25)
     start = float(candidates[int(np.argmin([left(float(f)) for f in candidates]))])
-    found = minimize_scalar(left, bounds=(start - 0.2 * step, start + 0.2 * step), method="bounded", options={"xatol": 1e-7 * start})
-    return float(found.x) if float(found.fun) < PURE**2 * spread else None
+    optimum = minimize_scalar(left, bounds=(start - 0.2 * step, start + 0.2 * step), method="bounded", options={"xatol": 1e-7 * start})
+    return float(optimum.x) if float(optimum.fun) < PURE**2 * spread else None
 
 
 def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePoint:
@@ -166,13 +167,13 @@ def _harmonics(values: Array, t: Array, w: float, most: int, trend: int) -> tupl
     polynomial = [(middle / (abs(middle[0]) or 1.0)) ** k for k in range(trend + 1)]
     waves = [part for h in range(1, most + 1) for part in (np.cos(h * w * t), -np.sin(h * w * t))]
     columns = np.column_stack([*polynomial, *waves])
-    found, *_ = np.linalg.lstsq(columns, values, rcond=None)
-    left = values - columns @ found
+    solution, *_ = np.linalg.lstsq(columns, values, rcond=None)
+    left = values - columns @ solution
     inverse = np.linalg.pinv(columns.T @ columns)
     enough = left.size > 2 * columns.shape[1]
     spread = coloured_deviations(columns, left, inverse, lasting_window(left)) if enough else np.zeros(columns.shape[1])
     k = trend + 1
-    amplitudes = found[k::2] + 1j * found[k + 1 :: 2]
+    amplitudes = solution[k::2] + 1j * solution[k + 1 :: 2]
     return amplitudes, float(np.hypot(spread[k], spread[k + 1]) / math.sqrt(2.0)), left
 
 
@@ -192,33 +193,30 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
         If no run has a usable sine.
     """
     points: list[SinePoint] = []
-    remarks: list[str] = []
+    findings: list[Finding] = []
     periods: list[float] = []
     for run, name in zip(runs, names, strict=True):
         stretch = sine_stretch(run.command if run.outside is None else run.outside, run.period)
         if stretch is None:
-            remarks.append(f"{name}: no stretch in which the excitation is a sine")
+            findings.append(finding("CL518", name))
             continue
         point = sine_point(run, *stretch)
         if point.still > STILL:
-            remarks.append(f"{name}: the axis stands still in {100.0 * point.still:.2g} % of the sine, at an end or sticking: left out")
+            findings.append(finding("CL519", name, share=float(point.still)))
             continue
         if point.distortion > DISTORTED:
-            remarks.append(
-                f"{name}: harmonics make {100.0 * point.distortion:.2g} % of the velocity at {point.frequency:.4g} Hz: no linear response"
-            )
+            findings.append(finding("CL524", name, share=float(point.distortion), frequency=float(point.frequency)))
         if point.periods < 1.9:
-            remarks.append(f"{name}: {point.periods:.2g} periods of {point.frequency:.4g} Hz, its transient included")
+            findings.append(finding("CL529", name, periods=float(point.periods), frequency=float(point.frequency)))
         points.append(point)
         periods.append(run.period)
     if not points:
-        raise ParameterError("logs", f"{len(runs)} of them", "one with a sine in it: " + "; ".join(remarks))
+        raise ParameterError("logs", f"{len(runs)} of them", "one with a sine in it: " + "; ".join(note.text for note in findings))
     # The drive has one servo period; a log of every tenth sample does not change how long a command is held.
     period = min(periods)
     if max(periods) > 1.001 * period:
-        span = f"{1e3 * period:.4g} to {1e3 * max(periods):.4g} ms"
-        remarks.append(f"sample periods are {span}: the command is taken as held for the shortest of them")
+        findings.append(finding("CL542", shortest=period, longest=max(periods)))
     points.sort(key=lambda p: p.frequency)
     columns = [np.array([getattr(p, key) for p in points]) for key in ("frequency", "response", "deviation", "coherence", "distortion")]
     frequency, response, deviation, coherence, distortion = columns
-    return MeasuredResponse(frequency, response, deviation, coherence, "one sine a run, least squares", period, distortion, tuple(remarks))
+    return MeasuredResponse(frequency, response, deviation, coherence, "one sine a run, least squares", period, distortion, tuple(findings))

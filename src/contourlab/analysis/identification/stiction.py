@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.analysis.identification.filtered_motion import even_record
 from contourlab.analysis.identification.output_error import fit_percent
 from contourlab.errors import ParameterError
+from contourlab.findings import Finding, finding
 
 Array = NDArray[np.float64]
 PLAINLY = 0.1
@@ -69,7 +70,7 @@ class Breakaway:
     fit: float
 
 
-def breakaways(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tuple[list[Breakaway], list[str]]:
+def breakaways(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tuple[list[Breakaway], list[Finding]]:
     """Find the breakaway on each slow ramp of a command.
 
     Parameters
@@ -82,8 +83,8 @@ def breakaways(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tupl
 
     Returns
     -------
-    found : list of Breakaway
-    remarks : list of str
+    levels : list of Breakaway
+    findings : list of Finding
         Ramps without a breakaway, and why.
 
     Raises
@@ -95,16 +96,16 @@ def breakaways(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tupl
     spans = _ramps(u)
     if not spans:
         raise ParameterError("command", "a record", "one with slow ramps from about zero: up, back to zero, down, back to zero")
-    found, remarks = [], []
+    levels, findings = [], []
     for start, stop in spans:
-        one = _breakaway(period, u[start : stop + 1], p[start : stop + 1], period * start)
-        if isinstance(one, str):
-            remarks.append(f"the ramp at {period * start:.4g} s to {u[stop]:.4g}: {one}")
+        result = _breakaway(period, u[start : stop + 1], p[start : stop + 1], period * start)
+        if isinstance(result, str):
+            findings.append(finding("CL517", time=period * start, top=float(u[stop]), cause=result))
         else:
-            found.append(one)
-    if not found:
-        raise ParameterError("position", "a record", "one in which the axis leaves: " + "; ".join(remarks))
-    return found, remarks
+            levels.append(result)
+    if not levels:
+        raise ParameterError("position", "a record", "one in which the axis leaves: " + "; ".join(note.text for note in findings))
+    return levels, findings
 
 
 def _ramps(u: Array) -> list[tuple[int, int]]:
@@ -174,8 +175,8 @@ def _onset(t: Array, y: Array, noise: float) -> tuple[float, float, Array]:
         after = np.maximum(t - instant, 0.0) / t[-1]
         columns = np.column_stack([np.ones_like(t), -np.ones_like(t), t / t[-1], after**2, after**3])
         columns[:, :3] *= y[-1]
-        found, left = nnls(columns, y)
-        return left**2, columns @ found
+        solution, left = nnls(columns, y)
+        return left**2, columns @ solution
 
     tried = np.linspace(0.0, t[-1], INSTANTS, endpoint=False)
     costs = np.array([fitted(float(instant))[0] for instant in tried])

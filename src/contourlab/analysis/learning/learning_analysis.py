@@ -275,25 +275,25 @@ def design_for(loop: CoupledLoop, law: ZeroPhase) -> LearningDesign | None:
 def _warnings(
     loop: CoupledLoop, law: LearningLaw, response: FrequencyLearning, lifted: LiftedLearning | None, design: LearningDesign | None
 ) -> list[str]:
-    found = []
+    warnings = []
     frequency, factor = response.worst_radius
     if factor > 1.0 + GROWTH:
-        found.append(f"{_setting(law, loop.servo_period)} {_grows(frequency, factor)}")
+        warnings.append(f"{_setting(law, loop.servo_period)} {_grows(frequency, factor)}")
         if isinstance(law, ZeroPhase):
-            found.append(_second_pass(loop, law, factor))
+            warnings.append(_second_pass(loop, law, factor))
         elif math.isinf(law.values().get("bandwidth", 0.0)):
             start = _first_above(response)
-            found.append(f"without a Q-filter learning diverges from {start / TURN:.3g} Hz up: set bandwidth below that")
+            warnings.append(f"without a Q-filter learning diverges from {start / TURN:.3g} Hz up: set bandwidth below that")
     elif response.worst_norm[1] > 1.0 + GROWTH:
         at, size = response.worst_norm
-        found.append(f"{law.kind} converges in the end, but one trial may amplify {at / TURN:.3g} Hz by a factor of {size:.4g} first")
+        warnings.append(f"{law.kind} converges in the end, but one trial may amplify {at / TURN:.3g} Hz by a factor of {size:.4g} first")
     if design is not None and design.worst_factor < factor:
-        found.append(_advice(design, loop.servo_period))
+        warnings.append(_advice(design, loop.servo_period))
     elif design is None and factor > 1.0 + GROWTH and isinstance(law, ZeroPhase):
-        found.append("no average converges under this coupling: lower its gain, or use p-type with a Q-filter")
+        warnings.append("no average converges under this coupling: lower its gain, or use p-type with a Q-filter")
     if lifted is not None and lifted.radius > 1.0 + 1e-4 and factor <= 1.0 + GROWTH:
-        found.append(f"on this path, with its turning normal, learning diverges by a factor of {lifted.radius:.4g} per trial")
-    return [text for text in found if text]
+        warnings.append(f"on this path, with its turning normal, learning diverges by a factor of {lifted.radius:.4g} per trial")
+    return [text for text in warnings if text]
 
 
 def _setting(law: LearningLaw, servo_period: float) -> str:

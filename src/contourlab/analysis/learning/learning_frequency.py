@@ -69,14 +69,14 @@ class LawKernels:
         w = np.atleast_1d(np.asarray(frequency, dtype=float))
         first, last = self.support
         sample = np.arange(first, last + 1)
-        found = {name: np.zeros((w.size, *kernel.shape[1:]), dtype=complex) for name, kernel in self.kernels.items()}
+        responses = {name: np.zeros((w.size, *kernel.shape[1:]), dtype=complex) for name, kernel in self.kernels.items()}
         # In slices, so that long records at many frequencies take no more memory than short ones.
         for part in np.array_split(np.arange(w.size), max(1, w.size * sample.size // 2_000_000)):
             turn = np.exp(-1j * np.outer(w[part], sample * self.servo_period))
             for name, kernel in self.kernels.items():
                 if kernel.any():
-                    found[name][part] = np.tensordot(turn, kernel[sample + self.centre], axes=1)
-        return found
+                    responses[name][part] = np.tensordot(turn, kernel[sample + self.centre], axes=1)
+        return responses
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,12 +171,12 @@ def lifted_problem(law: LearningLaw, loop: CoupledLoop, tangent: Array) -> Learn
 def _answers(law: LearningLaw, problem: LearningProblem, heard: str) -> Array:
     """Return the next tables (n_sample, n_axis, n_axis) for an impulse on each axis of one input of the law."""
     shape = problem.tangent.shape
-    found = np.zeros((*shape, shape[1]))
+    tables = np.zeros((*shape, shape[1]))
     for j in range(shape[1]):
         given = {name: np.zeros(shape) for name in HEARD}
         given[heard][shape[0] // 2, j] = 1.0
-        found[:, :, j] = _next(law, problem, given)
-    return found
+        tables[:, :, j] = _next(law, problem, given)
+    return tables
 
 
 def _next(law: LearningLaw, problem: LearningProblem, given: dict[str, Array]) -> Array:

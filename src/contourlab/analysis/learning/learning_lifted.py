@@ -141,8 +141,8 @@ class TrialOperator:
             return self.growth(start.reshape(self.shape))
         operator = LinearOperator((n, n), matvec=self._flat(self), dtype=float)
         try:
-            found = eigs(operator, k=1, which="LM", v0=start, ncv=min(24, n), maxiter=12, tol=TOLERANCE, return_eigenvectors=False)
-            return float(np.abs(found).max())
+            eigenvalues = eigs(operator, k=1, which="LM", v0=start, ncv=min(24, n), maxiter=12, tol=TOLERANCE, return_eigenvectors=False)
+            return float(np.abs(eigenvalues).max())
         except ArpackNoConvergence:
             return self.growth(start.reshape(self.shape))
 

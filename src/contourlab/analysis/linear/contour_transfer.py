@@ -96,8 +96,8 @@ class ContourTransfer:
         """Return the loop gain with the direction along each axis in turn: (n, n_axis)."""
         if self.along:
             weight = self.loop.coupling.weight
-            return np.column_stack([-weight * axis.shifted(frequency) for axis in self.loop.axes])
-        pushed = np.column_stack([axis.response(frequency)[0] for axis in self.loop.axes])
+            return np.column_stack([-weight * axis.form(frequency)[:, 0, 1] for axis in self.loop.axes])
+        pushed = np.column_stack([axis.form(frequency)[:, 0, 0] for axis in self.loop.axes])
         return np.asarray(self.strength * self.loop.coupling(frequency)[:, None] * pushed)
 
     def loop_gain(self, frequency: ArrayLike, direction: ArrayLike) -> Complex:

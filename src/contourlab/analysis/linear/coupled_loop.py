@@ -14,9 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.linear.delay_form import DelayForm
 from contourlab.analysis.linear.sampled_loop import SampledLoop, checked_frequency, sampled_loop
-from contourlab.analysis.linear.tick_map import live_states, poles_of
+from contourlab.analysis.linear.tick_map import DelayForm, live_states, poles_of
 from contourlab.components.contract import Component
 from contourlab.engine.step import pack, record, unpack
 from contourlab.errors import ComponentError
@@ -56,27 +55,12 @@ class AxisLink:
     position: Array
     command: Array
 
-    def response(self, frequency: ArrayLike) -> tuple[Complex, Complex]:
-        """Return position over added command, P/(1 + P C), and the complementary sensitivity T = P C/(1 + P C).
-
-        Parameters
-        ----------
-        frequency : array_like (n,) [rad/s]
-            Above 0 and up to the Nyquist frequency.
-        """
-        found = self.form(frequency)
-        return found[:, 0, 0], 1.0 - found[:, 1, 0]
-
-    def shifted(self, frequency: ArrayLike) -> Complex:
-        """Return position over a shift of the reference alone, without feedforward of its derivatives: (n,)."""
-        return np.asarray(self.form(frequency)[:, 0, 1])
-
     def form(self, frequency: ArrayLike) -> Complex:
         """Return position and command over added command and shift of the reference: (n, 2, 2)."""
         w = checked_frequency(frequency, self.loop.nyquist)
-        found = self._form(np.exp(1j * w * self.loop.servo_period))
-        found[:, 1] += self.command[-2:]
-        return np.asarray(found)
+        response = self._form(np.exp(1j * w * self.loop.servo_period))
+        response[:, 1] += self.command[-2:]
+        return np.asarray(response)
 
     @cached_property
     def _form(self) -> DelayForm:
@@ -262,24 +246,24 @@ def impulse_responses(axes: Sequence[AxisLink], n_sample: int, target: str) -> A
     ndarray (m, n_axis) [m per command unit, or m/m]
         m <= n_sample; later values are below 1e-13 of the largest.
     """
-    found = [_impulse_response(axis, n_sample, target) for axis in axes]
-    longest = max(len(response) for response in found)
-    return np.column_stack([np.pad(response, (0, longest - len(response))) for response in found])
+    responses = [_impulse_response(axis, n_sample, target) for axis in axes]
+    longest = max(len(response) for response in responses)
+    return np.column_stack([np.pad(response, (0, longest - len(response))) for response in responses])
 
 
 def _impulse_response(axis: AxisLink, n_sample: int, target: str) -> Array:
-    found, state = np.zeros(n_sample), axis.b if target == "command" else axis.r
+    response, state = np.zeros(n_sample), axis.b if target == "command" else axis.r
     largest = 0.0
     for k in range(1, n_sample):
-        found[k] = axis.position @ state
+        response[k] = axis.position @ state
         state = axis.a @ state
         # Over a stretch: one sample may pass zero, and a long delay precedes any response.
         if k % LOOK == 0:
-            last = float(np.abs(found[k - LOOK : k + 1]).max())
+            last = float(np.abs(response[k - LOOK : k + 1]).max())
             largest = max(largest, last)
             if largest > 0.0 and last <= NEGLIGIBLE * largest:
-                return found[: k + 1]
-    return found
+                return response[: k + 1]
+    return response
 
 
 def _live(a: Array, b: Array, c: Array) -> NDArray[np.intp]:

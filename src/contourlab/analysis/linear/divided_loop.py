@@ -26,10 +26,10 @@ from contourlab.engine.schedule import Late, Schedule
 from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
-from contourlab.loop.division import Division
+from contourlab.loop.axis_parts import Division
+from contourlab.loop.judging import WATCH
 from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.template import build
-from contourlab.loop.watch import NAME as WATCH
 
 Array = NDArray[np.float64]
 
@@ -67,7 +67,6 @@ class DividedLoop:
 
     Attributes
     ----------
-    servo_period : float [s]
     a : ndarray (n, n)
     b, c : ndarray (n, m), (m, n)
     e : ndarray (m, m)
@@ -76,7 +75,6 @@ class DividedLoop:
         Axis and direction, ``"down"`` or ``"up"``, of each signal that is part of the loop.
     """
 
-    servo_period: float
     a: Array
     b: Array
     c: Array
@@ -109,10 +107,6 @@ class DividedLoop:
         for k in range(repeat):
             product = at(tuple((k - t.taken) % t.spacing == 0 for t in timings)) @ product
         return float(np.abs(poles_of(product)).max(initial=0.0) ** (1.0 / repeat))
-
-    def stable(self, down: LinkTiming, up: LinkTiming) -> bool:
-        """Return whether errors decay."""
-        return self.growth(down, up) < 1.0
 
     def _tick(self, timings: Sequence[LinkTiming], fresh: tuple[bool, ...]) -> Array:
         """Return the matrix of a tick on the states, the messages on their way signal by signal, and the last values received."""
@@ -190,7 +184,7 @@ def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
 
     def led(wire: Any) -> Any:
         if isinstance(wire, tuple):
-            return tuple(led(one) for one in wire)
+            return tuple(led(part) for part in wire)
         return inputs.get(wire, wire) if isinstance(wire, str) else wire
 
     nodes, sent = [], []
@@ -202,21 +196,21 @@ def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
             # The place on the path does not matter: it is straight.
             nodes.append(replace(node, wires={**wires, "arc_length": 0.0} if "arc_length" in wires else wires))
     externals = (*whole.externals, *(Port(f"received_{i}") for i in range(len(links))))
-    found = tick_map(Schedule(tuple(nodes), externals, whole.period, len(nodes)))
-    n, m = len(found.a), len(links)
-    b = found.b[:, [found.column(f"in.received_{i}") for i in range(m)]]
+    whole_map = tick_map(Schedule(tuple(nodes), externals, whole.period, len(nodes)))
+    n, m = len(whole_map.a), len(links)
+    b = whole_map.b[:, [whole_map.column(f"in.received_{i}") for i in range(m)]]
     c, e = np.zeros((m, n)), np.zeros((m, m))
     for i, wire in enumerate(sent):
         if isinstance(wire, Late):
-            c[i, found.row(wire.signal)] = 1.0
+            c[i, whole_map.row(wire.signal)] = 1.0
         elif wire.startswith("in.received_"):
             e[i, int(wire.removeprefix("in.received_"))] = 1.0
         elif not wire.startswith("in."):  # the reference comes from outside the loop
-            row = found.row(wire)
-            c[i], e[i] = found.a[row], b[row]
+            row = whole_map.row(wire)
+            c[i], e[i] = whole_map.a[row], b[row]
     # Signals from outside, such as the reference, are no part of the loop.
     kept = np.flatnonzero(c.any(axis=1) | e.any(axis=1))
-    return DividedLoop(whole.period, found.a, b[:, kept], c[kept], e[np.ix_(kept, kept)], tuple(list(links.values())[i] for i in kept))
+    return DividedLoop(whole_map.a, b[:, kept], c[kept], e[np.ix_(kept, kept)], tuple(list(links.values())[i] for i in kept))
 
 
 def link_growth(machine: Machine, controller: Controller) -> float:
@@ -231,8 +225,8 @@ def link_growth(machine: Machine, controller: Controller) -> float:
     """
     names, period = machine.axis_names, machine.servo_period
     directions = [*np.eye(len(names)), np.ones(len(names))] if controller.coupling is not None else [np.ones(len(names))]
-    found = []
+    growths = []
     for tangent in directions:
         loop = divided_loop(machine, controller, tangent)
-        found.append(loop.growth_of([timing_of(getattr(controller.axes[axis].link, way), period) for axis, way in loop.links]))
-    return max(found)
+        growths.append(loop.growth_of([timing_of(getattr(controller.axes[axis].link, way), period) for axis, way in loop.links]))
+    return max(growths)

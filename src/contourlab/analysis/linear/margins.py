@@ -66,25 +66,11 @@ def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
         return Margins(math.nan, math.nan, math.nan, math.nan, stable=False)
     w = np.asarray(frequency, dtype=float)
     gain = np.asarray(loop(w), dtype=complex)
-    crossover, phase = min(_phases(loop, w, gain), key=lambda found: abs(found[1]), default=(math.nan, math.inf))
-    larger = [found for found in _factors(loop, w, gain) if found[1] > 1.0]
-    phase_crossover, factor = min(larger, key=lambda found: found[1], default=(math.nan, math.inf))
+    crossover, phase = min(_phases(loop, w, gain), key=lambda crossing: abs(crossing[1]), default=(math.nan, math.inf))
+    larger = [crossing for crossing in _factors(loop, w, gain) if crossing[1] > 1.0]
+    phase_crossover, factor = min(larger, key=lambda crossing: crossing[1], default=(math.nan, math.inf))
     modulus, _ = nearest_approach(lambda x: abs(1.0 + _value(loop, x)), w, np.abs(1.0 + gain), n_dip=3, tolerance=1e-6)
     return Margins(factor, phase, crossover, modulus, True, phase_crossover)
-
-
-def delay_margin(loop: LoopGain, frequency: ArrayLike) -> float:
-    """Return the least delay [s] in a stable loop that brings its gain to -1; infinite if none does.
-
-    Parameters
-    ----------
-    loop, frequency
-        As of `margins`.
-    """
-    w = np.asarray(frequency, dtype=float)
-    found = _phases(loop, w, np.asarray(loop(w), dtype=complex))
-    # Instead of a lead, a lag by the rest of the turn.
-    return min(((phase % (2.0 * math.pi)) / at for at, phase in found), default=math.inf)
 
 
 def _phases(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, float]]:
@@ -98,11 +84,11 @@ def _phases(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, fl
 def _factors(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, float]]:
     """Find where the loop gain is real and negative, and the factor from there to -1."""
     crossings = _zeros(lambda x: _value(loop, x).imag, w, gain.imag)
-    found = [(at, _value(loop, at)) for at in crossings]
+    values = [(at, _value(loop, at)) for at in crossings]
     # At the Nyquist frequency a sampled loop is real: it meets the real axis without crossing it.
     if abs(gain[-1].imag) <= 1e-9 * abs(gain[-1]):
-        found.append((float(w[-1]), complex(gain[-1])))
-    for at, value in found:
+        values.append((float(w[-1]), complex(gain[-1])))
+    for at, value in values:
         if value.real < 0.0:
             yield at, 1.0 / abs(value)
 
@@ -217,14 +203,14 @@ def edge_margins(loops: LoopGain, frequency: Array, pairs: Sequence[tuple[int, i
     n, scale = values.shape[1], float(np.abs(values).max(initial=1.0))
     alike = [np.abs(values[:, i] - values[:, j]).max() <= 1e-12 * scale for i, j in pairs]
     edges = [pair for pair, same in zip(pairs, alike, strict=True) if not same] or [(0, 0)]
-    found = []
+    worst = []
     for measure in (0, 1):
         rough = [
             (_rough(values[:, i] + share * (values[:, j] - values[:, i]))[measure], (i, j), share) for i, j in edges for share in SHARES
         ]
         _, edge, share = min(rough, key=lambda entry: entry[0])
-        found.append(_refined(loops, frequency, n, edge, float(share), measure))
-    return found[0], found[1]
+        worst.append(_refined(loops, frequency, n, edge, float(share), measure))
+    return worst[0], worst[1]
 
 
 def _rough(gain: Complex) -> tuple[float, float]:
@@ -252,8 +238,8 @@ def _refined(loops: LoopGain, w: Array, n: int, edge: tuple[int, int], share: fl
         mean = np.zeros(n)
         mean[edge[0]] += 1.0 - at
         mean[edge[1]] += at
-        found = margins(lambda x: np.asarray(loops(x) @ mean), w, stable=True)
-        return (found.phase, found.crossover) if measure == 0 else (found.gain, found.phase_crossover)
+        result = margins(lambda x: np.asarray(loops(x) @ mean), w, stable=True)
+        return (result.phase, result.crossover) if measure == 0 else (result.gain, result.phase_crossover)
 
     def size(at: float) -> float:
         return min(abs(exact(at)[0]), 1e12)

@@ -158,8 +158,8 @@ def direct_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), weights
 
     mean = np.mean([k for k, _ in known], axis=0) / size
     start = np.concatenate([mean[~mask], *(k[mask] / size[mask] for k, _ in known)])
-    found = minimize(total, start, method="Nelder-Mead", options={"xatol": 1e-7, "fatol": 1e-12, "maxiter": 4000, "adaptive": True})
-    return judged("direct", local, gains(found.x), axes, weights)
+    optimum_gains = minimize(total, start, method="Nelder-Mead", options={"xatol": 1e-7, "fatol": 1e-12, "maxiter": 4000, "adaptive": True})
+    return judged("direct", local, gains(optimum_gains.x), axes, weights)
 
 
 def checked_local(local: Sequence[str]) -> NDArray[np.bool_]:
@@ -178,10 +178,10 @@ def checked_local(local: Sequence[str]) -> NDArray[np.bool_]:
 def assembled(z: Array, mask: NDArray[np.bool_], n_axis: int) -> Array:
     """Return the gains (n_axis, 3) from a vector: base entries, then the local ones axis by axis."""
     n_base = int((~mask).sum())
-    found = np.empty((n_axis, mask.size))
-    found[:, ~mask] = z[:n_base]
-    found[:, mask] = z[n_base:].reshape(n_axis, -1)
-    return found
+    gains = np.empty((n_axis, mask.size))
+    gains[:, ~mask] = z[:n_base]
+    gains[:, mask] = z[n_base:].reshape(n_axis, -1)
+    return gains
 
 
 def judged(method: str, local: Sequence[str], gains: Array, axes: Sequence[LinearAxis], weights: LqWeights) -> ModularDesign:
@@ -234,8 +234,8 @@ def three_step_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), wei
     matrix, target = np.concatenate(rows), np.concatenate(right)
     scale = np.abs(matrix).max(axis=0)
     real = np.vstack([matrix.real, matrix.imag]) / scale
-    found, *_ = np.linalg.lstsq(real, np.concatenate([target.real, target.imag]), rcond=None)
-    return judged("three-step", local, assembled(found / scale, mask, len(axes)), axes, weights)
+    solution, *_ = np.linalg.lstsq(real, np.concatenate([target.real, target.imag]), rcond=None)
+    return judged("three-step", local, assembled(solution / scale, mask, len(axes)), axes, weights)
 
 
 def _poles(axis: LinearAxis, k: Array, weights: LqWeights) -> Complex:

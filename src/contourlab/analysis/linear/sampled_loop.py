@@ -16,17 +16,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.linear.delay_form import DelayForm
-from contourlab.analysis.linear.margins import Margins, delay_margin, frequency_grid, margins
-from contourlab.analysis.linear.tick_map import TickMap, poles_of, tick_map
+from contourlab.analysis.linear.margins import Margins, frequency_grid, margins
+from contourlab.analysis.linear.tick_map import DelayForm, TickMap, poles_of, tick_map
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
+from contourlab.loop.judging import WATCH
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.template import EXTERNALS, build
-from contourlab.loop.watch import NAME as WATCH
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -133,28 +132,6 @@ class SampledLoop:
         """
         return _gain(self._opened(checked_frequency(frequency, self.nyquist)))
 
-    def delay_margin(self, *, observed_in_axis: bool = False) -> float:
-        """Return the additional delay [s] at which the loop loses its stability.
-
-        Parameters
-        ----------
-        observed_in_axis : bool
-            Delay only the command ahead of the observer; by default all that goes to the drive is delayed.
-
-        Returns
-        -------
-        float
-            Infinite if there is none; nan for a loop that is unstable without delay. Exact for whole servo periods.
-        """
-        if not self.stable:
-            return math.nan
-
-        def gain(w: Array) -> Complex:
-            opened = self._opened(w)
-            return -opened[:, 0, 0] / (1.0 + opened[:, 1, 0]) if observed_in_axis else _gain(opened)
-
-        return delay_margin(gain, self._grid())
-
     def response(self, frequency: ArrayLike) -> AxisResponse:
         """Return the responses of the axis at frequencies (n,) [rad/s] above 0 and up to the Nyquist frequency.
 
@@ -186,10 +163,10 @@ class SampledLoop:
     def _opened(self, w: Array) -> Complex:
         """Return command, estimate, position and velocity over the two cut inputs: (n, 4, 2)."""
         z = np.exp(1j * w * self.servo_period)
-        found = self._cut(z)
+        response = self._cut(z)
         # What the controllers give at tick k stands in x(k + 1).
-        found[:, :2] *= z[:, None, None]
-        return found
+        response[:, :2] *= z[:, None, None]
+        return response
 
     def _grid(self) -> Array:
         poles = np.concatenate([self.poles, poles_of(self.a)])

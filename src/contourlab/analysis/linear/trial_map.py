@@ -88,9 +88,9 @@ class TrialMap:
         last = rest.copy()
         for b in range(count - 2, -1, -1):
             last[b] = self._passages[b + 1].T @ last[b + 1] + begin[b + 1]
-        found = np.empty(position.shape)
-        self._run_back(last, position, command, found)
-        return self._joined(found - command) if self.target == "command" else self._joined(found)
+        table = np.empty(position.shape)
+        self._run_back(last, position, command, table)
+        return self._joined(table - command) if self.target == "command" else self._joined(table)
 
     def monodromy(self) -> Array:
         """Return the transition matrix of the whole trial, in the frame of its start."""

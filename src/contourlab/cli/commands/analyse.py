@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.output import emit_json, say
+from contourlab.cli.output import show_result
 from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, listed
 
 
@@ -26,8 +26,5 @@ def analyse(
     from contourlab.features.analyse.command import analyse_scenario
 
     found = analyse_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), plots=tuple(plots or ()), out=out, whole=whole)
-    if as_json:
-        emit_json(found.summary)
-    else:
-        say(found.text)
+    show_result(found, as_json)
     return 0 if found.good else 1

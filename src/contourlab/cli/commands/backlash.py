@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contourlab.cli.output import emit_json, say, wants_progress
+from contourlab.cli.output import show_result, wants_progress
 from contourlab.cli.scheme_options import Json, Plugins, ScenarioFile, Schemes, listed
 
 
@@ -11,8 +11,5 @@ def backlash(file: ScenarioFile, schemes: Schemes = None, as_json: Json = False,
     from contourlab.features.backlash.command import backlash_scenario
 
     found = backlash_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), progress=wants_progress(as_json))
-    if as_json:
-        emit_json(found.summary)
-    else:
-        say(found.text)
+    show_result(found, as_json)
     return 0

@@ -18,7 +18,7 @@ def canon(
     block_delete: BlockDelete = False,
     tools: ToolTable = None,
 ) -> None:
-    """Print the moves of a part program: positions of the tool's tip in mm, in machine coordinates, feed in mm/min."""
+    """Print the moves of a part program: tool tip in mm in machine coordinates, feed in mm/min."""
     from contourlab.features.check.canon import write_canon
 
     reading = reading_of(file, dialect, block_delete, tools)

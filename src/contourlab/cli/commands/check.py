@@ -1,4 +1,4 @@
-"""``contourlab check``: find the faults of a part program, and say what it does."""
+"""``contourlab check``: faults, extent and cycle time of a part program."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ def check(
     machine: Annotated[
         str | None,
         typer.Option(
-            help="Machine whose limits give the cycle time, and whose travel must not be left: a file, or the name of a shipped one; "
-            "by default builtin:xyz, whose travel is told of only.",
+            help="Machine for cycle time and travel: a file, or the name of a shipped one. By default builtin:xyz; leaving its travel "
+            "is then no fault.",
             show_default=False,
         ),
     ] = None,
@@ -27,13 +27,13 @@ def check(
     block_delete: BlockDelete = False,
     tools: ToolTable = None,
 ) -> int:
-    """List every fault of a part program with line and column; say its box, feeds and cycle time."""
+    """List every fault of a part program with line and column; print its box, feeds and cycle time."""
     from contourlab.features.check.program_check import check_program
 
     reading = reading_of(file, dialect, block_delete, tools)
-    found = check_program(file, machine, reading=reading)
+    checked = check_program(file, machine, reading=reading)
     if as_json:
-        emit_json(found.summary)
+        emit_json(checked)
     else:
-        say(found.text)
-    return 0 if found.good else FAULTY
+        say(checked.text)
+    return FAULTY if checked.faults else 0

@@ -8,8 +8,20 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.output import conclude, wants_progress
-from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, WithInterval, listed
+from contourlab.cli.output import conclude
+from contourlab.cli.scheme_options import (
+    Json,
+    Out,
+    Plots,
+    Plugins,
+    ScenarioFile,
+    Schemes,
+    Signals,
+    Trials,
+    WithInterval,
+    listed,
+    options_of,
+)
 
 
 def compare(
@@ -40,15 +52,5 @@ def compare(
         return conclude(found, as_json)
     from contourlab.features.run.schemes import compare_schemes
 
-    outcome = compare_schemes(
-        file,
-        out,
-        schemes=listed(schemes),
-        trials=trials,
-        plugins=tuple(plugin or ()),
-        plots=tuple(plots or ()),
-        signals=tuple(signals or ()),
-        progress=wants_progress(as_json),
-        interval=interval,
-    )
-    return conclude(outcome, as_json)
+    options = options_of(out, as_json, plugin, plots, signals, interval)
+    return conclude(compare_schemes(file, options, schemes=listed(schemes), trials=trials), as_json)

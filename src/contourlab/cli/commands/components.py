@@ -1,24 +1,24 @@
-"""``contourlab components``: what a machine and its controller can be made of."""
+"""``contourlab components``: the components of machines and controllers."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from contourlab.cli.output import emit_json, show
+from contourlab.cli.output import emit_json, say
 from contourlab.errors import ComponentError
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from contourlab.components.contract import Component, Parameter
+    from contourlab.report.table import Table
 
 STAND_IN = ("full_scale", "full_scale")
-"""Units put for ``{command}`` and ``{force}`` while a number is converted; they cancel, whatever the plant's are."""
+"""Units in place of ``{command}`` and ``{force}`` while a number is converted; they cancel."""
 
 
 def components(
@@ -29,7 +29,7 @@ def components(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
     plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; may be given again.")] = None,
 ) -> int:
-    """List the components; those of a family, or a single one, with all that is known of their parameters."""
+    """List the components; show a family or one component with all parameters."""
     from contourlab.components.registry import components as known
     from contourlab.components.registry import load_plugin
 
@@ -39,32 +39,26 @@ def components(
     if as_json:
         emit_json([describe(kind) for kind in chosen])
     elif name is None:
-        show(_overview(chosen), "contourlab components KIND tells all of a family or of one component; units are those that files use.")
+        say(f"{_overview(chosen).text()}\n\ncontourlab components KIND shows a family or one component, in the units of files.")
     else:
-        show(*(part for kind in chosen for part in _details(kind)))
+        say("\n".join(part for kind in chosen for part in _details(kind)))
     return 0
 
 
 def _chosen(name: str | None, known: list[type[Component]]) -> list[type[Component]]:
-    """Return the components that a name means.
-
-    Raises
-    ------
-    ComponentError
-        If it means none; the message lists families and kinds.
-    """
+    """Return the components of a name, a family or a kind."""
     if name is None:
         return known
-    found = [kind for kind in known if name in (kind.family, kind.kind, f"{kind.family}/{kind.kind}")]
-    if not found:
+    chosen = [kind for kind in known if name in (kind.family, kind.kind, f"{kind.family}/{kind.kind}")]
+    if not chosen:
         families = ", ".join(dict.fromkeys(kind.family for kind in known))
         kinds = ", ".join(dict.fromkeys(kind.kind for kind in known))
         raise ComponentError(f"no family or kind {name!r}; families: {families}; kinds: {kinds}")
-    return found
+    return chosen
 
 
 def describe(kind: type[Component]) -> dict[str, Any]:
-    """Return all that is known of a component, fit for JSON; numbers are in SI, the unit beside them."""
+    """Return a component as JSON; numbers in SI, with their units."""
     return {
         "family": kind.family,
         "kind": kind.kind,
@@ -102,57 +96,43 @@ def _summary(kind: type[Component]) -> str:
     return " ".join((inspect.getdoc(kind) or "").split("\n\n")[0].split())
 
 
-def _overview(kinds: list[type[Component]]) -> RenderableType:
-    """Return one line a component."""
-    from rich.table import Table
+def _overview(kinds: list[type[Component]]) -> Table:
+    """Return one row for each component."""
+    from contourlab.report.table import Column, Table
 
-    table = Table("family", "kind", "what it is", "parameters", "reference")
-    last = ""
+    prose = (Column(head, prose=True) for head in ("what it is", "parameters", "reference"))
+    table = Table([Column("family", left=True), Column("kind", left=True), *prose])
     for kind in kinds:
-        if last and kind.family != last:
-            table.add_section()
-        family = kind.family if kind.family != last else ""
-        table.add_row(family, kind.kind, _text(_summary(kind)), _text(", ".join(kind.parameters)), _text(kind.reference))
-        last = kind.family
+        table.add(kind.family, kind.kind, _summary(kind), ", ".join(kind.parameters), kind.reference)
     return table
 
 
-def _details(kind: type[Component]) -> list[RenderableType]:
-    """Return the name, the summary and the table of parameters of a component."""
-    from rich.table import Table
-    from rich.text import Text
+def _details(kind: type[Component]) -> list[str]:
+    """Return name, summary and the tables of parameters and gains of a component."""
+    head = [f"{kind.family}/{kind.kind}  {_summary(kind)}", *([f"Reference: {kind.reference}"] if kind.reference else [])]
+    from contourlab.report.table import paragraphs
 
-    head = Text.assemble((f"{kind.family}/{kind.kind}", "bold"), f"  {_summary(kind)}")
-    if kind.reference:
-        head.append(f"\nReference: {kind.reference}")
-    if not kind.parameters:
-        return [head, "no parameters", ""]
-    table = Table("parameter", "unit", "bounds", "default", "meaning", "source")
-    for parameter in kind.parameters.values():
-        bounds, default = _range(parameter), _default(parameter)
-        table.add_row(*(_text(word) for word in (parameter.name, _unit(parameter), bounds, default, parameter.doc, parameter.source)))
-    if not kind.wishes:
-        return [head, table, ""]
-    wishes = Table("gains = {...}", "unit", "bounds", "default", "what they are worked out from")
-    for name, parameter in kind.wishes.items():
-        wishes.add_row(*(_text(word) for word in (name, _unit(parameter), _range(parameter), _default(parameter), parameter.doc)))
-    return [head, table, wishes, ""]
+    lines = [paragraphs(head), _parameter_table("parameter", kind.parameters).text() if kind.parameters else "no parameters"]
+    return [*lines, *([_parameter_table("gains = {...}", kind.wishes).text()] if kind.wishes else []), ""]
 
 
-def _text(words: str) -> RenderableType:
-    """Return text in which square brackets are no markup."""
-    from rich.text import Text
+def _parameter_table(head: str, parameters: Mapping[str, Parameter]) -> Table:
+    from contourlab.report.table import Column, Table
 
-    return Text(words)
+    names = (Column(name, left=True) for name in (head, "unit", "bounds", "default"))
+    table = Table([*names, Column("meaning", prose=True), Column("source", prose=True)])
+    for name, parameter in parameters.items():
+        table.add(name, _unit(parameter), _range(parameter), _default(parameter), parameter.doc, parameter.source)
+    return table
 
 
 def _unit(parameter: Parameter) -> str:
-    """Return the unit that files use, with plain words for those that depend on the plant."""
+    """Return the unit of files, with words for units that depend on the plant."""
     return parameter.display.replace("{command}", "command").replace("{force}", "force")
 
 
 def _shown(parameter: Parameter, value: float) -> str:
-    """Return an SI number in the unit that files use."""
+    """Return an SI number in the unit of files."""
     if parameter.unit == parameter.display or value == 0.0 or not math.isfinite(value):
         return f"{value:g}"
     from contourlab.units import from_si
@@ -161,7 +141,7 @@ def _shown(parameter: Parameter, value: float) -> str:
 
 
 def _range(parameter: Parameter) -> str:
-    """Return the bounds in words, in the unit that files use."""
+    """Return the bounds in the unit of files."""
     if parameter.choices:
         return " | ".join(parameter.choices)
     words = ["whole"] if parameter.whole else []
@@ -173,7 +153,7 @@ def _range(parameter: Parameter) -> str:
 
 
 def _default(parameter: Parameter) -> str:
-    """Return the default, or the word for one that has to be given."""
+    """Return the default, or ``required``."""
     if parameter.default is None:
         return "required"
     if isinstance(parameter.default, str):

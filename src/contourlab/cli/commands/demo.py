@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
-
-import typer
 
 from contourlab.cli.output import conclude, wants_progress
-from contourlab.cli.scheme_options import Json, WithInterval
+from contourlab.cli.scheme_options import Json, Out, WithInterval
 
 
 def demo(
-    out: Annotated[Path, typer.Option(help="Folder for the results; made if it is not there.")] = Path("results/demo"),
+    out: Out = Path("results/demo"),
     as_json: Json = False,
     interval: WithInterval = None,
 ) -> int:

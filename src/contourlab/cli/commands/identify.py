@@ -17,44 +17,44 @@ MODEL = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop
 def identify(
     log: Annotated[list[Path], typer.Argument(metavar="LOG...", help="Logs of runs that excite the axis.", show_default=False)],
     model: Annotated[str, typer.Option(help=MODEL)] = "rigid",
-    axis: Annotated[str | None, typer.Option(help="Which axis, where the log has several.", show_default=False)] = None,
+    axis: Annotated[str | None, typer.Option(help="The axis, if the log has several.", show_default=False)] = None,
     gain: Annotated[
-        str | None, typer.Option(help='Force per command, as "35 N/V", where the log has no force.', show_default=False)
+        str | None, typer.Option(help='Force per command, as "35 N/V", if the log has no force.', show_default=False)
     ] = None,
     full_scale: Annotated[
-        str | None, typer.Option(help='Full scale of the command, as "10 V", where its force is not known.', show_default=False)
+        str | None, typer.Option(help='Full scale of the command, as "10 V", if the force is unknown.', show_default=False)
     ] = None,
     column: ColumnTexts = None,
     columns: ColumnFile = None,
     format: LogFormat = None,  # noqa: A002
     period: SamplePeriod = None,
-    cutoff: Annotated[str, typer.Option(help="rigid: of the low-pass of the position, five times the loop's bandwidth.")] = "100 Hz",
+    cutoff: Annotated[str, typer.Option(help="rigid: cut-off of the low-pass, five times the loop's bandwidth.")] = "100 Hz",
     slowest: Annotated[
-        str | None, typer.Option(help='rigid: speed below which samples are left out, as "1 mm/s".', show_default=False)
+        str | None, typer.Option(help='rigid: drop samples below this speed, as "1 mm/s".', show_default=False)
     ] = None,
-    decimation: Annotated[int, typer.Option(help="rigid: every how-many-th sample makes an equation.")] = 10,
-    validation: Annotated[Path | None, typer.Option(help="rigid: a second log, to see what they are worth.", show_default=False)] = None,
-    position_gain: Annotated[str | None, typer.Option(help='closed-loop: K_P as it ran, as "4 full_scale/mm".', show_default=False)] = None,
+    decimation: Annotated[int, typer.Option(help="rigid: use every N-th sample.")] = 10,
+    validation: Annotated[Path | None, typer.Option(help="rigid: a second log for validation.", show_default=False)] = None,
+    position_gain: Annotated[str | None, typer.Option(help='closed-loop: K_P, as "4 full_scale/mm".', show_default=False)] = None,
     velocity_gain: Annotated[
-        str | None, typer.Option(help='closed-loop: K_V as it ran, as "0.1 full_scale*s/mm".', show_default=False)
+        str | None, typer.Option(help='closed-loop: K_V, as "0.1 full_scale*s/mm".', show_default=False)
     ] = None,
     lead: Annotated[
         str | None,
-        typer.Option(help='Travel per turn, as "10 mm": makes a force of a torque; two-inertia takes it.', show_default=False),
+        typer.Option(help='Travel per turn, as "10 mm": converts torques to forces; two-inertia needs it.', show_default=False),
     ] = None,
     motor_inertia: Annotated[
         str | None,
-        typer.Option(help='two-inertia at the load: of motor and screw, as "2 kg*cm^2", for an axis file.', show_default=False),
+        typer.Option(help='two-inertia at the load: inertia of motor and screw, as "2 kg*cm^2"; for an axis file.', show_default=False),
     ] = None,
     side: Annotated[str, typer.Option(help="two-inertia: where the position is measured, motor or load.")] = "motor",
-    out: Annotated[Path | None, typer.Option(help="The axis file to write; folders above it are made.", show_default=False)] = None,
-    folder: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
+    out: Annotated[Path | None, typer.Option(help="The axis file to write.", show_default=False)] = None,
+    folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
 ) -> int:
-    """Find the model of an axis from logs, each figure with its deviation; write an axis file."""
+    """Identify the model of an axis from logs, with deviations; write an axis file."""
     from contourlab.features.identify.command import identify_log
-    from contourlab.features.identify.requests.request import Request
+    from contourlab.features.identify.request import Request
     from contourlab.features.measure.log_choice import LogChoice
 
     request = Request(
@@ -73,9 +73,9 @@ def identify(
         motor_inertia=motor_inertia,
         side=side,
     )
-    found = identify_log(request, out=out, plots=tuple(plots or ()), folder=folder)
+    identification = identify_log(request, out=out, plots=tuple(plots or ()), folder=folder)
     if as_json:
-        emit_json(found.summary)
+        emit_json(identification.summary)
     else:
-        say(found.text)
-    return 0 if found.done else 1
+        say(identification.text)
+    return 0 if identification.done else 1

@@ -18,21 +18,22 @@ def interpolate(
         str | None, typer.Option(help="The two signals by name or number, the cosine first, as u1,u2.", show_default=False)
     ] = None,
     reference: Annotated[
-        str | None, typer.Option(help="Column with the true position; one called reference is taken by itself.", show_default=False)
+        str | None, typer.Option(help="Column with the true position; by default one called reference.", show_default=False)
     ] = None,
     forgetting: Annotated[
         float | None,
         typer.Option(help="Correct sample by sample, with recursive least squares and this factor (0.995 to 0.9995).", show_default=False),
     ] = None,
-    out: Annotated[Path | None, typer.Option(help="Folder for counts, constants, picture; made if not there.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="Folder for counts, constants and picture.", show_default=False)] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
 ) -> int:
-    """Correct quadrature signals of an encoder, interpolate them to counts, and say how good they are."""
+    """Correct quadrature signals of an encoder, interpolate them to counts, and measure their errors."""
     from contourlab.features.interpolate.command import interpolate_file
+    from contourlab.features.interpolate.text import text
 
-    found = interpolate_file(file, out, pitch=pitch, resolution=resolution, columns=columns, reference=reference, forgetting=forgetting)
+    result = interpolate_file(file, out, pitch=pitch, resolution=resolution, columns=columns, reference=reference, forgetting=forgetting)
     if as_json:
-        emit_json(found.summary)
+        emit_json(result)
     else:
-        say(found.text)
-    return 0 if found.sound else 1
+        say(text(result))
+    return 1 if result.missed["n_sample"] else 0

@@ -7,8 +7,20 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.output import conclude, wants_progress
-from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, WithInterval, listed
+from contourlab.cli.output import conclude
+from contourlab.cli.scheme_options import (
+    Json,
+    Out,
+    Plots,
+    Plugins,
+    ScenarioFile,
+    Schemes,
+    Signals,
+    Trials,
+    WithInterval,
+    listed,
+    options_of,
+)
 
 
 def learn(
@@ -26,16 +38,5 @@ def learn(
     """Repeat the motion of a scenario and learn from trial to trial; say beforehand whether it converges, and keep what was learned."""
     from contourlab.features.run.schemes import learn_schemes
 
-    outcome = learn_schemes(
-        file,
-        out,
-        schemes=listed(schemes),
-        trials=trials,
-        table=table,
-        plugins=tuple(plugin or ()),
-        plots=tuple(plots or ()),
-        signals=tuple(signals or ()),
-        progress=wants_progress(as_json),
-        interval=interval,
-    )
-    return conclude(outcome, as_json)
+    options = options_of(out, as_json, plugin, plots, signals, interval)
+    return conclude(learn_schemes(file, options, schemes=listed(schemes), trials=trials, table=table), as_json)

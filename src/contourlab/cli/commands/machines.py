@@ -1,4 +1,4 @@
-"""``contourlab machines``: what is shipped, where its numbers are from, and copies to start from."""
+"""``contourlab machines``: shipped files, the sources of their numbers, and copies of them."""
 
 from __future__ import annotations
 
@@ -7,32 +7,32 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from contourlab.cli.output import emit_json, say, show
+from contourlab.cli.output import emit_json, say
 from contourlab.cli.scheme_options import Json
 
 if TYPE_CHECKING:
     from contourlab.features.machines.command import Shipped
 
 FOOT = (
-    "contourlab machines NAME tells all of one, --copy FOLDER copies it with the files that it names. In a scenario: "
+    "contourlab machines NAME shows one; --copy FOLDER copies it with the files that it names. In a scenario write "
     'machine = "builtin:NAME"; contourlab run builtin:NAME runs a scenario.'
 )
 
 
 def machines(
-    name: Annotated[str | None, typer.Argument(metavar="NAME", help="One of them, as ghaffari/a3a1.", show_default=False)] = None,
+    name: Annotated[str | None, typer.Argument(metavar="NAME", help="A shipped file, as ghaffari/a3a1.", show_default=False)] = None,
     copy: Annotated[
         Path | None, typer.Option(help="Copy it into this folder, with the files that it names.", metavar="FOLDER", show_default=False)
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Overwrite files that are there.")] = False,
     as_json: Json = False,
 ) -> int:
-    """List the shipped machines, axes, controllers and runs with where their numbers are from; show or copy one."""
+    """List the shipped machines, axes, controllers and runs with the sources of their numbers; show or copy one."""
     from contourlab.features.machines.command import copy_shipped, shipped, shipped_one
 
     if copy is not None:
         if name is None:
-            raise typer.BadParameter("wants the name of what is to be copied", param_hint="--copy")
+            raise typer.BadParameter("name the file to copy", param_hint="--copy")
         written = copy_shipped(name, copy, force=force)
         if as_json:
             emit_json([str(file) for file in written])
@@ -40,48 +40,41 @@ def machines(
             say("\n".join(f"wrote {file}" for file in written))
         return 0
     if name is None:
-        found = shipped()
+        files = shipped()
         if as_json:
-            emit_json([one.as_dict() for one in found])
+            emit_json([file.as_dict() for file in files])
         else:
-            _list(found)
+            _list(files)
         return 0
-    one = shipped_one(name)
+    file = shipped_one(name)
     if as_json:
-        emit_json(one.as_dict() | {"text": one.file.read_text(encoding="utf-8")})
+        emit_json(file.as_dict() | {"text": file.file.read_text(encoding="utf-8")})
     else:
-        _details(one)
+        _details(file)
     return 0
 
 
-def _list(found: list[Shipped]) -> None:
-    from rich.table import Table
-    from rich.text import Text
+def _list(files: list[Shipped]) -> None:
+    from contourlab.report.table import Column, Table, paragraphs
 
-    table = Table("what", "name", "axes", "what it is", "numbers are from")
-    last = ""
-    for one in found:
-        if last and one.kind != last:
-            table.add_section()
-        cells = (one.kind if one.kind != last else "", one.name, ", ".join(one.axes), one.about, "; ".join(one.references))
-        table.add_row(*(Text(cell) for cell in cells))
-        last = one.kind
-    show(table, FOOT)
+    names, prose = ("what", "name", "axes"), ("what it is", "sources of its numbers")
+    table = Table([*(Column(head, left=True) for head in names), *(Column(head, prose=True) for head in prose)])
+    for file in files:
+        table.add(file.kind, file.name, ", ".join(file.axes), file.about, "; ".join(file.references))
+    say(f"{table.text()}\n\n{paragraphs([FOOT])}")
 
 
-def _details(one: Shipped) -> None:
-    from rich.table import Table
-    from rich.text import Text
+def _details(file: Shipped) -> None:
+    from contourlab.report.table import Column, Table
 
-    from contourlab.features.run.trust import printed
-
-    head = [f"builtin:{one.name}, {one.kind}" + (f" with the axes {', '.join(one.axes)}" if one.axes else ""), f"file: {one.file}"]
-    if not one.numbers:
-        say("\n".join([*head, "", one.file.read_text(encoding="utf-8").rstrip()]))
+    axes = f" with the axes {', '.join(file.axes)}" if file.axes else ""
+    head = [f"builtin:{file.name}, {file.kind}{axes}", f"file: {file.file}"]
+    if not file.numbers:
+        say("\n".join([*head, "", file.file.read_text(encoding="utf-8").rstrip()]))
         return
-    said = ", ".join(f"{count} {source}" for source, count in one.sources.items())
-    table = Table("number", "value", "unit", "source", "deviation", "from", "note")
-    for number in one.numbers:
-        row = printed(number)
-        table.add_row(*map(Text, (row.name, row.value, row.unit, row.source, row.deviation, row.reference, row.note)))
-    show(Text("\n".join([*head, f"{one.about}.", f"numbers: {said}"])), table)
+    sources = ", ".join(f"{count} {source}" for source, count in file.sources.items())
+    plain = (Column("value"), *(Column(name, left=True) for name in ("unit", "source", "deviation")))
+    table = Table([Column("number", left=True), *plain, Column("from", prose=True), Column("note", prose=True)])
+    for number in file.numbers:
+        table.add(number.name, number.value_text, number.display, number.source, number.deviation_text, number.reference, number.note)
+    say("\n".join([*head, f"{file.about}.", f"numbers: {sources}", table.text()]))

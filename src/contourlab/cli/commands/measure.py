@@ -1,4 +1,4 @@
-"""``contourlab measure``: how far a measured run strayed from its path."""
+"""``contourlab measure``: contour error of a measured run."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ def measure(
         Path, typer.Argument(metavar="LOG", help="A log: .mat, .csv, .parquet, .xml, .nc, text of a scope.", show_default=False)
     ],
     reference: Annotated[
-        str | None, typer.Option(help="Columns of the reference with commas between, or a part program.", show_default=False)
+        str | None, typer.Option(help="Columns of the reference, separated by commas, or a part program.", show_default=False)
     ] = None,
     shift: Annotated[
         str | None,
-        typer.Option(help='Where the part\'s zero lies in the log: "fit", or lengths as "10 mm, 5 mm".', show_default=False),
+        typer.Option(help='Zero of the part in the log: "fit", or lengths as "10 mm, 5 mm".', show_default=False),
     ] = None,
     column: ColumnTexts = None,
     columns: ColumnFile = None,
     format: LogFormat = None,  # noqa: A002
     period: SamplePeriod = None,
-    axes: Annotated[str | None, typer.Option(help="Axes that make the contour, as x,y; by default all.", show_default=False)] = None,
+    axes: Annotated[str | None, typer.Option(help="Axes of the contour, as x,y; by default all.", show_default=False)] = None,
     tolerance: Annotated[str | None, typer.Option(help='Largest contour error that passes, as "25 um".', show_default=False)] = None,
     out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
 ) -> int:
-    """Judge a measured run: contour error, tracking, reversals, as of a simulated one."""
+    """Judge a measured run like a simulated one: contour error, tracking, reversals."""
     from contourlab.features.measure.command import measure_log
     from contourlab.features.measure.log_choice import LogChoice
 

@@ -20,25 +20,25 @@ new = typer.Typer(no_args_is_help=True, help="Make files to start from.")
 
 @new.callback()
 def _things() -> None:
-    """Keep `machine` a name of its own while it is the only thing."""
+    """Keep `machine` a subcommand while it is the only one."""
 
 
 @new.command()
 def machine(
-    out: Annotated[Path, typer.Option(help="Folder for the files; made if it is not there.")] = Path("machine"),
+    out: Annotated[Path, typer.Option(help="Folder for the files.")] = Path("machine"),
     answers: Annotated[
         Path | None, typer.Option(help="Take the answers from a TOML file and ask nothing.", metavar="FILE", show_default=False)
     ] = None,
-    force: Annotated[bool, typer.Option("--force", help="Overwrite files that are there.")] = False,
+    force: Annotated[bool, typer.Option("--force", help="Overwrite existing files.")] = False,
 ) -> int:
-    """Make a machine and a controller that fits it, out of what a data sheet says; asks for it."""
+    """Make a machine and a matching controller from data-sheet values; asks for them."""
     from contourlab.features.machines.new_machine import build_machine, explain, write_machine
 
     given = _asked() if answers is None else read_answers(answers)
     try:
         files, text = build_machine(given), explain(given)
     except ScenarioError as error:
-        # The answers were checked one by one as they were asked; here their file has a name to be told.
+        # Answers from a file are checked here: name the file.
         raise ScenarioError(error.message, file=answers or error.file, key=error.key) from None
     written = write_machine(files, out, force=force, inputs=() if answers is None else (answers,))
     say("\n".join([text, *(f"wrote {file}" for file in written)]))
@@ -53,7 +53,7 @@ def read_answers(file: Path) -> dict[str, str]:
     Raises
     ------
     ScenarioError
-        If the file cannot be read, or holds what is no answer.
+        If the file cannot be read, or a value is no answer.
     """
     import tomllib
 
@@ -67,25 +67,25 @@ def read_answers(file: Path) -> dict[str, str]:
 
 
 def _flat(content: Mapping[str, Any], prefix: str, file: Path) -> list[tuple[str, str]]:
-    found: list[tuple[str, str]] = []
+    answers: list[tuple[str, str]] = []
     for name, value in content.items():
         key = prefix + name
         if isinstance(value, dict) and not prefix:
-            found += _flat(value, f"{name}.", file)
+            answers += _flat(value, f"{name}.", file)
         elif isinstance(value, list) and all(isinstance(item, str) for item in value):
-            found.append((key, ", ".join(value)))
+            answers.append((key, ", ".join(value)))
         elif isinstance(value, str | int | float) and not isinstance(value, bool):
-            found.append((key, str(value)))
+            answers.append((key, str(value)))
         else:
             raise ScenarioError(f"{value!r} is no answer: write text, or a number with its unit", file=file, key=key)
-    return found
+    return answers
 
 
 def _asked() -> dict[str, str]:
     """Ask on the terminal: about the machine first, then about each of its axes."""
     from contourlab.features.machines.new_machine import axis_names, questions
 
-    print("Enter takes what stands in brackets; a number without a unit has the unit shown.", file=sys.stderr)
+    print("Press Enter for the value in brackets. A number without a unit has the unit shown.", file=sys.stderr)
     answers: dict[str, str] = {}
     _ask_all(questions(), answers)
     _ask_all(questions(axis_names(answers["axes"])), answers)
@@ -93,7 +93,7 @@ def _asked() -> dict[str, str]:
 
 
 def _ask_all(asked: Sequence[Question], answers: dict[str, str]) -> None:
-    """Ask each question until its answer is one; answers that come through a pipe have one try."""
+    """Ask each question until the answer is valid; answers through a pipe have one try."""
     from contourlab.features.machines.new_machine import axis_names, read_answer
 
     for question in asked:
@@ -113,7 +113,7 @@ def _ask_all(asked: Sequence[Question], answers: dict[str, str]) -> None:
 
 
 def _ask(question: Question) -> str:
-    """Return the answer typed to one question; the question goes to standard error."""
+    """Return the typed answer; the question goes to standard error."""
     unit = f" ({question.unit})" if question.unit else ""
     default = f" [{question.default}]" if question.default else ""
     print(f"{question.text}{unit}{default}: ", end="", file=sys.stderr, flush=True)

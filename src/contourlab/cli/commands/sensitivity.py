@@ -15,28 +15,26 @@ from contourlab.cli.study_options import Parameters, Seed, Threads, Width
 def sensitivity(
     file: ScenarioFile,
     parameter: Parameters = None,
-    scheme: Annotated[str, typer.Option(help="A scheme of the scenario; the scenario without any by default.", show_default=False)] = "",
+    scheme: Annotated[str, typer.Option(help="Scheme of the scenario; by default the scenario itself.", show_default=False)] = "",
     figure: Annotated[str, typer.Option(help="integral, rms or max of the contour error.")] = "integral",
     width: Width = 2.0,
     parts: Annotated[
-        str | None, typer.Option(help="With commas between: curves, local, morris, sobol; all by default.", show_default=False)
+        str | None, typer.Option(help="With commas between: curves, local, morris, sobol; by default all.", show_default=False)
     ] = None,
     values: Annotated[int, typer.Option(help="Values of each curve.")] = 41,
-    base: Annotated[int, typer.Option(help="N of Saltelli's sampling, a power of two: N (numbers + 2) runs.")] = 512,
-    second_order: Annotated[bool, typer.Option("--second-order", help="Sobol's indices of pairs too: N (2 numbers + 2) runs.")] = False,
-    trajectories: Annotated[int, typer.Option(help="Of Morris' design: each takes one run more than there are numbers.")] = 32,
+    base: Annotated[int, typer.Option(help="N of Saltelli's sampling, a power of two: N (parameters + 2) runs.")] = 512,
+    second_order: Annotated[bool, typer.Option("--second-order", help="Sobol's indices of pairs too: N (2 parameters + 2) runs.")] = False,
+    trajectories: Annotated[int, typer.Option(help="Of Morris' design: each takes one run more than there are parameters.")] = 32,
     distribution: Annotated[str, typer.Option(help="uniform, log-uniform or normal between the bounds, for morris and sobol.")] = "uniform",
     deviation: Annotated[
         list[str] | None,
         typer.Option(
             metavar="[NAME=]DEVIATION",
-            help='Standard deviation, as "5 %" or "3.model_gain=20 mm/s^2/full_scale": that number is normal; may be given again.',
+            help='Standard deviation, as "5 %" or "3.model_gain=20 mm/s^2/full_scale": that parameter is normal; repeatable.',
             show_default=False,
         ),
     ] = None,
-    transform: Annotated[
-        str, typer.Option(help="log or none: morris and sobol look at the figure's decimal logarithm, or at itself.")
-    ] = "log",
+    transform: Annotated[str, typer.Option(help="log or none: morris and sobol take the logarithm of the figure, or the figure.")] = "log",
     servo_period: Annotated[str, typer.Option(help='In place of the machine\'s own, as "0.1 ms".', show_default=False)] = "",
     seed: Seed = 0,
     threads: Threads = None,
@@ -45,32 +43,18 @@ def sensitivity(
     plots: Plots = None,
     plugin: Plugins = None,
 ) -> int:
-    """Say which numbers of a machine and its controller the contour error depends on: one at a time, a little, and all at once.
+    """Find the parameters that the contour error depends on: one at a time, by small changes, and all at once.
 
     Runs are kept in the folder of the results: after an interrupt the same command goes on where it stopped.
     """
     from contourlab.features.sensitivity.command import Request, sensitivity_of
+    from contourlab.features.sensitivity.study import PARTS, Plan
 
-    request = Request(
-        scheme,
-        tuple(parameter or ()),
-        width,
-        figure,
-        listed(parts),
-        values,
-        base,
-        trajectories,
-        second_order,
-        distribution,
-        tuple(deviation or ()),
-        transform,
-        servo_period,
-        seed,
-        threads,
-    )
-    found = sensitivity_of(file, out, request, plugins=tuple(plugin or ()), plots=tuple(plots or ()), progress=wants_progress(as_json))
+    plan = Plan(listed(parts) or PARTS, figure, values, base, second_order, trajectories, transform, seed)
+    request = Request(plan, scheme, tuple(parameter or ()), width, distribution, tuple(deviation or ()), servo_period, threads)
+    result = sensitivity_of(file, out, request, plugins=tuple(plugin or ()), plots=tuple(plots or ()), progress=wants_progress(as_json))
     if as_json:
-        emit_json(found.summary)
+        emit_json(result)
     else:
-        say(found.text)
+        say(result.text())
     return 0

@@ -14,31 +14,34 @@ from contourlab.cli.study_options import GainMargin, Parameters, PhaseMargin, Se
 
 def swap(
     file: ScenarioFile,
-    axis: Annotated[list[str], typer.Option(help="Axis that is swapped; may be given again, each with its --with.", show_default=False)],
+    axis: Annotated[list[str], typer.Option(help="Axis to swap. Repeat it for more axes, each with its --with.", show_default=False)],
     others: Annotated[
-        list[str], typer.Option("--with", help="Files of the axes that take its place, with commas between.", show_default=False)
+        list[str], typer.Option("--with", help="Files of the modules that may take its place, with commas between.", show_default=False)
     ],
     scheme: Annotated[str | None, typer.Option(help="Scheme of the scenario; by default its base.", show_default=False)] = None,
     objective: Annotated[
-        str, typer.Option(help="contour_error_integral, contour_error_rms or contour_error_max.")
+        str, typer.Option(help="What to minimise: contour_error_integral, contour_error_rms or contour_error_max.")
     ] = "contour_error_integral",
-    floor: Annotated[str | None, typer.Option(help='J_tol: "2 um*s" for the integral, "1 um" else.', show_default=False)] = None,
+    floor: Annotated[
+        str | None,
+        typer.Option(help='J_tol, the floor of J in the loss; by default "2 um*s" for the integral, else "1 um".', show_default=False),
+    ] = None,
     parameter: Parameters = None,
     width: Width = 4.0,
     local: Annotated[
         list[str] | None,
         typer.Option(
-            help="Local numbers to look at, with commas between, in place of searching a set; may be given again.", show_default=False
+            help="Local parameters to test, with commas between, instead of a search for them. Repeat it for more sets.", show_default=False
         ),
     ] = None,
     exhaustive: Annotated[
-        bool, typer.Option("--exhaustive", help="Try all sets of local numbers by size, in place of dropping one number after another.")
+        bool, typer.Option("--exhaustive", help="Try all sets of local parameters by size, instead of backward elimination.")
     ] = False,
     origins: Annotated[
         list[str] | None,
         typer.Option(
             "--from",
-            help="Controller file that every search starts from as well, or one for each variant with commas between; may be given again.",
+            help="Controller file that every search also starts from, or one for each variant with commas between. Repeat it for more.",
             show_default=False,
         ),
     ] = None,
@@ -49,38 +52,40 @@ def swap(
     phase_margin: PhaseMargin = 30.0,
     region: Annotated[
         list[str] | None,
-        typer.Option(help="Coverage over a number of the machine, as axes.x.plant.gain=LOW..HIGH; may be given again.", show_default=False),
+        typer.Option(
+            help="Range of a machine parameter for the coverage, as axes.x.plant.gain=LOW..HIGH. Repeat it for more.", show_default=False
+        ),
     ] = None,
     tolerance: Annotated[
-        str | None, typer.Option(help='J that is good enough in the region, as "5 um*s", in place of a loss.', show_default=False)
+        str | None, typer.Option(help='J that is good enough in the region, as "5 um*s", instead of a loss.', show_default=False)
     ] = None,
     places: Annotated[
-        int | None, typer.Option(help="Points of the region at which J* is searched; a power of 2, 8 by default.", show_default=False)
+        int | None, typer.Option(help="Points of the region at which to search J*, a power of 2; by default 8.", show_default=False)
     ] = None,
     linear: Annotated[
         list[str] | None,
-        typer.Option(help="Linear base and local designs too: direct, three-step, lmi; may be given again.", show_default=False),
+        typer.Option(help="Linear designs too: direct, three-step or lmi. Repeat it for more.", show_default=False),
     ] = None,
     division: Annotated[
         str | None,
         typer.Option(
-            help="In the axis, over a network: drive, observer, controller; with commas between. By default the least that will do.",
+            help="What is in the axis: drive, observer, controller, with commas between; by default the least that does.",
             show_default=False,
         ),
     ] = None,
-    ways: Annotated[str | None, typer.Option(help="Messages both ways or one way: both, one; by default both are looked at.")] = None,
-    within: Annotated[str, typer.Option(help="How much the network may lose, in parts of the wired J, or of J_tol.")] = "10 %",
-    message_period: Annotated[str | None, typer.Option(help="Of the network as it is given; the servo period by default.")] = None,
-    delay: Annotated[str | None, typer.Option(help="Of each message, each way; none by default.")] = None,
-    jitter: Annotated[str | None, typer.Option(help="The same.")] = None,
-    loss: Annotated[str | None, typer.Option(help="Part of the messages, the same.")] = None,
-    longest: Annotated[str, typer.Option(help="Up to where message periods are looked at.")] = "100 ms",
+    ways: Annotated[str | None, typer.Option(help="Messages both ways or one way: both, one; by default test both.")] = None,
+    within: Annotated[str, typer.Option(help="How much the network may lose, as a part of the wired J or of J_tol.")] = "10 %",
+    message_period: Annotated[str | None, typer.Option(help="Message period of the network; by default the servo period.")] = None,
+    delay: Annotated[str | None, typer.Option(help="Delay of each message, each way; by default none.")] = None,
+    jitter: Annotated[str | None, typer.Option(help="Jitter of each message, each way; by default none.")] = None,
+    loss: Annotated[str | None, typer.Option(help="Part of the messages that is lost; by default none.")] = None,
+    longest: Annotated[str, typer.Option(help="Longest message period to test.")] = "100 ms",
     out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
     plugin: Plugins = None,
 ) -> int:
-    """Say whether one controller serves a machine whose axis is swapped, and if not, which numbers have to move with the axis."""
+    """Does one controller serve a machine whose axis is swapped? If not, which parameters must move with the axis?"""
     from contourlab.errors import ParameterError
     from contourlab.features.link.command import LinkOptions
     from contourlab.features.swap.command import SwapOptions, swap_scenario

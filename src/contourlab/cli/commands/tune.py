@@ -14,38 +14,41 @@ from contourlab.cli.study_options import GainMargin, Parameters, PhaseMargin, Se
 
 def tune(
     file: Annotated[str, typer.Argument(metavar="SCENARIO", help="A scenario (.toml), or a part program.", show_default=False)],
-    scheme: Annotated[str | None, typer.Option(help="Which scheme; the scenario without any by default.", show_default=False)] = None,
-    machine: Annotated[str | None, typer.Option(help="Of a part program.", show_default=False)] = None,
-    controller: Annotated[str | None, typer.Option(help="Of a part program.", show_default=False)] = None,
-    tolerance: Annotated[str | None, typer.Option(help='Of a part program, as "25 um".', show_default=False)] = None,
+    scheme: Annotated[str | None, typer.Option(help="Scheme of the scenario; by default the scenario itself.", show_default=False)] = None,
+    machine: Annotated[str | None, typer.Option(help="For a part program.", show_default=False)] = None,
+    controller: Annotated[str | None, typer.Option(help="For a part program.", show_default=False)] = None,
+    tolerance: Annotated[str | None, typer.Option(help='For a part program, as "25 um".', show_default=False)] = None,
     method: Annotated[str, typer.Option(help="sequential, global, or both.")] = "sequential",
-    start: Annotated[str, typer.Option(help="scenario, or placed: poles as fast as the margins let them.")] = "scenario",
+    start: Annotated[str, typer.Option(help="scenario, or placed: poles as fast as the margins allow.")] = "scenario",
     objective: Annotated[str, typer.Option(help="integral, max, rms, tracking, energy; or a sum, integral=1,energy=0.1.")] = "integral",
     parameter: Parameters = None,
     width: Width = 4.0,
     gain_margin: GainMargin = 6.0,
     phase_margin: PhaseMargin = 30.0,
-    limited: Annotated[float, typer.Option(help="Largest part of the time at a limit of a drive, 0 to 1.")] = 0.0,
-    command: Annotated[float | None, typer.Option(help="Largest command, in parts of the drive.", show_default=False)] = None,
-    passes: Annotated[int, typer.Option(help="How often the sequential procedure goes through all numbers, at most.")] = 1,
-    lanes: Annotated[int, typer.Option(help="Values of a line.")] = 32,
-    plateau: Annotated[str, typer.Option(help="Of values as good as the best: robust, largest, or best.")] = "robust",
-    within: Annotated[float, typer.Option(help="Part by which a value counts as good as the best.")] = 0.01,
+    limited: Annotated[float, typer.Option(help="Largest share of the time at a drive limit, 0 to 1.")] = 0.0,
+    command: Annotated[float | None, typer.Option(help="Largest command, relative to the drive limit.", show_default=False)] = None,
+    passes: Annotated[int, typer.Option(help="Largest number of passes of the sequential procedure.")] = 1,
+    lanes: Annotated[int, typer.Option(help="Values per line.")] = 32,
+    plateau: Annotated[str, typer.Option(help="Which of the values as good as the best: robust, largest, or best.")] = "robust",
+    within: Annotated[float, typer.Option(help="Share by which a value may be worse and still count as good as the best.")] = 0.01,
     budget: Annotated[int, typer.Option(help="Runs of the global search.")] = 6000,
     starts: Annotated[int, typer.Option(help="Starts of the global search.")] = 5,
     seed: Seed = 0,
     threads: Threads = None,
-    out: Annotated[Path | None, typer.Option(help="The controller file to write; folders above it are made.", show_default=False)] = None,
-    folder: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
+    out: Annotated[Path | None, typer.Option(help="Controller file to write; missing folders are made.", show_default=False)] = None,
+    folder: Annotated[Path, typer.Option(help="Folder for pictures; made if missing.")] = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
     plugin: Plugins = None,
 ) -> int:
-    """Calibrate gains from the innermost loop to the outermost, within margins and limits; show the way, and write a controller file."""
+    """Calibrate gains, innermost loop first, within margins and drive limits; write a controller file."""
     import math
 
-    from contourlab.features.tune import Bounds, Goal, LineRule, TuneSettings
+    from contourlab.design.guards import Bounds
     from contourlab.features.tune.command import tune_scenario
+    from contourlab.features.tune.line_search import LineRule
+    from contourlab.features.tune.objective import Goal
+    from contourlab.features.tune.study import TuneSettings
 
     settings = TuneSettings(
         goal=Goal.parse(objective),
@@ -61,7 +64,7 @@ def tune(
         seed=seed,
         threads=threads,
     )
-    found = tune_scenario(
+    calibration = tune_scenario(
         file,
         settings,
         scheme=scheme,
@@ -75,7 +78,7 @@ def tune(
         progress=wants_progress(as_json),
     )
     if as_json:
-        emit_json(found.summary)
+        emit_json(calibration)
     else:
-        say(found.text)
-    return 0 if found.passed else 1
+        say(calibration.text())
+    return 0 if calibration.passed else 1

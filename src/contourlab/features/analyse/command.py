@@ -1,68 +1,108 @@
-"""``contourlab analyse``: what can be said of loops, coupling and learning before anything runs."""
+"""``contourlab analyse``: stability of loops, coupling and learning before anything runs."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis, learning_analysis
-from contourlab.analysis.linear.contour_transfer import ContourTransfer, InternalStability, contour_transfer, internal_stability
+from contourlab.analysis.linear.contour_transfer import (
+    ContourMargins,
+    ContourTransfer,
+    InternalStability,
+    contour_transfer,
+    internal_stability,
+)
 from contourlab.analysis.linear.divided_loop import link_growth
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.app.folder import staged
+from contourlab.app.results import staged
 from contourlab.errors import ComponentError
+from contourlab.features.learn.foretold import learning_findings
 from contourlab.features.run.command import file_names
-from contourlab.features.run.margin_words import gain_words, phase_words
+from contourlab.features.run.margin_words import decibel, degrees, gain_words, phase_words
+from contourlab.features.run.outcome import coupling_findings
+from contourlab.figures import NONE, number
+from contourlab.findings import Finding, finding
+from contourlab.report.table import Column, Table, paragraphs
 
 if TYPE_CHECKING:
     from contourlab.report.charts import Chart
     from contourlab.scenario import Case
 
 NOTHING = 1e-6
-"""So much of an error has to go in a trial for anything to be learned."""
+"""Least share of an error that a trial has to remove, or nothing is learned."""
 SLOW = 1e-3
-"""Growth per trial that takes a thousand trials to be seen."""
+"""Growth per trial that takes a thousand trials to show."""
+_HIDDEN = {"json": False}
 
 
 @dataclass(frozen=True)
-class Analysed:
-    """What a command prints: the summary, the text, and whether everything is stable and all that learns converges."""
+class Coupling:
+    """The coupling: stable or not, over all directions of the path, and the factor of an error per lap (nan without laps)."""
+
+    stable: bool
+    lap: float
+    margins: ContourMargins
+
+
+@dataclass(frozen=True)
+class Learning:
+    """Learning: the largest factor of a trial, at a frequency [Hz], and radius and norm of a whole trial on the path (None without)."""
+
+    converges: bool
+    monotone: bool
+    worst_factor: float
+    worst_frequency: float
+    path_radius: float | None
+    path_norm: float | None
+
+
+@dataclass(frozen=True, eq=False)
+class SchemeAnalysis:
+    """The analysis of one scheme; an entry is None where there is nothing of the kind, or no linear model.
+
+    Attributes
+    ----------
+    good : bool
+        Whether all loops are stable and learning, if any, converges.
+    margins : mapping of str to Margins
+        By axis.
+    link_growth : float or None
+        Factor of an error per servo period, with the messages between base and axes.
+    """
 
     good: bool
-    summary: dict[str, Any]
-    text: str
+    margins: Mapping[str, Margins]
+    coupling: Coupling | None
+    link_growth: float | None
+    learning: Learning | None
+    findings: tuple[Finding, ...]
+    transfer: ContourTransfer | None = field(metadata=_HIDDEN)
+    foretold: LearningAnalysis | None = field(metadata=_HIDDEN)
 
 
-@dataclass(eq=False)
-class _Found:
-    """What was found of one case; an entry is None, with its reason, where there is no linear model."""
+@dataclass(frozen=True)
+class Analysis:
+    """What the command prints: the analysis of each scheme, and the pictures that were written."""
 
     name: str
-    margins: dict[str, Margins] = field(default_factory=dict)
-    transfer: ContourTransfer | None = None
-    stability: InternalStability | None = None
-    learning: LearningAnalysis | None = None
-    divided: float | None = None
-    period: float = 0.0
-    unknown: list[str] = field(default_factory=list)
+    schemes: Mapping[str, SchemeAnalysis]
+    files: tuple[Path, ...] = ()
 
     @property
     def good(self) -> bool:
-        loops = all(margins.stable for margins in self.margins.values())
-        inside = self.stability is None or self.stability.stable
-        idle = self.learning is not None and self.learning.response.radius.min() >= 1.0 - NOTHING
-        linked = self.divided is None or self.divided < 1.0
-        return loops and inside and linked and not idle and (self.learning is None or self.learning.converges or _slow(self.learning))
+        """Whether all schemes are good."""
+        return all(scheme.good for scheme in self.schemes.values())
 
-
-def _slow(learning: LearningAnalysis) -> bool:
-    """Tell whether what grows does so over more trials than are ever run."""
-    whole = 0.0 if learning.lifted is None else learning.lifted.radius
-    return max(learning.worst_factor, whole) <= 1.0 + SLOW
+    @property
+    def text(self) -> str:
+        """The result for the terminal."""
+        parts = [text for name, scheme in self.schemes.items() for text in (_table(name, scheme), paragraphs(map(str, scheme.findings)))]
+        return "\n\n".join(filter(None, [*parts, "\n".join(map(str, self.files))]))
 
 
 def analyse_scenario(
@@ -73,7 +113,7 @@ def analyse_scenario(
     plots: Sequence[str] = (),
     out: str | Path = "results",
     whole: bool = False,
-) -> Analysed:
+) -> Analysis:
     """Analyse the schemes of a scenario: margins of each axis, of the coupling in all directions of the path, convergence of learning.
 
     Parameters
@@ -81,7 +121,7 @@ def analyse_scenario(
     file : str or Path
         A scenario.
     schemes : sequence of str
-        As of `contourlab.features.run.schemes.compare_schemes`.
+        As in `contourlab.features.run.schemes.compare_schemes`.
     plugins : sequence of str or Path
         Python files with components.
     plots : sequence of str
@@ -89,130 +129,133 @@ def analyse_scenario(
     out : str or Path
         Folder of the pictures.
     whole : bool
-        Whether laps and trials are looked at as a whole as well, on the very path: that takes up to minutes.
+        Whether to analyse laps and trials on the path as a whole too, which takes up to minutes.
     """
     from contourlab.features.run.schemes import loaded
 
     scenario = loaded(file, schemes, plugins)
-    found = [_of(case, whole) for case in scenario.cases()]
-    text = "\n\n".join("\n".join(_lines(one)) for one in found)
-    if plots:
-        from contourlab.report.plots import write_charts
+    analysis = Analysis(scenario.name, {case.name: _analyse(case, whole) for case in scenario.cases()})
+    if not plots:
+        return analysis
+    from contourlab.report.plots import write_charts
 
-        with staged(out, inputs=scenario.inputs) as stage:
-            files = write_charts(_charts(found), stage / "plots", tuple(plots))
-        text += "".join(f"\n{Path(out) / file.relative_to(stage)}" for file in files)
-    summary = {"name": scenario.name, "schemes": {one.name: _summary(one) for one in found}}
-    return Analysed(all(one.good for one in found), summary, text)
+    with staged(out, inputs=scenario.inputs) as stage:
+        files = write_charts(_charts(analysis.schemes), stage / "plots", tuple(plots))
+    return replace(analysis, files=tuple(Path(out) / file.relative_to(stage) for file in files))
 
 
-def _of(case: Case, whole: bool) -> _Found:
-    machine, controller, found = case.machine, case.controller, _Found(case.name, period=case.machine.servo_period)
+def _analyse(case: Case, whole: bool) -> SchemeAnalysis:
+    machine, controller = case.machine, case.controller
+    margins: dict[str, Margins] = {}
+    unknown: list[Finding] = []
     for axis in machine.axes:
         try:
             loop = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
-            found.margins[axis.name] = loop.margins()
+            margins[axis.name] = loop.margins()
         except ComponentError as error:
-            found.unknown.append(str(error))
-    if found.unknown:
-        return found
-    reference = case.reference() if whole else None
+            unknown.append(finding("CL350", place=f"axis {axis.name}", reason=str(error)))
+    transfer = stability = growth = learning = None
     try:
-        if controller.coupling is not None:
-            found.transfer = contour_transfer(machine, controller)
-            found.stability = internal_stability(machine, controller, reference if reference is not None and reference.laps else None)
-        if any(mine.link is not None for mine in controller.axes.values()):
-            found.divided = link_growth(machine, controller)
-        if case.learning is not None:
-            found.learning = learning_analysis(machine, controller, case.learning.law, reference)
+        reference = case.reference() if whole and not unknown else None
+        if controller.coupling is not None and not unknown:
+            transfer = contour_transfer(machine, controller)
+            stability = internal_stability(machine, controller, reference if reference is not None and reference.laps else None)
+        if any(loop.link is not None for loop in controller.axes.values()) and not unknown:
+            growth = link_growth(machine, controller)
+        if case.learning is not None and not unknown:
+            learning = learning_analysis(machine, controller, case.learning.law, reference)
     except ComponentError as error:
-        found.unknown.append(str(error))
-    return found
+        unknown.append(finding("CL350", reason=str(error)))
+    found = [
+        *(finding("CL205", place=f"axis {axis}") for axis, loop_margins in margins.items() if not loop_margins.stable),
+        *_coupling_findings(stability),
+        *_link_findings(growth, machine.servo_period),
+        *_learning_findings(learning),
+        *unknown,
+    ]
+    good = all(entry.stable for entry in margins.values()) and (stability is None or stability.stable) and (growth is None or growth < 1.0)
+    return SchemeAnalysis(
+        good=good and (learning is None or (not _idle(learning) and (learning.converges or _slow(learning)))),
+        margins=margins,
+        coupling=None if transfer is None or stability is None else Coupling(stability.stable, stability.lap, transfer.margins()),
+        link_growth=growth,
+        learning=None if learning is None else _learning(learning),
+        findings=tuple(found),
+        transfer=transfer,
+        foretold=learning,
+    )
 
 
-def _lines(found: _Found) -> list[str]:
-    lines = [found.name]
-    for axis, margins in found.margins.items():
-        lines.append(f"  axis {axis}: {_margins(margins)}")
-    if found.transfer is not None and found.stability is not None:
-        over = found.transfer.margins()
-        lines.append(f"  coupling: {found.stability.verdict}")
-        if over.stable:
-            lines.append(f"  coupling, over all directions: gain margin {gain_words(over.gain)}, phase margin {phase_words(over.phase)}")
-    if found.divided is not None:
-        lines.append(f"  with the messages between base and axes: {_dies(found.divided, found.period)}; margins are those without")
-    if found.learning is not None:
-        learning = found.learning
-        at = f"at {learning.worst_frequency / (2.0 * math.pi):.3g} Hz"
-        rate = f"a trial leaves at most {learning.worst_factor:.4g} of an error, {at}"
-        said = "converges"
-        if learning.response.radius.min() >= 1.0 - NOTHING:
-            said, rate = "learns nothing", "no frequency becomes smaller: gain, window and lead are to be looked at"
-        elif not learning.converges:
-            growth = 100.0 * (learning.worst_factor - 1.0)
-            said, rate = ("grows slowly" if _slow(learning) else "diverges"), f"an error grows by {growth:.2g} % per trial, {at}"
-        lines.append(f"  learning: {said}{', each trial better than the last' if learning.monotone else ''}; {rate}")
-        if learning.lifted is not None:
-            worst = f", at most {learning.lifted.norm:.6g} of it in any one trial" if math.isfinite(learning.lifted.norm) else ""
-            lines.append(f"  learning, on this very path: a trial leaves {learning.lifted.radius:.6g} of an error in the end{worst}")
-        lines += [f"  learning: {warning}" for warning in learning.warnings]
-    return lines + [f"  not analysed: {reason}" for reason in found.unknown]
+def _learning(analysis: LearningAnalysis) -> Learning:
+    lifted = analysis.lifted
+    whole = (None, None) if lifted is None else (lifted.radius, lifted.norm)
+    return Learning(analysis.converges, analysis.monotone, analysis.worst_factor, analysis.worst_frequency / (2.0 * math.pi), *whole)
 
 
-def _dies(growth: float, period: float) -> str:
-    if growth == 1.0 or growth <= 0.0:
-        return "at the brink of stability" if growth else "stable"
-    time = f"{1e3 * period / abs(math.log(growth)):.3g} ms"
-    if growth < 1.0:
-        return f"stable, the slowest error dies with a time constant of {time}"
-    return f"unstable, an error grows e-fold in {time}"
+def _idle(learning: LearningAnalysis) -> bool:
+    """Tell whether no frequency gets smaller."""
+    return bool(learning.response.radius.min() >= 1.0 - NOTHING)
 
 
-def _margins(margins: Margins) -> str:
-    if not margins.stable:
-        return "unstable"
-    at = f" at {margins.crossover / (2.0 * math.pi):.3g} Hz" if math.isfinite(margins.crossover) else ""
-    return f"gain margin {gain_words(margins.gain)}, phase margin {phase_words(margins.phase)}{at}, modulus margin {margins.modulus:.3g}"
+def _slow(learning: LearningAnalysis) -> bool:
+    """Tell whether growth takes more trials to show than anyone runs."""
+    whole = 0.0 if learning.lifted is None else learning.lifted.radius
+    return max(learning.worst_factor, whole) <= 1.0 + SLOW
 
 
-def _summary(found: _Found) -> dict[str, Any]:
-    learning, stability = found.learning, found.stability
-    return {
-        "good": found.good,
-        "margins": {axis: asdict(margins) for axis, margins in found.margins.items()},
-        "coupling": None
-        if stability is None or found.transfer is None
-        else {"stable": stability.stable, "lap": stability.lap, "verdict": stability.verdict, "margins": asdict(found.transfer.margins())},
-        "links": None if found.divided is None else {"stable": found.divided < 1.0, "growth": found.divided},
-        "learning": None
-        if learning is None
-        else {
-            "converges": learning.converges,
-            "monotone": learning.monotone,
-            "worst_factor": learning.worst_factor,
-            "worst_frequency": learning.worst_frequency / (2.0 * math.pi),
-            "path_radius": None if learning.lifted is None else learning.lifted.radius,
-            "path_norm": None if learning.lifted is None else learning.lifted.norm,
-            "warnings": list(learning.warnings),
-        },
-        "not_analysed": found.unknown,
-    }
+def _coupling_findings(stability: InternalStability | None) -> Iterator[Finding]:
+    if stability is not None:
+        yield from coupling_findings(stability)
+        if stability.stable and not math.isnan(stability.lap):
+            yield finding("CL351", left=stability.lap)
 
 
-def _charts(found: Sequence[_Found]) -> list[Chart]:
-    """Return the pictures: those of each coupling, and learning of all schemes together."""
-    from dataclasses import replace
+def _link_findings(growth: float | None, period: float) -> Iterator[Finding]:
+    if growth is not None and growth >= 1.0:
+        yield finding("CL353", growth=growth)
+    elif growth is not None:
+        yield finding("CL352", time=period / abs(math.log(growth)) if growth > 0.0 else 0.0)
 
+
+def _learning_findings(learning: LearningAnalysis | None) -> Iterator[Finding]:
+    if learning is None:
+        return
+    if _idle(learning):
+        yield finding("CL355")
+    elif learning.converges:
+        yield finding("CL354", left=learning.worst_factor, frequency=learning.worst_frequency / (2.0 * math.pi))
+    if learning.lifted is not None:
+        yield finding("CL356", left=learning.lifted.radius, most=learning.lifted.norm)
+    yield from learning_findings(learning)
+
+
+def _table(name: str, scheme: SchemeAnalysis) -> str:
+    """Return the margins of loops and coupling."""
+    table = Table([Column("loop", left=True), *map(Column, ("gain margin", "phase margin", "at [Hz]", "modulus margin"))], name)
+    for axis, margins in scheme.margins.items():
+        crossover, modulus = (number(margins.crossover / (2.0 * math.pi)), number(margins.modulus)) if margins.stable else (NONE, NONE)
+        table.add(f"axis {axis}", decibel(margins), degrees(margins), crossover, modulus)
+    if scheme.coupling is not None and scheme.coupling.margins.stable:
+        over = scheme.coupling.margins
+        at = number(over.modulus_frequency / (2.0 * math.pi))
+        table.add("coupling, worst direction", gain_words(over.gain), phase_words(over.phase), at, number(over.modulus))
+    elif scheme.coupling is not None:
+        table.add("coupling, worst direction", "unstable", NONE, NONE, NONE)
+    return table.text()
+
+
+def _charts(schemes: Mapping[str, SchemeAnalysis]) -> list[Chart]:
+    """Return the pictures of each coupling, and of learning of all schemes together."""
     from contourlab.features.analyse.picture import contour_transfer_charts
     from contourlab.report.learning_pictures import learning_charts, singular_value_chart
 
     charts: list[Chart] = []
-    names = file_names([one.name for one in found])
-    for one in found:
-        if one.transfer is not None:
-            named = contour_transfer_charts(one.transfer)
-            charts += [replace(c, key=f"{c.key}-{names[one.name]}", title=f"{c.title}, {one.name}") for c in named]
-    learning = {one.name: one.learning for one in found if one.learning is not None}
+    names = file_names(list(schemes))
+    for name, scheme in schemes.items():
+        if scheme.transfer is not None:
+            named = contour_transfer_charts(scheme.transfer)
+            charts += [replace(chart, key=f"{chart.key}-{names[name]}", title=f"{chart.title}, {name}") for chart in named]
+    learning = {name: scheme.foretold for name, scheme in schemes.items() if scheme.foretold is not None}
     lifted = {name: analysis.lifted.singular_values for name, analysis in learning.items() if analysis.lifted is not None}
     short = {name: values for name, values in lifted.items() if values is not None}
     return [*charts, *(learning_charts(learning) if learning else ()), *([singular_value_chart(short)] if short else ())]

@@ -1,34 +1,32 @@
-"""``contourlab backlash``: the gap of each axis as it can be measured, what it does to the loops, what to do about it."""
+"""``contourlab backlash``: the gap of each axis, its limit cycles, and the best compensation."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
 from contourlab.app.stages import shown
-from contourlab.features.backlash.study import AxisGap, BacklashStudy, Trial, backlash_study
-from contourlab.units import from_si, to_si
+from contourlab.features.backlash.study import BacklashStudy, Cycle, backlash_study
+from contourlab.figures import NONE, figure, number
+from contourlab.report.table import Column, Table, paragraphs
 
-if TYPE_CHECKING:
-    from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle
-    from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit
-    from contourlab.components.contract import Component
-    from contourlab.loop import Machine
-
-HOLDING = "compensation"
 FEW = 0.05
-"""Part of a limit cycle's period that a servo period may be for a loop in continuous time to stand for a sampled one."""
+"""Largest ratio of servo period to limit-cycle period for which a continuous loop stands for the sampled one."""
 
 
 @dataclass(frozen=True)
 class BacklashOutcome:
-    """What the command prints: as JSON, and as text."""
+    """What the command prints: the study of each scheme."""
 
-    summary: dict[str, Any]
-    text: str
+    name: str
+    schemes: Mapping[str, BacklashStudy]
+    servo_period: float = field(metadata={"json": False})
+
+    @property
+    def text(self) -> str:
+        """The result for the terminal."""
+        return "\n\n".join(text for name, study in self.schemes.items() for text in _texts(name, study, self.servo_period))
 
 
 def backlash_scenario(
@@ -41,7 +39,7 @@ def backlash_scenario(
     file : str or Path
         A scenario whose machine has axes with backlash.
     schemes : sequence of str
-        As of `contourlab.features.run.schemes.compare_schemes`; all by default.
+        As in `contourlab.features.run.schemes.compare_schemes`; all by default.
     plugins : sequence of str or Path
         Python files with components.
     progress : bool
@@ -52,139 +50,62 @@ def backlash_scenario(
     ComponentError
         If no axis has backlash.
     DivergenceError
-        If a run without a change runs away.
+        If a run without a change diverges.
     """
     from contourlab.features.run.schemes import loaded
 
     scenario = loaded(file, schemes, plugins)
-    texts, found = [], {}
+    studies = {}
     with shown(progress) as stages:
         for case in scenario.cases():
             stages.begin(f"planning {case.name}")
             reference = case.reference()
-            given: dict[str, Any] = {"seed": case.seed, "stage": stages.begin, "progress": stages.advance}
-            study = backlash_study(case.name, case.machine, case.controller, reference, **given)
-            texts.append("\n".join(_lines(study, case.machine)))
-            found[case.name] = _summary(study, case.machine)
-    return BacklashOutcome({"name": scenario.name, "schemes": found}, "\n\n".join(texts))
+            studies[case.name] = backlash_study(
+                case.name, case.machine, case.controller, reference, seed=case.seed, stage=stages.begin, progress=stages.advance
+            )
+    return BacklashOutcome(scenario.name, studies, scenario.cases()[0].machine.servo_period)
 
 
-def _microns(value: float) -> str:
-    return f"{value * 1e6:.3g} um"
-
-
-def _lines(study: BacklashStudy, machine: Machine) -> Iterator[str]:
-    yield study.name
-    for one in study.axes:
-        yield from _axis_lines(one, machine.servo_period)
-    if study.circle is not None:
-        seen = zip(study.circle.axes, study.circle.backlash, study.circle.deviation, strict=True)
-        told = ", ".join(f"{axis} {_microns(value)} +- {_microns(2.0 * deviation)}" for axis, value, deviation in seen)
-        yield f"  on the circle of the path, what the controller leaves: {told}"
-    yield "  part error, rms and largest:"
+def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:
+    """Yield the tables of a study, its findings and the recommended compensation."""
+    heads = ("gap in file [um]", "lost motion [um]", "motor and load: lost motion [um]", "motor alone: gap [um]", "confidence")
+    gaps = Table([Column("axis", left=True), *map(Column, heads)], name)
+    if study.on_circle is not None:
+        gaps.columns = [*gaps.columns, Column("left on the circle [um]")]
+    on_circle = {} if study.on_circle is None else dict(zip(study.on_circle.axes, study.on_circle.backlash, strict=True))
+    cycles = Table([Column("axis", left=True), Column("limit cycle", left=True), Column("frequency [Hz]"), Column("amplitude [um]")])
+    for axis, gap in study.axes.items():
+        pair, alone = gap.from_motor_and_load, gap.from_motor_alone
+        seen = NONE if pair is None else _plus_minus(pair.lost_motion, pair.deviation)
+        cells = [NONE, NONE] if alone is None else [_plus_minus(alone.gap, alone.deviation), f"{alone.confidence:.2f}"]
+        left = [] if study.on_circle is None else [number(1e6 * on_circle[axis]) if axis in on_circle else NONE]
+        gaps.add(axis, number(1e6 * gap.backlash_gap), number(1e6 * gap.lost_motion), seen, *cells, *left)
+        for kind, found in (("describing function", gap.describing_function), ("exact, no friction", gap.limit_cycles)):
+            for cycle in found or ():
+                cycles.add(axis, _kind(kind, cycle, period), number(cycle.frequency, 4), number(1e6 * cycle.amplitude))
+            if found == ():
+                cycles.add(axis, f"{kind}: none", NONE, NONE)
+    yield gaps.text()
+    yield cycles.text()
+    trials = Table([Column("compensation", left=True), Column("part error rms [um]"), Column("largest [um]"), Column("", left=True)])
     for trial in study.trials:
-        chosen = "  <- recommended" if trial is study.recommended else ""
-        if trial.metrics is None:
-            yield f"    {trial.name}: runs away"
-        else:
-            error = trial.metrics.part_error
-            yield f"    {trial.name}: {_microns(error.rms)}, {_microns(error.max)}{chosen}"
-    for remark in study.remarks:
-        yield f"  {remark}"
-    if study.recommended.parts:
-        yield "  to be put into the scenario:"
-        yield from (f"    {line}".rstrip() for line in _snippet(study.recommended, machine).splitlines())
+        errors = (NONE if error is None else number(1e6 * error) for error in (trial.part_error_rms, trial.part_error_max))
+        trials.add(trial.name, *errors, "recommended" if trial.name == study.recommended else "")
+    yield trials.text()
+    if study.findings:
+        yield paragraphs(map(str, study.findings))
+    if study.toml:
+        yield f"Add to the scenario:\n\n{study.toml.rstrip()}"
 
 
-def _axis_lines(one: AxisGap, period: float) -> Iterator[str]:
-    yield f"  axis {one.axis}: free travel {_microns(one.gap)} in the machine file, lost motion with friction {_microns(one.lost_motion)}"
-    if one.pair is not None:
-        spread = _microns(2.0 * one.pair.lost_motion_deviation)
-        gap = "" if math.isnan(one.pair.gap) else f", of it free travel {_microns(one.pair.gap)}"
-        yield f"    from motor and load in the run: lost motion {_microns(one.pair.lost_motion)} (scatter {spread}){gap}"
-    if one.motor_side is not None:
-        seen, deviation, confidence = one.motor_side
-        yield f"    from the motor alone: free travel {_microns(seen)} +- {_microns(2.0 * deviation)}, confidence {confidence:.2f}"
-    if one.prediction is not None:
-        cycles = [f"{_cycle(c, period)} ({c.validity.partition(':')[0]})" for c in one.prediction.cycles]
-        yield f"    limit cycles, describing function: {'; '.join(cycles) or 'none'}"
-    if one.orbits is not None:
-        orbits = [_cycle(orbit, period) for orbit in one.orbits.orbits]
-        free = "without friction" + (", half gaps of the laws, hysteresis and hand-over" if one.prediction is None else "")
-        yield f"    limit cycles, exact, {free}: {'; '.join(orbits) or 'none found'}"
-    for remark in one.remarks:
-        yield f"    {remark}"
+def _plus_minus(value: float, deviation: float) -> str:
+    """Return a value [m] in um with twice its standard deviation."""
+    return f"{number(1e6 * value)} +- {number(2e6 * deviation)}"
 
 
-def _cycle(cycle: LimitCycle | PeriodicOrbit, period: float) -> str:
-    frequency = cycle.frequency / (2.0 * math.pi)
-    short = f" (roughly: {1.0 / (frequency * period):.2g} servo periods long)" if frequency * period > FEW else ""
-    return f"{'stable' if cycle.stable else 'unstable'}, {frequency:.4g} Hz, {_microns(cycle.amplitude)}{short}"
-
-
-def _snippet(trial: Trial, machine: Machine) -> str:
-    """Return the compensation as TOML."""
-    from contourlab.scenario.dump import component_table
-    from contourlab.scenario.toml_text import toml
-
-    def units(name: str) -> tuple[str, str]:
-        plant = machine.axis(name).plant
-        return plant.command_unit, plant.force_unit
-
-    axes = {name: {HOLDING: component_table(_rounded(part, units(name)), units(name))} for name, part in trial.parts.items()}
-    return toml({"controller": {"axes": axes}})
-
-
-def _rounded(part: Component, units: tuple[str, str]) -> Component:
-    """Return a component with numbers of three digits in the units that people write them in."""
-    found = {}
-    for name, parameter in ((name, known.for_plant(*units)) for name, known in type(part).parameters.items()):
-        value = getattr(part, name)
-        if isinstance(value, float) and math.isfinite(value) and not parameter.whole:
-            shown = parameter.display or parameter.unit
-            found[name] = to_si(f"{from_si(value, shown):.3g} {shown}", parameter.unit) if shown else float(f"{value:.3g}")
-    made: Component = part.replace(**found)
-    return made
-
-
-def _summary(study: BacklashStudy, machine: Machine) -> dict[str, Any]:
-    """Return a study as JSON holds it, SI throughout, frequencies in Hz."""
-    circle, recommended = study.circle, study.recommended
-    return {
-        "axes": {one.axis: _axis_summary(one) for one in study.axes},
-        "on_circle": None if circle is None else dict(zip(circle.axes, zip(circle.backlash, circle.deviation, strict=True), strict=True)),
-        "trials": [_trial_summary(trial) for trial in study.trials],
-        "recommended": recommended.name,
-        "toml": _snippet(recommended, machine) if recommended.parts else None,
-        "remarks": list(study.remarks),
-    }
-
-
-def _axis_summary(one: AxisGap) -> dict[str, Any]:
-    pair, seen = one.pair, one.motor_side
-    return {
-        "backlash_gap": one.gap,
-        "lost_motion": one.lost_motion,
-        "from_motor_and_load": None
-        if pair is None
-        else {"lost_motion": pair.lost_motion, "deviation": pair.lost_motion_deviation, "gap": pair.gap},
-        "from_motor_alone": None if seen is None else dict(zip(("gap", "deviation", "confidence"), seen, strict=True)),
-        "describing_function": None
-        if one.prediction is None
-        else [_cycle_summary(cycle) | {"validity": cycle.validity} for cycle in one.prediction.cycles],
-        "limit_cycles": None if one.orbits is None else [_cycle_summary(orbit) for orbit in one.orbits.orbits],
-        "remarks": list(one.remarks),
-    }
-
-
-def _cycle_summary(cycle: LimitCycle | PeriodicOrbit) -> dict[str, Any]:
-    return {"frequency": cycle.frequency / (2.0 * math.pi), "amplitude": cycle.amplitude, "stable": cycle.stable}
-
-
-def _trial_summary(trial: Trial) -> dict[str, Any]:
-    error = None if trial.metrics is None else trial.metrics.part_error
-    return {
-        "name": trial.name,
-        "part_error_rms": None if error is None else error.rms,
-        "part_error_max": None if error is None else error.max,
-    }
+def _kind(kind: str, cycle: Cycle, period: float) -> str:
+    """Name a limit cycle, and say where the sampled loop may differ."""
+    notes = [cycle.validity.partition(":")[0]] if cycle.validity else []
+    if cycle.frequency * period > FEW:
+        notes.append(f"{figure(1.0 / (cycle.frequency * period), digits=2)} servo periods long")
+    return f"{kind}: {'stable' if cycle.stable else 'unstable'}" + (f" ({', '.join(notes)})" if notes else "")

@@ -1,4 +1,4 @@
-"""``contourlab canon``: the moves of a part program, one after another, as a canonical list."""
+"""``contourlab canon``: the moves of a part program as a canonical list."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "nurbs", Dwell
 _CONTROLS = {None: "exact_path", "exact_path": "exact_path", "exact_stop": "exact_stop", "blend": "continuous"}
 _PLANES: dict[Plane, str] = {"XY": "XY", "YZ": "YZ", "ZX": "XZ"}
 IN_MEMORY = 16_000_000
-"""Characters of output that are held in memory; more of them wait in a temporary file until the whole program is known to be good."""
+"""Characters of output held in memory; more go to a temporary file until the whole program is read."""
 
 
 def _shown(point: Point, tool: Point) -> list[float]:
-    """Return the tool's tip [mm] where the axes are at a point [m]."""
+    """Return the tool tip [mm] for axes at a point [m]."""
     return [_mm(a - b) for a, b in zip(point, tool, strict=True)]
 
 
@@ -34,20 +34,20 @@ def canonical(move: Move, feedrate: float) -> dict[str, Any]:
     ----------
     move : Move
     feedrate : float [m/s]
-        In force, for traverses, which do not use it.
+        In force; listed for traverses, which do not use it.
 
     Returns
     -------
     dict
-        Lengths in mm, feed in mm/min, positions those of the tool's tip in machine coordinates: kind, start, end, abc (always 0: there
-        are no rotary axes), feed, line, path_mode, blend_tol (None under exact path and stop; 0 for G64 without P), tlo (tool offset,
-        not in the positions). Arcs have plane, centre (at the height of the end) and turns (> 0 counterclockwise); splines their degree,
-        points, weights and knots; dwells kind, seconds and line alone.
+        Lengths in mm, feed in mm/min, positions of the tool tip in machine coordinates. Keys: kind, start, end, abc (always 0: there are
+        no rotary axes), feed, line, path_mode, blend_tol (None in exact path and stop; 0 for G64 without P), tlo (tool offset, not in
+        the positions). Arcs add plane, centre (at the height of the end) and turns (> 0 counterclockwise); splines degree, points,
+        weights and knots. Dwells have kind, seconds and line.
     """
     if isinstance(move, Dwell):
         return {"kind": "dwell", "seconds": move.seconds, "line": move.source_line}
     mode = move.mode
-    found: dict[str, Any] = {
+    fields: dict[str, Any] = {
         "kind": _KINDS[type(move)],
         "start": _shown(move.start, mode.tool),
         "end": _shown(move.end, mode.tool),
@@ -62,38 +62,38 @@ def canonical(move: Move, feedrate: float) -> dict[str, Any]:
         normal = move.directions()[2]
         rise = sum((end - centre) * n for end, centre, n in zip(move.end, move.centre, normal, strict=True))
         x, y, z = (centre + rise * n for centre, n in zip(move.centre, normal, strict=True))
-        found |= {"plane": _PLANES[move.plane], "centre": _shown((x, y, z), mode.tool), "turns": move.turns}
+        fields |= {"plane": _PLANES[move.plane], "centre": _shown((x, y, z), mode.tool), "turns": move.turns}
     elif isinstance(move, Spline):
         points = [_shown(point, mode.tool) for point in move.points]
-        found |= {"degree": move.degree, "points": points, "weights": list(move.weights), "knots": list(move.knots)}
-    return found
+        fields |= {"degree": move.degree, "points": points, "weights": list(move.weights), "knots": list(move.knots)}
+    return fields
 
 
 def canonical_moves(reader: Reader) -> Iterator[dict[str, Any]]:
     """Yield the moves of a reader with the fields of `canonical`."""
     state = reader.state
     for move in reader.moves():
-        state.events.clear()  # nobody asks for them here, and a program may have one on every line
-        turning = state.speed / 60.0 if state.feed_mode == "per_turn" else 1.0
-        yield canonical(move, state.feedrate * turning)
+        state.events.clear()  # unused here, and there may be one on every line
+        per_turn = state.speed / 60.0 if state.feed_mode == "per_turn" else 1.0
+        yield canonical(move, state.feedrate * per_turn)
 
 
 def write_canon(file: str | Path, out: TextIO, *, as_json: bool, reading: Reading | None = None) -> list[str]:
-    """Write the moves of a part program; nothing is written if it has a fault.
+    """Write the moves of a part program; write nothing if it has a fault.
 
     Parameters
     ----------
     file : str or Path
     out : text stream
     as_json : bool
-        One JSON document, ``{"moves": [...]}``, instead of one line for each move.
+        One JSON document, ``{"moves": [...]}``, in place of one line per move.
     reading : Reading, optional
         By default a program need not say where it ends.
 
     Returns
     -------
     list of str
-        Where the reader was lenient.
+        Notices of the reader.
 
     Raises
     ------
@@ -101,15 +101,15 @@ def write_canon(file: str | Path, out: TextIO, *, as_json: bool, reading: Readin
         If the program has a fault, with its line.
     """
     chosen = reading or Reading(require_end=False)
-    with open_program(file, chosen, still=True) as reader, tempfile.SpooledTemporaryFile(IN_MEMORY, "w+", encoding="utf-8") as kept:
-        kept.write('{"moves": [' if as_json else "")
+    with open_program(file, chosen, still=True) as reader, tempfile.SpooledTemporaryFile(IN_MEMORY, "w+", encoding="utf-8") as buffer:
+        buffer.write('{"moves": [' if as_json else "")
         before = "\n"
         for move in canonical_moves(reader):
-            kept.write(before + json.dumps(move) if as_json else _line(move))
+            buffer.write(before + json.dumps(move) if as_json else _line(move))
             before = ",\n"
-        kept.write("\n]}\n" if as_json else "")
-        kept.seek(0)
-        while part := kept.read(1 << 20):
+        buffer.write("\n]}\n" if as_json else "")
+        buffer.seek(0)
+        while part := buffer.read(1 << 20):
             out.write(part)
         out.flush()
         return [f"{file}:{notice.line}:{notice.column}: {notice.message}" for notice in reader.notices]

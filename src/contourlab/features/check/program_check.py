@@ -1,52 +1,123 @@
-"""``contourlab check``: everything that can be said of a part program without simulating it."""
+"""``contourlab check``: faults, extent, feeds and cycle time of a part program, without simulating it."""
 
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from contourlab.errors import ContourlabError, ProgramError
+from contourlab.findings import Finding, finding
 from contourlab.program import Arc, Dwell, Feed, Program, Reading, Spline, Traverse, read_program
+from contourlab.report.table import paragraphs
 
 DEFAULT_MACHINE = "builtin:xyz"
 MOST_FEEDS = 12
+"""Most feedrates that are printed one by one."""
 TRAVEL_ROUNDING = 1e-9
 """[m]"""
 _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "spline", Dwell: "dwell"}
 
 
 @dataclass(frozen=True)
-class Checked:
-    """What was found.
+class Message:
+    """A fault, or a notice of the reader; line and column are 0 where there is none."""
 
-    Parameters
+    message: str
+    line: int = 0
+    column: int = 0
+    file: str = ""
+
+    def text(self, program: str, note: str = "") -> str:
+        """Return ``file:line:column: message``."""
+        place = "".join(f"{number}:" for number in (self.line, self.column) if self.line and number)
+        return f"{self.file or program}:{place} {note}{self.message}"
+
+
+@dataclass(frozen=True)
+class Checked:
+    """The result of a check; as JSON field by field.
+
+    Attributes
     ----------
-    good : bool
-        Whether the program can be run as it is.
-    summary : dict
-        For ``--json``.
-    text : str
-        For people.
+    program : str
+    problems, notices : tuple of Message
+        Faults, and where the reader was lenient.
+    n_line : int
+    moves : dict of str to int
+        By kind.
+    feeds_mm_per_min, spindle_speeds : tuple of float
+    tools : tuple of int
+    findings : tuple of Finding
+    length : dict of str to float [m]
+        Of feed and rapid moves; None without moves, as all below.
+    box : dict of str to (float, float) [m]
+        By axis.
+    cycle_time, dwell, feed_time_without_acceleration : float [s]
+    machine : dict of str to str
+        Name and file.
     """
 
-    good: bool
-    summary: dict[str, Any]
-    text: str
+    program: str
+    problems: tuple[Message, ...]
+    notices: tuple[Message, ...]
+    n_line: int
+    moves: dict[str, int]
+    feeds_mm_per_min: tuple[float, ...]
+    spindle_speeds: tuple[float, ...]
+    tools: tuple[int, ...]
+    findings: tuple[Finding, ...] = ()
+    length: dict[str, float] = field(default_factory=dict)
+    box: dict[str, tuple[float, float]] = field(default_factory=dict)
+    cycle_time: float | None = None
+    dwell: float | None = None
+    feed_time_without_acceleration: float | None = None
+    machine: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def faults(self) -> int:
+        """How many faults there are."""
+        return len(self.problems) + sum(found.entry.severity == "error" for found in self.findings)
+
+    @property
+    def text(self) -> str:
+        """Return the result for the terminal."""
+        lines = [message.text(self.program) for message in self.problems]
+        lines += [message.text(self.program, "note: ") for message in self.notices]
+        lines += [paragraphs(map(str, self.findings))] if self.findings else []
+        lines.append(f"{self.faults} fault{'s' * (self.faults > 1)}" if self.faults else "no fault found")
+        return "\n".join([*lines, *(f"{name:<12}{value}" for name, value in self._rows())])
+
+    def _rows(self) -> list[tuple[str, str]]:
+        rows = [("lines", f"{self.n_line}"), ("moves", ", ".join(f"{n} {kind}" for kind, n in self.moves.items()) or "none")]
+        for name, (low, high) in self.box.items():
+            rows.append((f"box {name}", f"{low * 1e3:.6g} .. {high * 1e3:.6g} mm ({(high - low) * 1e3:.6g} mm)"))
+        if self.cycle_time is not None and self.feed_time_without_acceleration is not None:
+            rows.append(("path", f"{self.length['feed'] * 1e3:.6g} mm feed, {self.length['rapid'] * 1e3:.6g} mm rapid"))
+            ideal = _duration(self.feed_time_without_acceleration)
+            detail = f"dwells {self.dwell:.3g} s; feed moves alone at their feedrates {ideal}"
+            rows.append(("cycle time", f"{_duration(self.cycle_time)} on {self.machine['name']} ({detail})"))
+        feeds = self.feeds_mm_per_min
+        shown = [f"{feed:g}" for feed in feeds] if len(feeds) <= MOST_FEEDS else [f"{len(feeds)} from {feeds[0]:g} to {feeds[-1]:g}"]
+        rows.append(("feeds", (", ".join(shown) + " mm/min") if feeds else "none"))
+        if self.spindle_speeds:
+            rows.append(("spindle", ", ".join(f"{speed:g}" for speed in self.spindle_speeds) + " rpm"))
+        if self.tools:
+            rows.append(("tools", ", ".join(f"T{tool}" for tool in self.tools)))
+        return rows
 
 
 def check_program(file: str | Path, machine: str | Path | None = None, *, reading: Reading | None = None) -> Checked:
-    """Read a part program to its end, collecting its faults; work out its box, its feeds, and its cycle time on a machine.
+    """Read a part program to its end and collect its faults; compute its box, its feeds, and its cycle time on a machine.
 
     Parameters
     ----------
     file : str or Path
     machine : str or Path, optional
-        File, or name of a shipped machine: its limits give the cycle time, and a program that leaves its travel has a fault. By default
-        a shipped one, whose travel is told of only.
+        File, or name of a shipped machine: its limits give the cycle time, and leaving its travel is a fault. By default a shipped one,
+        whose travel is only compared.
     reading : Reading, optional
         By default a program need not say where it ends.
 
@@ -59,35 +130,30 @@ def check_program(file: str | Path, machine: str | Path | None = None, *, readin
     """
     problems: list[ProgramError] = []
     program = read_program(file, reading=reading or Reading(require_end=False), problems=problems)
-    summary: dict[str, Any] = {
-        "program": str(file),
-        "problems": [_problem(error) for error in problems],
-        "notices": [{"line": notice.line, "column": notice.column, "message": notice.message} for notice in program.notices],
-        "n_line": len(program.lines),
-        "moves": dict(Counter(_KINDS[type(move)] for move in program.moves)),
-        "feeds_mm_per_min": sorted({round(6e4 * move.feedrate, 6) for move in program.moves if not isinstance(move, Traverse | Dwell)}),
-        "spindle_speeds": sorted({event.value for event in program.events if event.word == "S" and event.value is not None}),
-        "tools": _tools(program),
-    }
-    if any(not isinstance(move, Dwell) for move in program.moves):
-        _add_motion(summary, program, machine)
-    return Checked(not summary["problems"], summary, _text(summary))
+    checked = Checked(
+        program=str(file),
+        problems=tuple(map(_problem, problems)),
+        notices=tuple(Message(notice.message, notice.line, notice.column) for notice in program.notices),
+        n_line=len(program.lines),
+        moves=dict(Counter(_KINDS[type(move)] for move in program.moves)),
+        feeds_mm_per_min=tuple(sorted({round(6e4 * m.feedrate, 6) for m in program.moves if not isinstance(m, Traverse | Dwell)})),
+        spindle_speeds=tuple(sorted({event.value for event in program.events if event.word == "S" and event.value is not None})),
+        tools=_tools(program),
+    )
+    return _with_motion(checked, program, machine) if any(not isinstance(move, Dwell) for move in program.moves) else checked
 
 
-def _tools(program: Program) -> list[int]:
-    changed, selected, found = [], 0.0, []
+def _tools(program: Program) -> tuple[int, ...]:
+    changed, selected = [], 0.0
     for event in program.events:
         selected = event.value or 0.0 if event.word == "T" else selected
         if event.word in ("M6", "M61"):
             changed.append(int(event.value if event.word == "M61" and event.value is not None else selected))
-    for tool in changed:
-        if tool not in found:
-            found.append(tool)
-    return found
+    return tuple(dict.fromkeys(changed))
 
 
-def _add_motion(summary: dict[str, Any], program: Program, chosen: str | Path | None) -> None:
-    """Add lengths, box, cycle time, and whether the path lies within the machine's travel."""
+def _with_motion(checked: Checked, program: Program, chosen: str | Path | None) -> Checked:
+    """Add lengths, box, cycle time, and whether the path leaves the machine's travel."""
     from contourlab.feed import blended, route_from_program
     from contourlab.feed.planner import plan_profile
     from contourlab.geometry.box import box
@@ -103,65 +169,34 @@ def _add_motion(summary: dict[str, Any], program: Program, chosen: str | Path | 
         limits = machine.planner_limits()
         profile = plan_profile(blended(route, limits), limits)
     except ContourlabError as error:
-        summary["problems"].append(_problem(error))
-        return
+        return replace(checked, problems=(*checked.problems, _problem(error)))
     lengths, feed = np.diff(route.path.breaks), ~route.rapid
-    dwell = float(route.dwell.sum()) + route.dwell_before
-    summary["length"] = {"feed": float(lengths[feed].sum()), "rapid": float(lengths[~feed].sum())}
-    summary["box"] = {name: [float(a), float(b)] for name, a, b in zip(machine.axis_names, low, high, strict=True)}
-    summary["cycle_time"] = profile.duration
-    summary["dwell"] = dwell
-    summary["feed_time_without_acceleration"] = float((lengths[feed] / route.feedrate[feed]).sum())
-    summary["machine"] = {"name": machine.name, "file": str(machine_file)}
-    for axis, (least, most) in zip(machine.axes, zip(low, high, strict=True), strict=True):
-        if least < axis.limits.travel[0] - TRAVEL_ROUNDING or most > axis.limits.travel[1] + TRAVEL_ROUNDING:
-            shown = f"{axis.limits.travel[0] * 1e3:g} to {axis.limits.travel[1] * 1e3:g} mm"
-            message = f"axis {axis.name} is sent to {least * 1e3:.6g} .. {most * 1e3:.6g} mm, its travel on {machine.name} is {shown}"
-            summary["notices" if chosen is None else "problems"].append({"file": "", "line": 0, "column": 0, "message": message})
+    extent = {name: (float(a), float(b)) for name, a, b in zip(machine.axis_names, low, high, strict=True)}
+    outside = []
+    for axis in machine.axes:
+        (least, most), (start, stop) = extent[axis.name], axis.limits.travel
+        if least < start - TRAVEL_ROUNDING or most > stop + TRAVEL_ROUNDING:
+            values = {"low": least, "high": most, "start": float(start), "stop": float(stop), "machine": machine.name}
+            outside.append(finding("CL471" if chosen is None else "CL470", f"axis {axis.name}", **values))
+    return replace(
+        checked,
+        findings=tuple(outside),
+        length={"feed": float(lengths[feed].sum()), "rapid": float(lengths[~feed].sum())},
+        box=extent,
+        cycle_time=profile.duration,
+        dwell=float(route.dwell.sum()) + route.dwell_before,
+        feed_time_without_acceleration=float((lengths[feed] / route.feedrate[feed]).sum()),
+        machine={"name": machine.name, "file": str(machine_file)},
+    )
 
 
-def _problem(error: ContourlabError) -> dict[str, Any]:
-    line, column = getattr(error, "line", 0), getattr(error, "column", 0)
-    return {"file": getattr(error, "file", ""), "line": line, "column": column, "message": getattr(error, "message", str(error))}
-
-
-def _text(summary: dict[str, Any]) -> str:
-    """Return the summary in words."""
-    lines = [f"{entry['file'] or summary['program']}:{_place(entry)} {entry['message']}" for entry in summary["problems"]]
-    lines += [f"{summary['program']}:{_place(entry)} note: {entry['message']}" for entry in summary["notices"]]
-    count = len(summary["problems"])
-    lines.append("no fault found" if not count else f"{count} fault{'s' * (count > 1)}")
-    rows = [("lines", f"{summary['n_line']}"), ("moves", ", ".join(f"{n} {kind}" for kind, n in summary["moves"].items()) or "none")]
-    if "box" in summary:
-        rows += [
-            (f"box {name}", f"{low * 1e3:.6g} .. {high * 1e3:.6g} mm ({(high - low) * 1e3:.6g} mm)")
-            for name, (low, high) in summary["box"].items()
-        ]
-        rows.append(("path", f"{summary['length']['feed'] * 1e3:.6g} mm feed, {summary['length']['rapid'] * 1e3:.6g} mm rapid"))
-        ideal = summary["feed_time_without_acceleration"]
-        rows.append(
-            (
-                "cycle time",
-                f"{_duration(summary['cycle_time'])} on {summary['machine']['name']} (dwells {summary['dwell']:.3g} s; "
-                f"feed moves alone at their feedrates {_duration(ideal)})",
-            )
-        )
-    feeds = summary["feeds_mm_per_min"]
-    shown = [f"{feed:g}" for feed in feeds] if len(feeds) <= MOST_FEEDS else [f"{len(feeds)} from {feeds[0]:g} to {feeds[-1]:g}"]
-    rows.append(("feeds", (", ".join(shown) + " mm/min") if feeds else "none"))
-    if summary["spindle_speeds"]:
-        rows.append(("spindle", ", ".join(f"{speed:g}" for speed in summary["spindle_speeds"]) + " rpm"))
-    if summary["tools"]:
-        rows.append(("tools", ", ".join(f"T{tool}" for tool in summary["tools"])))
-    return "\n".join([*lines, *(f"{name:<12}{value}" for name, value in rows)])
-
-
-def _place(entry: dict[str, Any]) -> str:
-    return f"{entry['line']}:{entry['column']}:" if entry["line"] and entry["column"] else f"{entry['line']}:" if entry["line"] else ""
+def _problem(error: ContourlabError) -> Message:
+    message, file = getattr(error, "message", str(error)), getattr(error, "file", "")
+    return Message(message, getattr(error, "line", 0), getattr(error, "column", 0), str(file))
 
 
 def _duration(seconds: float) -> str:
-    """Write a time as people read it.
+    """Write a time in hours, minutes and seconds.
 
     >>> _duration(4.25), _duration(3725.0)
     ('4.25 s', '1 h 2 min 5 s')

@@ -1,20 +1,21 @@
-"""``contourlab identify``: the model of an axis out of measured logs, as text, JSON, pictures and an axis file."""
+"""``contourlab identify``: the model of an axis from measured logs, as text, JSON, pictures and an axis file."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from contourlab.app.folder import check_file, staged
 from contourlab.app.json_values import json_values
+from contourlab.app.results import check_file, staged
 from contourlab.components.origin import Origin
-from contourlab.features.identify.finding import Figure, Finding, Picture
-from contourlab.features.identify.requests.register import study_of
-from contourlab.features.identify.requests.request import Request, listed
+from contourlab.features.identify.request import Request
+from contourlab.features.identify.result import Identified, Picture, join_names
 from contourlab.features.run.command import check_plots
+from contourlab.report.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted, toml
@@ -25,7 +26,16 @@ SHOWN = {"m": "um", "m/s": "m/min"}
 
 @dataclass(frozen=True)
 class Identification:
-    """What the command prints: whether the figures can be used and the file that was asked for is written, a summary, and text."""
+    """What the command prints.
+
+    Attributes
+    ----------
+    done : bool
+        Whether the figures can be used, and the file that was asked for is written.
+    summary : dict
+        As JSON.
+    text : str
+    """
 
     done: bool
     summary: dict[str, Any]
@@ -35,60 +45,62 @@ class Identification:
 def identify_log(
     request: Request, *, out: str | Path | None = None, plots: Sequence[str] = (), folder: str | Path = "results"
 ) -> Identification:
-    """Identify an axis and write the file of an axis that it makes.
+    """Identify an axis and write its axis file.
 
     Parameters
     ----------
     request : Request
         Model, logs and options.
     out : str or Path, optional
-        The axis file; none is written by default, nor where the figures are unusable.
+        The axis file; it is written only if the figures can be used.
     plots : sequence of str
-        png, svg or pdf, into ``plots`` in `folder`; what else is there stays.
+        png, svg or pdf, into ``plots`` in `folder`; other files there stay.
     folder : str or Path
 
     Raises
     ------
     LogError, ResultError
-        If a log cannot be read or lacks a signal, or the axis cannot be identified from the logs; says which.
+        If a log cannot be read or lacks a signal, or the axis cannot be identified; names the log.
     ParameterError
         If an option is out of range, or `out` is a file that is read.
     OutputError
-        If `out` or `folder` cannot be written; found before a log is read.
+        If `out` or `folder` cannot be written; before a log is read.
     """
     check_plots(plots)
-    study = study_of(request)
+    request.check()
     if out is not None:
         check_file(out, request.inputs)
+    drawn: list[Path] = []
     with staged(folder, inputs=request.inputs, option="--folder") if plots else nullcontext() as stage:
-        with request.about():
-            found = study(request)
-        found = replace(found, remarks=(*found.remarks, *request.doubts))
-        text = _text(found, request.notes)
+        identified = request.identify()
         if stage is not None:
-            text += "".join(f"\nplot: {Path(folder) / file.relative_to(stage)}" for file in _draw(found, stage / "plots", plots))
-    written = out is not None and found.usable and bool(found.tables)
+            from contourlab.report.plots import write_charts
+
+            files = write_charts([_chart(picture) for picture in identified.pictures], stage / "plots", plots)
+            drawn = [Path(folder) / file.relative_to(stage) for file in files]
+    lines = [_text(identified), *(f"plot: {file}" for file in drawn)]
+    written = out is not None and identified.usable and bool(identified.tables)
     if out is not None and written:
-        write_text_atomic(Path(out), axis_file(found))
-        text += f"\naxis file: {out}"
+        write_text_atomic(Path(out), axis_file(identified))
+        lines.append(f"axis file: {out}")
     elif out is not None:
-        why = "the figures cannot be used as they stand" if not found.usable else f"there is nothing for an axis file (model {found.model})"
-        text += f"\n{out} is not written: {why}"
-    summary = {**_summary(found), "notes": request.notes, "axis_file": str(out) if written else None}
-    return Identification(found.usable and (written or out is None), json_values(summary), text)
+        why = f"model {identified.model} gives none from these logs" if identified.usable else "the figures cannot be used"
+        lines.append(f"{out} is not written: {why}")
+    summary = json_values(identified) | json_values({**identified.details, "axis_file": str(out) if written else None})
+    return Identification(identified.usable and (written or out is None), summary, "\n".join(lines))
 
 
-def axis_file(found: Finding) -> str:
-    """Return the text of the axis file, with where each number is from behind it."""
-    together = [list(one) for one in found.correlations]
-    tables: dict[str, Any] = {"correlations": Noted(together, "of what was fitted together")} if together else {}
-    for name, rows in found.tables.items():
+def axis_file(identified: Identified) -> str:
+    """Return the text of the axis file, with the origin of each number."""
+    correlations = [list(pair) for pair in identified.correlations]
+    tables: dict[str, Any] = {"correlations": Noted(correlations, "of parameters fitted together")} if correlations else {}
+    for name, rows in identified.tables.items():
         tables[name] = {key: value if origin is None else _number(key, value, unit, origin) for key, (value, unit, origin) in rows.items()}
-    worth = "" if found.fit is None else f": fit {found.fit:.4g} %"
-    head = [f"# Axis {found.axis}, model {found.model}, identified from {listed(found.sources)}{worth}."]
+    fit = "" if identified.fit_percent is None else f": fit {identified.fit_percent:.4g} %"
+    head = [f"# Axis {identified.axis}, model {identified.model}, identified from {join_names(identified.logs)}{fit}."]
     if "plant" not in tables:
-        head.append("# Tables of an axis file; what is not in these logs is to be added.")
-    head += [f"# {remark}" for remark in found.remarks]
+        head.append("# Tables of an axis file; add those that these logs do not give.")
+    head += [f"# {finding}" for finding in identified.findings if finding.code != "CL400"]
     return "\n".join(head) + "\n\n" + toml(tables)
 
 
@@ -97,57 +109,28 @@ def _number(key: str, value: Any, unit: str, origin: Origin) -> Noted:
     return Noted(origin_table(f"{from_si(value, shown):.6g} {shown}", origin, lambda number: f"{from_si(number, shown):.3g} {shown}"))
 
 
-def _text(found: Finding, notes: Sequence[str]) -> str:
-    rows = [("parameter", "value", "unit", "deviation", "with colour", "%"), *(_cells(figure) for figure in found.figures)]
-    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    lines = [f"{listed(found.sources)}, axis {found.axis}"]
-    rows = rows if found.figures else []
-    lines += ["  ".join(c.ljust(w) if i in (0, 2) else c.rjust(w) for i, (c, w) in enumerate(zip(r, widths, strict=True))) for r in rows]
-    lines += [*([f"fit {found.fit:.4g} %"] if found.fit is not None else []), *found.lines]
-    lines += [f"note: {remark}" for remark in (*found.remarks, *notes)]
-    return "\n".join(lines)
-
-
-def _cells(figure: Figure) -> tuple[str, ...]:
-    share = 100.0 * figure.robust_deviation / abs(figure.value) if figure.value else float("inf")
-    told = (f"{figure.deviation:.3g}", f"{figure.robust_deviation:.3g}", f"{share:.2g}")
-    numbers = told if figure.robust_deviation else ("-", "-", "-")
-    return (figure.name, f"{figure.value:.6g}", figure.unit, *numbers)
-
-
-def _summary(found: Finding) -> dict[str, Any]:
-    return {
-        "log": found.sources[0],
-        "logs": list(found.sources),
-        "axis": found.axis,
-        "model": found.model,
-        "parameters": {
-            figure.name: {
-                "value": figure.value,
-                "unit": figure.unit,
-                "deviation": figure.deviation or None,
-                "robust_deviation": figure.robust_deviation or None,
-            }
-            for figure in found.figures
-        },
-        "fit_percent": found.fit,
-        "usable": found.usable,
-        "remarks": list(found.remarks),
-        **found.more,
-    }
-
-
-def _draw(found: Finding, folder: Path, plots: Sequence[str]) -> tuple[Path, ...]:
-    from contourlab.report.plots import write_charts
-
-    return write_charts([_chart(picture) for picture in found.pictures], folder, plots)
+def _text(identified: Identified) -> str:
+    parts = [f"{join_names(identified.logs)}, axis {identified.axis}, model {identified.model}"]
+    if identified.parameters:
+        heads = ("value", "deviation", "robust", "robust [%]")
+        table = Table([Column("parameter", left=True), *(Column(head) for head in heads), Column("unit", left=True)])
+        for name, x in identified.parameters.items():
+            share = 100.0 * x.robust_deviation / abs(x.value) if x.value else math.inf
+            deviations = (x.deviation, x.robust_deviation, share)
+            cells = ("-",) * 3 if math.isnan(x.robust_deviation) else (f"{value:.{2 + (i < 2)}g}" for i, value in enumerate(deviations))
+            table.add(name, f"{x.value:.6g}", *cells, x.unit)
+        parts.append(table.text())
+    parts += [] if identified.fit_percent is None else [f"fit {identified.fit_percent:.4g} %"]
+    parts += identified.lines
+    parts += [] if identified.points is None else [identified.points.text()]
+    return "\n".join([*parts, paragraphs(map(str, identified.findings))]).rstrip()
 
 
 def _chart(picture: Picture) -> Any:
     from contourlab.report.charts import Chart, Curve, Level, Panel
     from contourlab.report.style import scheme_style
 
-    # One name, one look, in all graphs of a picture: their legends are one.
+    # One look for each name in all graphs: they share the legend.
     names = list(dict.fromkeys(name for graph in picture.graphs for name in graph.curves))
     looks = {name: scheme_style(i, max(len(names), 2)) for i, name in enumerate(names)}
     panels = []

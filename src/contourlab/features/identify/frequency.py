@@ -1,54 +1,199 @@
-"""The frequency response of an axis out of logs with sines, a chirp, random noise or a multisine in them."""
+"""Frequency response of an axis from logs with sines, a chirp, noise or a multisine, and drive models fitted to it."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.analysis.identification.drive_fit import (
+    DriveFit,
+    damping_ratio,
+    fit_linear_motor,
+    fit_load_share,
+    fit_two_inertia,
+    held_response,
+    linear_motor,
+    load_side,
+    resonances,
+    two_inertia,
+)
+from contourlab.analysis.identification.filtered_motion import filtered_motion
+from contourlab.analysis.identification.fit_plausibility import mass_findings
 from contourlab.analysis.identification.frequency_response import (
     Measured,
     MeasuredResponse,
     is_sweep,
     period_of,
     periodic_response,
-    response_doubts,
+    response_findings,
     spectral_response,
     swept_response,
 )
 from contourlab.analysis.identification.sine_response import sine_responses, sine_stretch
-from contourlab.features.identify.finding import Drawn, Finding, Graph, Picture
-from contourlab.features.identify.signals import AxisRecord, one_unit
-from contourlab.logs.error_context import about
+from contourlab.components.origin import Origin
+from contourlab.errors import ParameterError
+from contourlab.features.identify.axis_tables import (
+    Effort,
+    Peak,
+    forces_of,
+    motion_limits,
+    plant_numbers,
+    rigid_tables,
+    two_inertia_numbers,
+    two_inertia_tables,
+)
+from contourlab.features.identify.records import TRAVEL, AxisRecord, common_unit, newton_option, reference_name
+from contourlab.features.identify.result import Drawn, Graph, Identified, Picture, Propagated, Tables, figures, propagate
+from contourlab.findings import Finding, finding
+from contourlab.logs.load import about
+from contourlab.report.table import Column, Table
 
+Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-SHOWN = 24
-"""Points that are printed; all are in the JSON."""
+PRINTED = 24
+"""Most points printed; all are in the JSON."""
 FEW = 40
-"""Points up to which each is drawn with its deviation."""
+"""Most points drawn one by one with their deviations."""
 COHERENT = 0.5
+MODEL_POINTS = 400
+"""Points of a model's curve."""
+BEYOND, BELOW_NYQUIST = 2.0, 0.4
+"""Cut-off for accelerations: over the highest fitted frequency, and at most over the sampling frequency."""
+SMOOTHED, SLOW, RARELY = 0.005, 0.1, 0.05
+"""Interval [s] of a speed, share of the top speed that counts as motion, share of the samples that counts as turning round."""
 
 
-def measured_response(records: Sequence[AxisRecord]) -> MeasuredResponse:
-    """Return position over command of an axis, by the method that its excitation asks for.
+def identify_response(records: Sequence[AxisRecord]) -> Identified:
+    """Return the frequency response of an axis with coherence and deviations.
 
     Parameters
     ----------
     records : sequence of AxisRecord
-        With the command, or the force; where the loop was closed with the reference.
+        With the command or the force; in closed loop with the reference.
 
     Raises
     ------
     ResultError
         If a log has no command, or commands are in different units.
     LogError
-        If command or position of a record do not change; says which.
+        If command or position of a record do not change; names the log.
     ParameterError
-        If a record is too short, or has nothing that can be trusted.
+        If a record is too short, or its response is noise.
     """
-    one_unit(records, "one response")
+    response, unit = _measured_response(records), records[0].unit
+    weak = int(np.count_nonzero(response.coherence < COHERENT))
+    low = [finding("CL507", limit=COHERENT, count=weak, points=response.frequency.size)] if weak else []
+    doubts = response_findings(response)
+    title = f"Frequency response of axis {records[0].axis}"
+    return Identified(
+        "frequency-response",
+        records[0].axis,
+        tuple(record.source for record in records),
+        {},
+        None,
+        weak < 0.9 * response.frequency.size and not doubts,
+        (*response.findings, *low, *doubts),
+        details={"method": response.method, "points": _json_points(response, unit)},
+        lines=(response.method,),
+        points=_point_table(response, unit),
+        pictures=(Picture("bode", title, _bode_graphs(response, unit), response.method),),
+    )
+
+
+def identify_linear_motor(records: Sequence[AxisRecord]) -> Identified:
+    """Fit mass, damping and delay of a drive to its frequency response.
+
+    Parameters
+    ----------
+    records : sequence of AxisRecord
+        As of `identify_response`.
+
+    Raises
+    ------
+    ResultError, ParameterError
+        If the response cannot be measured, or the model not fitted to it.
+    """
+    response = _measured_response(records)
+    fit, forces = fit_linear_motor(response), forces_of(records)
+    uncertainty = _propagated(fit, lambda x: plant_numbers(forces, 1.0 / x["M"], x["B"] / x["M"]) | {"drive.delay": x["delay"]})
+    tables: Tables = {}
+    if fit.usable:
+        tables = rigid_tables(
+            records,
+            forces,
+            1.0 / fit["M"],
+            fit["B"] / fit["M"],
+            lambda name, note="": uncertainty.origin(reference_name(records), name, note or "frequency response"),
+            delay=fit["delay"],
+            peak=_peak(records, fit),
+        )
+    return _identified("linear-motor", records, response, fit, tables, uncertainty)
+
+
+def identify_two_inertia(
+    records: Sequence[AxisRecord], side: str = "motor", lead: float | None = None, motor_inertia: float | None = None
+) -> Identified:
+    """Fit two inertias, their shaft, damping and delay of a drive to its frequency response.
+
+    Parameters
+    ----------
+    records : sequence of AxisRecord
+    side : str
+        Where the position is measured, ``"motor"`` or ``"load"``.
+    lead : float [m], optional
+        Travel per turn; an axis file needs it.
+    motor_inertia : float [kg m^2], optional
+        Of motor and screw, from a data sheet: the response at the load does not show it, and an axis file needs it. Used with a lead and
+        commands that are forces.
+
+    Raises
+    ------
+    ResultError, ParameterError
+        If the response cannot be measured, or the model not fitted to it; if the motor's inertia is given for the side of the motor, or
+        exceeds the whole.
+    """
+    if motor_inertia is not None and side == "motor":
+        raise ParameterError("motor_inertia", f"{motor_inertia:g} kg*m^2", "left out: at the motor it is measured")
+    response, unit = _measured_response(records), records[0].unit
+    fit = fit_two_inertia(response, side)
+    if motor_inertia is not None and lead is not None and unit == "N" and fit.usable:
+        fit = _with_motor(response, fit, motor_inertia, lead)
+    tables: Tables = {}
+    uncertainty, findings = Propagated({}), []
+    missing = [] if lead is not None else [TRAVEL]
+    missing += ["--motor-inertia, of motor and screw"] if side == "load" and motor_inertia is None else []
+    missing += [] if unit == "N" else [newton_option(records[0].logged)]
+    if fit.usable and missing:
+        findings.append(finding("CL504", options=tuple(dict.fromkeys(missing))))
+    elif fit.usable and lead is not None:
+        note = "frequency response at the load, with the motor's inertia as given" if fit.given else "frequency response"
+        uncertainty = _propagated(fit, lambda x: two_inertia_numbers(lead, {**fit.given, **x}))
+
+        def origin(name: str) -> Origin:
+            return uncertainty.origin(reference_name(records), name, note)
+
+        effort = Effort(forces_of(records), 1.0 / fit.whole_mass, fit["damping"] / fit.whole_mass)
+        limits = motion_limits(records, effort, _peak(records, fit))
+        tables = two_inertia_tables(records, lead, fit.parameters, fit.given, origin, limits)
+    return _identified("two-inertia", records, response, fit, tables, uncertainty, findings)
+
+
+def _with_motor(response: MeasuredResponse, whole: DriveFit, motor_inertia: float, lead: float) -> DriveFit:
+    """Return the fit at the load with the motor's inertia given."""
+    arm = lead / (2.0 * math.pi)
+    if motor_inertia >= whole["mass"] * arm**2:
+        bound = f"below the whole inertia of the response, {whole['mass'] * arm**2:.4g}"
+        raise ParameterError("motor_inertia", f"{motor_inertia:.4g}", bound, "kg*m^2")
+    return fit_load_share(response, whole, motor_inertia / arm**2)
+
+
+def _measured_response(records: Sequence[AxisRecord]) -> MeasuredResponse:
+    """Return position over command of an axis, by the method that suits the excitation."""
+    common_unit(records, "one response")
     runs = [_run(record) for record in records]
     excitations = [run.command if run.outside is None else run.outside for run in runs]
     if any(sine_stretch(excitation, run.period) is not None for excitation, run in zip(excitations, runs, strict=True)):
@@ -62,102 +207,137 @@ def measured_response(records: Sequence[AxisRecord]) -> MeasuredResponse:
 
 
 def _run(record: AxisRecord) -> Measured:
+    # A reference that moves means a closed loop: the reference, unlike the command, is free of noise.
+    closed = record.reference is not None and np.ptp(record.reference) > 0.0
     with about(record.source):
-        return Measured(record.period, record.driven(), record.position, _outside(record))
+        return Measured(record.period, record.driven(), record.position, record.reference if closed else None)
 
 
-def _outside(record: AxisRecord) -> Any:
-    """Return the reference where it moves: the loop is closed then, and it is what is free of noise."""
-    return None if record.reference is None or not np.ptp(record.reference) > 0.0 else record.reference
+def _propagated(fit: DriveFit, numbers: Callable[[Mapping[str, float]], Mapping[str, float]]) -> Propagated:
+    found = fit.found
+    return propagate(numbers, found.names, found.values, found.robust_deviations, found.correlation)
 
 
-def response_points(found: MeasuredResponse, unit: str) -> list[dict[str, Any]]:
-    """Return the points for JSON: gain of the position [m per command], phase, relative deviation, coherence, distortion."""
-    return [
-        {
-            "frequency": float(f),
-            "gain": float(abs(h)),
-            "unit": f"m/{unit}" if unit else "m",
-            "phase_deg": float(np.degrees(np.angle(h))),
-            "relative_deviation": float(d),
-            "coherence": float(c),
-            "harmonic_distortion": None if np.isnan(t) else float(t),
-        }
-        for f, h, d, c, t in zip(found.frequency, found.response, found.deviation, found.coherence, found.distortion, strict=True)
-    ]
+def _peak(records: Sequence[AxisRecord], fit: DriveFit) -> Peak:
+    """Return the largest acceleration up to the fitted frequencies; above them counts and noise dominate."""
+    peaks = []
+    for record in records:
+        cutoff = min(BEYOND * float(fit.frequency[-1]), BELOW_NYQUIST / record.period)
+        ends = math.ceil(1.0 / (cutoff * record.period))
+        acceleration = filtered_motion(record.position, record.period, cutoff=cutoff).acceleration
+        peaks.append(float(np.abs(acceleration[ends:-ends]).max(initial=0.0)))
+    return Peak(max(peaks))
 
 
-def identify_response(records: Sequence[AxisRecord]) -> Finding:
-    """Return the frequency response of an axis with coherence and deviations.
-
-    Parameters
-    ----------
-    records : sequence of AxisRecord
-
-    Raises
-    ------
-    ResultError, ParameterError
-        As of `measured_response`.
-    """
-    found = measured_response(records)
-    unit = records[0].unit
-    weak = int(np.count_nonzero(found.coherence < COHERENT))
-    remarks = list(found.remarks)
-    if weak:
-        remarks.append(
-            f"{weak} of {found.frequency.size} points have a coherence below {COHERENT:g}: noise, friction or too little excitation"
-        )
-    doubts = response_doubts(found)
-    remarks += doubts
-    usable = weak < 0.9 * found.frequency.size and not doubts
-    chart = Picture("bode", f"Frequency response of axis {records[0].axis}", bode_graphs(found, unit), found.method)
-    return Finding(
-        "frequency-response",
+def _identified(
+    model: str,
+    records: Sequence[AxisRecord],
+    response: MeasuredResponse,
+    fit: DriveFit,
+    tables: Tables,
+    uncertainty: Propagated,
+    findings: Sequence[Finding] = (),
+) -> Identified:
+    unit, found = records[0].unit, fit.found
+    units = _units(unit)
+    on_mass, possible = mass_findings(fit.whole_mass) if unit == "N" else ([], True)
+    findings = [*response.findings, *fit.findings, *findings, *on_mass, *_turning_findings(records, response)]
+    if unit != "N":
+        findings.append(finding("CL503", unit=units["mass"], option=newton_option(records[0].logged)))
+    fitted = f"fitted to {fit.frequency.size} points, {fit.frequency[0]:.4g} to {fit.frequency[-1]:.4g} Hz"
+    return Identified(
+        model,
         records[0].axis,
         tuple(record.source for record in records),
-        (),
-        None,
-        usable,
-        tuple(remarks),
-        pictures=(chart,),
-        lines=(found.method, *_table(found, unit)),
-        more={"method": found.method, "points": response_points(found, unit)},
+        figures(found.names, found.values, found.deviations, found.robust_deviations, units.__getitem__),
+        fit.fit,
+        fit.usable and possible,
+        tuple(findings),
+        details={"method": response.method, "condition_number": found.condition_number, "points": _json_points(response, unit)},
+        lines=(response.method, fitted, *(_resonance_lines(fit) if model == "two-inertia" else ())),
+        tables=tables,
+        correlations=uncertainty.correlations if tables else (),
+        pictures=_pictures(records[0].axis, model, response, fit, unit),
     )
 
 
-def _table(found: MeasuredResponse, unit: str) -> tuple[str, ...]:
-    chosen = np.arange(found.frequency.size)
-    if chosen.size > SHOWN:
-        wanted = np.geomspace(found.frequency[0], found.frequency[-1], SHOWN)
-        chosen = np.unique(np.searchsorted(found.frequency, wanted).clip(0, chosen.size - 1))
-    rows = [f"frequency [Hz]  velocity [mm/s/{unit or 'command'}]  phase [deg]  deviation  coherence  harmonics"]
+def _units(unit: str) -> dict[str, str]:
+    """Return the units of the parameters."""
+    force = unit or "command"
+    mass, loss = ("kg", "N*s/m") if unit == "N" else (f"{force}*s^2/m", f"{force}*s/m")
+    units = dict.fromkeys(("M", "mass", "motor_mass", "load_mass"), mass) | dict.fromkeys(("B", "damping", "shaft_damping"), loss)
+    return units | {"delay": "s", "stiffness": f"{force}/m", "resonance": "Hz", "damping_ratio": ""}
+
+
+def _resonance_lines(fit: DriveFit) -> tuple[str, ...]:
+    """Return the resonance of two masses; none where it is a parameter itself."""
+    if "resonance" in fit.parameters:
+        return ()
+    resonance, antiresonance = resonances(fit.parameters)
+    given = "".join(f", {name} {value:.4g} as given" for name, value in fit.given.items())
+    ratio = damping_ratio(fit.parameters)
+    return (f"resonance {resonance:.4g} Hz with a damping ratio of {ratio:.3g}, antiresonance {antiresonance:.4g} Hz{given}",)
+
+
+def _turning_findings(records: Sequence[AxisRecord], response: MeasuredResponse) -> list[Finding]:
+    """Return the logs in which the axis turns round, where no harmonics show its friction."""
+    if not np.isnan(response.distortion).all():
+        return []
+    turning = []
+    for record in records:
+        stride = max(1, round(SMOOTHED / record.period))
+        speed = np.diff(record.position[::stride])
+        moving = speed[np.abs(speed) > SLOW * np.abs(speed).max()]
+        if min(np.mean(moving > 0.0), np.mean(moving < 0.0)) > RARELY:
+            turning.append(record.source)
+    return [finding("CL506", logs=tuple(turning))] if turning else []
+
+
+def _json_points(response: MeasuredResponse, unit: str) -> list[dict[str, Any]]:
+    """Return the points for JSON: gain of the position [m per command], phase, relative deviation, coherence, distortion."""
+    r = response
+    columns = {
+        "frequency": r.frequency,
+        "gain": [abs(h) for h in r.response],
+        "phase_deg": [np.degrees(np.angle(h)) for h in r.response],
+        "relative_deviation": r.deviation,
+        "coherence": r.coherence,
+        "harmonic_distortion": r.distortion,
+    }
+    return [{"unit": f"m/{unit}" if unit else "m", **dict(zip(columns, row, strict=True))} for row in zip(*columns.values(), strict=True)]
+
+
+def _point_table(response: MeasuredResponse, unit: str) -> Table:
+    chosen = np.arange(response.frequency.size)
+    if chosen.size > PRINTED:
+        wanted = np.geomspace(response.frequency[0], response.frequency[-1], PRINTED)
+        chosen = np.unique(np.searchsorted(response.frequency, wanted).clip(0, chosen.size - 1))
+    heads = ("frequency [Hz]", f"velocity [mm/s/{unit or 'command'}]", "phase [deg]", "deviation [%]", "coherence", "harmonics [%]")
+    table = Table([Column(head) for head in heads])
     for i in chosen:
-        harmonics = "" if np.isnan(found.distortion[i]) else f"{100.0 * found.distortion[i]:.2g} %"
-        gain, phase = 1e3 * abs(found.velocity[i]), np.degrees(np.angle(found.velocity[i]))
-        deviation = f"{100.0 * found.deviation[i]:.2g} %"
-        rows.append(f"{found.frequency[i]:14.4g}  {gain:16.4g}  {phase:11.4g}  {deviation:>9}  {found.coherence[i]:9.3f}  {harmonics:>9}")
-    return tuple(rows)
+        velocity, harmonics = response.velocity[i], response.distortion[i]
+        table.add(
+            f"{response.frequency[i]:.4g}",
+            f"{1e3 * abs(velocity):.4g}",
+            f"{np.degrees(np.angle(velocity)):.4g}",
+            f"{100.0 * response.deviation[i]:.2g}",
+            f"{response.coherence[i]:.3f}",
+            "" if np.isnan(harmonics) else f"{100.0 * harmonics:.2g}",
+        )
+    return table
 
 
-def bode_graphs(found: MeasuredResponse, unit: str, model: tuple[NDArray[np.float64], Complex] | None = None) -> tuple[Graph, ...]:
-    """Return magnitude, phase and coherence over frequency, with a model's curve where there is one.
-
-    Parameters
-    ----------
-    found : MeasuredResponse
-    unit : str
-        Of the command.
-    model : (frequency, velocity response), optional
-    """
-    f, velocity = found.frequency, found.velocity
+def _bode_graphs(response: MeasuredResponse, unit: str, model: tuple[Array, Complex] | None = None) -> tuple[Graph, ...]:
+    """Return magnitude, phase and coherence over frequency, with a model's velocity response where there is one."""
+    f, velocity = response.frequency, response.velocity
     size, phase = 1e3 * np.abs(velocity), np.degrees(np.unwrap(np.angle(velocity)))
     gains: dict[str, Drawn] = {"measured": (f, size)}
     phases: dict[str, Drawn] = {"measured": (f, phase)}
-    alike: dict[str, Drawn] = {"coherence": (f, found.coherence)}
+    coherence: dict[str, Drawn] = {"coherence": (f, response.coherence)}
     if f.size <= FEW:
-        gains = {"measured, two deviations": (f, size, 2.0 * size * found.deviation)}
-        phases = {"measured, two deviations": (f, phase, np.degrees(2.0 * found.deviation))}
-        alike = {"coherence": (f, found.coherence, np.zeros(f.size))}
+        gains = {"measured, two deviations": (f, size, 2.0 * size * response.deviation)}
+        phases = {"measured, two deviations": (f, phase, np.degrees(2.0 * response.deviation))}
+        coherence = {"coherence": (f, response.coherence, np.zeros(f.size))}
     if model is not None:
         turn = np.degrees(np.unwrap(np.angle(model[1])))
         turn += 360.0 * round((float(np.interp(f[0], model[0], turn)) - phase[0]) / -360.0)
@@ -166,5 +346,32 @@ def bode_graphs(found: MeasuredResponse, unit: str, model: tuple[NDArray[np.floa
     return (
         Graph("frequency [Hz]", f"velocity [mm/s/{unit or 'command'}]", gains, log_x=True, log_y=True),
         Graph("frequency [Hz]", "phase [deg]", phases, log_x=True),
-        Graph("frequency [Hz]", "coherence", alike, log_x=True),
+        Graph("frequency [Hz]", "coherence", coherence, log_x=True),
     )
+
+
+def _pictures(axis: str, model: str, response: MeasuredResponse, fit: DriveFit, unit: str) -> tuple[Picture, ...]:
+    f = np.geomspace(response.frequency[0], response.frequency[-1], MODEL_POINTS)
+    velocity = 2j * np.pi * f * held_response(_model(fit), f, response.period)
+    ratio = fit.measured / fit.predicted
+
+    def residual(key: str, unit: str, values: Array) -> Graph:
+        of = fit.frequency
+        drawn: Drawn = (of, values, np.zeros(of.size)) if of.size <= FEW else (of, values)
+        return Graph("frequency [Hz]", f"{key} [{unit}]", {key: drawn}, log_x=True)
+
+    left = residual("size", "%", 100.0 * (np.abs(ratio) - 1.0)), residual("phase", "deg", np.degrees(np.angle(ratio)))
+    return (
+        Picture("bode", f"Frequency response of axis {axis}, {model}", _bode_graphs(response, unit, (f, velocity)), response.method),
+        Picture("residual", "Residual of the response", left, "Measured over model, less one; measured less model."),
+    )
+
+
+def _model(fit: DriveFit) -> Callable[[Complex], Complex]:
+    """Return the response of the model over s."""
+    x = fit.parameters
+    if "M" in x:
+        return lambda s: linear_motor(x, s)
+    if "resonance" in x:
+        return lambda s: load_side(x, s)
+    return lambda s: two_inertia(x, s, "load" if fit.given else "motor")

@@ -1,25 +1,49 @@
-"""The friction curve of an axis out of runs at constant speeds."""
+"""Friction of an axis: the curve from runs at constant speeds, and breakaway from slow ramps of the command."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from contourlab.analysis.identification.constant_speed import LEAST_TRAVEL, Stretch, constant_speed_stretches
 from contourlab.analysis.identification.friction_curve import FrictionCurve, FrictionFit, fit_friction
-from contourlab.features.identify.finding import Carried, Drawn, Figure, Finding, Graph, Picture, Row, Tables, carried, of_command, told
-from contourlab.features.identify.signals import AxisRecord, fits_a_plant, no_plant, one_unit, source_of, sources_of
-from contourlab.features.identify.ways import on_ways
-from contourlab.logs.error_context import about
+from contourlab.analysis.identification.stiction import Breakaway, breakaways
+from contourlab.errors import ParameterError
+from contourlab.features.identify.records import AxisRecord, common_unit, log_names, reference_name, unit_findings
+from contourlab.features.identify.result import (
+    Drawn,
+    Figure,
+    Graph,
+    Identified,
+    Picture,
+    Propagated,
+    Row,
+    Tables,
+    assumed,
+    command_label,
+    figures,
+    fitted,
+    propagate,
+)
+from contourlab.features.identify.rigid import direction_findings
+from contourlab.findings import Finding, finding
+from contourlab.logs.load import about
+from contourlab.report.table import Column, Table
 
 DIP, RISE = "stribeck_velocity", "rise_velocity"
-"""Speed of the bend as the components of a dip and of a rise call it."""
+"""Speed of the bend in the components of a dip and of a rise."""
 UNEVEN = 0.1
-"""Variation of the speed within stretches, on the median, from which they are none of constant speed; ripple of a ball screw makes 0.06."""
+"""Variation of the speed within stretches (median) from which they are not constant; ripple of a ball screw makes 0.06."""
+EXPLAINED = 60.0
+"""Fit [percent] of the first motion that is low; below half of it levels cannot be used."""
+SPREAD = 0.1
+"""Relative spread over repeats that is large."""
 
 
-def identify_friction(records: Sequence[AxisRecord]) -> Finding:
+def identify_friction(records: Sequence[AxisRecord]) -> Identified:
     """Fit a friction curve to the constant speeds of one or several logs of an axis.
 
     Parameters
@@ -30,55 +54,44 @@ def identify_friction(records: Sequence[AxisRecord]) -> Finding:
     Raises
     ------
     ResultError
-        If a log has no command, or the logs' commands are in different units.
+        If a log has no command, or the commands are in different units.
     LogError
-        If the signals of a record are not finite; says which.
+        If the signals of a record are not finite; names the log.
     ParameterError
-        If there are fewer than three stretches of constant speed, or what drives the axis helps its motion.
+        If there are fewer than three stretches of constant speed, or the command helps the motion.
     """
-    unit = one_unit(records, "one friction curve")
+    unit = common_unit(records, "one friction curve")
     stretches: list[Stretch] = []
     for record in records:
         with about(record.source):
-            stretches += constant_speed_stretches(
-                record.period, record.position, record.driven(), record.reference, record.source
-            )
-    heard = {stretch.source for stretch in stretches}
-    silent = [source for source in sources_of(records) if source not in heard]
+            stretches += constant_speed_stretches(record.period, record.position, record.driven(), record.reference, record.source)
     fit = fit_friction(*_points(stretches))
     uneven = float(np.median([stretch.unevenness for stretch in stretches]))
     usable = fit.usable and uneven <= UNEVEN
-    remarks = [*fit.remarks, *_by_log(records)]
-    remarks += [f"no constant speed in {', '.join(silent)}"] if silent else []
-    if uneven > UNEVEN:
-        remarks.append(
-            f"the speeds are not constant, on the median they vary by {100.0 * uneven:.2g} % within: mass counts as friction there"
-        )
-    shown = _writable(fit) if usable else None
-    worth = Carried({}, ()) if shown is None else _worth(shown)
-    if shown is not None and not fits_a_plant(unit):
-        remarks.append(no_plant(unit))
-        shown = None
-    elif shown is not fit.chosen and shown is not None:
-        remarks.append(f"the curve is below zero at rest: an axis file is given {shown.name}, fit {shown.fit:.4g} %")
-    if shown is not None:
-        remarks += on_ways(_values(shown), _units(unit))
-    if shown is not None and _mean(_values(shown), "Fv") > 0.0:
-        remarks.append("the axis file has the viscous friction in its table friction: the damping of the plant beside it is to be 0")
-    curve = fit.chosen
-    return Finding(
+    findings = [*fit.findings]
+    bare = log_names([record for record in records if record.reference is None])
+    findings += [finding("CL512", logs=bare, share=LEAST_TRAVEL)] if bare else []
+    with_points = {stretch.source for stretch in stretches}
+    findings += [finding("CL510", source) for source in log_names(records) if source not in with_points]
+    findings += [finding("CL511", share=uneven)] if uneven > UNEVEN else []
+    curve, written = fit.chosen, None
+    if usable and (written := _writable(fit)) is not None:
+        findings += unit_findings(unit) or _file_findings(written, curve, unit)
+        written = None if unit_findings(unit) else written
+    uncertainty = Propagated({}) if written is None else _propagated(written)
+    return Identified(
         "friction",
         records[0].axis,
-        sources_of(records),
-        _figures(curve, unit),
+        log_names(records),
+        figures(curve.names, curve.values, curve.deviations, curve.deviations, _units(unit).__getitem__),
         curve.fit,
         usable,
-        tuple(remarks),
-        _tables(shown, unit, records, worth) if shown is not None else {},
-        _pictures(curve, stretches, unit, records[0].axis),
-        _lines(stretches, unit),
-        _more(fit, stretches, unit),
-        worth.correlations if shown is not None else (),
+        tuple(findings),
+        details=_details(fit, stretches, unit),
+        points=_stretch_table(stretches, unit),
+        tables={} if written is None else _curve_tables(written, unit, records, uncertainty),
+        correlations=uncertainty.correlations,
+        pictures=_curve_pictures(curve, stretches, unit, records[0].axis),
     )
 
 
@@ -86,10 +99,11 @@ def _points(stretches: Sequence[Stretch]) -> tuple[list[float], list[float], lis
     return [s.speed for s in stretches], [s.command for s in stretches], [s.deviation for s in stretches]
 
 
-def _by_log(records: Sequence[AxisRecord]) -> list[str]:
-    bare = sources_of([record for record in records if record.reference is None])
-    how = f"constant speed is told from the position, where it lasts over {100.0 * LEAST_TRAVEL:g} % of the way or more"
-    return [f"no reference in {', '.join(bare)}: {how}; where there is a reference, give its column"] if bare else []
+def _file_findings(written: FrictionCurve, chosen: FrictionCurve, unit: str) -> list[Finding]:
+    """Return how the axis file differs from the curve."""
+    findings = [] if written is chosen else [finding("CL513", model=written.name, fit=written.fit / 100.0)]
+    findings += direction_findings(_values(written), _units(unit))
+    return [*findings, finding("CL514")] if _mean(_values(written), "Fv") > 0.0 else findings
 
 
 def _units(unit: str) -> dict[str, str]:
@@ -98,49 +112,26 @@ def _units(unit: str) -> dict[str, str]:
     return {**plain, **dict.fromkeys(("Fv", "Fv+", "Fv-"), f"{force}*s/m"), "vs": "m/s"}
 
 
-def _figures(curve: FrictionCurve, unit: str) -> tuple[Figure, ...]:
-    units = _units(unit)
-    rows = zip(curve.names, curve.values.tolist(), curve.deviations.tolist(), strict=True)
-    return tuple(Figure(name, value, units[name], deviation, deviation) for name, value, deviation in rows)
-
-
-def _lines(stretches: Sequence[Stretch], unit: str) -> tuple[str, ...]:
-    rows = [f"speed [mm/s]  mean [{unit}]  deviation  scatter within  samples  log"]
+def _stretch_table(stretches: Sequence[Stretch], unit: str) -> Table:
+    heads = ("speed [mm/s]", f"mean [{unit}]", "deviation", "scatter within", "samples")
+    table = Table([*(Column(head) for head in heads), Column("log", left=True)])
     for s in sorted(stretches, key=lambda s: s.speed):
-        rows.append(f"{1e3 * s.speed:12.4g}  {s.command:8.4g}  {s.deviation:9.2g}  {s.scatter:14.3g}  {s.count:7d}  {s.source}")
-    return tuple(rows)
+        table.add(f"{1e3 * s.speed:.4g}", f"{s.command:.4g}", f"{s.deviation:.2g}", f"{s.scatter:.3g}", f"{s.count}", s.source)
+    return table
 
 
-def _more(fit: FrictionFit, stretches: Sequence[Stretch], unit: str) -> dict[str, object]:
+def _details(fit: FrictionFit, stretches: Sequence[Stretch], unit: str) -> dict[str, object]:
     return {
         "friction_model": fit.chosen.name,
         "scatter_between_runs": fit.chosen.scatter,
-        "points": [
-            {
-                "speed": s.speed,
-                "command": s.command,
-                "deviation": s.deviation,
-                "scatter": s.scatter,
-                "samples": s.count,
-                "log": s.source,
-                "unit": unit,
-            }
-            for s in stretches
-        ],
-        "tried": [
-            {
-                "model": curve.name,
-                "aicc": curve.criterion if np.isfinite(curve.criterion) else None,
-                "fit_percent": curve.fit,
-                "parameters": dict(zip(curve.names, curve.values.tolist(), strict=True)),
-            }
-            for curve in fit.tried
-        ],
+        "unit": unit,
+        "points": stretches,
+        "tried": [{"model": c.name, "aicc": c.criterion, "fit_percent": c.fit, "parameters": _values(c)} for c in fit.tried],
     }
 
 
 def _writable(fit: FrictionFit) -> FrictionCurve | None:
-    """Return the curve that a friction component can have: the chosen one, or one that does not bend where that is below zero at rest."""
+    """Return the curve for the axis file: the chosen one, or the best without a bend if that is below zero at rest."""
     x = _values(fit.chosen)
     if not fit.chosen.model.stribeck or _mean(x, "Fc") + _mean(x, "drop") >= 0.0:
         return fit.chosen
@@ -149,54 +140,176 @@ def _writable(fit: FrictionFit) -> FrictionCurve | None:
 
 
 def _mean(x: Mapping[str, float], name: str) -> float:
-    """Return a parameter, over both directions where it has one each; 0 for one that the curve lacks."""
+    """Return a parameter, the mean of both directions if it has two; 0 if the curve lacks it."""
     return 0.5 * (x[f"{name}+"] + x[f"{name}-"]) if f"{name}+" in x else x.get(name, 0.0)
 
 
 def _numbers(x: Mapping[str, float], rises: bool) -> dict[str, float]:
-    """Return the numbers of the axis file: a component has one friction for both directions, and what differs in level is an offset."""
-    found = {"friction.coulomb": max(_mean(x, "Fc"), 0.0), "friction.viscous": max(_mean(x, "Fv"), 0.0)}
+    """Return the numbers of the axis file: one friction for both directions, and the difference in level as an offset."""
+    numbers = {"friction.coulomb": max(_mean(x, "Fc"), 0.0), "friction.viscous": max(_mean(x, "Fv"), 0.0)}
     if "vs" in x:
-        found |= {"friction.breakaway": _mean(x, "Fc") + _mean(x, "drop"), f"friction.{RISE if rises else DIP}": x["vs"]}
+        numbers |= {"friction.breakaway": _mean(x, "Fc") + _mean(x, "drop"), f"friction.{RISE if rises else DIP}": x["vs"]}
     offset = 0.5 * (x["Fc+"] - x["Fc-"]) if "Fc+" in x else x.get("offset", 0.0)
-    return {**found, "disturbance.force": -offset}
+    return {**numbers, "disturbance.force": -offset}
 
 
 def _values(curve: FrictionCurve) -> dict[str, float]:
     return dict(zip(curve.names, curve.values.tolist(), strict=True))
 
 
-def _worth(curve: FrictionCurve) -> Carried:
-    """Return what the numbers of the axis file are worth."""
+def _propagated(curve: FrictionCurve) -> Propagated:
+    """Return the uncertainty of the numbers of the axis file."""
     rises = curve.rises
-    return carried(lambda x: _numbers(x, rises), curve.names, curve.values, curve.deviations, curve.correlation)
+    return propagate(lambda x: _numbers(x, rises), curve.names, curve.values, curve.deviations, curve.correlation)
 
 
-def _tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord], worth: Carried) -> Tables:
-    source = source_of(records)
-    shown = unit or "full_scale"
-    units = {"friction.viscous": f"{shown}*s/m", f"friction.{DIP}": "m/s", f"friction.{RISE}": "m/s"}
+def _curve_tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord], uncertainty: Propagated) -> Tables:
+    force = unit or "full_scale"
+    units = {"friction.viscous": f"{force}*s/m", f"friction.{DIP}": "m/s", f"friction.{RISE}": "m/s"}
     kind: Row = ("rising" if curve.rises else "coulomb", "", None)
     tables: dict[str, dict[str, Row]] = {"friction": {"kind": kind}, "disturbance": {"kind": ("constant", "", None)}}
     for name, value in _numbers(_values(curve), curve.rises).items():
         table, _, key = name.partition(".")
         note = "offset of the command" if table == "disturbance" else "constant speeds"
-        tables[table][key] = (value, units.get(name, shown), told(source, worth.deviations[name], note))
+        tables[table][key] = (value, units.get(name, force), uncertainty.origin(reference_name(records), name, note))
     return tables
 
 
-def _pictures(curve: FrictionCurve, stretches: Sequence[Stretch], unit: str, axis: str) -> tuple[Picture, ...]:
+def _curve_pictures(curve: FrictionCurve, stretches: Sequence[Stretch], unit: str, axis: str) -> tuple[Picture, ...]:
     v, u, s = (np.array(values) for values in _points(stretches))
-    label = "mean force [N]" if unit == "N" else f"mean {of_command(unit)}"
+    label = "mean force [N]" if unit == "N" else f"mean {command_label(unit)}"
     top = 1.05 * float(np.abs(v).max())
     lowest = float(np.abs(v).min())
     ways = [way for way in (-1.0, 1.0) if np.any(way * v > 0.0)]
     line = np.concatenate([part for way in ways for part in (way * np.linspace(0.2 * lowest, top, 200), [np.nan])])
     model = curve.at(np.where(np.isnan(line), top, line))
     model[np.isnan(line)] = np.nan
-    rest = u - curve.predicted
     curves: dict[str, Drawn] = {"measured, two deviations": (1e3 * v, u, 2.0 * s), curve.name: (1e3 * line, model)}
-    over = of_command(unit).replace("command", "residual")
-    left = Graph("velocity [mm/s]", over, {"residual, two deviations": (1e3 * v, rest, 2.0 * s)})
+    rest: dict[str, Drawn] = {"residual, two deviations": (1e3 * v, u - curve.predicted, 2.0 * s)}
+    left = Graph("velocity [mm/s]", command_label(unit).replace("command", "residual"), rest)
     title = f"Friction of axis {axis} at constant speed"
-    return (Picture("friction", title, (Graph("velocity [mm/s]", label, curves),)), Picture("residual", "What the curve leaves", (left,)))
+    return (
+        Picture("friction", title, (Graph("velocity [mm/s]", label, curves),)),
+        Picture("residual", "Residual of the curve", (left,)),
+    )
+
+
+# --- stiction ------------------------------------------------------------------------------------------------------------------------
+
+
+def identify_stiction(records: Sequence[AxisRecord]) -> Identified:
+    """Find the breakaway of an axis at rest, each way, with the spread over repeats.
+
+    Parameters
+    ----------
+    records : sequence of AxisRecord
+        With slow ramps of the command from about zero.
+
+    Raises
+    ------
+    ResultError
+        If a log has no command, or the commands are in different units.
+    ParameterError
+        As of `contourlab.analysis.identification.stiction.breakaways`; of several records, if none has a breakaway.
+    """
+    unit = common_unit(records, "one axis")
+    ramps: list[Breakaway] = []
+    findings: list[Finding] = []
+    for record in records:
+        try:
+            found, without = breakaways(record.time, record.driven(), record.position)
+        except ParameterError as error:
+            if len(records) == 1:
+                raise
+            findings.append(finding("CL520", record.source, reason=str(error)))
+            continue
+        ramps += [replace(ramp, time=ramp.time + record.start) for ramp in found]
+        findings += [replace(one, place=record.source) for one in without]
+    if not ramps:
+        reasons = "; ".join(one.text for one in findings)
+        raise ParameterError("LOG", f"{len(records)} records", f"one in which the axis leaves on a ramp; {reasons}")
+    ways = {name: [ramp for ramp in ramps if ramp.direction == way] for name, way in (("breakaway+", 1), ("breakaway-", -1))}
+    findings += _ramp_findings(ways)
+    fit = float(np.mean([ramp.fit for ramp in ramps]))
+    usable = fit > 0.5 * EXPLAINED
+    findings += [finding("CL525", fit=fit / 100.0)] if fit < EXPLAINED else []
+    findings += unit_findings(unit)
+    return Identified(
+        "stiction",
+        records[0].axis,
+        log_names(records),
+        {name: _breakaway_figure(of_way, unit) for name, of_way in ways.items() if of_way},
+        fit,
+        usable,
+        tuple(findings),
+        details={"ramps": ramps},
+        points=_ramp_table(ramps, unit),
+        tables=_stiction_tables(ways, unit, records) if usable and not unit_findings(unit) else {},
+        pictures=_stiction_pictures(ways, unit, records),
+    )
+
+
+def _levels(ramps: Sequence[Breakaway]) -> np.ndarray:
+    return np.abs([ramp.level for ramp in ramps])
+
+
+def _spread(ramps: Sequence[Breakaway]) -> float:
+    """Return the deviation over repeats; of a single ramp that of its instant."""
+    return float(_levels(ramps).std(ddof=1)) if len(ramps) > 1 else ramps[0].deviation
+
+
+def _breakaway_figure(ramps: Sequence[Breakaway], unit: str) -> Figure:
+    own = math.sqrt(sum(ramp.deviation**2 for ramp in ramps)) / len(ramps)
+    return Figure(float(_levels(ramps).mean()), unit, own, max(own, _spread(ramps) / math.sqrt(len(ramps))))
+
+
+def _ramp_findings(ways: Mapping[str, Sequence[Breakaway]]) -> list[Finding]:
+    findings = []
+    for name, ramps in ways.items():
+        direction = "forwards" if name.endswith("+") else "backwards"
+        if len(ramps) < 2:
+            findings.append(finding("CL522" if ramps else "CL521", direction=direction))
+        elif _spread(ramps) > SPREAD * float(_levels(ramps).mean()):
+            spread = _spread(ramps) / float(_levels(ramps).mean())
+            findings.append(finding("CL523", direction=direction, spread=spread, ramps=len(ramps)))
+    return findings
+
+
+def _ramp_table(ramps: Sequence[Breakaway], unit: str) -> Table:
+    heads = ("time [s]", f"breakaway [{unit}]", "deviation", f"rate [{unit}/s]", "fit [%]")
+    table = Table([Column(head) for head in heads])
+    for b in ramps:
+        table.add(f"{b.time:.4g}", f"{b.level:.5g}", f"{b.deviation:.2g}", f"{b.rate:.3g}", f"{b.fit:.4g}")
+    return table
+
+
+def _stiction_tables(ways: Mapping[str, Sequence[Breakaway]], unit: str, records: Sequence[AxisRecord]) -> Tables:
+    measured = [ramps for ramps in ways.values() if ramps]
+    level = float(np.mean([_levels(ramps).mean() for ramps in measured]))
+    spread = float(np.hypot.reduce([_spread(ramps) for ramps in measured])) / len(measured)
+    force, count, source = unit or "full_scale", sum(len(ramps) for ramps in measured), reference_name(records)
+    friction: dict[str, Row] = {
+        "kind": ("coulomb", "", None),
+        "coulomb": (level, force, assumed("as at rest")),
+        "breakaway": (level, force, fitted(source, spread, f"spread over {count} slow ramps")),
+    }
+    tables: dict[str, dict[str, Row]] = {"friction": friction}
+    if len(measured) == 2:
+        forward, backward = (float(_levels(ramps).mean()) for ramps in measured)
+        half = fitted(source, spread, "half the difference of the two directions")
+        tables["disturbance"] = {"kind": ("constant", "", None), "force": (0.5 * (backward - forward), force, half)}
+    return tables
+
+
+def _stiction_pictures(ways: Mapping[str, Sequence[Breakaway]], unit: str, records: Sequence[AxisRecord]) -> tuple[Picture, ...]:
+    first = records[0]
+    points: dict[str, Drawn] = {
+        name: (np.array([r.time for r in ramps]), _levels(ramps), np.array([2.0 * r.deviation for r in ramps]))
+        for name, ramps in ways.items()
+        if ramps
+    }
+    level = Graph("time [s]", command_label(unit).replace("command", "breakaway"), points)
+    command = Graph("time [s]", command_label(unit), {"command": (first.time, first.driven())})
+    moved = Graph("time [s]", "position [mm]", {"position": (first.time, 1e3 * (first.position - first.position[0]))})
+    title = f"Breakaway of axis {first.axis}, two deviations"
+    return (Picture("breakaway", title, (level,)), Picture("ramps", f"Ramps of {first.source}", (command, moved)))

@@ -1,8 +1,8 @@
-"""Mass, friction and offset of an axis out of one log, by inverse dynamics, and the axis file that they make."""
+"""Mass, friction and offset of an axis from one log, by inverse dynamics."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 
 import numpy as np
@@ -16,118 +16,124 @@ from contourlab.analysis.identification.inverse_dynamics import (
 )
 from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
-from contourlab.features.identify.finding import Carried, Figure, Finding, Graph, Picture, Tables, carried, told
-from contourlab.features.identify.limits import Effort, motion_limits
-from contourlab.features.identify.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
-from contourlab.features.identify.signals import AxisRecord, in_newtons, samples_digest, sensor_table
-from contourlab.features.identify.ways import on_ways
-from contourlab.logs.error_context import about
+from contourlab.features.identify.axis_tables import forces_of, friction_tables, plant_numbers, rigid_tables
+from contourlab.features.identify.records import AxisRecord, newton_option, samples_digest
+from contourlab.features.identify.result import Graph, Identified, Picture, Tables, figures, propagate
+from contourlab.findings import Finding, finding
+from contourlab.logs.load import about
 
 MODELS = {"symmetric": "rigid", "asymmetric": "rigid-by-direction"}
 UNITS = {"M": "kg", "Fv": "N*s/m", "Fc": "N", "offset": "N"}
-"""Of the parameters, without the signs of a direction."""
+"""Of the parameters, without the sign of a direction."""
 
 
-def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings | None = None, second: AxisRecord | None = None) -> Finding:
+def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings, second: AxisRecord | None = None) -> Identified:
     """Find mass, friction and offset of an axis.
 
     Parameters
     ----------
     record : AxisRecord
         With the force, or a command and its gain.
-    settings : InverseDynamicsSettings, optional
+    settings : InverseDynamicsSettings
     second : AxisRecord, optional
-        Another record of the same axis, to see what the parameters are worth there.
+        Another record of the same axis, for validation.
 
     Raises
     ------
     ResultError
         If a log has no force.
     LogError
-        If a record tells no axis, as of `contourlab.analysis.identification.inverse_dynamics.identify_inverse_dynamics`; says which.
+        If a record is unusable, as of `contourlab.analysis.identification.inverse_dynamics.identify_inverse_dynamics`; names the log.
     ParameterError
         If a setting is out of range for it.
     """
-    options = [each.name for each in fields(InverseDynamicsSettings)]
+    options = [setting.name for setting in fields(InverseDynamicsSettings)]
     with about(record.source, options=options):
         fit = identify_inverse_dynamics(record.time, record.position, _force(record), settings)
-    there = None
+    validation = None
     if second is not None:
         with about(second.source, options=options):
-            there = cross_validate(fit, second.time, second.position, _force(second))
+            validation = cross_validate(fit, second.time, second.position, _force(second))
     forces = forces_of([record])
+
+    def numbers(x: Mapping[str, float]) -> dict[str, float]:
+        viscous, coulomb, offset = _mean_friction(x)
+        return plant_numbers(forces, 1.0 / x["M"], viscous / x["M"]) | {"friction.coulomb": coulomb, "disturbance.force": -offset}
+
     known = np.maximum(fit.deviations, fit.robust_deviations)
-    worth = carried(lambda x: _numbers(forces, x), fit.names, fit.values, known, fit.correlation)
-    rows = zip(fit.names, fit.values.tolist(), fit.deviations.tolist(), fit.robust_deviations.tolist(), strict=True)
-    return Finding(
+    uncertainty = propagate(numbers, fit.names, fit.values, known, fit.correlation)
+    findings = [*fit.findings]
+    tables: Tables = {}
+    if fit.usable:
+        findings += direction_findings(fit.parameters(), UNITS)
+        x = numbers(fit.parameters())
+        mass, damping, coulomb, force = (x[key] for key in ("plant.mass", "plant.damping", "friction.coulomb", "disturbance.force"))
+
+        def origin(name: str, note: str = "") -> Origin:
+            return uncertainty.origin(record.source, name, note)
+
+        friction, held = friction_tables(coulomb, force, "N", origin), coulomb + abs(force)
+        tables = rigid_tables([record], forces, 1.0 / mass, damping / mass, origin, held=held, friction=friction)
+    if second is not None and samples_digest([record]) == samples_digest([second]):
+        findings.append(finding("CL516", second.source))
+    return Identified(
         MODELS[fit.settings.friction],
         record.axis,
         (record.source,),
-        tuple(Figure(name, value, UNITS[name.rstrip("+-")], white, robust) for name, value, white, robust in rows),
+        figures(fit.names, fit.values, fit.deviations, fit.robust_deviations, lambda name: UNITS[name.rstrip("+-")]),
         fit.fit,
         fit.usable,
-        (*fit.remarks, *(on_ways(fit.parameters(), UNITS) if fit.usable else ()), *_on_second(record, second)),
-        _tables(record, forces, fit, worth) if fit.usable else {},
-        _pictures(record, fit),
-        _lines(fit, there),
-        _more(fit, there),
-        worth.correlations if fit.usable else (),
+        tuple(findings),
+        details=_details(fit, validation),
+        lines=_lines(fit, validation),
+        tables=tables,
+        correlations=uncertainty.correlations if fit.usable else (),
+        pictures=_pictures(record, fit),
     )
+
+
+def direction_findings(x: Mapping[str, float], units: Mapping[str, str]) -> list[Finding]:
+    """Return the means over both directions that an axis file has in place of parameters by direction.
+
+    Parameters
+    ----------
+    x : mapping
+        By names such as ``"Fv+"`` and ``"Fv-"``, each the friction against the motion that way.
+    units : mapping
+        By name without its sign.
+
+    >>> [found.place for found in direction_findings({"Fc+": 21.0, "Fc-": 23.0}, {"Fc": "N"})]
+    ['Fc']
+    """
+    names = [name.removesuffix("+") for name in x if name.endswith("+")]
+    return [finding("CL515", name, forward=x[f"{name}+"], backward=x[f"{name}-"], unit=units[name]) for name in names]
+
+
+def _mean_friction(x: Mapping[str, float]) -> Sequence[float]:
+    """Return viscous and Coulomb friction and offset: the means of both directions, since a component has one friction for both."""
+    if "Fc" in x:
+        return x["Fv"], x["Fc"], x["offset"]
+    return 0.5 * (x["Fv+"] + x["Fv-"]), 0.5 * (x["Fc+"] + x["Fc-"]), 0.5 * (x["Fc+"] - x["Fc-"])
 
 
 def _force(record: AxisRecord) -> np.ndarray:
     """Return the force [N]."""
     command = record.driven()
     if record.unit != "N":
-        raise ResultError(f"{record.source}: how much force is a command? Give {in_newtons(record.logged)}")
+        raise ResultError(f"{record.source}: how much force is a command? Give {newton_option(record.logged)}")
     return command
 
 
-def _lines(fit: InverseDynamicsFit, there: Validation | None) -> tuple[str, ...]:
-    lines = (f"relative error {fit.relative_error:.4g} %, condition number {fit.condition_number:.4g}",)
-    if there is None:
-        return lines
-    return (*lines, f"on the second log: fit {there.fit:.4g} %, relative error {there.relative_error:.4g} %")
+def _lines(fit: InverseDynamicsFit, validation: Validation | None) -> tuple[str, ...]:
+    line = f"relative error {fit.relative_error:.4g} %, condition number {fit.condition_number:.4g}"
+    if validation is None:
+        return (line,)
+    return (line, f"on the second log: fit {validation.fit:.4g} %, relative error {validation.relative_error:.4g} %")
 
 
-def _more(fit: InverseDynamicsFit, there: Validation | None) -> dict[str, object]:
-    checked = None if there is None else {"fit_percent": there.fit, "relative_error_percent": there.relative_error}
-    return {"relative_error_percent": fit.relative_error, "condition_number": fit.condition_number, "validation": checked}
-
-
-def _on_second(record: AxisRecord, second: AxisRecord | None) -> list[str]:
-    """Remark on a second log that is the first one: it shows how well the figures fit what they were fitted to."""
-    if second is None or samples_digest([record]) != samples_digest([second]):
-        return []
-    return [f"{second.source} has the samples that were fitted: it validates nothing"]
-
-
-def _numbers(forces: Forces, x: Mapping[str, float]) -> dict[str, float]:
-    """Return the numbers of the axis file: friction that differs by direction as its mean, since a component has one for both."""
-    if "Fc" in x:
-        viscous, coulomb, offset = x["Fv"], x["Fc"], x["offset"]
-    else:
-        viscous, coulomb, offset = 0.5 * (x["Fv+"] + x["Fv-"]), 0.5 * (x["Fc+"] + x["Fc-"]), 0.5 * (x["Fc+"] - x["Fc-"])
-    return plant_numbers(forces, 1.0 / x["M"], viscous / x["M"]) | {"friction.coulomb": coulomb, "disturbance.force": -offset}
-
-
-def _tables(record: AxisRecord, forces: Forces, fit: InverseDynamicsFit, worth: Carried) -> Tables:
-    """Return the axis in newtons."""
-    value = _numbers(forces, fit.parameters())
-    mass, damping, held = value["plant.mass"], value["plant.damping"], value["friction.coulomb"] + abs(value["disturbance.force"])
-    limits = motion_limits([record], Effort(forces, 1.0 / mass, damping / mass, held))
-
-    def origin(name: str, note: str = "") -> Origin:
-        return told(record.source, worth.deviations[name], note)
-
-    return {
-        "plant": plant_table(forces, 1.0 / mass, damping / mass, origin),
-        "friction": {"kind": ("coulomb", "", None), "coulomb": (value["friction.coulomb"], "N", origin("friction.coulomb"))},
-        "disturbance": {"kind": ("constant", "", None), "force": (value["disturbance.force"], "N", origin("disturbance.force"))},
-        "drive": drive_table(forces, limits.command, limits.origin, 0.0, origin),
-        "limits": limits.table,
-        **sensor_table([record]),
-    }
+def _details(fit: InverseDynamicsFit, validation: Validation | None) -> dict[str, object]:
+    second = None if validation is None else {"fit_percent": validation.fit, "relative_error_percent": validation.relative_error}
+    return {"relative_error_percent": fit.relative_error, "condition_number": fit.condition_number, "validation": second}
 
 
 def _pictures(record: AxisRecord, fit: InverseDynamicsFit) -> tuple[Picture, ...]:
@@ -137,6 +143,6 @@ def _pictures(record: AxisRecord, fit: InverseDynamicsFit) -> tuple[Picture, ...
     over_speed = Graph("velocity [mm/s]", "force [N]", {"residual": (1e3 * fit.velocity, rest)})
     return (
         Picture("force", f"Force of axis {record.axis}, {record.source}", (Graph("time [s]", "force [N]", force),)),
-        Picture("residual", "What the model leaves of the force", (over_time,)),
-        Picture("residual-speed", "What the model leaves of the force, over speed", (over_speed,)),
+        Picture("residual", "Residual of the force", (over_time,)),
+        Picture("residual-speed", "Residual of the force over speed", (over_speed,)),
     )

@@ -1,4 +1,4 @@
-"""A record of quadrature signals out of a file: which columns are what."""
+"""Quadrature signals from a text file of numbers."""
 
 from __future__ import annotations
 
@@ -8,12 +8,14 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.errors import ResultError
-from contourlab.features.interpolate.signal_file import Column, SignalFile, open_signals
+from contourlab.errors import LogError, UnitError
+from contourlab.logs import Channel, Record, read_record
+from contourlab.logs.reading import CUT, text_of
+from contourlab.units import to_si
 
 Array = NDArray[np.float64]
 PAIRS = (("u1", "u2"), ("cos", "sin"), ("a", "b"))
-"""Names of signals that are known without being told, the cosine first."""
+"""Names of signals that need no option, the cosine first."""
 TIMES = ("t", "time")
 REFERENCE = "reference"
 
@@ -22,13 +24,13 @@ REFERENCE = "reference"
 class QuadratureRecord:
     """The signals of a file.
 
-    Parameters
+    Attributes
     ----------
-    source : SignalFile
+    source : Record
     names : (str, str)
         Of the signals, the cosine first.
     unit : str
-        Of the signals, as the file says it.
+        Of the signals, as in the file.
     u1, u2 : ndarray (n,)
         In that unit.
     time : ndarray (n,) [s] or None
@@ -37,7 +39,7 @@ class QuadratureRecord:
     reference_name : str
     """
 
-    source: SignalFile
+    source: Record
     names: tuple[str, str]
     unit: str
     u1: Array
@@ -48,12 +50,12 @@ class QuadratureRecord:
 
 
 def read_quadrature(file: str | Path, columns: str | None = None, reference: str | None = None) -> QuadratureRecord:
-    """Find the columns of a record of quadrature signals, and read them.
+    """Read quadrature signals.
 
     Parameters
     ----------
     file : str or Path
-        See `contourlab.features.interpolate.signal_file.open_signals`.
+        A table of numbers; see `contourlab.logs.delimited.read`.
     columns : str, optional
         The signals by name or number, ``"u1,u2"``; by default u1 and u2, cos and sin, a and b, or the only two columns.
     reference : str, optional
@@ -61,45 +63,73 @@ def read_quadrature(file: str | Path, columns: str | None = None, reference: str
 
     Raises
     ------
-    ResultError
-        If a column is not there or cannot be read, with its line.
+    LogError
+        If a column is missing or cannot be read; with its line.
     """
-    source = open_signals(file)
-    first, second = _signal_columns(source, columns)
-    if first.index == second.index:
-        raise ResultError(f"{source.file}: column {first.name} is named twice: the two signals of an encoder are wanted")
+    record = read_record(file, "csv")
+    first, second = _signals(record, columns)
+    if first is second:
+        raise LogError(f"column {first.name} is named twice: an encoder has two signals", file=record.file)
     if first.unit != second.unit:
-        raise ResultError(f"{source.file}: {first.name} is in {first.unit or 'no unit'}, {second.name} in {second.unit or 'no unit'}")
-    known = {column.name.lower(): column for column in source.columns}
-    true = source.find(reference) if reference is not None else known.get(REFERENCE)
+        units = f"{first.name} is in {first.unit or 'no unit'}, {second.name} in {second.unit or 'no unit'}"
+        raise LogError(units, file=record.file)
+    known = {channel.name.lower(): channel for channel in record.channels}
+    true = _column(record, reference) if reference is not None else known.get(REFERENCE)
     clock = next((known[name] for name in TIMES if name in known), None)
-    chosen = [first, second, *(column for column in (clock, true) if column is not None)]
-    length = 1.0 if true is None else true.factor("m", source.file)
-    second_size = 1.0 if clock is None or not clock.unit else clock.factor("s", source.file)
-    numbers = np.ascontiguousarray(source.read(tuple(chosen)).T)
+    for channel in (first, second, clock, true):
+        if channel is not None and not np.isfinite(channel.values).all():
+            sample = int(np.argmin(np.isfinite(channel.values)))
+            raise LogError(f"no number in column {channel.name}", file=record.file, line=line_of(record, sample))
     return QuadratureRecord(
-        source,
+        record,
         (first.name, second.name),
         first.unit,
-        numbers[0],
-        numbers[1],
-        None if clock is None else numbers[2] * second_size,
-        None if true is None else numbers[-1] * length,
+        first.values,
+        second.values,
+        None if clock is None else clock.values * (_factor(record, clock, "s") if clock.unit else 1.0),
+        None if true is None else true.values * _factor(record, true, "m"),
         "" if true is None else true.name,
     )
 
 
-def _signal_columns(source: SignalFile, columns: str | None) -> tuple[Column, Column]:
+def line_of(record: Record, sample: int) -> int:
+    """Return the line, from 1, of a sample, from 0."""
+    lines = [i for i, line in enumerate(text_of(record.file).splitlines(), 1) if line.strip() and line.strip()[0] not in "#%"]
+    return lines[len(lines) - len(record.channels[0].values) - (CUT in record.notes) + sample]
+
+
+def _signals(record: Record, columns: str | None) -> tuple[Channel, Channel]:
     if columns is not None:
         names = columns.split(",")
         if len(names) != 2:
-            raise ResultError(f"--columns {columns}: two names with a comma in between are wanted, the cosine first, such as u1,u2")
-        return source.find(names[0]), source.find(names[1])
-    known = {column.name.lower(): column for column in source.columns}
-    for one, other in PAIRS:
-        if one in known and other in known:
-            return known[one], known[other]
-    if len(source.columns) == 2:
-        return source.columns[0], source.columns[1]
-    there = ", ".join(column.name for column in source.columns)
-    raise ResultError(f"{source.file}: which columns are the signals? say --columns u1,u2; there are: {there}")
+            raise LogError(f"{columns}: two names separated by a comma, the cosine first, such as u1,u2", file="--columns")
+        return _column(record, names[0]), _column(record, names[1])
+    known = {channel.name.lower(): channel for channel in record.channels}
+    for cosine, sine in PAIRS:
+        if cosine in known and sine in known:
+            return known[cosine], known[sine]
+    if len(record.channels) == 2:
+        return record.channels[0], record.channels[1]
+    raise LogError(f"which columns are the signals? Say --columns u1,u2; there are: {', '.join(record.names)}", file=record.file)
+
+
+def _column(record: Record, name: str) -> Channel:
+    """Return a column by its name in any case, or its number from 1."""
+    wanted = name.strip().lower()
+    for channel in record.channels:
+        if channel.name.lower() == wanted:
+            return channel
+    if wanted.isdecimal() and 1 <= int(wanted) <= len(record.channels):
+        return record.channels[int(wanted) - 1]
+    raise LogError(f"no column {name!r}; there are: {', '.join(record.names)}", file=record.file)
+
+
+def _factor(record: Record, channel: Channel, unit: str) -> float:
+    """Return the size of a column's unit in SI."""
+    if not channel.unit:
+        example = f"{channel.name} [{unit}]"
+        raise LogError(f"column {channel.name} says no unit: write it in the header, such as {example}", file=record.file)
+    try:
+        return to_si(f"1 {channel.unit.replace('µ', 'u').replace('μ', 'u')}", unit)
+    except UnitError as error:
+        raise LogError(f"column {channel.name}: {error}", file=record.file) from error

@@ -1,4 +1,4 @@
-"""The run over trials: simulate, judge, learn, until it has converged, has gone astray, or the trials are used up."""
+"""The run over trials: simulate, judge and learn until learning has converged, diverged or used up its trials."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.learning.law import LearningLaw
+from contourlab.components.learning.law import LearningLaw, LearningProblem
 from contourlab.errors import ParameterError, ResultError
-from contourlab.features.learn.growth import Growth, growth_of
-from contourlab.features.learn.model import learning_problem
-from contourlab.features.learn.split import Memory, Split
-from contourlab.features.learn.stopping import Stopping, Verdict, best_of, verdict
+from contourlab.features.learn.split import Growth, Memory, Split, growth_of
+from contourlab.features.learn.stopping import Stop, Stopping, best_of, verdict
 from contourlab.features.learn.table import LearnedTable
-from contourlab.features.learn.trial import TrialFigures, figures_of, part_error, record_of
+from contourlab.features.learn.trial import TrialFigures, figures_of, learning_problem, part_error, record_of
 from contourlab.feed import Reference
+from contourlab.findings import Finding, finding
 from contourlab.geometry.view import PathView
 from contourlab.loop import Controller, Machine
 from contourlab.loop.trials import Trial, Trials, feedforward_command
@@ -30,15 +30,15 @@ Part = Literal["ends", "all", "none"]
 
 @dataclass(frozen=True, eq=False)
 class LearningRun:
-    """What came of learning.
+    """The result of learning.
 
     Attributes
     ----------
     status : str
         ``"converged"``, ``"trials used up"``, ``"diverged, rolled back to trial k"``, ``"diverged, no trial came to its end"``, or
-        ``"interrupted, trial k kept"``: Ctrl-C ends learning, and what has been learned until then stands.
-    reason : str
-        In a sentence.
+        ``"interrupted, trial k kept"`` after Ctrl-C.
+    findings : tuple of Finding
+        Why it ended, saturation, where the error grew.
     trials : tuple of TrialFigures
     best : int
         The trial with the smallest error.
@@ -57,7 +57,7 @@ class LearningRun:
     """
 
     status: str
-    reason: str
+    findings: tuple[Finding, ...]
     trials: tuple[TrialFigures, ...]
     best: int
     table: LearnedTable
@@ -72,26 +72,72 @@ class LearningRun:
     judge_seconds: float = field(default=0.0)
 
     @property
+    def reason(self) -> str:
+        """The findings in words."""
+        return " ".join(finding.text for finding in self.findings)
+
+    @property
     def diverged(self) -> bool:
         """Whether it was rolled back."""
         return self.status.startswith("diverged")
 
     @property
     def gain(self) -> float:
-        """Error of the first trial over that of the best; NaN where the first did not come to its end."""
+        """Error of the first trial over that of the best; NaN where the first stopped early."""
         first, best = self.trials[0].merit, self.trials[self.best].merit
         return float("inf") if best == 0.0 else first / best
 
 
 @dataclass(eq=False)
 class _Course:
-    """What is kept while the trials run."""
+    """State of learning while the trials run."""
 
+    runner: Trials
+    law: LearningLaw
+    part: Part
     memory: Memory
     figures: list[TrialFigures] = field(default_factory=list)
     best_table: Array | None = None
     first: tuple[Array, Array] | None = None
     best: tuple[Array, Array] | None = None
+
+    def note(self, run: Trial, i: int, table: Array) -> None:
+        """Add a trial."""
+        figures = figures_of(i, run, self.runner)
+        if run.status.ok and self.part == "all" and math.isnan(figures.part_max):
+            figures = figures.having(part_max=part_error(run.tool, self.runner))
+        self.figures.append(figures)
+        if i == 0 or (run.status.ok and best_of(self.figures) == i):
+            kept = (run.tool, run.contour_error)
+            self.first = self.first or kept
+            self.best, self.best_table = kept, table
+
+    def ended(self, stop: Stop, problem: LearningProblem, began: float) -> LearningRun:
+        """Return the result."""
+        assert self.first is not None
+        assert self.best is not None
+        assert self.best_table is not None
+        runner, figures, best = self.runner, self.figures, best_of(self.figures)
+        if self.part == "ends":
+            for i, (tool, _) in ((0, self.first), (best, self.best)):
+                if not figures[i].failed and math.isnan(figures[i].part_max):
+                    figures[i] = figures[i].having(part_max=part_error(tool, runner))
+        status, growth, findings = stop.status, None, [stop.finding]
+        if figures[-1].saturated:
+            findings.append(finding("CL307", samples=figures[-1].saturated))
+        if status == "diverged":
+            status += ", no trial came to its end" if figures[best].failed else f", rolled back to trial {best}"
+            growth = growth_of(self.memory.tracking, runner.machine.servo_period, runner.machine.axis_names)
+        elif status == "interrupted":
+            status += f", trial {best} kept"
+        if growth is not None:
+            band = {"low": growth.low, "high": growth.high, "peak": growth.peak, "factor": growth.factor}
+            findings.append(finding("CL309", place=f"axis {growth.axis}", **band))
+        table = LearnedTable.of(self.best_table.copy(), runner.machine, runner.controller, runner.reference, self.law, _columns(figures))
+        positions, contours = zip(self.first, self.best, strict=True)
+        times = (time.perf_counter() - began, runner.engine_seconds, runner.judge_seconds)
+        split = self.memory.split(self.law, problem)
+        return LearningRun(status, tuple(findings), tuple(figures), best, table, split, growth, *positions, *contours, *times)
 
 
 def learn(
@@ -116,7 +162,6 @@ def learn(
     Parameters
     ----------
     machine, controller, reference
-        What runs; any coupling, any number of axes.
     law : LearningLaw
     trials : int, >= 0
         Largest number of trials after the first.
@@ -126,15 +171,15 @@ def learn(
         What the first trial runs with; nothing by default.
     stopping : Stopping, optional
     part : {"ends", "all", "none"}
-        For which trials the distance to the programmed path is worked out: the first and the best, all, or none.
+        Trials to compute the distance to the programmed path for: the first and the best, all, or none.
     window : (int, int), optional
         Samples [start, stop) that count; by default the last whole lap, or all.
     jit, view
         As of `simulate`.
     progress : callable, optional
-        Told the number of samples done in all.
+        Called with the number of samples done in all.
     on_trial : callable, optional
-        Told the figures of each trial.
+        Called with the figures of each trial.
 
     Returns
     -------
@@ -160,33 +205,37 @@ def learn(
     problem = learning_problem(machine, controller, reference, law.target, runner.arc_length)
     beforehand = feedforward_command(machine, controller, reference, jit=jit)
     nothing = np.zeros((reference.n_sample, reference.n_axis))
-    course = _Course(Memory(settings.patience))
+    course = _Course(runner, law, part, Memory(settings.patience))
 
-    def run_all(table: Array) -> Verdict | None:
+    def run_all(table: Array) -> Stop:
         for i in range(trials + 1):
-            run = runner.run(table, i, None if progress is None else _counted(progress, i * reference.n_sample))
+            report = None if progress is None else partial(_report_trial, progress, i * reference.n_sample)
+            run = runner.run(table, i, report)
             record = record_of(run, runner, table if law.target == "command" else nothing, beforehand)
-            _note(course, run, runner, i, table, part, reference)
+            course.note(run, i, table)
             if run.status.ok:
                 course.figures[-1] = course.figures[-1].having(change=course.memory.change(record.tracking_error, runner.window))
                 course.memory.add(record.feedback_command, record.tracking_error, run.contour_error)
             if on_trial is not None:
                 on_trial(course.figures[-1])
-            found = verdict(course.figures, settings, settings.explained and course.memory.explained())
-            if found is not None or i == trials:
-                return found
-            table = law.update(table, record, problem)
-        return None
+            stop = verdict(course.figures, settings, settings.explained and course.memory.explained())
+            if stop is not None:
+                return stop
+            if i < trials:
+                table = law.update(table, record, problem)
+        return Stop("trials used up", finding("CL300", trials=trials))
 
     try:
-        found = run_all(nothing if start is None else start.values)
+        stop = run_all(nothing if start is None else start.values)
     except KeyboardInterrupt:
         if course.best is None:
             raise
-        found = Verdict("interrupted", f"after trial {len(course.figures) - 1}")
-    growth = growth_of(course.memory.tracking, machine.servo_period, machine.axis_names) if found and found.word == "diverged" else None
-    split = course.memory.split(law, problem)
-    return _ended(course, found, growth, split, runner, law, part, began)
+        stop = Stop("interrupted", finding("CL308", trial=len(course.figures) - 1))
+    return course.ended(stop, problem, began)
+
+
+def _report_trial(progress: Callable[[int], None], before: int, done: int) -> None:
+    progress(before + done)
 
 
 def _check_start(start: LearnedTable | None, law: LearningLaw, machine: Machine, controller: Controller, reference: Reference) -> None:
@@ -194,11 +243,11 @@ def _check_start(start: LearnedTable | None, law: LearningLaw, machine: Machine,
         return
     start.check(machine, controller, reference)
     if start.target != law.target:
-        raise ResultError(f'the learned table is added to the {start.target}: give the law target = "{start.target}", not "{law.target}"')
+        raise ResultError(f'the learned table is for the {start.target}: write target = "{start.target}" in the law, not "{law.target}"')
 
 
 def _check_reach(law: LearningLaw, reference: Reference) -> None:
-    """Refuse a law that looks further than a trial is long: it would learn next to nothing, and say that it has converged."""
+    """Refuse a law that looks further than a trial is long: it would learn next to nothing and converge at once."""
     known, n, period = law.values(), reference.n_sample, reference.servo_period
     if 2.0 * known.get("half_width", 0.0) >= n:
         raise ParameterError("half_width", f"{known['half_width']:g}", f"less than half of the {n} samples of a trial")
@@ -206,68 +255,6 @@ def _check_reach(law: LearningLaw, reference: Reference) -> None:
         raise ParameterError("lead", f"{known['lead']:g} s", f"less than the {n * period:.4g} s that a trial takes")
 
 
-def _counted(progress: Callable[[int], None], before: int) -> Callable[[int], None]:
-    return lambda done: progress(before + done)
-
-
-def _note(course: _Course, run: Trial, runner: Trials, i: int, table: Array, part: Part, reference: Reference) -> None:
-    """Add a trial to the course of learning."""
-    figures = figures_of(i, run, runner)
-    if run.status.ok and part == "all" and math.isnan(figures.part_max):
-        figures = figures.having(part_max=part_error(run.tool, runner, reference))
-    course.figures.append(figures)
-    if i == 0 or (run.status.ok and best_of(course.figures) == i):
-        kept = (run.tool, run.contour_error)
-        course.first = course.first or kept
-        course.best, course.best_table = kept, table
-
-
-def _ended(
-    course: _Course,
-    found: Verdict | None,
-    growth: Growth | None,
-    split: Split | None,
-    runner: Trials,
-    law: LearningLaw,
-    part: Part,
-    began: float,
-) -> LearningRun:
-    assert course.first is not None
-    assert course.best is not None
-    assert course.best_table is not None
-    figures, best = course.figures, best_of(course.figures)
-    if part == "ends":
-        for i, (tool, _) in ((0, course.first), (best, course.best)):
-            if not figures[i].failed and math.isnan(figures[i].part_max):
-                figures[i] = figures[i].having(part_max=part_error(tool, runner, runner.reference))
-    n, held = len(figures) - 1, figures[-1].saturated
-    status, reason = "trials used up", f"{n} trial{'s have' if n != 1 else ' has'} been run"
-    reason += f"; the drives saturate at {held} samples" if held else ""
-    if found is not None:
-        status, reason = found.word, found.reason
-    if status == "diverged" and figures[best].failed:
-        status += ", no trial came to its end"
-    elif status == "diverged":
-        status += f", rolled back to trial {best}"
-    elif status == "interrupted":
-        status += f", trial {best} kept"
-    reason += f"; {growth}" if growth is not None else ""
-    table = LearnedTable.of(course.best_table.copy(), runner.machine, runner.controller, runner.reference, law, _columns(figures))
-    (first, first_contour), (at_best, best_contour) = course.first, course.best
-    times = (time.perf_counter() - began, runner.engine_seconds, runner.judge_seconds)
-    return LearningRun(status, reason, tuple(figures), best, table, split, growth, first, at_best, first_contour, best_contour, *times)
-
-
 def _columns(figures: list[TrialFigures]) -> dict[str, Array]:
-    names = (
-        "contour_rms",
-        "contour_max",
-        "contour_mean",
-        "tracking_rms",
-        "tracking_max",
-        "command_peak",
-        "saturated",
-        "part_max",
-        "change",
-    )
-    return {name: np.array([getattr(trial, name) for trial in figures], dtype=float) for name in names}
+    names = ("contour_rms", "contour_max", "contour_mean", "tracking_rms", "tracking_max", "command_peak", "saturated")
+    return {name: np.array([getattr(trial, name) for trial in figures], dtype=float) for name in (*names, "part_max", "change")}

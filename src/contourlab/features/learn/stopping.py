@@ -1,41 +1,42 @@
-"""When learning has come to its end: converged, or on its way to nowhere."""
+"""When learning stops: converged or diverged."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 from contourlab.errors import ParameterError
 from contourlab.features.learn.trial import TrialFigures
+from contourlab.findings import Finding, finding
 
 EXPLAINED_GAIN = 0.05
-"""Part of the error beyond which an improvement is none of chance, however much the trials differ."""
+"""Improvement from which chance is no explanation, however much the trials differ."""
 RESOLUTION = 1e-12
-"""Error [m] below which better and worse are a matter of rounding."""
+"""Error [m] below which differences are rounding."""
 
 
 @dataclass(frozen=True)
 class Stopping:
-    """When to stop. What is watched is the contour rms; with one axis, the tracking rms.
+    """When to stop, by the contour rms; with one axis, by the tracking rms.
 
-    Nothing is called diverged as long as the tracking error still falls, or the trials differ less and less.
+    Learning does not count as diverged while the tracking error falls or the trials differ less and less.
 
     Attributes
     ----------
     improvement : float, 0 to 1
-        Converged, when `patience` trials have taken no more than this part off the best contour error before them, nor off the best
-        tracking error, and do not rise steadily; 0 goes on to the last trial.
+        Converged when `patience` trials have reduced neither the best contour error nor the best tracking error by more than this share,
+        and do not rise steadily; 0 goes on to the last trial.
     patience : int, >= 2
     explained : bool
-        Whether it has converged, too, when chance explains how the errors changed over the last `patience` trials.
+        Whether learning has also converged when chance explains the change of the errors over the last `patience` trials.
     divergence : float, > 1
-        Diverged, when a trial is worse than the best by this factor.
+        Diverged when a trial is worse than the best by this factor.
     growth : int, >= 2
-        Diverged, too, when so many trials in a row were each worse than the one before, and the last one is worse than the best by
-        `growth_margin`.
+        Diverged also when each of so many trials was worse than the one before, and the last is worse than the best by `growth_margin`.
     growth_margin : float, > 0
-        In parts of the best.
+        As a share of the best.
     """
 
     improvement: float = 0.01
@@ -58,20 +59,20 @@ class Stopping:
 
 
 @dataclass(frozen=True)
-class Verdict:
-    """Why learning stops: the word, and the reason in a sentence."""
+class Stop:
+    """How learning ended (converged, diverged or interrupted), and why."""
 
-    word: str
-    reason: str
+    status: str
+    finding: Finding
 
 
 def best_of(figures: list[TrialFigures]) -> int:
-    """Return the number of the best trial; of equals the first, and 0 where none came to its end."""
+    """Return the number of the best trial; the first of equals, 0 where all stopped early."""
     merits = [math.inf if math.isnan(trial.merit) else trial.merit for trial in figures]
     return merits.index(min(merits))
 
 
-def verdict(figures: list[TrialFigures], stopping: Stopping, explained: bool) -> Verdict | None:
+def verdict(figures: list[TrialFigures], stopping: Stopping, explained: bool) -> Stop | None:
     """Return why learning stops after these trials, or None if it goes on.
 
     Parameters
@@ -80,11 +81,11 @@ def verdict(figures: list[TrialFigures], stopping: Stopping, explained: bool) ->
         Of all trials so far.
     stopping : Stopping
     explained : bool
-        Whether chance explains how the errors changed of late.
+        Whether chance explains the latest change of the errors.
     """
     last = figures[-1]
     if last.failed:
-        return Verdict("diverged", f"trial {last.trial} did not come to its end: {last.failed}")
+        return Stop("diverged", finding("CL303", trial=last.trial, reason=last.failed))
     merits = [max(trial.merit, RESOLUTION) for trial in figures]
     grows = _grows(figures, merits, stopping)
     if grows is not None or stopping.improvement == 0.0 or len(figures) <= stopping.patience:
@@ -94,51 +95,43 @@ def verdict(figures: list[TrialFigures], stopping: Stopping, explained: bool) ->
     if gain <= stopping.improvement:
         return _settled(figures, merits, stopping, explained)
     if stopping.explained and explained and gain <= EXPLAINED_GAIN:
-        return Verdict("converged", f"chance explains how the errors changed over the last {stopping.patience} trials")
+        return Stop("converged", finding("CL302", trials=stopping.patience))
     return None
 
 
 def _gain(errors: list[float], stopping: Stopping) -> float:
-    """Return the part of the best error before them that the last trials have taken off."""
+    """Return the share that the last trials have taken off the best error before them."""
     before = min(errors[: -stopping.patience])
     return max(before - min(errors[-stopping.patience :]), 0.0) / before
 
 
-def _settled(figures: list[TrialFigures], merits: list[float], stopping: Stopping, explained: bool) -> Verdict | None:
-    """Return what it means that neither contour nor tracking error has become smaller; None where trials are to show it."""
+def _settled(figures: list[TrialFigures], merits: list[float], stopping: Stopping, explained: bool) -> Stop | None:
+    """Return how learning ends where neither error falls any more; None where more trials have to show it."""
     best = merits.index(min(merits))
     risen = merits[-1] / merits[best] - 1.0
-    said = f"the last {stopping.patience} trials made neither contour nor tracking error smaller{_saturation(figures)}"
-    if best + 1 < len(merits):
-        said += f"; the last one is {100.0 * risen:.2g} % above trial {best}"
+    values: dict[str, Any] = {"trials": stopping.patience, "best": best, "above": risen}
     if explained:
-        return Verdict("converged", f"{said}, which chance explains")
+        return Stop("converged", finding("CL302", **values))
     beyond = risen > stopping.growth_margin
     if beyond and (best == 0 or _swells(figures, stopping)):
-        return Verdict("diverged", f"no trial was better than the first; {said}" if best == 0 else said)
+        return Stop("diverged", finding("CL306", **values))
     if not beyond and _rises(merits, stopping) and _swells(figures, stopping):
         return None
-    return Verdict("converged", said)
+    return Stop("converged", finding("CL301", **values))
 
 
-def _grows(figures: list[TrialFigures], merits: list[float], stopping: Stopping) -> Verdict | None:
+def _grows(figures: list[TrialFigures], merits: list[float], stopping: Stopping) -> Stop | None:
     last, best = figures[-1], min(merits)
-    # While the axes still follow better from trial to trial, the contour error may rise for a while: one axis learns faster than another.
-    # And where trials differ less and less they have a limit, if a worse one than they have passed on the way.
+    # While the axes follow better from trial to trial, the contour error may rise for a while: one axis learns faster than another.
+    # Where trials differ less and less they approach a limit, even if an earlier trial was better.
     if last.tracking <= min(trial.tracking for trial in figures) or not _swells(figures, stopping):
         return None
-    saturated = _saturation(figures)
     # One bad trial may be chance, as where an axis stuck once; two are not.
     if len(merits) > 1 and min(merits[-2:]) > stopping.divergence * best:
-        return Verdict("diverged", f"trial {last.trial} is {merits[-1] / best:.3g} times as bad as the best{saturated}")
+        return Stop("diverged", finding("CL304", trial=last.trial, factor=merits[-1] / best))
     if _rises(merits, stopping) and merits[-1] > (1.0 + stopping.growth_margin) * best:
-        return Verdict("diverged", f"the last {stopping.growth} trials were each worse than the one before{saturated}")
+        return Stop("diverged", finding("CL305", trials=stopping.growth))
     return None
-
-
-def _saturation(figures: list[TrialFigures]) -> str:
-    """Say at how many samples the drives saturate, which no learning gets beyond."""
-    return f"; the drives saturate at {figures[-1].saturated} samples" if figures[-1].saturated else ""
 
 
 def _rises(merits: list[float], stopping: Stopping) -> bool:
@@ -148,6 +141,6 @@ def _rises(merits: list[float], stopping: Stopping) -> bool:
 
 
 def _swells(figures: list[TrialFigures], stopping: Stopping) -> bool:
-    """Tell whether the change from trial to trial has not become smaller over the last trials."""
+    """Tell whether the change from trial to trial has not fallen over the last trials."""
     changes = [trial.change for trial in figures[1:]][-stopping.growth :]
     return len(changes) < 2 or changes[-1] >= min(changes[0], changes[-2])

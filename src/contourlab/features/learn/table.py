@@ -1,4 +1,4 @@
-"""The learned table on disk: what was learned, and the program, machine and controller that it belongs to."""
+"""The learned table, in memory and on disk, with the program, machine and controller that it belongs to."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _TEXTS = ("format", "target", "path", "reference", "machine", "controller", "law
 
 @dataclass(frozen=True, eq=False)
 class LearnedTable:
-    """What was learned, and for what.
+    """A learned table.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class LearnedTable:
     machine, controller, law : str
         As files would have them.
     figures : mapping of str to ndarray (n_trial,) or (n_trial, n_axis)
-        What each trial came to, for people.
+        Figures of each trial, for people.
     """
 
     values: Array
@@ -95,39 +95,30 @@ class LearnedTable:
         return Learned(command=self.values) if self.target == "command" else Learned(reference=self.values)
 
     def check(self, machine: Machine, controller: Controller, reference: Reference) -> None:
-        """See that the table belongs to this motion of this machine under this controller.
-
-        The law is not held against it: another law, or other gains, may go on from what one has learned.
+        """Check that the table belongs to this motion of this machine under this controller; the law may differ.
 
         Raises
         ------
         ResultError
-            If it does not; the message says what differs, and what would be right.
+            If it does not; the message says what differs and what to use.
         """
         names = ", ".join(self.axes)
         if self.axes != machine.axis_names:
-            raise self._refused(
-                f"axes {names}", f"a machine with axes {', '.join(machine.axis_names)}", f"take a machine with axes {names}"
-            )
-        if self.servo_period != machine.servo_period or self.servo_period != reference.servo_period:
-            other = machine.servo_period if self.servo_period != machine.servo_period else reference.servo_period
-            raise self._refused(
-                f"a servo period of {self.servo_period:g} s", f"one of {other:g} s", f"run at {self.servo_period:g} s, or learn again"
-            )
+            raise _refused(f"axes {names}", f"a machine with axes {', '.join(machine.axis_names)}", f"use a machine with axes {names}")
+        periods = [period for period in (machine.servo_period, reference.servo_period) if period != self.servo_period]
+        if periods:
+            mine = f"{self.servo_period:g} s"
+            raise _refused(f"a servo period of {mine}", f"one of {periods[0]:g} s", f"run at {mine}, or learn again")
         if self.path != reference.path.digest:
-            raise self._refused(f"path {self.path[:12]}", f"path {reference.path.digest[:12]}", "take the program that it was learned on")
+            raise _refused(f"path {self.path[:12]}", f"path {reference.path.digest[:12]}", "use the program that it was learned on")
         if self.reference != reference.digest or len(self.values) != reference.n_sample:
             mine = f"a motion of {len(self.values)} samples ({self.reference[:12]})"
-            other_motion = f"one of {reference.n_sample} ({reference.digest[:12]}) along the same path"
-            raise self._refused(mine, other_motion, "take the feed, the limits and the blending that it was learned with")
-        for what, now in _texts(machine, controller).items():
-            mine = getattr(self, what)
-            if mine != now:
-                was, has = _first_difference(mine, now)
-                raise self._refused(f"a {what} with {was}", f"one with {has}", f"take the {what} that it was learned on, or learn again")
-
-    def _refused(self, mine: str, other: str, right: str) -> ResultError:
-        return ResultError(f"the learned table belongs to {mine}, not to {other}: {right}")
+            other = f"one of {reference.n_sample} ({reference.digest[:12]}) along the same path"
+            raise _refused(mine, other, "use the feed, limits and blending that it was learned with")
+        for part, text in _texts(machine, controller).items():
+            if getattr(self, part) != text:
+                was, has = _first_difference(getattr(self, part), text)
+                raise _refused(f"a {part} with {was}", f"one with {has}", f"use the {part} that it was learned on, or learn again")
 
     def save(self, file: str | Path) -> None:
         """Write a NetCDF-4 file, whole or not at all.
@@ -169,19 +160,23 @@ class LearnedTable:
             with h5py.File(file, "r") as data:
                 form = _text(data["format"][()]) if "format" in data else None
                 if form != FORMAT:
-                    raise ResultError(f"{file}: is no learned table of contourlab (format = {form!r})")
+                    raise ResultError(f"{file}: not a learned table of contourlab (format = {form!r})")
                 texts = {name: _text(data[name][()]) for name in _TEXTS[1:]}
                 axes = tuple(_text(name) for name in data["axis"][:])
                 period, values = float(data["servo_period"][()]), np.array(data["values"][...])
-                found = {name.removeprefix("figure_"): np.array(data[name][...]) for name in data if name.startswith("figure_")}
+                figures = {name.removeprefix("figure_"): np.array(data[name][...]) for name in data if name.startswith("figure_")}
         except (OSError, KeyError, RuntimeError, TypeError, ValueError) as error:
             raise ResultError(f"{file}: cannot be read as a learned table: {error}") from error
         scheme, content = texts.pop("scheme"), texts.pop("content")
-        table = cls(values=values, axes=axes, servo_period=period, figures=found, **texts)
+        table = cls(values=values, axes=axes, servo_period=period, figures=figures, **texts)
         sound = values.ndim == 2 and values.shape[1] == len(axes) and bool(np.isfinite(values).all())
         if not sound or (table.scheme, table.content) != (scheme, content):
-            raise ResultError(f"{file}: is damaged: its contents do not belong together")
+            raise ResultError(f"{file}: damaged: its contents do not belong together")
         return table
+
+
+def _refused(mine: str, other: str, remedy: str) -> ResultError:
+    return ResultError(f"the learned table belongs to {mine}, not to {other}: {remedy}")
 
 
 def _text(value: Any) -> str:
@@ -189,7 +184,7 @@ def _text(value: Any) -> str:
 
 
 def _texts(machine: Machine, controller: Controller) -> dict[str, str]:
-    """Return machine and controller as text; where their numbers are said to be from is no part of what they are."""
+    """Return machine and controller as text, without the sources of their numbers."""
     plain = unstated(machine)
     return {"machine": dump(plain), "controller": dump(unstated(controller), plain)}
 
@@ -200,7 +195,7 @@ def _law_text(law: LearningLaw, machine: Machine) -> str:
 
 
 def _first_difference(mine: str, other: str) -> tuple[str, str]:
-    """Return the first lines in which two files differ, each under the heading it stands in."""
+    """Return the first lines in which two files differ, each with its heading."""
     heading = ""
     for one, two in zip_longest(mine.splitlines(), other.splitlines(), fillvalue="nothing more"):
         if one != two:

@@ -1,4 +1,4 @@
-"""The figures of one trial, and what of it a law is told."""
+"""One trial: its figures, what the law gets of it, and what the law knows beforehand."""
 
 from __future__ import annotations
 
@@ -8,8 +8,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.learning.law import TrialRecord
+from contourlab.analysis.linear.coupled_loop import axis_link, impulse_responses
+from contourlab.components.learning.law import LearningProblem, TrialRecord
+from contourlab.errors import ComponentError
 from contourlab.feed import Reference
+from contourlab.loop import Controller, Machine
 from contourlab.loop.trials import Trial, Trials
 from contourlab.metrics.judge import judge
 from contourlab.result import Result, Signal
@@ -38,7 +41,7 @@ class TrialFigures:
     change : float [m]
         Rms over all axes by which the tracking error differs from that of the trial before; NaN for the first.
     failed : str
-        Why the trial did not come to its end, in words; empty if it did. All errors are NaN then.
+        Why the trial stopped early; empty if it did not. All errors are NaN then.
     """
 
     trial: int
@@ -93,31 +96,58 @@ def figures_of(trial: int, run: Trial, trials: Trials) -> TrialFigures:
 
 
 def record_of(run: Trial, trials: Trials, table: Array, beforehand: Array) -> TrialRecord:
-    """Return what the law is told.
+    """Return what the law gets of a trial.
 
-    Parameters
-    ----------
-    run : Trial
-    trials : Trials
-    table : ndarray (n_sample, n_axis)
-        What was added to the command; zeros where the reference is learned.
-    beforehand : ndarray (n_sample, n_axis) [command unit]
-        What is known without any error.
+    `table` is what was added to the command (zeros where the reference is learned), `beforehand` the command known without any error;
+    both (n_sample, n_axis).
     """
-    # An observer's estimate closes a loop of its own around the plant: it is no effort that a table could take over.
+    # An observer's estimate closes its own loop around the plant; no table can replace it.
     feedback = run.command - run.excess - table - beforehand + run.estimate
     return TrialRecord(trials.position - run.measured, feedback, run.excess, run.contour_vector)
 
 
-def part_error(tool: Array, trials: Trials, reference: Reference) -> float:
-    """Return the largest distance [m] of the tool's positions (n_sample, n_axis) from the programmed path, over the samples that count.
-
-    Where that is the planned path it is the largest contour error, and need not be asked for.
-    """
+def part_error(tool: Array, trials: Trials) -> float:
+    """Return the largest distance [m] of the tool's positions (n_sample, n_axis) from the programmed path, over the samples that count."""
     signals = {
         "tool_position": Signal(tool, ("sample", "axis"), "m"),
         "reference": Signal(trials.position, ("sample", "axis"), "m"),
         "arc_length": Signal(trials.arc_length, ("sample",), "m"),
     }
-    judged = judge(Result("trial", trials.machine.axis_names, trials.machine.servo_period, signals), reference)
+    judged = judge(Result("trial", trials.machine.axis_names, trials.machine.servo_period, signals), trials.reference)
     return float(np.abs(judged["part_error"][slice(*trials.window)]).max())
+
+
+def learning_problem(machine: Machine, controller: Controller, reference: Reference, target: str, arc_length: Array) -> LearningProblem:
+    """Return what a law knows before the first trial: the path's direction at each sample, and the response to what is learned."""
+    tangent = reference.path.derivatives(arc_length, order=1)[1]
+    tangent = tangent / np.linalg.norm(tangent, axis=1, keepdims=True)
+    return LearningProblem(machine.servo_period, tangent, lambda: input_response(machine, controller, target, len(arc_length)))
+
+
+def input_response(machine: Machine, controller: Controller, target: str, n_sample: int) -> Array:
+    """Return the impulse response of each axis' measured position to the learned input.
+
+    Parameters
+    ----------
+    machine, controller
+        Taken axis by axis, without contour coupling and nonlinear parts.
+    target : {"command", "reference"}
+    n_sample : int
+        Longest useful response.
+
+    Returns
+    -------
+    ndarray (m, n_axis) [m per command unit, or m/m]
+        m <= n_sample; later values are below 1e-13 of the largest.
+
+    Raises
+    ------
+    ComponentError
+        If a component is not linear, or a loop is not stable.
+    """
+    # What is learned enters behind the feedforward.
+    axes = [axis_link(machine, controller, name) for name in machine.axis_names]
+    for name, axis in zip(machine.axis_names, axes, strict=True):
+        if not axis.loop.stable:
+            raise ComponentError(f"axis {name}: an unstable loop has no response to learn with")
+    return impulse_responses(axes, n_sample, target)

@@ -1,23 +1,23 @@
-"""``contourlab machines``: the shipped machines, axes, controllers and runs, where their numbers are from, and copies to start from."""
+"""``contourlab machines``: the shipped machines, axes, controllers and runs, the sources of their numbers, and copies of them."""
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from contourlab.errors import OutputError
-from contourlab.features.run.provenance import NOT_STATED, Number, numbers_of_axis, numbers_of_machine
-from contourlab.features.run.trust import stated_of
+from contourlab.features.run.trust.provenance import numbers_of_axis, numbers_of_machine, stated
+from contourlab.report.judgement import NOT_STATED, Number
 from contourlab.result import write_bytes_atomic
 from contourlab.scenario import BUILTIN, builtin_file, builtin_names, load_axis, load_machine, load_scenario
 from contourlab.scenario.tree import read_tree
 
 KINDS = ("machine", "axis", "controller", "scenario", "program")
-"""What a shipped file can be, in the order in which they are listed."""
+"""Kinds of shipped files, in the order of the list."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Shipped:
         The first sentence of the file.
     file : Path
     numbers : tuple of Number
-        Of a machine or an axis, with where they are from.
+        Of a machine or an axis, with their sources.
     """
 
     name: str
@@ -48,7 +48,7 @@ class Shipped:
 
     @property
     def sources(self) -> dict[str, int]:
-        """How many of its numbers are from where."""
+        """How many of its numbers come from which source."""
         found: dict[str, int] = {}
         for number in self.numbers:
             found[number.source] = found.get(number.source, 0) + 1
@@ -56,20 +56,19 @@ class Shipped:
 
     @property
     def references(self) -> tuple[str, ...]:
-        """The logs, papers and tables that its numbers are from."""
-        named = (name for number in self.numbers if number.origin for name in _names(number.origin.reference))
+        """The logs, papers and tables behind its numbers."""
+        named = (name for number in self.numbers if number.is_stated for name in _names(number.reference))
         return tuple(dict.fromkeys(named))
 
     def as_dict(self) -> dict[str, Any]:
         """Return it for JSON."""
         told = {"name": self.name, "kind": self.kind, "axes": list(self.axes), "about": self.about, "file": str(self.file)}
-        return told | {"sources": self.sources, "references": list(self.references), "provenance": stated_of(self.numbers)}
+        return told | {"sources": self.sources, "references": list(self.references), "provenance": stated(self.numbers)}
 
 
 def shipped() -> list[Shipped]:
     """Return all shipped files: machines first, then axes, controllers, scenarios and programs."""
-    found = [shipped_one(name) for name in builtin_names()]
-    return sorted(found, key=lambda one: (KINDS.index(one.kind), one.name))
+    return sorted(map(shipped_one, builtin_names()), key=lambda file: (KINDS.index(file.kind), file.name))
 
 
 def shipped_one(name: str) -> Shipped:
@@ -78,7 +77,7 @@ def shipped_one(name: str) -> Shipped:
     Raises
     ------
     ScenarioError
-        If there is none; says the nearest name.
+        If there is none; names the nearest.
     """
     file = builtin_file(name)
     short = name.removeprefix(BUILTIN).removesuffix(".toml")
@@ -97,7 +96,7 @@ def shipped_one(name: str) -> Shipped:
 
 
 def _names(reference: str) -> list[str]:
-    """Return the authors, or the files, that a reference begins with, without page or column."""
+    """Return the authors or files at the start of a reference, without page or column."""
     first, *others = reference.split(", ")
     names = [first] if first else []
     for part in others:
@@ -111,7 +110,7 @@ def _names(reference: str) -> list[str]:
 
 
 def _about(file: Path) -> str:
-    """Return the first sentence of the comment that a file begins with."""
+    """Return the first sentence of the comment at the start of a file."""
     words: list[str] = []
     for line in file.read_text(encoding="utf-8").splitlines():
         text = line.strip()
@@ -126,7 +125,7 @@ def _about(file: Path) -> str:
 
 
 def _sentence(text: str) -> str:
-    """Return the first sentence; a stop behind a single letter is none."""
+    """Return the first sentence; a stop after a single letter does not end it."""
     place = 0
     while True:
         place = text.find(". ", place + 1)
@@ -144,32 +143,36 @@ def copy_shipped(name: str, folder: str | Path, *, force: bool = False) -> list[
     name : str
         With or without ``builtin:``.
     folder : str or Path
-        Made if it is not there.
+        Created if missing.
     force : bool
-        Whether files that are there already may be overwritten.
+        Whether to overwrite existing files.
 
     Returns
     -------
     list of Path
-        What was written, the file itself first.
+        The copies, the file itself first.
 
     Raises
     ------
     ScenarioError
-        If none of that name is shipped.
+        If there is no such file.
     OutputError
-        If one of the files is there already, before anything is written; or if one cannot be written.
+        If one of the files exists, before anything is written; or if one cannot be written.
     """
     files = list(dict.fromkeys(_with_parts(builtin_file(name).resolve())))
-    base = os.path.commonpath([file.parent for file in files])  # what lies beside its folder stays beside it
+    base = os.path.commonpath([file.parent for file in files])  # keep the folders between the files
     targets = {Path(folder) / file.relative_to(base): file for file in files}
-    there = [target.name for target in targets if target.exists()]
-    if there and not force:
-        listed = f"{', '.join(there)} {'is' if len(there) == 1 else 'are'}"
-        raise OutputError(f"{folder}: {listed} there already: choose another folder, or use --force")
+    refuse_existing(targets, folder, force)
     for target, file in targets.items():
         write_bytes_atomic(target, file.read_bytes())
     return list(targets)
+
+
+def refuse_existing(targets: Iterable[Path], folder: str | Path, force: bool) -> None:
+    """Raise OutputError if a target exists, unless forced."""
+    existing = [target.name for target in targets if target.exists()]
+    if existing and not force:
+        raise OutputError(f"{folder}: there already: {', '.join(existing)}. Choose another folder, or use --force")
 
 
 def _with_parts(file: Path) -> Iterator[Path]:

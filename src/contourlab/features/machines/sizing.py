@@ -1,4 +1,4 @@
-"""What follows from an axis' catalogue data: reflected inertia, forces, guesses of friction and damping, the model for its controller."""
+"""Size an axis from catalogue data: reflected inertia, forces, guesses of friction and damping, the model for its controller."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-# Shares and ratios behind the guesses; each is named in the files that it goes into.
+# Shares and ratios of the guesses; the files name each.
 FRICTION_SHARE = 0.1
-"""Coulomb friction over the force at rated torque: stiction in ball screws takes up to a tenth of the control signal (Ghaffari & Ulsoy)."""
+"""Coulomb friction over the force at rated torque: stiction of ball screws takes up to a tenth of the command (Ghaffari & Ulsoy)."""
 DAMPING_SHARE = 0.1
 """Viscous force at the velocity limit over the force at rated torque: a typical share of rail guides and a greased nut."""
 BREAKAWAY_RATIO = 1.25
@@ -18,22 +18,23 @@ GRAVITY = 9.81
 OBSERVER_RATIO, FILTER_RATIO, VELOCITY_RATIO = 2.5, 10.0, 30.0
 """Bandwidths of the observer over Kv, of its filter over its own, of the velocity's low-pass over Kv."""
 FASTEST = 0.1
-"""Largest Kv times servo period: beyond it the hold eats the phase margin that the poles are placed for."""
+"""Largest Kv times servo period: above it the hold takes the phase margin of the placed poles."""
 DAMPING = 0.8
 
 
 def rounded(value: float) -> float:
-    """Return a value with four digits: a guess needs no more, and people read it."""
+    """Return a value with four digits, enough for a guess."""
     return float(f"{value:.4g}")
 
 
 @dataclass(frozen=True)
 class SizedAxis:
-    """Answers about an axis in SI, which read as its attributes, and what follows from them."""
+    """Answers about an axis in SI, as attributes, and what follows from them; `defaults` are the questions answered by default."""
 
     name: str
     answers: Mapping[str, Any]
     carried: float
+    defaults: frozenset[str] = frozenset()
 
     def __getattr__(self, key: str) -> Any:
         try:
@@ -43,17 +44,17 @@ class SizedAxis:
 
     @property
     def inertia(self) -> float:
-        # A sum of two numbers as they were typed has no more digits than these.
+        # A sum of two typed numbers has no more digits than they have.
         return float(f"{self.answers['rotor_inertia'] + self.answers['screw_inertia']:.12g}")
 
     @property
     def reflected(self) -> float:
-        """Mass that the rotating parts count for at the table [kg]."""
+        """Mass of the rotating parts as seen at the table [kg]."""
         return float(self.inertia * (2.0 * math.pi / self.answers["lead"]) ** 2)
 
     @property
     def mass(self) -> float:
-        """All that is accelerated [kg]."""
+        """Accelerated mass [kg]."""
         return float(self.answers["moved_mass"] + self.carried + self.reflected)
 
     def force(self, torque: float) -> float:
@@ -70,7 +71,7 @@ class SizedAxis:
 
     @property
     def weight(self) -> float:
-        """What gravity pulls along the axis [N]."""
+        """Weight along the axis [N]."""
         return rounded(GRAVITY * (self.answers["unbalanced_mass"] or 0.0))
 
     @property

@@ -1,4 +1,4 @@
-"""What a user says of a log on the command line, and the log that it opens."""
+"""What the command line says of a log, and the log that it opens."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from contourlab.geometry import Path as Contour
 
 PROGRAMS = (".ngc", ".nc", ".gcode", ".gc", ".tap", ".cnc", ".mpf", ".txt")
-"""Endings of part programs, where a reference is one and no list of columns."""
+"""Endings of part programs: a reference with one is a program, not a list of columns."""
 
 
 @dataclass(frozen=True)
 class LogChoice:
-    """What a user says of a log.
+    """A log and how to read it.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class LogChoice:
     period : str, optional
         As ``"1 ms"``.
     axes : sequence of str
-        Those that make the contour; by default all.
+        Axes of the contour; by default all.
     """
 
     file: str | Path
@@ -46,17 +46,16 @@ class LogChoice:
 
     @property
     def files(self) -> tuple[str | Path, ...]:
-        """The files that are read."""
+        """The files to read."""
         return (self.file,) if self.mapping is None else (self.file, self.mapping)
 
 
 def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
-    """Read a log as its user says.
+    """Read a log. Columns and period of the command line override those of the mapping file.
 
     Parameters
     ----------
     choice : LogChoice
-        What the command line says goes before what the file of columns does.
     more : sequence of Column
         Further columns.
 
@@ -65,49 +64,48 @@ def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
     LogError, ParameterError
         As of `contourlab.logs.load_log`.
     """
-    said = parse_columns(choice.columns)
-    written = read_columns(choice.mapping) if choice.mapping is not None else Columns()
-    typed = once((*said, *more), "--column and --reference")
-    first = {(column.signal, column.axis) for column in typed}
-    columns = (*typed, *(c for c in written.columns if (c.signal, c.axis) not in first))
-    period = written.period
+    mapping = read_columns(choice.mapping) if choice.mapping is not None else Columns()
+    typed = once((*parse_columns(choice.columns), *more), "--column and --reference")
+    overridden = {(column.signal, column.axis) for column in typed}
+    columns = (*typed, *(c for c in mapping.columns if (c.signal, c.axis) not in overridden))
+    period = mapping.period
     if choice.period is not None:
         period = positive("--period", choice.period, "s", 'a time with its unit, such as "1 ms"')
-    record = read_record(choice.file, choice.format or written.format)
+    record = read_record(choice.file, choice.format or mapping.format)
     return result_of(record, Columns(columns, period))
 
 
-def told_apart(files: Sequence[str | Path]) -> list[str]:
-    """Return what files are called: their names, with as much of the folders above as tells those of one name apart.
+def distinct_names(files: Sequence[str | Path]) -> list[str]:
+    """Return the names of files, with as many folders as tell equal names apart.
 
-    >>> told_apart(["x/slow.csv", "y/slow.csv", "y/fast.csv"])
+    >>> distinct_names(["x/slow.csv", "y/slow.csv", "y/fast.csv"])
     ['x/slow.csv', 'y/slow.csv', 'fast.csv']
     """
-    parts = [Path(file).parts for file in files]
+    paths = [Path(file).parts for file in files]
 
-    def called(mine: tuple[str, ...]) -> str:
-        others = [one for one in parts if one != mine]
-        length = next((n for n in range(1, len(mine)) if all(one[-n:] != mine[-n:] for one in others)), len(mine))
-        return Path(*mine[-length:]).as_posix()
+    def name(path: tuple[str, ...]) -> str:
+        others = [other for other in paths if other != path]
+        length = next((n for n in range(1, len(path)) if all(other[-n:] != path[-n:] for other in others)), len(path))
+        return Path(*path[-length:]).as_posix()
 
-    return [called(mine) for mine in parts]
+    return [name(path) for path in paths]
 
 
 def positive(option: str, text: str, unit: str, wanted: str) -> float:
-    """Return what an option gives, > 0, in SI.
+    """Return the value of an option in SI, > 0.
 
     Parameters
     ----------
     option, text : str
     unit : str
-        Of the dimension that is expected.
+        SI unit of the expected dimension.
     wanted : str
-        What would be right, in words.
+        What to write, for the message.
 
     Raises
     ------
     ParameterError
-        If it is no such quantity.
+        If the text is no such quantity, or not positive.
     """
     try:
         value = to_si(text, unit)
@@ -125,17 +123,17 @@ def is_program(reference: str) -> bool:
 
 
 def reference_columns(reference: str, choice: LogChoice) -> tuple[Column, ...]:
-    """Return the columns of the reference out of their names with commas between, in the order of the axes."""
+    """Return the columns of the reference from names separated by commas, in the order of the axes."""
     names = [name.strip() for name in reference.split(",")]
-    said = [column.axis for column in parse_columns(choice.columns) if column.signal == "position"]
-    wanted = list(choice.axes) or said or list("xyz"[: len(names)])
-    if len(names) != len(wanted):
-        raise LogError(f"{len(names)} columns for the axes {', '.join(wanted)}: name one for each", file="--reference")
-    return parse_columns([f"reference.{axis}={name}" for axis, name in zip(wanted, names, strict=True)], "--reference")
+    positions = [column.axis for column in parse_columns(choice.columns) if column.signal == "position"]
+    axes = list(choice.axes) or positions or list("xyz"[: len(names)])
+    if len(names) != len(axes):
+        raise LogError(f"{len(names)} columns for the axes {', '.join(axes)}: name one for each", file="--reference")
+    return parse_columns([f"reference.{axis}={name}" for axis, name in zip(axes, names, strict=True)], "--reference")
 
 
 def program_path(program: str, axes: Sequence[str]) -> Contour:
-    """Return the path of a part program, in the coordinates of the log's axes."""
+    """Return the path of a part program in the coordinates of the log's axes."""
     from contourlab.feed import route_from_program
     from contourlab.program import Reading, read_program
     from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE

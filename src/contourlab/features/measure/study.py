@@ -1,4 +1,4 @@
-"""A measured run held against what was asked for: the same figures that a simulation gives."""
+"""Judge a measured run: the same figures as for a simulation."""
 
 from __future__ import annotations
 
@@ -8,27 +8,30 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.app.progress import farthest, progress_along, size_of
 from contourlab.errors import ResultError
-from contourlab.features.measure.likely import same_column, unlikely_motion, unlikely_period
+from contourlab.features.measure.laps import last_lap
+from contourlab.features.measure.path_progress import farthest, progress_along, size_of
+from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
 from contourlab.features.measure.sample_path import moving, path_of_samples
 from contourlab.features.measure.shift import fitted_shift
-from contourlab.features.run.laps import last_lap
 from contourlab.feed import Reference
+from contourlab.findings import Finding, finding
 from contourlab.geometry import Path
+from contourlab.logs import Log
+from contourlab.logs.clock import EVEN
 from contourlab.metrics import AxisFigures, CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
 from contourlab.result import Result, Signal
 from contourlab.scenario.placing import placed
 
 Array = NDArray[np.float64]
 ACTUAL = ("tool_position", "position", "axis_position")
-"""Signals that say where the tool was, the best first: a measured log has the encoders' alone."""
+"""Signals of the tool's position, the best first; a measured log has encoder positions only."""
 STILL = 1e-9
-"""Metres behind the start of a path, or ahead of its end, from which on the tool is not on it; errors below it are nothing."""
-NO_DRIVES = {"reference": "places on the path"}
-"""Attribute of a result whose reference is none of the drives', but where the tool was on the path: there is no tracking error."""
-ALIKE = 0.5
-"""Share of a reference's variance that is in the position of an axis that follows it, lag and all."""
+"""Distance [m] beyond the ends of a path from which the tool is off it; smaller errors count as zero."""
+NO_REFERENCE = {"reference": "places on the path"}
+"""Attribute of a result whose log has no reference: there is no tracking error."""
+FOLLOWS = 0.5
+"""Least share of a reference's variance in the position of an axis that follows it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,12 +44,14 @@ class Measured:
         With the judge's signals.
     reference : Reference
     metrics : Metrics
-        Over the samples at which something was asked to move; axes' tracking errors are not a number where the log says no reference.
+        Over the moving part; tracking errors are nan without a reference.
     spikes : tuple of Spike
-        Of the contour error, where an axis turns.
+        Of the contour error at reversals.
     circles : tuple of CircleFigures
         Full circles of a given path.
-    notes : tuple of str
+    findings : tuple of Finding
+    shift : dict of str to float [m], or None
+        Of the path, by axis.
     """
 
     result: Result
@@ -54,7 +59,8 @@ class Measured:
     metrics: Metrics
     spikes: tuple[Spike, ...]
     circles: tuple[CircleFigures, ...]
-    notes: tuple[str, ...]
+    findings: tuple[Finding, ...]
+    shift: dict[str, float] | None = None
 
 
 def measure(
@@ -65,93 +71,118 @@ def measure(
     Parameters
     ----------
     result : Result
-        With ``position``, the encoders', or another of `ACTUAL`; and ``reference`` unless a path is given.
+        With a position, one of `ACTUAL`; and ``reference`` unless a path is given.
     path : Path, optional
-        What the tool was to follow; by default the path through the samples of the reference.
+        Programmed path; by default the path through the samples of the reference.
     axes : tuple of str, optional
-        Those that make the contour, in the order of the path's coordinates; by default all that the result has.
+        Axes of the contour, in the order of the path's coordinates; by default all.
     shift : ndarray (n_axis,) [m] or "fit", optional
-        Where the zero of the path's coordinates lies in those of the result; ``"fit"`` for where the tool is closest to the path.
+        Zero of the path in the coordinates of the result; ``"fit"`` for the shift closest to the tool.
 
     Raises
     ------
     ResultError
-        If a signal is missing or not finite, nothing moves, the tool is nowhere near the path, or a shift is asked for without one.
+        If a signal is missing or not finite, nothing moves, the tool is far from the path, or a shift is given without a path.
     """
-    chosen = _of_axes(result, axes or result.axes)
-    position = _position_of(chosen)
-    notes = [*unlikely_period(result.servo_period, "the run"), *unlikely_motion(position, result.servo_period, "the tool")]
-    of_samples = path is None
+    run = _of_axes(result, axes or result.axes)
+    position = _position_of(run)
+    findings = [*period_findings(result.servo_period), *motion_findings(position, result.servo_period)]
+    of_samples, shifts = path is None, None
     if path is None:
         if shift is not None:
-            raise ResultError("a shift is for a path of its own coordinates: the reference is in those of the log already")
-        wanted = _reference_of(chosen)
-        path, along = path_of_samples(wanted)
+            raise ResultError("a shift needs a path of its own: the reference already is in the coordinates of the log")
+        reference = _reference_of(run)
+        path, along = path_of_samples(reference)
     else:
         if shift is not None:
-            path, words = _shifted(path, position, shift, chosen.axes)
-            notes.append(words)
-        along, off = progress_along(path, position)
-        notes.append(f"laid along the path by its own progress; nearest {off * 1e6:.3g} um at the start")
-        if "reference" in chosen:
-            wanted = chosen["reference"]
+            findings += [finding("CL406")] if isinstance(shift, str) else []
+            move = fitted_shift(path, position) if isinstance(shift, str) else shift
+            path, shifts = placed(path, move.tolist()), dict(zip(run.axes, move.tolist(), strict=True))
+        along, distance = progress_along(path, position)
+        findings.append(finding("CL407", distance=float(distance)))
+        if "reference" in run:
+            reference = run["reference"]
         else:
-            wanted, chosen = path.position(along), replace(chosen, attributes={**chosen.attributes, **NO_DRIVES})
-    if not NO_DRIVES.items() <= chosen.attributes.items():
-        notes += _unlike(chosen.axes, wanted, position)
-    reference = Reference.from_samples(wanted, result.servo_period, path, arc_length=along)
-    judged = judge(_with_motion(chosen, position, wanted, along), reference)
-    window = moving(wanted)
+            reference, run = path.position(along), replace(run, attributes={**run.attributes, **NO_REFERENCE})
+    if not NO_REFERENCE.items() <= run.attributes.items():
+        findings += _reference_findings(run.axes, reference, position)
+    motion = Reference.from_samples(reference, result.servo_period, path, arc_length=along)
+    judged = judge(_with_motion(run, position, reference, along), motion)
+    window = moving(reference)
     if of_samples:
-        window, left = _on_the_path(judged, reference, window)
-        notes += left
+        window, left_out = _on_the_path(judged, motion, window)
+        findings += [finding("CL408", samples=left_out)] if left_out else []
         _check_near(judged["contour_error"][slice(*window)], path, position)
-        notes += _on_last_lap(judged, reference, window)
-    notes += _of_one_sample(judged, window)
-    metrics = _of_what_is_known(summarise(judged, reference, window), chosen, window)
-    spikes, circles = reversal_spikes(judged, window, reference=reference), circles_of(judged, reference)
-    return Measured(judged, reference, metrics, spikes, circles, tuple(notes))
+        findings += _last_lap_findings(judged, motion, window)
+    findings += _outlier_findings(judged, window)
+    metrics = _known_metrics(summarise(judged, motion, window), run, window)
+    spikes, circles = reversal_spikes(judged, window, reference=motion), circles_of(judged, motion)
+    return Measured(judged, motion, metrics, spikes, circles, tuple(findings), shifts)
 
 
-def _shifted(path: Path, position: Array, shift: Array | Literal["fit"], axes: tuple[str, ...]) -> tuple[Path, str]:
-    """Return the path with its zero where it lies in the log, and what there is to say of it."""
-    fitted = isinstance(shift, str)
-    move = fitted_shift(path, position) if isinstance(shift, str) else shift
-    where = ", ".join(f"{axis} {1e3 * value:.6g} mm" for axis, value in zip(axes, move, strict=True))
-    return placed(path, move.tolist()), f"the path is shifted by {where}" + (
-        ", fitted: a constant offset of the tool is not in the error" if fitted else ""
-    )
+def gap_findings(log: Log, measured: Measured, *, of_samples: bool) -> list[Finding]:
+    """Return whether the largest contour error lies where samples are missing.
+
+    Parameters
+    ----------
+    log : Log
+    measured : Measured
+        The log, judged.
+    of_samples : bool
+        Whether the path is that of the log's own reference, which a gap cuts short by a chord.
+
+    Notes
+    -----
+    An error belongs to a gap if its sample lies in a gap of a position, or its foot point on the bridge over a gap of a reference: the tool
+    may lag and reach the bridge after the gap, or lead and be there at the last sample before.
+    """
+    worst = measured.metrics.contour_error.worst.time
+    if inside := log.gaps_at(worst):
+        return [finding("CL411", time=worst, channels=tuple(inside))]
+    bridged = _bridged_at(log, measured, worst) if of_samples else ()
+    return [finding("CL412", time=worst, channels=bridged)] if bridged else []
 
 
-def _position_of(chosen: Result) -> Array:
-    """Return where the tool was (n_sample, n_axis) [m]."""
-    actual = next((name for name in ACTUAL if name in chosen), None)
-    if actual is None:
-        raise ResultError(f"no position in {chosen.source}: say which column is one, such as --column 'position.x=NAME [mm]'")
-    position = chosen[actual]
-    missing = [axis for axis, column in zip(chosen.axes, position.T, strict=True) if not np.isfinite(column).all()]
+def _bridged_at(log: Log, measured: Measured, time: float) -> tuple[str, ...]:
+    """Return the channels of references with a gap whose bridge holds the foot point at a time [s]."""
+    result, period = measured.result, measured.result.servo_period
+    along, foot = result["arc_length"], result["foot_arc_length"][round(time / period)]
+    channels = []
+    for name, start, stop in log.gaps("reference"):
+        edges = np.array([np.floor(start / period + EVEN), np.ceil(stop / period - EVEN)], dtype=np.int64)
+        before, behind = along[np.clip(edges, 0, len(along) - 1)]
+        if before <= foot <= behind:
+            channels.append(name)
+    return tuple(dict.fromkeys(channels))
+
+
+def _position_of(run: Result) -> Array:
+    """Return the tool's position (n_sample, n_axis) [m]."""
+    name = next((name for name in ACTUAL if name in run), None)
+    if name is None:
+        raise ResultError(f"no position in {run.source}: name its column, such as --column 'position.x=NAME [mm]'")
+    position = run[name]
+    missing = [axis for axis, column in zip(run.axes, position.T, strict=True) if not np.isfinite(column).all()]
     if missing:
-        raise ResultError(
-            f"no position of {', '.join(missing)} in {chosen.source}: say which column it is, or leave the axis out with --axes"
-        )
+        raise ResultError(f"no position of {', '.join(missing)} in {run.source}: name its column, or leave the axis out with --axes")
     return position
 
 
-def _reference_of(chosen: Result) -> Array:
-    if "reference" not in chosen:
-        raise ResultError(f"no reference in {chosen.source}: say which columns, or name the part program with --reference part.ngc")
-    wanted = chosen["reference"]
-    missing = [axis for axis, column in zip(chosen.axes, wanted.T, strict=True) if not np.isfinite(column).any()]
+def _reference_of(run: Result) -> Array:
+    if "reference" not in run:
+        raise ResultError(f"no reference in {run.source}: name its columns, or the part program with --reference part.ngc")
+    reference = run["reference"]
+    missing = [axis for axis, column in zip(run.axes, reference.T, strict=True) if not np.isfinite(column).any()]
     if missing:
+        example = f"--column 'reference.{missing[0]}=NAME [mm]'"
         raise ResultError(
-            f"no reference of {', '.join(missing)} in {chosen.source}: say which column it is, such as "
-            f"--column 'reference.{missing[0]}=NAME [mm]', or leave the axis out with --axes"
+            f"no reference of {', '.join(missing)} in {run.source}: name its column, such as {example}, or leave the axis out with --axes"
         )
-    return wanted
+    return reference
 
 
 def _check_near(contour: Array, path: Path, position: Array) -> None:
-    """Refuse positions that are not on the path of their reference at all, as where columns are exchanged or units differ."""
+    """Refuse positions that are not on the path of their reference at all: columns exchanged, or units that differ."""
     rms, size, moved = float(np.sqrt(np.mean(contour**2))), size_of(path), float(np.ptp(position, axis=0).max())
     if rms > farthest(min(size, moved)):
         raise ResultError(
@@ -160,75 +191,70 @@ def _check_near(contour: Array, path: Path, position: Array) -> None:
         )
 
 
-def _unlike(axes: tuple[str, ...], wanted: Array, position: Array) -> list[str]:
-    """Remark on axes whose position has little of their reference in it."""
-    left, whole = np.var(wanted - position, axis=0), np.var(wanted, axis=0)
-    names = ", ".join(axis for axis, off, size in zip(axes, left, whole, strict=True) if off > (1.0 - ALIKE) * size > 0.0)
-    said = [f"the position of {names} does not go with its reference: are column, unit and direction right?"] if names else []
-    return [*said, *same_column(axes, wanted, position)]
+def _reference_findings(axes: tuple[str, ...], reference: Array, position: Array) -> list[Finding]:
+    """Return the axes whose position has little of their reference in it, or equals it."""
+    left, whole = np.var(reference - position, axis=0), np.var(reference, axis=0)
+    unlike = tuple(axis for axis, off, size in zip(axes, left, whole, strict=True) if off > (1.0 - FOLLOWS) * size > 0.0)
+    return [*([finding("CL405", axes=unlike)] if unlike else []), *same_column_findings(axes, reference, position)]
 
 
-def _with_motion(chosen: Result, position: Array, wanted: Array, along: Array) -> Result:
-    """Return the result with the signals that a simulation gives."""
-    period = chosen.servo_period
-    return chosen.with_signals(
+def _with_motion(run: Result, position: Array, reference: Array, along: Array) -> Result:
+    """Return the result with the signals of a simulation."""
+    period = run.servo_period
+    return run.with_signals(
         tool_position=Signal(position, ("sample", "axis"), "m"),
-        reference=Signal(wanted, ("sample", "axis"), "m"),
+        reference=Signal(reference, ("sample", "axis"), "m"),
         arc_length=Signal(along, ("sample",), "m"),
         feedrate=Signal(np.abs(np.gradient(along, period)), ("sample",), "m/s"),
-        reference_velocity=Signal(np.gradient(wanted, period, axis=0), ("sample", "axis"), "m/s"),
+        reference_velocity=Signal(np.gradient(reference, period, axis=0), ("sample", "axis"), "m/s"),
     )
 
 
-def _on_the_path(judged: Result, reference: Reference, window: tuple[int, int]) -> tuple[tuple[int, int], list[str]]:
-    """Return the samples that are judged, and what there is to say of others.
+def _on_the_path(judged: Result, reference: Reference, window: tuple[int, int]) -> tuple[tuple[int, int], int]:
+    """Return the samples to judge, and how many were dropped.
 
-    A log that begins in motion does not hold the path that the tool is on until it comes to where the reference was at the first sample:
-    what it is off there is its lag. The same holds for a tool that is ahead where the log ends in motion.
+    A log that begins in motion does not hold the path on which the tool is until the tool reaches the first sample of the reference: its
+    distance there is lag. The same holds for a tool that leads where the log ends in motion.
     """
     path, tool, foot = reference.path, judged["tool_position"], judged["foot_arc_length"]
     start, stop = window
     ends = np.array([0.0, path.length])
-    behind, ahead = (((tool - at) @ way) for at, way in zip(path.position(ends), path.tangent(ends), strict=True))
+    behind, ahead = (((tool - at) @ tangent) for at, tangent in zip(path.position(ends), path.tangent(ends), strict=True))
     before, beyond = (foot <= 0.0) & (behind < -STILL), (foot >= path.length) & (ahead > STILL)
     first = int(np.argmin(before)) if start == 0 and not before.all() else start
     last = stop - int(np.argmin(beyond[:stop][::-1])) if stop >= len(foot) - 1 and not beyond.all() else stop
-    if last - first < 2 or (first, last) == window:
-        return window, []
-    left = first - start + stop - last
-    return (first, last), [f"the log is cut in motion: {left} samples at which the tool is not on the recorded path are left out"]
+    if last - first < 2:
+        return window, 0
+    return (first, last), first - start + stop - last
 
 
-def _on_last_lap(judged: Result, reference: Reference, window: tuple[int, int]) -> list[str]:
-    """Tell the last lap alone, which is what a simulated run is judged by: the first one has the start from rest in it."""
+def _last_lap_findings(judged: Result, reference: Reference, window: tuple[int, int]) -> list[Finding]:
+    """Return the error of the last lap alone, by which a simulated run is judged; the first lap has the start from rest in it."""
     first = last_lap(reference.path, judged["arc_length"])
     if first is None or not window[0] < first < window[1] - 2:
         return []
     error = np.abs(judged["contour_error"][first : window[1]])
-    rms, largest = 1e6 * float(np.sqrt(np.mean(error**2))), 1e6 * float(error.max())
-    when = f"from t = {judged.time[first]:.4g} s on"
-    return [f"of the last lap alone, {when}, the contour error is {rms:.3g} um rms, {largest:.3g} um at most"]
+    return [finding("CL409", time=float(judged.time[first]), rms=float(np.sqrt(np.mean(error**2))), largest=float(error.max()))]
 
 
-def _of_one_sample(judged: Result, window: tuple[int, int]) -> list[str]:
-    """Ask about a largest error of which no other sample has half: no mass goes there and back between two samples."""
+def _outlier_findings(judged: Result, window: tuple[int, int]) -> list[Finding]:
+    """Return a largest error more than twice that of any other sample: no mass moves there and back within two samples."""
     error = np.abs(judged["contour_error"][slice(*window)])
     worst = int(np.argmax(error))
-    rest = float(np.delete(error, worst).max(initial=0.0))
-    if rest > 0.5 * error[worst] or error[worst] < STILL:
+    others = float(np.delete(error, worst).max(initial=0.0))
+    if others > 0.5 * error[worst] or error[worst] < STILL:
         return []
-    when, others = f"at t = {judged.time[window[0] + worst]:.4g} s", f"all others are below {1e6 * rest:.3g} um"
-    return [f"the largest contour error, {when}, is that of one sample alone, {others}: a fault of the log?"]
+    return [finding("CL410", time=float(judged.time[window[0] + worst]), others=others)]
 
 
-def _of_what_is_known(metrics: Metrics, chosen: Result, window: tuple[int, int]) -> Metrics:
-    """Return the figures without those that the log does not tell."""
+def _known_metrics(metrics: Metrics, run: Result, window: tuple[int, int]) -> Metrics:
+    """Return the figures; nan where the log lacks the signal."""
     nan = float("nan")
-    if NO_DRIVES.items() <= chosen.attributes.items():
-        metrics = replace(metrics, tracking_error=(AxisFigures(nan, nan),) * len(chosen.axes))
-    if "applied_command" not in chosen:
-        metrics = replace(metrics, saturation=(nan,) * len(chosen.axes))
-    return replace(metrics, basis="moving part", cycle_time=(window[1] - window[0]) * chosen.servo_period)
+    if NO_REFERENCE.items() <= run.attributes.items():
+        metrics = replace(metrics, tracking_error=(AxisFigures(nan, nan),) * len(run.axes))
+    if "applied_command" not in run:
+        metrics = replace(metrics, saturation=(nan,) * len(run.axes))
+    return replace(metrics, basis="moving part", cycle_time=(window[1] - window[0]) * run.servo_period)
 
 
 def _of_axes(result: Result, axes: tuple[str, ...]) -> Result:
@@ -240,5 +266,5 @@ def _of_axes(result: Result, axes: tuple[str, ...]) -> Result:
     if axes == result.axes:
         return result
     columns = [result.axes.index(axis) for axis in axes]
-    cut = {n: replace(s, data=s.data[:, columns]) if s.data.ndim == 2 else s for n, s in result.signals.items()}
-    return replace(result, axes=axes, signals=cut)
+    signals = {n: replace(s, data=s.data[:, columns]) if s.data.ndim == 2 else s for n, s in result.signals.items()}
+    return replace(result, axes=axes, signals=signals)

@@ -1,4 +1,4 @@
-"""A machine and its controller driven along a log's own reference, tick by tick on its clock, to be held against what was measured."""
+"""A machine and its controller simulated along a log's own reference, tick by tick on its clock, to compare with what was measured."""
 
 from __future__ import annotations
 
@@ -13,15 +13,16 @@ from contourlab.errors import ResultError
 from contourlab.features.measure.sample_path import moving
 from contourlab.features.measure.study import Measured, measure
 from contourlab.feed import Reference
+from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, simulate_batch
 from contourlab.result import Result, Signal
 
 Array = NDArray[np.float64]
 
 LEAD = 50
-"""Samples at rest that are simulated ahead of the first move."""
+"""Samples at rest that are simulated before the first move."""
 PERIODS_APART = 1e-6
-"""Share by which the clocks of a log and of a controller may differ."""
+"""Share by which the periods of a log and of a controller may differ."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,7 @@ class Agreement:
     ----------
     run, axis, signal : str
     explained : float
-        Share of the variance that is explained, 1 - var(measured - simulated)/var(measured); of a position, of its tracking error.
+        Share of the variance, 1 - var(measured - simulated)/var(measured); for a position that of the tracking error.
     fit : float [percent]
         100 (1 - |measured - simulated|/|measured - its mean|), the same signals.
     rms : float [m or units of the command]
@@ -46,30 +47,34 @@ class Agreement:
     fit: float
     rms: float
 
+    @property
+    def place(self) -> str:
+        """Run, signal and axis."""
+        return f"{self.run}, {self.signal} of {self.axis}"
+
 
 @dataclass(frozen=True, eq=False)
 class LogRun:
-    """A log, and the machine and controller that are to follow it.
+    """A log, and the machine and controller that should follow it.
 
     Attributes
     ----------
     label : str
-        What the run is called.
     machine : Machine
     controller : Controller
     reference : Reference
-        The log's, from shortly before the first move on.
+        The log's, from shortly before the first move.
     position : ndarray (n_sample, n_axis) [m]
         Measured, at the same samples.
     command : ndarray (n_sample, n_axis) or None
-        Measured too, where the log has it in the unit of the plants' commands.
+        Measured, if the log has it in the unit of the plants' commands.
     start : float [s]
-        Time of the first sample on the log's clock.
+        Of the first sample, on the log's clock.
     moves : (int, int)
-        Samples [start, stop) over which something is asked to move.
+        Samples [start, stop) over which the reference moves.
     steady : bool
-        Whether the axes move at the first sample already: then they start with the reference's velocity.
-    notes : tuple of str
+        Whether the log begins in motion: then the axes start with the reference's velocity.
+    findings : tuple of Finding
     """
 
     label: str
@@ -81,11 +86,11 @@ class LogRun:
     start: float
     moves: tuple[int, int]
     steady: bool
-    notes: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
 
     @property
     def signals(self) -> tuple[str, ...]:
-        """What is compared."""
+        """Signals that are compared."""
         return ("position",) if self.command is None else ("position", "command")
 
     @cached_property
@@ -109,23 +114,23 @@ class LogRun:
         return self.start + self.machine.servo_period * np.arange(self.reference.n_sample, dtype=np.float64)
 
     def simulated(self, variants: Mapping[str, ArrayLike], rows: slice | NDArray[np.bool_] = slice(None)) -> Array:
-        """Return the simulated signals (n_row, n_channel, n_variant), as `measured` has them; NaN throughout where a variant diverges.
+        """Return the simulated signals (n_row, n_channel, n_variant) as in `measured`; all nan where a variant diverges.
 
         Parameters
         ----------
         variants : mapping of str to array_like (n_variant,)
-            Parameters that differ, by their dotted names.
+            Values of parameters, by their dotted names.
         rows : slice or ndarray of bool
-            Samples that are wanted.
+            Samples to return.
         """
-        found = simulate_batch(self.machine, self.controller, self.reference, variants, keep=self.signals, judge=False, moving=self.steady)
-        parts = [self.asked[rows][:, :, None] - found.signals["position"][rows]]
-        joined = np.concatenate(parts if self.command is None else [*parts, found.signals["command"][rows]], axis=1)
-        joined[:, :, (found.failed_at >= 0) | ~np.isfinite(joined).all(axis=(0, 1))] = np.nan
+        batch = simulate_batch(self.machine, self.controller, self.reference, variants, keep=self.signals, judge=False, moving=self.steady)
+        parts = [self.asked[rows][:, :, None] - batch.signals["position"][rows]]
+        joined = np.concatenate(parts if self.command is None else [*parts, batch.signals["command"][rows]], axis=1)
+        joined[:, :, (batch.failed_at >= 0) | ~np.isfinite(joined).all(axis=(0, 1))] = np.nan
         return joined
 
     def once(self) -> Array:
-        """Return the simulated signals (n_sample, n_channel) of machine and controller as they stand.
+        """Return the simulated signals (n_sample, n_channel) of the machine and controller.
 
         Raises
         ------
@@ -135,10 +140,10 @@ class LogRun:
         name = self.machine.axis_names[0]
         plant = self.machine.axis(name).plant
         parameter = plant.numeric()[0]
-        found = self.simulated({f"axes.{name}.plant.{parameter}": [plant.values()[parameter]]})[:, :, 0]
-        if not np.isfinite(found).all():
+        signals = self.simulated({f"axes.{name}.plant.{parameter}": [plant.values()[parameter]]})[:, :, 0]
+        if not np.isfinite(signals).all():
             raise ResultError(f"{self.label}: the simulated run diverges along the log's reference")
-        return found
+        return signals
 
     def agreement(self, simulated: Array, rows: slice | NDArray[np.bool_] | None = None) -> tuple[Agreement, ...]:
         """Return how well simulated signals (n_sample, n_channel) follow the measured ones.
@@ -147,18 +152,17 @@ class LogRun:
         ----------
         simulated : ndarray
         rows : slice or ndarray of bool, optional
-            Samples that count; by default those at which something is asked to move.
+            Samples that count; by default those at which the reference moves.
         """
         part = slice(*self.moves) if rows is None else rows
-        seen, here = self.measured[part], simulated[part]
-        found = []
-        for (signal, axis), one, other in zip(self.channels, seen.T, here.T, strict=True):
-            left, spread = one - other, one - one.mean()
+        agreements = []
+        for (signal, axis), wanted, got in zip(self.channels, self.measured[part].T, simulated[part].T, strict=True):
+            left, spread = wanted - got, wanted - wanted.mean()
             size = float(np.linalg.norm(spread)) or np.inf
-            explained = 1.0 - float(np.var(left)) / (float(np.var(one)) or np.inf)
+            explained = 1.0 - float(np.var(left)) / (float(np.var(wanted)) or np.inf)
             fit = 100.0 * (1.0 - float(np.linalg.norm(left)) / size)
-            found.append(Agreement(self.label, axis, signal, explained, fit, float(np.sqrt(np.mean(left**2)))))
-        return tuple(found)
+            agreements.append(Agreement(self.label, axis, signal, explained, fit, float(np.sqrt(np.mean(left**2)))))
+        return tuple(agreements)
 
     def judged(self, simulated: Array | None = None) -> Measured:
         """Return the contour figures of simulated signals (n_sample, n_channel), or of the measured ones, over the move."""
@@ -169,34 +173,34 @@ class LogRun:
 
 
 def log_run(machine: Machine, controller: Controller, result: Result, label: str, *, settling: float = 0.2, lead: int = LEAD) -> LogRun:
-    """Make ready what is simulated along a log.
+    """Prepare the simulation along a log.
 
     Parameters
     ----------
     machine : Machine
     controller : Controller
     result : Result
-        Of the log: ``reference`` and ``position`` of every axis, ``command`` where there is one.
+        Of the log: ``reference`` and ``position`` of every axis, ``command`` if there is one.
     label : str
     settling : float [s], >= 0
-        How long behind the last move still counts, as far as the log has it.
+        Time after the last move that still counts.
     lead : int
-        Samples ahead of the first move.
+        Samples before the first move.
 
     Raises
     ------
     ResultError
-        If the log lacks an axis or a signal, is not finite, asks for no move, or has another clock than the machine.
+        If the log lacks an axis or a signal, is not finite, does not move, or has another period than the machine.
     """
     period = machine.servo_period
     if abs(result.servo_period - period) > PERIODS_APART * period:
         raise ResultError(
             f"{label} has a sample every {result.servo_period * 1e3:.6g} ms, {machine.name} a servo period of {period * 1e3:.6g} ms: a "
-            "sampled controller is another one on another clock; record at the servo period"
+            "controller depends on its period; record at the servo period"
         )
-    lacking = [axis for axis in machine.axis_names if axis not in result.axes]
-    if lacking:
-        raise ResultError(f"no axis {lacking[0]} in {label}, which has {', '.join(result.axes)}; {machine.name} has it")
+    missing = [axis for axis in machine.axis_names if axis not in result.axes]
+    if missing:
+        raise ResultError(f"no axis {missing[0]} in {label}, which has {', '.join(result.axes)}; {machine.name} has it")
     columns = [result.axes.index(axis) for axis in machine.axis_names]
     for name in ("reference", "position"):
         if name not in result:
@@ -209,25 +213,20 @@ def log_run(machine: Machine, controller: Controller, result: Result, label: str
     begin, end = max(first - lead, 0), min(last + round(settling / period), len(wanted))
     part = slice(begin, end)
     reference = Reference.from_samples(wanted[part], period, judged.reference.path, arc_length=along[part])
-    command, notes = _command(machine, result, columns, part)
-    moves = first - begin, last - begin
-    steady = first == 0
-    if steady:
-        notes += (f"{label} begins in motion: the axes start with the velocity of the reference, and what came before is not known",)
+    command, findings = _command(machine, result, columns, part, label)
+    if first == 0:
+        findings.append(finding("CL561", label))
     position = np.array(result["position"][part][:, columns])
-    start = float(result.time[begin])
-    return LogRun(label, machine, controller, reference, position, command, start, moves, steady, notes)
+    moves = first - begin, last - begin
+    return LogRun(label, machine, controller, reference, position, command, float(result.time[begin]), moves, first == 0, tuple(findings))
 
 
-def _command(machine: Machine, result: Result, columns: list[int], part: slice) -> tuple[Array | None, tuple[str, ...]]:
-    """Return the measured command where it can be compared with the simulated one, and what is to be said of it."""
+def _command(machine: Machine, result: Result, columns: list[int], part: slice, label: str) -> tuple[Array | None, list[Finding]]:
+    """Return the measured command if it can be compared with the simulated one, and why not."""
     if "command" not in result:
-        return None, ()
+        return None, []
     unit, wanted = result.signals["command"].unit, {axis.plant.command_unit for axis in machine.axes}
     if wanted != {unit}:
-        said = (
-            f"the command in {result.scheme} is in {unit or 'no unit'} and the model's in {', '.join(sorted(wanted))}: it is not compared"
-        )
-        return None, (said,)
-    values = result["command"][part][:, columns]
-    return (np.array(values), ()) if np.isfinite(values).all() else (None, (f"the command in {result.scheme} is not finite: not compared",))
+        return None, [finding("CL562", label, unit=unit or "1", model=tuple(sorted(wanted)))]
+    values = np.array(result["command"][part][:, columns])
+    return (values, []) if np.isfinite(values).all() else (None, [finding("CL563", label)])

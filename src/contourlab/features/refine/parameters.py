@@ -1,4 +1,4 @@
-"""Which parameters of machines and controllers are refined: their names, where they begin and how far they may go."""
+"""Which parameters of machines and controllers are refined: their names, starts and ranges."""
 
 from __future__ import annotations
 
@@ -9,32 +9,33 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.design.numbers import Number, Space
+from contourlab.design.variables import DesignVariable, Space
 from contourlab.errors import ParameterError
 from contourlab.features.refine.log_run import LogRun
+from contourlab.figures import figure
 from contourlab.loop import parameter_names
 
 SPAN = 10.0
-"""Where no range is given, a parameter may become so many times smaller or larger."""
+"""A parameter without a range may become so many times smaller or larger."""
 
 
 @dataclass(frozen=True)
 class Sought:
-    """A parameter that is refined.
+    """A parameter to refine.
 
     Attributes
     ----------
-    number : Number
-        Its dotted name, where it begins, its bounds and its unit.
+    variable : DesignVariable
+        Its name, start, range and unit.
     runs : tuple of int
-        In which of the runs it is the one parameter.
+        The runs that share it.
     label : str
-        The name, with the run's label ahead where it was asked for in that run alone.
+        The name, with the run's label ahead if it is that of one run alone.
     signed : bool
         Whether it may be below zero.
     """
 
-    number: Number
+    variable: DesignVariable
     runs: tuple[int, ...]
     label: str
     signed: bool
@@ -42,83 +43,100 @@ class Sought:
     @property
     def name(self) -> str:
         """Dotted."""
-        return self.number.name
+        return self.variable.name
 
     @property
     def scale(self) -> float:
-        """Size of the parameter, what steps are measured by."""
-        return max(abs(self.number.value), 0.1 * (self.number.high - self.number.low))
+        """Size of the parameter, by which steps are measured."""
+        return max(abs(self.variable.value), 0.1 * (self.variable.high - self.variable.low))
+
+    def shown(self, value: float, digits: int = 5) -> str:
+        """Return a value [SI] in the display unit."""
+        return f"{figure(self.variable.display_value(value), digits=digits)} {self.variable.display_unit}".strip()
+
+
+@dataclass(frozen=True)
+class RefinedParameter:
+    """A refined parameter.
+
+    Attributes
+    ----------
+    sought : Sought
+    value, deviation, white_deviation : float [SI]
+        Deviations with the colour of the residual, and without: nan at a bound, infinite if the logs do not tell the parameter.
+    at_bound : bool
+    """
+
+    sought: Sought
+    value: float
+    deviation: float
+    white_deviation: float
+    at_bound: bool
 
 
 def seek(runs: Sequence[LogRun], wanted: Iterable[str]) -> tuple[Sought, ...]:
-    """Return the parameters that are asked for, each once.
+    """Return the parameters that texts ask for, each once.
 
     Parameters
     ----------
     runs : sequence of LogRun
     wanted : iterable of str
-        As `Space.chosen` takes them, ``NAME`` or ``NAME=LOW..HIGH``; ``LABEL:NAME`` is that of one run alone.
+        ``NAME`` or ``NAME=LOW..HIGH``, see `contourlab.design.Space.chosen`; ``LABEL:NAME`` is that of one run alone.
 
     Raises
     ------
     ParameterError
-        If a name fits nothing, a parameter is asked for twice or differs between runs at the start, or a range is none.
+        If a name fits nothing, a parameter is asked for twice or starts at different values in different runs, or a range is wrong.
     """
-    found: dict[tuple[str, tuple[int, ...]], Sought] = {}
+    sought: dict[tuple[str, tuple[int, ...]], Sought] = {}
     for text in wanted:
         label, _, rest = text.rpartition(":")
         among = [i for i, run in enumerate(runs) if label in ("", run.label)]
         if not among:
             raise ParameterError("--parameter", text, f"that of a run called {', '.join(run.label for run in runs)}")
         chosen = _chosen(runs, among, rest)
-        for name in dict.fromkeys(name for numbers in chosen.values() for name in numbers):
+        for name in dict.fromkeys(name for variables in chosen.values() for name in variables):
             held = tuple(i for i in among if name in chosen[i])
-            if any(name == other and set(held) & set(places) for other, places in found):
+            if any(name == other and set(held) & set(places) for other, places in sought):
                 raise ParameterError("--parameter", name, "asked for once")
-            found[name, held] = _sought(runs, [chosen[i][name] for i in held], held, label)
-    if not found:
+            sought[name, held] = _sought(runs, [chosen[i][name] for i in held], held, label)
+    if not sought:
         raise ParameterError("--parameter", "none", "one or more, such as axes.x.plant.damping")
-    return tuple(found.values())
+    return tuple(sought.values())
 
 
-def _chosen(runs: Sequence[LogRun], among: Sequence[int], text: str) -> dict[int, dict[str, Number]]:
-    """Return for each run the numbers that a text chooses there; an error only where it chooses none in any."""
-    found: dict[int, dict[str, Number]] = {}
+def _chosen(runs: Sequence[LogRun], among: Sequence[int], text: str) -> dict[int, dict[str, DesignVariable]]:
+    """Return for each run the parameters that a text chooses there; raise only if it chooses none in any."""
+    chosen: dict[int, dict[str, DesignVariable]] = {}
     for i in among:
         try:
             space = Space.chosen(runs[i].machine, runs[i].controller, [text], SPAN)
         except ParameterError as error:
-            if i == among[-1] and not any(found.values()):
+            fits_nothing = error.name == "parameter"
+            if not fits_nothing or (i == among[-1] and not any(chosen.values())):
                 raise
-            if not _fits_nothing(error):
-                raise
-            found[i] = {}
+            chosen[i] = {}
         else:
-            found[i] = {number.name: number for number in space.numbers}
-    return found
+            chosen[i] = {variable.name: variable for variable in space.numbers}
+    return chosen
 
 
-def _fits_nothing(error: ParameterError) -> bool:
-    return error.name == "parameter"
-
-
-def _sought(runs: Sequence[LogRun], numbers: Sequence[Number], held: tuple[int, ...], label: str) -> Sought:
-    number = numbers[0]
-    starts = sorted({one.value for one in numbers})
+def _sought(runs: Sequence[LogRun], variables: Sequence[DesignVariable], held: tuple[int, ...], label: str) -> Sought:
+    variable = variables[0]
+    part, name = parameter_names(runs[held[0]].machine, runs[held[0]].controller)[variable.name]
+    sought = Sought(variable, held, f"{label}:{variable.name}" if label else variable.name, part.parameters[name].minimum < 0.0)
+    starts = sorted({one.value for one in variables})
     if len(starts) > 1:
-        told = f"begins at {' and '.join(f'{number.shown(s):.6g}' for s in starts)} {number.display}"
-        bound = f"the same in all runs, or asked for in one of them as {runs[held[0]].label}:{number.name}; it {told}"
-        raise ParameterError("--parameter", number.name, bound)
-    part, word = parameter_names(runs[held[0]].machine, runs[held[0]].controller)[number.name]
-    if part.parameters[word].whole or not math.isfinite(number.value):
-        raise ParameterError("--parameter", number.name, f"a number that can change a little; it is {number.value:g}")
-    if not number.low <= number.value <= number.high:
-        ends = f"{number.shown(number.low):g}..{number.shown(number.high):g} {number.display}".strip()
-        start = f"{number.shown(number.value):.6g} {number.display}".strip()
-        raise ParameterError("--parameter", f"{number.name}={ends}", f"a range that holds where it begins, {start}")
-    return Sought(number, held, f"{label}:{number.name}" if label else number.name, part.parameters[word].minimum < 0.0)
+        bound = f"the same in all runs, or asked for in one of them as {runs[held[0]].label}:{variable.name}"
+        raise ParameterError("--parameter", variable.name, f"{bound}; it starts at {' and '.join(map(sought.shown, starts))}")
+    if part.parameters[name].whole or not math.isfinite(variable.value):
+        raise ParameterError("--parameter", variable.name, f"a number that can change a little; it is {variable.value:g}")
+    if not variable.low <= variable.value <= variable.high:
+        ends = f"{sought.shown(variable.low)}..{sought.shown(variable.high)}"
+        raise ParameterError("--parameter", f"{variable.name}={ends}", f"a range that includes the start, {sought.shown(variable.value)}")
+    return sought
 
 
 def columns_of(sought: Sequence[Sought], run: int, points: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
-    """Return the columns of points (k, p) that are parameters of a run, by their names there."""
-    return {one.name: points[:, j] for j, one in enumerate(sought) if run in one.runs}
+    """Return the columns of points (k, p) that belong to a run, by parameter name."""
+    return {parameter.name: points[:, j] for j, parameter in enumerate(sought) if run in parameter.runs}

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import html
 import json
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from contourlab.app.folder import staged
-from contourlab.features.run.command import RunOutcome, interval_words, run_session
+from contourlab.app.results import staged
+from contourlab.features.run.command import RunOptions, RunOutcome, run_session
+from contourlab.figures import figure, number
+from contourlab.report.table import Column, Table
 from contourlab.result import write_text_atomic
 from contourlab.scenario import builtin_file, load_scenario
 
@@ -22,63 +23,42 @@ DEMOS = {
 
 
 def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None = None) -> RunOutcome:
-    """Run the demonstration; each part gets a folder of its own, the whole an index page and a summary.
+    """Run the demonstration: a folder for each part, an index page and a summary of the whole.
 
-    Parameters
-    ----------
-    out : str or Path
-        Folder of the results.
-    progress : bool
-        Whether to show a bar.
-    interval : bool, optional
-        As of `contourlab.features.run.command.run_scenario`.
-
-    Returns
-    -------
-    RunOutcome
-        Passed when the last scheme of every part, the best one, is within its tolerance.
+    The outcome has passed when the last (best) scheme of every part is within its tolerance. Parameters are those of `RunOptions`.
     """
     folder = Path(out)
     titles, tables, summaries = {}, {}, {}
     with staged(folder, "summary.json", "report.html") as stage:
         for name, shipped in DEMOS.items():
             scenario = load_scenario(builtin_file(shipped))
-            words = " ".join(["contourlab", "run", f"builtin:{shipped}", *interval_words(interval)])
-            found = run_session(scenario, folder / name, command=words, progress=progress, interval=interval)
-            titles[name], tables[name], summaries[name] = scenario.name, found.table, found.summary
+            options = RunOptions(folder / name, progress=progress, interval=interval)
+            outcome = run_session(scenario, options, command=options.command("run", f"builtin:{shipped}", {}))
+            titles[name], tables[name], summaries[name] = scenario.name, outcome.table, outcome.summary
         passed = all(_last(summary)["verdict"]["passed"] for summary in summaries.values())
         summary: dict[str, Any] = {"schema": "contourlab-demo/1", "passed": passed, "parts": summaries}
         write_text_atomic(stage / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
         write_text_atomic(stage / "report.html", _index(titles, tables))
-    words = f"{'PASS' if passed else 'FAIL'}: the last scheme of each run against its tolerance. Reports: {folder / 'report.html'}"
-    return RunOutcome(passed, summary, f"{_table(titles, summaries)}\n\n{words}")
+    conclusion = f"{'PASS' if passed else 'FAIL'}: the last scheme of each run against its tolerance. Reports: {folder / 'report.html'}"
+    parts = [_table(titles[name], summary) for name, summary in summaries.items()]
+    return RunOutcome(passed, summary, "\n\n".join([*parts, conclusion]))
 
 
 def _last(summary: dict[str, Any]) -> dict[str, Any]:
-    found: dict[str, Any] = list(summary["schemes"].values())[-1]
-    return found
+    scheme: dict[str, Any] = list(summary["schemes"].values())[-1]
+    return scheme
 
 
-def _table(titles: dict[str, str], summaries: dict[str, dict[str, Any]]) -> str:
-    """Return one table of all runs and schemes, in um."""
-    head = ("scheme", "largest", "rms", "mean", "signed", "integral", "verdict")
-    units = ("", "um", "um", "um", "um", "um s", "")
-    widths = (44, 9, 9, 9, 9, 9, 9)
-    lines = []
-
-    def line(cells: Sequence[str]) -> str:
-        first, *others = (cell.rjust(width) if n else cell.ljust(width) for n, (cell, width) in enumerate(zip(cells, widths, strict=True)))
-        return (first + "".join(others)).rstrip()
-
-    for name, summary in summaries.items():
-        schemes = summary["schemes"]
-        tolerance = _last(summary)["verdict"]["tolerance"]
-        lines += ["", f"{titles[name]}: part error against {tolerance * 1e6:.3g} um", line(head), line(units)]
-        for scheme, found in schemes.items():
-            error = found["metrics"]["part_error"]
-            values = [f"{error[key] * 1e6:.3g}" for key in ("max", "rms", "mean", "signed_mean", "integral")]
-            lines.append(line([scheme, *values, "pass" if found["verdict"]["passed"] else "fail"]))
-    return "\n".join(lines[1:])
+def _table(title: str, summary: dict[str, Any]) -> str:
+    """Return the part errors of all schemes of a run."""
+    title = f"{title}: part error against {figure(_last(summary)['verdict']['tolerance'], 'um')}"
+    keys = ("max", "rms", "mean", "signed_mean", "integral")
+    heads = [Column(f"{key.replace('_', ' ')} [{'um s' if key == 'integral' else 'um'}]") for key in keys]
+    table = Table([Column("scheme", left=True), *heads, Column("verdict", left=True)], title)
+    for name, scheme in summary["schemes"].items():
+        error, passed = scheme["metrics"]["part_error"], scheme["verdict"]["passed"]
+        table.add(name, *(number(1e6 * error[key]) for key in keys), "pass" if passed else "fail")
+    return table.text()
 
 
 def _index(titles: dict[str, str], tables: dict[str, str]) -> str:

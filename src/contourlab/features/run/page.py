@@ -1,20 +1,19 @@
-"""What the report is given: the outcomes of a session, turned into its own terms."""
+"""Turn the outcomes of a session into the data of a report."""
 
 from __future__ import annotations
 
 import math
 import platform
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab import __version__
-from contourlab.features.run.compare import AxisBode, Outcome
 from contourlab.features.run.margin_words import gain_words, phase_words
-from contourlab.features.run.trust import trust_of
+from contourlab.features.run.outcome import AxisBode, Outcome
 from contourlab.feed.binding import Binding, limiting
+from contourlab.figures import listing
 from contourlab.metrics.circles import CircleFigures, pairs
 from contourlab.report.data import Provenance, ReportData, SchemeReport
 from contourlab.report.run_data import AxisBounds, FeedRun, FrequencyResponse, TrialCourse
@@ -23,7 +22,7 @@ FEED_POINTS = 4000
 PER_SPAN = 3
 GAP_POINTS = 201
 MOST_POINTS = 200_000
-"""Above, a span is looked at where it begins only: long motions have many."""
+"""Above, only the start of each span is evaluated."""
 _HELD_BY = {
     Binding.REST: "at rest",
     Binding.FEEDRATE: "programmed feed",
@@ -36,18 +35,7 @@ _HELD_BY = {
 
 
 def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, command: str) -> ReportData:
-    """Return the data of a report.
-
-    Parameters
-    ----------
-    title : str
-    outcomes : sequence of Outcome
-        At least one, all along one path.
-    scenario : str
-        The scenario as TOML.
-    command : str
-        As typed.
-    """
+    """Return the data of a report on outcomes (at least one) along one path; `scenario` is TOML, `command` as typed."""
     first = outcomes[0]
     reference = first.reference
     programmed = None if reference.programmed is reference.path else reference.programmed
@@ -58,7 +46,7 @@ def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, comma
     notes = [*first.case.notes]
     others = [outcome.name for outcome in outcomes if outcome.reference.digest != reference.digest]
     if others:
-        notes.append(f"the feed along the path is that of {first.name}; planned otherwise: {', '.join(others)}")
+        notes.append(f"The feed along the path is that of {first.name}. Planned otherwise: {listing(others)}.")
     return ReportData(title, schemes, reference.path, provenance, programmed, first.case.lines, first.case.tolerance, notes, _feed(first))
 
 
@@ -92,7 +80,7 @@ def _scheme(outcome: Outcome) -> SchemeReport:
         metrics=outcome.metrics,
         bounds=bounds,
         verdict=outcome.verdict,
-        bode={axis: replace(_response(bode), meant=outcome.loop_meant(axis)) for axis, bode in outcome.bode.items()},
+        bode={axis: _response(bode, outcome.loop_meant(axis)) for axis, bode in outcome.bode.items()},
         circles=outcome.circles,
         spikes=outcome.spikes,
         circle_spikes=[_marked(circle, outcome) for circle in outcome.circles],
@@ -103,7 +91,8 @@ def _scheme(outcome: Outcome) -> SchemeReport:
         tick=outcome.tick,
         switches=outcome.switches,
         gaps=_gaps(outcome),
-        trust=trust_of(outcome),
+        trust=outcome.trust,
+        findings=outcome.findings,
     )
 
 
@@ -116,14 +105,14 @@ def _marked(circle: CircleFigures, outcome: Outcome) -> list[int]:
 
 def _gaps(outcome: Outcome) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
     """Return the free travel of each axis with a motor and a load, over the part of its travel that was used."""
-    found = {}
+    gaps = {}
     for i, axis in enumerate(outcome.case.machine.axes):
         free_travel = getattr(axis.plant, "gap_at", None)
         if axis.plant.two_sided and free_travel is not None and "axis_position" in outcome.result:
             used = outcome.result["axis_position"][:, i]
             places = np.linspace(float(used.min()), float(used.max()), GAP_POINTS)
-            found[axis.name] = places, np.array([free_travel(float(place)) for place in places])
-    return found
+            gaps[axis.name] = places, np.array([free_travel(float(place)) for place in places])
+    return gaps
 
 
 def _course(outcome: Outcome) -> TrialCourse | None:
@@ -132,15 +121,15 @@ def _course(outcome: Outcome) -> TrialCourse | None:
         return None
     contour = np.array([trial.contour_rms for trial in run.trials])
     tracking = np.array([trial.tracking_rms for trial in run.trials])
-    return TrialCourse(contour, tracking, run.best, run.status, run.reason)
+    return TrialCourse(contour, tracking, run.best, run.status)
 
 
-def _response(bode: AxisBode) -> FrequencyResponse:
+def _response(bode: AxisBode, meant: str) -> FrequencyResponse:
     hertz = bode.response.frequency / (2.0 * math.pi)
     m = bode.margins
     if not m.stable:
-        said = {"loop": "unstable, so it has no margins; the curve is no response of a run"}
-        return FrequencyResponse(hertz, bode.response.closed_loop, said, stable=False)
+        notes = {"loop": "unstable: no margins, and the curve is not the response of a run"}
+        return FrequencyResponse(hertz, bode.response.closed_loop, notes, stable=False, meant=meant)
     size = np.abs(bode.response.closed_loop)
     below = np.flatnonzero(size < math.sqrt(0.5))
     notes = {"bandwidth (-3 dB)": f"{hertz[below[0]]:.3g} Hz" if below.size else f"above {hertz[-1]:.3g} Hz"}
@@ -149,4 +138,4 @@ def _response(bode: AxisBode) -> FrequencyResponse:
     if math.isfinite(m.gain):
         notes["gain margin"] = f"{gain_words(m.gain)} at {m.phase_crossover / (2.0 * math.pi):.3g} Hz"
     notes["modulus margin"] = f"{m.modulus:.3g}"
-    return FrequencyResponse(hertz, bode.response.closed_loop, notes)
+    return FrequencyResponse(hertz, bode.response.closed_loop, notes, meant=meant)

@@ -1,20 +1,23 @@
-"""A run that goes to a file as it is made, so that memory does not grow with its length."""
+"""Write a run to a file block by block, so that memory does not grow with its length; and its switches as CSV."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from contextlib import ExitStack
+import csv
+import math
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 from contourlab.errors import DivergenceError
-from contourlab.features.run.switch_file import switch_file
 from contourlab.feed import Reference
 from contourlab.loop import Change, Controller, Machine, result_of, simulate_blocks
-from contourlab.loop.switches import RECORDED, SwitchLog
+from contourlab.loop.switches import RECORDED, Switches, SwitchLog
 from contourlab.metrics import judge
 from contourlab.result import ResultWriter, Status
+from contourlab.result.atomic import replacing
 
+SWITCH_COLUMNS = ("time_s", "sample", "axis", "from", "to", "reason", "arc_length_m", "line")
 _JUDGED = ("tool_position", "reference", "arc_length")
 
 
@@ -39,21 +42,21 @@ def simulate_to_file(
     machine, controller, reference
         As for `simulate`.
     file : str or Path
-        Appears whole when the run has ended well, and not at all otherwise.
+        Written whole when the run ends well, else not at all.
     signals : sequence of str
-        Signals to write besides those of the judge and what it looks at; all if none is named.
+        Signals to write besides the judge's own and its inputs; all by default.
     scheme : str
         Name of the result.
     seed : int
         Of all noise.
     block : int, >= 1
-        Samples that are in memory at a time.
+        Samples in memory at a time.
     progress : callable, optional
-        Told the number of samples done.
+        Called with the number of samples done.
     changes : sequence of Change
-        Controllers that take over while it runs.
+        Controllers that take over during the run.
     switches : str or Path, optional
-        File for every switch from one controller to another, with its reason (CSV); it appears as `file` does.
+        CSV file for every switch of controllers, with its reason.
 
     Raises
     ------
@@ -71,10 +74,10 @@ def simulate_to_file(
         listed = stack.enter_context(switch_file(switches)) if switches is not None else None
         writer = stack.enter_context(ResultWriter(file, empty.header(), empty.axes, reference.n_sample))
         given: dict[str, Any] = {"seed": seed, "signals": wanted, "block": block, "changes": changes}
-        for found, status in simulate_blocks(machine, controller, reference, **given):
+        for signals_of_block, status in simulate_blocks(machine, controller, reference, **given):
             if not status.ok:
                 raise DivergenceError(status.reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
-            part = judge(result_of(machine, reference, found, status, scheme=scheme, seed=seed, start=start), reference)
+            part = judge(result_of(machine, reference, signals_of_block, status, scheme=scheme, seed=seed, start=start), reference)
             writer.append(part.signals)
             if listed is not None:
                 listed.append(log.add(part))
@@ -82,3 +85,32 @@ def simulate_to_file(
             if progress is not None:
                 progress(start)
     return Status()
+
+
+class SwitchWriter:
+    """Write the switches of block after block to an open file."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._rows = csv.writer(stream, lineterminator="\n")
+        self._rows.writerow(SWITCH_COLUMNS)
+
+    def append(self, switches: Switches) -> None:
+        """Write the switches of the next block."""
+        kinds = [(kind.axis, kind.before, kind.after, kind.reason) for kind in switches.kinds]
+        columns = (switches.time, switches.sample, switches.kind, switches.arc_length, switches.line)
+        for time, sample, kind, along, line in zip(*(column.tolist() for column in columns), strict=True):
+            place = f"{along:.12g}" if math.isfinite(along) else ""
+            self._rows.writerow((f"{time:.12g}", sample, *kinds[kind], place, line or ""))
+
+
+@contextmanager
+def switch_file(file: str | Path) -> Iterator[SwitchWriter]:
+    """Open a CSV file of switches, written whole when the block ends well, else not at all.
+
+    Raises
+    ------
+    OutputError
+        If it cannot be written.
+    """
+    with replacing(file) as temporary, temporary.open("w", encoding="utf-8", errors="replace", newline="") as stream:
+        yield SwitchWriter(stream)

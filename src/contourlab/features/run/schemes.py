@@ -1,138 +1,96 @@
-"""``contourlab compare`` and ``contourlab learn``: chosen schemes of a scenario, side by side."""
+"""``contourlab compare`` and ``contourlab learn``: schemes of a scenario side by side."""
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from contourlab.errors import ParameterError, ScenarioError
-from contourlab.features.run.command import RunOutcome, interval_words, run_session
+from contourlab.features.run.command import RunOptions, RunOutcome, run_session
 
 if TYPE_CHECKING:
     from contourlab.scenario import Case, Scenario
 
 
-def compare_schemes(
-    file: str | Path,
-    out: str | Path,
-    *,
-    schemes: Sequence[str] = (),
-    trials: int | None = None,
-    plugins: Sequence[str | Path] = (),
-    plots: Sequence[str] = (),
-    signals: Sequence[str] = (),
-    progress: bool = False,
-    interval: bool | None = None,
-) -> RunOutcome:
-    """Run schemes of a scenario and measure what each costs at run time; those that learn are driven trial after trial.
+def compare_schemes(file: str | Path, options: RunOptions, *, schemes: Sequence[str] = (), trials: int | None = None) -> RunOutcome:
+    """Run schemes of a scenario side by side and time the servo tick of each; schemes that learn run trial after trial.
 
     Parameters
     ----------
     file : str or Path
         A scenario.
-    out : str or Path
-        Folder of the results.
+    options : RunOptions
     schemes : sequence of str
         Schemes of the scenario, or parts joined by + (`contourlab.scenario.FEATURES`); by default all schemes of the scenario.
     trials : int, optional
-        Largest number of trials, in place of the scenario's own.
-    plugins, plots, signals, progress, interval
-        As of `contourlab.features.run.command.run_scenario`.
+        Largest number of trials; by default that of the scenario.
     """
-    scenario = _with_trials(loaded(file, schemes, plugins), trials)
-    command = _command("compare", file, schemes, trials, plugins, interval_words(interval))
-    return run_session(scenario, out, command=command, plots=plots, signals=signals, progress=progress, costs=True, interval=interval)
+    scenario = _with_settings(loaded(file, schemes, options.plugins), trials)
+    return run_session(scenario, options, command=options.command("compare", file, _typed(schemes, trials)), costs=True)
 
 
 def learn_schemes(
-    file: str | Path,
-    out: str | Path,
-    *,
-    schemes: Sequence[str] = (),
-    trials: int | None = None,
-    table: str | Path | None = None,
-    plugins: Sequence[str | Path] = (),
-    plots: Sequence[str] = (),
-    signals: Sequence[str] = (),
-    progress: bool = False,
-    interval: bool | None = None,
+    file: str | Path, options: RunOptions, *, schemes: Sequence[str] = (), trials: int | None = None, table: Path | None = None
 ) -> RunOutcome:
-    """Drive the schemes that learn, trial after trial, beside the same without learning; write what was learned beside the results.
+    """Run the schemes that learn, trial after trial, beside the same without learning; write the learned tables.
 
     Parameters
     ----------
-    file, out, schemes, trials, plugins, plots, signals, progress, interval
-        As of `compare_schemes`; by default all schemes that learn.
-    table : str or Path, optional
-        A learned table to start with.
+    file, options, schemes, trials
+        As in `compare_schemes`; by default all schemes that learn.
+    table : Path, optional
+        Learned table to start with.
 
     Raises
     ------
     ScenarioError
         If none of the schemes learns.
     """
-    scenario = loaded(file, schemes, plugins)
+    scenario = loaded(file, schemes, options.plugins)
     learning = tuple(case for case in scenario.cases() if case.learning is not None)
     if not learning:
         example = '[learning]\nlaw = {kind = "zero-phase", gain = 0.2, half_width = 11}\ntrials = 30'
-        raise ScenarioError(f"no scheme learns; say how, for example:\n\n{example}\n", file=scenario.file)
-    scenario = _with_trials(replace(scenario, all_cases=_with_first(learning)), trials)
-    if table is not None:
-        scenario = _changed(scenario, table=Path(table))
-    more = [*interval_words(interval), *([] if table is None else ["--table", str(table)])]
-    command = _command("learn", file, schemes, trials, plugins, more)
-    return run_session(scenario, out, command=command, plots=plots, signals=signals, progress=progress, foretell=True, interval=interval)
+        raise ScenarioError(f"no scheme learns: add a law, for example:\n\n{example}\n", file=scenario.file)
+    scenario = _with_settings(replace(scenario, all_cases=_with_first(learning)), trials, table)
+    command = options.command("learn", file, {**_typed(schemes, trials), "--table": table})
+    return run_session(scenario, options, command=command, foretell=True)
+
+
+def _typed(schemes: Sequence[str], trials: int | None) -> dict[str, Any]:
+    return {"--schemes": ",".join(schemes) or None, "--trials": trials}
 
 
 def _with_first(cases: Sequence[Case]) -> tuple[Case, ...]:
-    """Put a case that has learned nothing before each, for the comparison."""
-    found: list[Case] = []
+    """Put a copy that does not learn before each case."""
+    pairs: list[Case] = []
     for case in cases:
         name = "before learning" if len(cases) == 1 else f"{case.name}, before"
-        found += [replace(case, name=name, learning=None), case if case.name != "base" else replace(case, name="after learning")]
-    return tuple(found)
+        pairs += [replace(case, name=name, learning=None), case if case.name != "base" else replace(case, name="after learning")]
+    return tuple(pairs)
 
 
 def loaded(file: str | Path, schemes: Sequence[str], plugins: Sequence[str | Path]) -> Scenario:
-    """Return a scenario, with the schemes asked for, or with its own.
+    """Read a scenario with the schemes asked for, or with its own.
 
     Raises
     ------
     ScenarioError
-        If the file is no scenario, or there is no such scheme.
+        If the file is not a scenario, or has no such scheme.
     """
     from contourlab.scenario import BUILTIN, chosen, load_scenario
 
     if not str(file).startswith(BUILTIN) and Path(file).suffix.lower() != ".toml":
-        raise ScenarioError("a scenario is wanted, which ends in .toml", file=file)
+        raise ScenarioError("not a scenario: its name must end in .toml", file=file)
     scenario = load_scenario(file, plugins=plugins)
     return chosen(scenario, schemes) if schemes else scenario
 
 
-def _with_trials(scenario: Scenario, trials: int | None) -> Scenario:
-    if trials is None:
-        return scenario
-    if trials < 1:
+def _with_settings(scenario: Scenario, trials: int | None, table: Path | None = None) -> Scenario:
+    """Change the number of trials and the first table, where given, in all cases that learn."""
+    if trials is not None and trials < 1:
         raise ParameterError("--trials", f"{trials}", "1 or more")
-    return _changed(scenario, trials=trials)
-
-
-def _changed(scenario: Scenario, **settings: object) -> Scenario:
-    """Return the scenario with settings of learning changed in all cases that learn."""
-    cases = tuple(
-        case if case.learning is None else replace(case, learning=replace(case.learning, **settings))  # type: ignore[arg-type]
-        for case in scenario.cases()
-    )
-    return replace(scenario, all_cases=cases)
-
-
-def _command(
-    name: str, file: str | Path, schemes: Sequence[str], trials: int | None, plugins: Sequence[str | Path], more: Sequence[str]
-) -> str:
-    words = ["contourlab", name, str(file), *(word for plugin in plugins for word in ("--plugin", str(plugin)))]
-    words += ["--schemes", ",".join(schemes)] if schemes else []
-    words += ["--trials", str(trials)] if trials is not None else []
-    return shlex.join([*words, *more])
+    given: dict[str, Any] = {name: value for name, value in (("trials", trials), ("table", table)) if value is not None}
+    cases = (case if case.learning is None else replace(case, learning=replace(case.learning, **given)) for case in scenario.cases())
+    return replace(scenario, all_cases=tuple(cases)) if given else scenario

@@ -1,18 +1,186 @@
-"""Global indices: Sobol's by the sampling of Saltelli, and Morris' elementary effects; both by SALib."""
+"""All parameters at once: their distributions, the sample of runs, and global indices of Sobol and Morris by SALib."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
 from typing import Any
 
 import numpy as np
 
-from contourlab.errors import ParameterError
+from contourlab.design import DesignVariable, Space
+from contourlab.errors import ParameterError, UnitError
 from contourlab.features.sensitivity.runs import Array
+from contourlab.scenario.quantities import read_number
 
+UNIFORM, LOG_UNIFORM, NORMAL = KINDS = ("uniform", "log-uniform", "normal")
 LEVELS = 4
-RESAMPLES = 200
-CONFIDENCE = 0.95
+ANALYSIS: dict[str, Any] = {"num_resamples": 200, "conf_level": 0.95}
+REFUSED = 0.25
+"""Share of failed runs beyond which indices are refused."""
+BEYOND = 10.0
+"""Without a limit of the following error, a failed run counts as this many times the worst one that held."""
+HIDDEN = {"json": False}
+
+
+@dataclass(frozen=True)
+class Distribution:
+    """The distribution of one parameter within its bounds.
+
+    Attributes
+    ----------
+    variable : DesignVariable
+    kind : str
+        One of `KINDS`; ``"normal"`` is centred on the present value and cut off at the bounds.
+    deviation : float [SI], > 0
+        Of a normal one, before it is cut off.
+    """
+
+    variable: DesignVariable = field(metadata=HIDDEN)
+    kind: str = UNIFORM
+    deviation: float = 0.0
+
+    def __post_init__(self) -> None:
+        variable = self.variable
+        if self.kind not in KINDS:
+            raise ParameterError("--distribution", repr(self.kind), f"one of {', '.join(KINDS)}")
+        if self.kind == LOG_UNIFORM and variable.low <= 0.0:
+            raise ParameterError(variable.name, f"bounds {variable.low:g} to {variable.high:g}", "above 0 for a log-uniform distribution")
+        if self.kind == NORMAL and not 0.0 < self.deviation < math.inf:
+            given = f"{self.deviation:g}" if self.deviation else "no deviation"
+            raise ParameterError(variable.name, given, f'a normal distribution with --deviation "{variable.short}=5 %"')
+        if self.kind == NORMAL and not variable.low <= variable.value <= variable.high:
+            raise ParameterError(variable.name, f"{variable.value:g}", "within its bounds for a normal distribution", variable.unit)
+
+    def values(self, places: Array) -> Array:
+        """Return the values [SI] at places from 0 to 1 of the cumulative distribution."""
+        low, high, centre = self.variable.low, self.variable.high, self.variable.value
+        if self.kind == UNIFORM:
+            values = low + (high - low) * places
+        elif self.kind == LOG_UNIFORM:
+            values = low * (high / low) ** places
+        else:
+            from scipy.special import ndtr, ndtri
+
+            first, last = ndtr((np.array([low, high]) - centre) / self.deviation)
+            values = centre + self.deviation * ndtri(first + (last - first) * places)
+        return np.asarray(np.clip(values, low, high))
+
+
+def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] = ()) -> tuple[Distribution, ...]:
+    """Return a distribution for each parameter of a space.
+
+    Parameters
+    ----------
+    space : Space
+    kind : str
+        Of the parameters without a deviation.
+    deviations : sequence of str
+        ``NAME=DEVIATION`` in ``%`` of the value or the parameter's unit, or a deviation alone for all. These parameters are normal.
+
+    Raises
+    ------
+    ParameterError
+        If a name is not in the space, or a deviation cannot be read.
+    """
+    given: dict[str, float] = {}
+    for text in deviations:
+        name, equals, wanted = (part.strip() for part in text.rpartition("="))
+        chosen = [variable for variable in space.numbers if not equals or _matches(variable, name)]
+        if not chosen:
+            known = ", ".join(variable.short for variable in space.numbers[:4])
+            raise ParameterError("--deviation", repr(text), f"NAME=DEVIATION with one of the parameters that are varied, such as {known}")
+        given |= {variable.name: _deviation(variable, wanted) for variable in chosen}
+    return tuple(
+        Distribution(variable, NORMAL, given[variable.name]) if variable.name in given else Distribution(variable, kind)
+        for variable in space.numbers
+    )
+
+
+def _matches(variable: DesignVariable, name: str) -> bool:
+    return any(fnmatchcase(known, pattern) for known in (variable.name, variable.short) for pattern in (name, f"*.{name}"))
+
+
+def _deviation(variable: DesignVariable, text: str) -> float:
+    unit = variable.display_unit
+    wanted = f"a deviation of {variable.short} above 0, as 5 %{f' or 2 {unit}' if unit else ''}"
+    try:
+        if text.endswith("%"):
+            deviation = abs(variable.value) * float(text[:-1]) / 100.0
+        else:
+            deviation = float(read_number(text if variable.unit else float(text), variable.unit, variable.display))
+    except (UnitError, ValueError) as error:
+        raise ParameterError("--deviation", repr(text), wanted) from error
+    if not 0.0 < deviation < math.inf:
+        raise ParameterError("--deviation", repr(text), wanted)
+    return deviation
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """Figures of runs as an estimator takes them.
+
+    Attributes
+    ----------
+    values : ndarray (n,)
+        Decimal logarithm of the figure [SI] if `logarithmic`, else the figure [SI].
+    logarithmic : bool
+    runs, failed : int
+    cap : float [SI]
+        What a failed run counts as, and the most that any counts as.
+    """
+
+    values: Array = field(metadata=HIDDEN)
+    logarithmic: bool
+    runs: int
+    failed: int
+    cap: float
+
+
+def sample(figures: Array, level: float, logarithmic: bool, space: Space, points: Array) -> Sample:
+    """Return figures as an estimator takes them.
+
+    Parameters
+    ----------
+    figures : ndarray (n,) [SI]
+        nan where a run failed.
+    level : float [SI]
+        Of a run that is at the failure limit all the time; infinite if there is none.
+    logarithmic : bool
+    space : Space
+    points : ndarray (n, n_parameter)
+        Places of the runs, 0 to 1, to say where runs fail.
+
+    Raises
+    ------
+    ParameterError
+        If more than `REFUSED` of the runs failed, or a logarithm is asked for of a figure that is not above 0.
+    """
+    bad = np.isnan(figures)
+    share = float(bad.mean())
+    if share > REFUSED:
+        right = f"at most {100.0 * REFUSED:.0f} %: the indices would show what makes the loop fail, not what makes it accurate"
+        raise ParameterError(
+            "runs", f"{100.0 * share:.0f} % failed", f"{right}; narrow the bounds, first of {_strayed(space, points[bad])}"
+        )
+    cap = level if math.isfinite(level) else BEYOND * float(figures[~bad].max())
+    values = np.minimum(np.where(bad, cap, figures), cap)
+    if logarithmic:
+        flat = values <= 0.0
+        if flat.any():
+            where = f"a figure of {values.min():g} in {int(flat.sum())} of {flat.size} runs, first of {_strayed(space, points[flat])}"
+            raise ParameterError("--transform log", where, "above 0 in all; take --transform none, which reuses the runs made so far")
+        values = np.log10(values)
+    return Sample(values, logarithmic, values.size, int(bad.sum()), cap)
+
+
+def _strayed(space: Space, points: Array) -> str:
+    """Name the parameter that is farthest from the middle of its range on the mean of places (n, n_parameter), and the end."""
+    off = points.mean(axis=0) - 0.5
+    at = int(np.argmax(np.abs(off)))
+    return f"{space.numbers[at].short} at the {'upper' if off[at] > 0.0 else 'lower'} end"
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,13 +190,13 @@ class SobolIndices:
     Attributes
     ----------
     first, first_interval : ndarray (n,)
-        What each number explains by itself, and half the width of the interval in which it lies with 95 % confidence.
+        What each parameter explains alone, and half the width of the 95 % confidence interval.
     total, total_interval : ndarray (n,)
-        The same with all that it does together with others.
+        The same, with all that it does together with others.
     second, second_interval : ndarray (n, n) or None
-        What two numbers explain together beyond each by itself: above the diagonal, else NaN; None where it was not asked for.
+        What two parameters explain together beyond each alone: above the diagonal, else nan; None if not asked for.
     deviation : float
-        Standard deviation of what was explained.
+        Standard deviation of the sample.
     """
 
     first: Array
@@ -47,7 +215,7 @@ class MorrisIndices:
     Attributes
     ----------
     mu_star, mu_star_interval : ndarray (n,)
-        Mean of their magnitudes, and half the width of its 95 % interval.
+        Mean of their magnitudes, and half the width of its 95 % confidence interval.
     mu : ndarray (n,)
         Their mean.
     sigma : ndarray (n,)
@@ -64,67 +232,34 @@ def _problem(n: int) -> dict[str, Any]:
     return {"num_vars": n, "names": [f"p{j}" for j in range(n)], "bounds": [[0.0, 1.0]] * n}
 
 
-def check_saltelli(n: int, base: int) -> None:
-    """See that points can be sampled.
-
-    Raises
-    ------
-    ParameterError
-        If there are fewer than two numbers, or the base is no power of two from 16.
-    """
-    if n < 2:
-        raise ParameterError("--parameter", f"{n}", "two or more for shares of a variance; of one, take --parts curves,local")
-    if base < 16 or base & (base - 1):
-        near = [2**k for k in range(4, 25) if 2**k <= max(2 * base, 16)][-2:]
-        raise ParameterError("--base", f"{base}", f"a power of two from 16, such as {' or '.join(map(str, near))}")
-
-
-def check_morris(trajectories: int) -> None:
-    """See that there are trajectories enough.
-
-    Raises
-    ------
-    ParameterError
-        If there are fewer than four.
-    """
-    if trajectories < 4:
-        raise ParameterError("--trajectories", f"{trajectories}", "4 or more")
-
-
 def saltelli_points(n: int, base: int, second: bool = False, seed: int = 0) -> Array:
     """Return the points of Saltelli's sampling in the unit cube: base (n + 2) of them, or base (2 n + 2) for second order.
 
     Parameters
     ----------
     n : int, >= 2
-        Numbers.
+        DesignVariable of parameters.
     base : int
-        A power of two, which a Sobol sequence is balanced at. The points of a smaller base are the first of those of a larger one.
+        A power of two, at which a Sobol sequence is balanced. The points of a smaller base are the first of those of a larger one.
     second : bool
-        Whether indices of pairs are wanted.
+        Whether to sample for indices of pairs.
     seed : int
-
-    Raises
-    ------
-    ParameterError
-        As of `check_saltelli`.
 
     References
     ----------
     A. Saltelli et al., "Variance based sensitivity analysis of model output", Computer Physics Communications 181 (2010), 259-270.
     """
-    check_saltelli(n, base)
     from SALib.sample import sobol
 
     return np.asarray(sobol.sample(_problem(n), base, calc_second_order=second, seed=seed), dtype=float)
 
 
 def sobol_indices(values: Array, n: int, second: bool = False, seed: int = 0) -> SobolIndices:
-    """Return Sobol's indices of the values at `saltelli_points`; the intervals are of 200 bootstrap samples.
+    """Return Sobol's indices of the values at `saltelli_points`, with bootstrap intervals.
 
     Notes
     -----
-    Where the values do not vary, all indices are 0. An index may come out a little below 0: its interval then holds 0.
+    If the values do not vary, all indices are 0. An index may come out a little below 0: its interval then includes 0.
     """
     zero = np.zeros(n)
     if np.ptp(values) == 0.0:
@@ -132,42 +267,29 @@ def sobol_indices(values: Array, n: int, second: bool = False, seed: int = 0) ->
         return SobolIndices(zero, zero, zero, zero, pairs, pairs, 0.0)
     from SALib.analyze import sobol
 
-    # A generator, not a number: of SALib's seeds 0 is none, and its intervals would come out otherwise each time.
+    # A generator, not a number: SALib takes the seed 0 for none, and its intervals would differ each time.
     draw = np.random.default_rng(seed)
-    found = sobol.analyze(
-        _problem(n), values, calc_second_order=second, num_resamples=RESAMPLES, conf_level=CONFIDENCE, print_to_console=False, seed=draw
-    )
-    plain = {key: np.asarray(value, dtype=float) for key, value in found.items()}
-    pair, pair_interval = (plain["S2"], plain["S2_conf"]) if second else (None, None)
-    return SobolIndices(plain["S1"], plain["S1_conf"], plain["ST"], plain["ST_conf"], pair, pair_interval, float(values.std()))
+    found = sobol.analyze(_problem(n), values, calc_second_order=second, print_to_console=False, seed=draw, **ANALYSIS)
+    arrays = {key: np.asarray(value, dtype=float) for key, value in found.items()}
+    names = ("S1", "S1_conf", "ST", "ST_conf", "S2", "S2_conf")
+    return SobolIndices(*(arrays.get(name) for name in names), float(values.std()))  # type: ignore[arg-type, call-arg]
 
 
 def morris_points(n: int, trajectories: int, seed: int = 0) -> Array:
     """Return the points of Morris' design in the unit cube: trajectories (n + 1) of them, on four levels.
 
-    Raises
-    ------
-    ParameterError
-        If there are fewer than four trajectories.
-
     References
     ----------
     M. D. Morris, "Factorial sampling plans for preliminary computational experiments", Technometrics 33 (1991), 161-174.
     """
-    check_morris(trajectories)
     from SALib.sample import morris
 
     return np.asarray(morris.sample(_problem(n), trajectories, num_levels=LEVELS, seed=seed), dtype=float)
 
 
 def morris_indices(points: Array, values: Array, seed: int = 0) -> MorrisIndices:
-    """Return the elementary effects of the values at `morris_points`, for each whole range of a number."""
+    """Return the elementary effects of the values at `morris_points`, over the whole range of each parameter."""
     from SALib.analyze import morris
 
-    found = morris.analyze(
-        _problem(points.shape[1]), points, values, num_resamples=RESAMPLES, conf_level=CONFIDENCE, num_levels=LEVELS, seed=seed
-    )
-    mu_star, interval, mu, sigma = (
-        np.asarray(np.ma.getdata(found[key]), dtype=float) for key in ("mu_star", "mu_star_conf", "mu", "sigma")
-    )
-    return MorrisIndices(mu_star, interval, mu, sigma)
+    found = morris.analyze(_problem(points.shape[1]), points, values, num_levels=LEVELS, seed=seed, **ANALYSIS)
+    return MorrisIndices(*(np.asarray(np.ma.getdata(found[key]), dtype=float) for key in ("mu_star", "mu_star_conf", "mu", "sigma")))

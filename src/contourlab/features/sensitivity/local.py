@@ -1,4 +1,4 @@
-"""What a small change of each number does, by itself and together with another: central differences whose steps are put to the test."""
+"""What a small change of each parameter does, alone and together with another: central differences whose steps are tested."""
 
 from __future__ import annotations
 
@@ -10,157 +10,150 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.design import Number, Space
+from contourlab.design import DesignVariable, Space
 from contourlab.features.sensitivity.runs import Array, Judge
+from contourlab.findings import Finding, finding
 
 LARGEST, STEPS = 0.04, 5
-"""Largest step in parts of the value, and how many are tried, each half of the one before."""
-APART, APART_SHARE = 0.02, 0.05
-"""Two steps agree when their sensitivities differ by less than this, and this part of them."""
+"""Largest step relative to the value, and how many are tried, each half of the one before."""
+AGREE, AGREE_SHARE = 0.02, 0.05
+"""Two steps agree if their sensitivities differ by less than the first, plus the second times the sensitivity."""
 NOTICED = 0.1
-"""Interactions below this are next to nothing, whatever their step."""
+"""Interactions below this are negligible, whatever their step."""
 CORNER = 0.75
 """At a corner the slopes on the two sides stay apart when the step is halved; on a smooth curve they come half as near."""
 
 
 @dataclass(frozen=True)
 class Slope:
-    """The normalised sensitivity S = dJ/dp |p|/J of a figure J to a number p.
+    """The normalised sensitivity S = dJ/dp |p|/J of a figure J to a parameter p.
 
     Attributes
     ----------
-    number : Number
+    variable : DesignVariable
     sensitivity : float
-        In percent of the figure for each percent of the number; NaN where it cannot be told. Of a number that is 0, for each percent of the
-        way between its bounds.
+        Percent of the figure per percent of the parameter; nan if unknown. For a parameter at 0, per percent of its range.
     step : float
-        Of the central difference, in parts of the number (of the way between the bounds).
-    apart : float
-        By how much the sensitivity differs with twice this step.
+        Of the central difference, relative to the parameter (or its range).
+    difference : float
+        By which the sensitivity differs with twice this step.
     below, above : float
-        The same by the step below alone, and by the step above alone.
-    remark : str
-        What speaks against the figure, in words; empty if nothing does.
+        The sensitivity by the step below alone, and by the step above alone.
+    doubt : Finding or None
+        What speaks against the sensitivity.
     """
 
-    number: Number
+    variable: DesignVariable
     sensitivity: float
     step: float
-    apart: float
+    difference: float
     below: float
     above: float
-    remark: str
+    doubt: Finding | None
 
 
 @dataclass(frozen=True, eq=False)
 class Local:
-    """Small changes.
+    """Effects of small changes.
 
     Attributes
     ----------
-    figure : float [SI]
-        With all numbers at their values.
     slopes : tuple of Slope
     interactions : ndarray (n, n)
         Second differences d2J/dp_j dp_k |p_j p_k|/J: off the diagonal by how much more the figure grows when both grow, than by each alone.
-    interactions_apart : ndarray (n, n)
-        By how much they differ with half the step.
+    interaction_differences : ndarray (n, n)
+        By which they differ with half the step.
     interaction_steps : ndarray (n,)
-        Their steps, in parts of each number.
+        Their steps, relative to each parameter.
     """
 
-    figure: float
     slopes: tuple[Slope, ...]
     interactions: Array
-    interactions_apart: Array
+    interaction_differences: Array
     interaction_steps: Array
 
     @property
     def doubtful(self) -> NDArray[np.bool_]:
-        """Which interactions (n, n) are half off with half the step, and not next to nothing."""
+        """Which interactions (n, n) differ by half or more with half the step, and are not negligible."""
         size = np.abs(self.interactions)
-        return (self.interactions_apart >= 0.5 * size) & (size > NOTICED)
+        return (self.interaction_differences >= 0.5 * size) & (size > NOTICED)
 
 
 def local(space: Space, judge: Judge, limits: Mapping[str, tuple[float, float]] | None = None) -> Local:
-    """Return sensitivities and interactions at the values of a space.
+    """Return sensitivities and interactions at the present values of a space.
 
     Parameters
     ----------
     space : Space
     judge : callable
     limits : mapping of str to (float, float) [SI]
-        What the numbers may be at all, whatever the bounds of the study; no limit by default.
+        What the components accept, whatever the bounds of the study; no limit by default.
 
     Notes
     -----
-    The step is chosen for each number by itself: of steps of 4, 2, 1, 0.5 and 0.25 percent, the two neighbours whose sensitivities agree
-    best, and of these the smaller. A larger step sees the curve bend, a smaller one the counts of an encoder. Where no two agree, or where
-    the slopes below and above have different signs and stay apart, the remark says so.
+    The step is chosen for each parameter: of steps of 4, 2, 1, 0.5 and 0.25 percent the two neighbours whose sensitivities agree best, and
+    of these the smaller. A larger step sees the curve bend, a smaller one the counts of an encoder.
     """
-    tops = np.array([_top(number, (limits or {}).get(number.name, (-math.inf, math.inf))) for number in space.numbers])
+    tops = np.array([_top(variable, (limits or {}).get(variable.name, (-math.inf, math.inf))) for variable in space.numbers])
     figure, ladder = _ladder(space, judge, tops)
-    slopes = tuple(_slope(number, top, rows, figure) for number, top, rows in zip(space.numbers, tops, ladder, strict=True))
+    slopes = tuple(_slope(variable, top, rows, figure) for variable, top, rows in zip(space.numbers, tops, ladder, strict=True))
     full, half = _second(space, judge, np.stack([tops, tops / 2.0]), figure)
-    return Local(figure, slopes, full, np.abs(full - half), tops)
+    return Local(slopes, full, np.abs(full - half), tops)
 
 
-def scale(number: Number) -> float:
-    """Return what a step of 1 is [SI]: the number itself, or for 0 the way between its bounds."""
-    return abs(number.value) or number.high - number.low
+def _scale(variable: DesignVariable) -> float:
+    """Return what a step of 1 is [SI]: the value, or the range of a parameter at 0."""
+    return abs(variable.value) or variable.high - variable.low
 
 
-def _top(number: Number, limits: tuple[float, float]) -> float:
-    """Return the largest step to try, in parts: less where the number may not go so far; 0 where it may not go at all."""
-    room = min(number.value - limits[0], limits[1] - number.value) / scale(number)
+def _top(variable: DesignVariable, limits: tuple[float, float]) -> float:
+    """Return the largest relative step: less where the component accepts no more, 0 where it accepts none."""
+    room = min(variable.value - limits[0], limits[1] - variable.value) / _scale(variable)
     return min(LARGEST, room) if room > 1e-6 else 0.0
 
 
 def _judged(space: Space, judge: Judge, moves: Sequence[Mapping[int, float]]) -> Array:
-    """Return the figures of runs that move some numbers by some parts of their scales."""
-    columns = {number.name: np.full(len(moves), number.value) for number in space.numbers}
+    """Return the figures of runs that move some parameters by relative steps."""
+    columns = {variable.name: np.full(len(moves), variable.value) for variable in space.numbers}
     for row, move in enumerate(moves):
         for j, part in move.items():
-            number = space.numbers[j]
-            columns[number.name][row] = number.value + part * scale(number)
+            variable = space.numbers[j]
+            columns[variable.name][row] = variable.value + part * _scale(variable)
     return judge(columns)
 
 
 def _ladder(space: Space, judge: Judge, tops: Array) -> tuple[float, Array]:
-    """Return the figure as it is, and those (n_number, step, below and above) around it."""
+    """Return the present figure, and those (n_parameter, step, below and above) around it."""
     parts = 0.5 ** np.arange(STEPS)
     moves: list[dict[int, float]] = [{}]
     moves += [{j: sign * top * part} for j, top in enumerate(tops) for part in parts for sign in (-1.0, 1.0)]
-    found = _judged(space, judge, moves)
-    return float(found[0]), found[1:].reshape(len(tops), STEPS, 2)
+    figures = _judged(space, judge, moves)
+    return float(figures[0]), figures[1:].reshape(len(tops), STEPS, 2)
 
 
-def _slope(number: Number, top: float, rows: Array, figure: float) -> Slope:
-    nan = float("nan")
+def _slope(variable: DesignVariable, top: float, rows: Array, figure: float) -> Slope:
+    nan, place = float("nan"), variable.short
     if top == 0.0:
-        return Slope(number, nan, 0.0, nan, nan, nan, "it lies on a bound of what it may be: no difference can be taken on both sides")
+        return Slope(variable, nan, 0.0, nan, nan, nan, finding("CL670", place))
     if np.isnan(rows).any():
-        return Slope(number, nan, top, nan, nan, nan, f"a change of {100.0 * top:.3g} % makes the run fail")
+        return Slope(variable, nan, top, nan, nan, nan, finding("CL671", place, step=float(top)))
     steps = top * 0.5 ** np.arange(STEPS)
     below, above = (figure - rows[:, 0]) / (steps * figure), (rows[:, 1] - figure) / (steps * figure)
     central = (below + above) / 2.0
-    apart = np.abs(np.diff(central))
-    at = int(np.argmin(apart)) + 1
-    remark = _remark(central[at], float(apart[at - 1]), below, above, at)
-    return Slope(number, float(central[at]), float(steps[at]), float(apart[at - 1]), float(below[at]), float(above[at]), remark)
-
-
-def _remark(central: float, apart: float, below: Array, above: Array, at: int) -> str:
+    differences = np.abs(np.diff(central))
+    at = int(np.argmin(differences)) + 1
+    difference = float(differences[at - 1])
     bend, wider = abs(above[at] - below[at]), abs(above[at - 1] - below[at - 1])
-    if below[at] < 0.0 < above[at] and bend > APART and bend > CORNER * wider:
-        return f"a minimum with a corner: the slope is {below[at]:+.2g} below and {above[at]:+.2g} above"
-    if apart > APART + APART_SHARE * abs(central):
-        return f"steps do not agree: with twice the step it differs by {apart:.2g}, so counts, friction or a corner rule so small a change"
-    return ""
+    doubt = None
+    if below[at] < 0.0 < above[at] and bend > AGREE and bend > CORNER * wider:
+        doubt = finding("CL672", place, below=float(below[at]), above=float(above[at]))
+    elif difference > AGREE + AGREE_SHARE * abs(central[at]):
+        doubt = finding("CL673", place, difference=difference)
+    return Slope(variable, float(central[at]), float(steps[at]), difference, float(below[at]), float(above[at]), doubt)
 
 
 def _second(space: Space, judge: Judge, tops: Array, figure: float) -> tuple[Array, Array]:
-    """Return the matrix of second differences (n, n) for each row of steps."""
+    """Return the matrix of second differences (n, n) for each of the two rows of steps."""
     n = len(space.numbers)
     moves: list[dict[int, float]] = []
     signs = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))
@@ -168,9 +161,8 @@ def _second(space: Space, judge: Judge, tops: Array, figure: float) -> tuple[Arr
     for steps in tops:
         moves += [{j: sign * steps[j]} for j in range(n) for sign in (1.0, -1.0)]
         moves += [{j: a * steps[j], k: b * steps[k]} for j, k in pairs for a, b in signs]
-    found = _judged(space, judge, moves).reshape(2, -1)
-    made = []
-    for steps, values in zip(tops, found, strict=True):
+    matrices = []
+    for steps, values in zip(tops, _judged(space, judge, moves).reshape(2, -1), strict=True):
         matrix = np.full((n, n), np.nan)
         with np.errstate(divide="ignore", invalid="ignore"):
             alone, both = values[: 2 * n].reshape(n, 2), values[2 * n :].reshape(-1, 4)
@@ -178,5 +170,5 @@ def _second(space: Space, judge: Judge, tops: Array, figure: float) -> tuple[Arr
             for (j, k), (pp, pm, mp, mm) in zip(pairs, both, strict=True):
                 matrix[j, k] = matrix[k, j] = (pp - pm - mp + mm) / (4.0 * steps[j] * steps[k] * figure)
         matrix[~np.isfinite(matrix)] = np.nan
-        made.append(matrix)
-    return made[0], made[1]
+        matrices.append(matrix)
+    return matrices[0], matrices[1]

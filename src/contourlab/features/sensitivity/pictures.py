@@ -1,74 +1,78 @@
-"""Pictures of a sensitivity study."""
+"""Pictures of a sensitivity study, in display units."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.report.charts import Bars, Curve, Matrix, Multiples, Series, Tile
+from contourlab.features.sensitivity.curves import Curve
+from contourlab.features.sensitivity.runs import Array
+from contourlab.features.sensitivity.study import Study
+from contourlab.report.charts import Bars, Matrix, Multiples, Series, Tile
+from contourlab.report.charts import Curve as Line
 from contourlab.report.style import MUTED, scheme_style
 
-Array = NDArray[np.float64]
+MICRO = 1e6
+"""Of all figures."""
 
 
-@dataclass(frozen=True, eq=False)
-class DrawnCurve:
-    """A figure over one number, in the units of print.
-
-    Parameters
-    ----------
-    name, label : str
-        Of the number, and with its unit.
-    x, y : ndarray (n,)
-        NaN where runs fail.
-    here : float
-        The number's present value.
-    lowest : (x, y) or None
-    failed : tuple of (low, high)
-    log_x : bool
-    """
-
-    name: str
-    label: str
-    x: Array
-    y: Array
-    here: float
-    lowest: tuple[float, float] | None
-    failed: tuple[tuple[float, float], ...]
-    log_x: bool
+def charts_of(study: Study) -> list[Multiples | Bars | Matrix]:
+    """Return a picture of each part of a study: curves, Morris' and Sobol's indices, interactions."""
+    figure, names = study.plan.judged, [variable.short for variable in study.space.numbers]
+    charts: list[Multiples | Bars | Matrix] = []
+    if study.curves is not None:
+        tiles = tuple(curve_tile(curve) for curve in study.curves)
+        charts.append(Multiples("curves", f"One parameter at a time: {figure.label}", "", f"{figure.label} [{figure.unit}]", tiles))
+    charts += _indices(study, names)
+    if study.local is not None and len(names) > 1:
+        title = f"Interactions near the present values: {figure.label}"
+        charts.append(interactions_chart(title, names, study.local.interactions, study.local.doubtful))
+    return charts
 
 
-def curves_chart(title: str, y_label: str, drawn: Sequence[DrawnCurve]) -> Multiples:
-    """Return one small picture for each number."""
+def curve_tile(curve: Curve) -> Tile:
+    """Return the small picture of one parameter, with its minimum and present value, failed runs shaded."""
+    variable, lowest = curve.variable, curve.minimum
     colour, dash = scheme_style(0, 1)
-    tiles = tuple(
-        Tile(
-            one.name,
-            one.label,
-            (Curve(one.x, one.y, "with the others as they are", colour, dash),),
-            () if one.lowest is None else ((*one.lowest, scheme_style(0, 2)[0]),),
-            ((one.here, MUTED),),
-            one.failed,
-            one.log_x,
-        )
-        for one in drawn
+    x = np.array([variable.display_value(value) for value in curve.values])
+    return Tile(
+        variable.short,
+        variable.display_unit or "value",
+        (Line(x, MICRO * curve.figures, "others at their present values", colour, dash),),
+        () if lowest is None else ((variable.display_value(lowest.value), MICRO * lowest.figure, scheme_style(0, 2)[0]),),
+        ((variable.display_value(variable.value), MUTED),),
+        tuple((variable.display_value(interval.low), variable.display_value(interval.high)) for interval in curve.failed),
+        variable.logarithmic,
     )
-    return Multiples("curves", title, "", y_label, tiles)
+
+
+def _indices(study: Study, names: list[str]) -> Iterator[Bars]:
+    figure, logarithmic = study.plan.judged, study.plan.transform == "log"
+    if study.sobol is not None:
+        s = study.sobol
+        shares = (("first order", s.first, s.first_interval), ("total", s.total, s.total_interval))
+        title = f"Sobol's indices of {'log10 of the' if logarithmic else 'the'} {figure.label}"
+        yield indices_chart("sobol", title, "share of the variance, with 95 % intervals", names, shares)
+    if study.morris is not None:
+        scale, unit = (1.0, "decades") if logarithmic else (MICRO, figure.unit)
+        m = study.morris
+        effects = (("sigma", m.sigma * scale, 0.0 * m.sigma), ("mu*", m.mu_star * scale, m.mu_star_interval * scale))
+        label = f"mean magnitude of the elementary effects [{unit}]"
+        yield indices_chart("morris", f"Elementary effects (Morris) on the {figure.label}", label, names, effects)
 
 
 def indices_chart(key: str, title: str, x_label: str, names: Sequence[str], series: Sequence[tuple[str, Array, Array]]) -> Bars:
     """Return bars of indices with their intervals, the largest of the last series first."""
     order = np.argsort(-series[-1][1], kind="stable")
-    made = tuple(Series(name, v[order], half[order], scheme_style(i, 2)[0]) for i, (name, v, half) in enumerate(series))
-    return Bars(key, title, "", x_label, tuple(names[j] for j in order), made)
+    bars = tuple(Series(name, v[order], half[order], scheme_style(i, 2)[0]) for i, (name, v, half) in enumerate(series))
+    return Bars(key, title, "", x_label, tuple(names[j] for j in order), bars)
 
 
 def interactions_chart(title: str, names: Sequence[str], values: Array, doubtful: NDArray[np.bool_]) -> Matrix:
-    """Return the matrix of interactions; what is on its diagonal is left out, what hangs on the step has a question mark."""
+    """Return the matrix of interactions without its diagonal; doubtful ones get a question mark."""
     shown = values.copy()
     np.fill_diagonal(shown, np.nan)
-    label = "second difference, in parts of the figure" + ("; ? half off with half the step" if doubtful.any() else "")
+    label = "second difference relative to the figure" + ("; ? half off with half the step" if doubtful.any() else "")
     return Matrix("interactions", title, "", label, tuple(names), shown, doubtful)

@@ -1,54 +1,61 @@
-"""Runs in chunks, each kept on disk as it is done, so that what was interrupted goes on where it stopped."""
+"""Runs in chunks, each kept on disk when done, so that an interrupted study goes on where it stopped."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.app.checkpoint import KeptFolder
-from contourlab.features.sensitivity.figure import FIGURES
+from contourlab.app.checkpoint import Checkpoint
 
 Array: TypeAlias = NDArray[np.float64]
 Columns: TypeAlias = Mapping[str, Array]
-"""Values [SI] by dotted names, each (n,)."""
+"""Values [SI] by parameter name, each (n,)."""
 Model: TypeAlias = Callable[[Columns], Mapping[str, Array]]
 """Figures of runs: `contourlab.design.Evaluator`, or anything that stands in for it."""
 Judge: TypeAlias = Callable[[Columns], Array]
-"""One figure [SI] of runs, NaN where one failed."""
+"""One figure [SI] of runs, nan where a run failed."""
 CHUNK = 1024
 """Runs that are made, and kept, together."""
+
+
+class Figure(NamedTuple):
+    """A figure of a run: its key in `contourlab.loop.BatchResult`, its name in print, and its display unit."""
+
+    key: str
+    label: str
+    unit: str
+
+
+FIGURES = {
+    "integral": Figure("contour_error_integral", "integral of the contour error", "um s"),
+    "rms": Figure("contour_error_rms", "contour error, rms", "um"),
+    "max": Figure("contour_error_max", "largest contour error", "um"),
+}
 KEYS = tuple(figure.key for figure in FIGURES.values())
 
 
-class Kept(KeptFolder):
-    """Figures of runs in a folder: a file for each chunk; the model is all that decides a run but the numbers that are moved."""
+class Kept(Checkpoint):
+    """Figures of runs in a folder: a file for each chunk."""
 
     def file(self, columns: Columns) -> Path:
-        """Return the file of a chunk: the name is a digest of model, names and values."""
-        return self.named(
-            *(f"\n{name}\n".encode() + np.ascontiguousarray(values, dtype="<f8").tobytes() for name, values in columns.items())
-        )
+        """Return the file of a chunk, named by the names and values of its columns."""
+        rows = {name: np.ascontiguousarray(values, dtype="<f8") for name, values in columns.items()}
+        return self.path(*(f"\n{name}\n".encode() + values.tobytes() for name, values in rows.items()))
 
     def read(self, columns: Columns) -> dict[str, Array] | None:
         """Return the figures of a chunk if they are kept."""
-        n = len(next(iter(columns.values())))
-
-        def take(data: Mapping[str, Array]) -> dict[str, Array]:
-            found = {key: np.asarray(data[key], dtype=float) for key in KEYS}
-            if any(values.shape != (n,) for values in found.values()):
-                raise ValueError("figures of another number of runs")
-            return found
-
-        return self.load(self.file(columns), take)
+        return self.load(self.file(columns))
 
     def write(self, columns: Columns, figures: Mapping[str, Array]) -> Path:
         """Keep the figures of a chunk; return its file."""
-        return self.store(self.file(columns), {key: figures[key] for key in KEYS})
+        file = self.file(columns)
+        self.store(file, {key: figures[key] for key in KEYS})
+        return file
 
 
 @dataclass(eq=False)
@@ -59,43 +66,43 @@ class Runs:
     ----------
     model : callable
     kept : Kept, optional
-        Where chunks are kept, and looked for; nowhere by default.
+        Where chunks are kept and looked for; nowhere by default.
     progress : callable, optional
-        Told runs done and runs in all, of each call.
-    made, found : int
-        Runs that were made, and those that were kept from an earlier time.
+        Called with the runs done and the runs in all, of each call.
+    made, reused : int
+        Runs made, and runs kept from an earlier study.
     """
 
     model: Model
     kept: Kept | None = None
     progress: Callable[[int, int], None] | None = None
     made: int = field(default=0, init=False)
-    found: int = field(default=0, init=False)
-    _seen: set[Path | None] = field(default_factory=set, init=False, repr=False)
+    reused: int = field(default=0, init=False)
+    _seen: set[Path] = field(default_factory=set, init=False, repr=False)
 
     def judge(self, key: str) -> Judge:
-        """Return what gives one figure of runs, by its key."""
+        """Return the function that gives one figure of runs, by its key."""
         return lambda columns: self(columns)[key]
 
     def __call__(self, columns: Columns) -> dict[str, Array]:
-        """Return the figures that `FIGURES` names, each (n,)."""
+        """Return the figures of `FIGURES`, each (n,)."""
         n = len(next(iter(columns.values())))
-        found = {key: np.empty(n) for key in KEYS}
+        figures = {key: np.empty(n) for key in KEYS}
         for first in range(0, n, CHUNK):
             part = {name: np.asarray(values, dtype=float)[first : first + CHUNK] for name, values in columns.items()}
             for key, values in self._chunk(part).items():
-                found[key][first : first + CHUNK] = values
+                figures[key][first : first + CHUNK] = values
             if self.progress is not None:
                 self.progress(min(first + CHUNK, n), n)
-        return found
+        return figures
 
     def _chunk(self, columns: Columns) -> dict[str, Array]:
         n = len(next(iter(columns.values())))
         figures = None if self.kept is None else self.kept.read(columns)
-        if figures is not None:
-            file = self.kept.file(columns) if self.kept is not None else None
-            # What was counted once, such as the run as it is, which several parts ask for, is not counted again.
-            self.found += n * (file not in self._seen)
+        if figures is not None and self.kept is not None:
+            file = self.kept.file(columns)
+            # Several parts ask for the run with the present values: it counts once.
+            self.reused += n * (file not in self._seen)
             self._seen.add(file)
             return figures
         new = self.model(columns)

@@ -1,4 +1,4 @@
-"""The whole study: curves, small changes and global indices of one machine under one controller along one motion."""
+"""The study: curves, small changes and global indices of one machine under one controller along one motion."""
 
 from __future__ import annotations
 
@@ -10,56 +10,57 @@ import numpy as np
 
 from contourlab.design import Space
 from contourlab.errors import ParameterError
-from contourlab.features.sensitivity.curves import Curve, check_values, curves
-from contourlab.features.sensitivity.distribution import Distribution
-from contourlab.features.sensitivity.figure import FIGURES, Figure
+from contourlab.features.sensitivity.curves import Curve, curves
 from contourlab.features.sensitivity.indices import (
+    HIDDEN,
+    Distribution,
     MorrisIndices,
+    Sample,
     SobolIndices,
-    check_morris,
-    check_saltelli,
     morris_indices,
     morris_points,
     saltelli_points,
+    sample,
     sobol_indices,
 )
 from contourlab.features.sensitivity.local import Local, local
-from contourlab.features.sensitivity.outcome import Outcome, outcome
-from contourlab.features.sensitivity.runs import Array, Judge, Runs
+from contourlab.features.sensitivity.runs import FIGURES, Array, Figure, Runs
 
 PARTS = ("curves", "local", "morris", "sobol")
+TRANSFORMS = ("log", "none")
 
 
 @dataclass(frozen=True)
 class Plan:
-    """What is asked for.
+    """What to study.
 
     Attributes
     ----------
     parts : sequence of str
         Of `PARTS`.
-    figure : Figure
-    values : int
-        Of each number, for its curve.
+    figure : str
+        One of `FIGURES`.
+    values : int, >= 5
+        Of each curve.
     base : int
-        N of Saltelli's sampling.
+        N of Saltelli's sampling, a power of two from 16.
     second : bool
         Whether Sobol's indices of pairs are wanted.
-    trajectories : int
+    trajectories : int, >= 4
         Of Morris' design.
-    logarithmic : bool
-        Whether global indices are of the decimal logarithm of the figure.
-    seed : int
+    transform : str
+        One of `TRANSFORMS`, of the figure for global indices: its decimal logarithm, or itself.
+    seed : int, >= 0
         Of both samplings.
     """
 
     parts: Sequence[str] = PARTS
-    figure: Figure = field(default_factory=lambda: FIGURES["integral"])
+    figure: str = "integral"
     values: int = 41
     base: int = 512
     second: bool = False
     trajectories: int = 32
-    logarithmic: bool = True
+    transform: str = "log"
     seed: int = 0
 
     def __post_init__(self) -> None:
@@ -68,51 +69,56 @@ class Plan:
                 raise ParameterError("--parts", repr(part), f"of {', '.join(PARTS)}")
         if not self.parts:
             raise ParameterError("--parts", "none", f"one of {', '.join(PARTS)} or more")
+        if self.figure not in FIGURES:
+            raise ParameterError("--figure", repr(self.figure), f"one of {', '.join(FIGURES)}")
+        if self.transform not in TRANSFORMS:
+            raise ParameterError("--transform", repr(self.transform), " or ".join(TRANSFORMS))
+        for name, least, part in (("values", 5, "curves"), ("trajectories", 4, "morris"), ("seed", 0, "")):
+            if getattr(self, name) < least and (not part or part in self.parts):
+                raise ParameterError(f"--{name}", f"{getattr(self, name)}", f"{least} or more")
+        if "sobol" in self.parts and (self.base < 16 or self.base & (self.base - 1)):
+            near = [2**k for k in range(4, 25) if 2**k <= max(2 * self.base, 16)][-2:]
+            raise ParameterError("--base", f"{self.base}", f"a power of two from 16, such as {' or '.join(map(str, near))}")
 
     def check(self, n: int) -> None:
-        """See that it can be done with a number of numbers, ahead of all runs.
+        """Raise `ParameterError` if the study cannot be made with so many parameters."""
+        if "sobol" in self.parts and n < 2:
+            raise ParameterError("--parameter", f"{n}", "two or more for shares of a variance; of one, take --parts curves,local")
 
-        Raises
-        ------
-        ParameterError
-            If an option is out of range.
-        """
-        if "curves" in self.parts:
-            check_values(self.values)
-        if "morris" in self.parts:
-            check_morris(self.trajectories)
-        if "sobol" in self.parts:
-            check_saltelli(n, self.base)
+    @property
+    def judged(self) -> Figure:
+        """The figure."""
+        return FIGURES[self.figure]
 
 
 @dataclass(frozen=True, eq=False)
 class Study:
-    """What was found; None for what was not asked for.
+    """Results; None for a part that was not asked for.
 
     Attributes
     ----------
-    space : Space
     plan : Plan
-    figure : float [SI]
-        With all numbers at their values.
+    space : Space
+    distributions : tuple of Distribution
+        Of the parameters, in the order of the space.
+    present : float [SI]
+        The figure with all parameters at their present values.
     curves : tuple of Curve or None
     local : Local or None
     morris, sobol : indices or None
-    morris_outcome, sobol_outcome : Outcome or None
-        What they were taken from.
-    distributions : tuple of Distribution
+    morris_sample, sobol_sample : Sample or None
     """
 
+    plan: Plan = field(metadata=HIDDEN)
     space: Space
-    plan: Plan
-    figure: float
-    curves: tuple[Curve, ...] | None
-    local: Local | None
-    morris: MorrisIndices | None
-    morris_outcome: Outcome | None
-    sobol: SobolIndices | None
-    sobol_outcome: Outcome | None
     distributions: tuple[Distribution, ...]
+    present: float
+    curves: tuple[Curve, ...] | None = None
+    local: Local | None = None
+    morris: MorrisIndices | None = None
+    morris_sample: Sample | None = None
+    sobol: SobolIndices | None = None
+    sobol_sample: Sample | None = None
 
 
 def sensitivity_study(
@@ -123,7 +129,7 @@ def sensitivity_study(
     level: float,
     *,
     limits: dict[str, tuple[float, float]] | None = None,
-    stage: Callable[[str], None] = lambda words: None,
+    stage: Callable[[str], None] = lambda name: None,
 ) -> Study:
     """Make the study.
 
@@ -133,55 +139,54 @@ def sensitivity_study(
     runs : Runs
     plan : Plan
     drawn : sequence of Distribution
-        Of each number, for the global indices.
+        Of each parameter, for the global indices.
     level : float [SI]
-        The figure of a run at the failure limit, see `contourlab.features.sensitivity.figure.failure_level`.
+        The figure of a run that is at the limit of its following error all the time.
     limits : dict of str to (float, float) [SI], optional
-        What numbers may be at all.
+        What the components accept.
     stage : callable
-        Told what comes next.
+        Called with the name of each stage.
 
     Raises
     ------
     ParameterError
-        If an option is out of range, too many runs fail, or the run fails with all numbers at their values.
+        If an option is out of range, too many runs fail, or the run fails with all parameters at their present values.
     """
-    n, judge = len(space.numbers), runs.judge(plan.figure.key)
+    n, judge = len(space.numbers), runs.judge(plan.judged.key)
     plan.check(n)
-    points = saltelli_points(n, plan.base, plan.second, plan.seed) if "sobol" in plan.parts else None
-    paths = morris_points(n, plan.trajectories, plan.seed) if "morris" in plan.parts else None
-    stage("the run as it is")
-    figure = float(judge(space_values(space))[0])
-    if math.isnan(figure):
-        raise ParameterError("the run as it is", "fails", "one that holds: start from other values")
-    lines = little = effects = shares = effect_outcome = share_outcome = None
+
+    def sampled(points: Array) -> Sample:
+        columns = {one.variable.name: one.values(points[:, j]) for j, one in enumerate(drawn)}
+        return sample(judge(columns), level, plan.transform == "log", space, points)
+
+    stage("present values")
+    present = float(judge(present_values(space))[0])
+    if math.isnan(present):
+        raise ParameterError("the run at the present values", "fails", "one that holds: start from other values")
+    parts: dict[str, object] = {}
     if "curves" in plan.parts:
-        stage("curves, one number at a time")
-        lines = curves(space, judge, plan.values)
+        stage("curves, one parameter at a time")
+        parts["curves"] = curves(space, judge, plan.values)
     if "local" in plan.parts:
         stage("small changes and interactions")
-        little = local(space, judge, limits)
-    if paths is not None:
+        parts["local"] = local(space, judge, limits)
+    if "morris" in plan.parts:
         stage("elementary effects (Morris)")
-        effect_outcome = _outcome(space, judge, drawn, paths, plan, level)
-        effects = morris_indices(paths, effect_outcome.values, plan.seed)
-    if points is not None:
+        points = morris_points(n, plan.trajectories, plan.seed)
+        effects = sampled(points)
+        parts |= {"morris_sample": effects, "morris": morris_indices(points, effects.values, plan.seed)}
+    if "sobol" in plan.parts:
         stage("variance shares (Sobol)")
-        share_outcome = _outcome(space, judge, drawn, points, plan, level)
-        shares = sobol_indices(share_outcome.values, n, plan.second, plan.seed)
-    return Study(space, plan, figure, lines, little, effects, effect_outcome, shares, share_outcome, tuple(drawn))
+        shares = sampled(saltelli_points(n, plan.base, plan.second, plan.seed))
+        parts |= {"sobol_sample": shares, "sobol": sobol_indices(shares.values, n, plan.second, plan.seed)}
+    return Study(plan, space, tuple(drawn), present, **parts)  # type: ignore[arg-type]
 
 
 def holds(space: Space, runs: Runs) -> bool:
-    """Tell whether the run with all numbers at their values does not fail."""
-    return all(bool(np.isfinite(values[0])) for values in runs(space_values(space)).values())
+    """Tell whether the run with all parameters at their present values ends well."""
+    return all(bool(np.isfinite(values[0])) for values in runs(present_values(space)).values())
 
 
-def space_values(space: Space) -> dict[str, Array]:
-    """Return the values [SI] of all numbers as one run takes them."""
-    return {number.name: np.array([number.value]) for number in space.numbers}
-
-
-def _outcome(space: Space, judge: Judge, drawn: Sequence[Distribution], points: Array, plan: Plan, level: float) -> Outcome:
-    columns = {one.number.name: one.values(points[:, j]) for j, one in enumerate(drawn)}
-    return outcome(judge(columns), level, plan.logarithmic, space, points)
+def present_values(space: Space) -> dict[str, Array]:
+    """Return the present values [SI] of all parameters, as one run."""
+    return {variable.name: np.array([variable.value]) for variable in space.numbers}

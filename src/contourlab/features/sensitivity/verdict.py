@@ -1,71 +1,73 @@
-"""What a study says in words: which numbers matter, which do not, which belong together, what to calibrate first."""
+"""Conclusions of a study: which parameters matter, which do not, which act together, what to calibrate first."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from contourlab.features.sensitivity.curves import CHANGE, Curve
 from contourlab.features.sensitivity.runs import Array
 from contourlab.features.sensitivity.study import Study
+from contourlab.findings import Finding, finding
 
 LOCAL = "local sensitivity"
 SMALL = 0.05
-"""Share of the variance, or of the largest effect, below which a number does not matter."""
+"""Share of the variance, or of the largest effect, below which a parameter does not matter."""
 WIDE = 0.1
-"""Half an interval wider than this leaves the order of numbers open."""
+"""Half an interval wider than this leaves the order of parameters open."""
 TOGETHER = 0.1
-"""Share of the variance, and relative second difference, from which two numbers belong together."""
+"""Share of the variance, and relative second difference, from which two parameters act together."""
 WORTHWHILE = 0.05
-"""Part by which a number's minimum must lie below the figure as it is, to be worth calibrating."""
+"""A parameter is worth calibrating if its minimum lies below the present figure by this share."""
+MOST_PAIRS, MOST_FIRST = 4, 3
 
 
 @dataclass(frozen=True)
 class Ranking:
-    """Numbers in three groups, each from the most to the least.
+    """Parameters in three groups, each with its strength, from the largest to the smallest.
 
     Attributes
     ----------
-    by : str
-        What they were told apart by.
-    matter, open, rest : tuple of int
-        Those that matter, those of which the intervals do not tell, those that do not matter.
-    strength : tuple of float
-        Of each number, in the order of the space.
+    measure : str
+        By which they are ranked.
+    matter, undecided, negligible : dict of str to float
+        Short names and strengths; undecided where the interval includes the threshold.
     """
 
-    by: str
-    matter: tuple[int, ...]
-    open: tuple[int, ...]
-    rest: tuple[int, ...]
-    strength: tuple[float, ...]
+    measure: str
+    matter: dict[str, float]
+    undecided: dict[str, float]
+    negligible: dict[str, float]
 
 
-def ranking(study: Study) -> Ranking | None:
-    """Return which numbers matter by the best there is: Sobol's total indices, Morris' mu*, local sensitivities, or curves."""
+def ranking(study: Study) -> Ranking:
+    """Rank by the best measure there is: Sobol's total indices, Morris' mu*, local sensitivities, or the change over the curves."""
     if study.sobol is not None:
-        return _grouped("total index", study.sobol.total, study.sobol.total_interval, SMALL)
+        return _ranking(study, "total index", study.sobol.total, study.sobol.total_interval, SMALL)
     if study.morris is not None:
         top = float(study.morris.mu_star.max())
-        return _grouped("mu*", study.morris.mu_star, study.morris.mu_star_interval, SMALL * top)
+        return _ranking(study, "mu*", study.morris.mu_star, study.morris.mu_star_interval, SMALL * top)
     if study.local is not None:
-        slopes = np.array([abs(one.sensitivity) for one in study.local.slopes])
-        apart = np.array([one.apart for one in study.local.slopes])
-        return _grouped(LOCAL, np.nan_to_num(slopes), np.nan_to_num(apart, nan=np.inf), SMALL)
-    if study.curves is not None:
-        ranges = np.array([_decades(curve) for curve in study.curves])
-        return _grouped("change over its curve", ranges, np.zeros(len(ranges)), float(np.log10(1.0 + CHANGE)))
-    return None
+        slopes = np.array([abs(slope.sensitivity) for slope in study.local.slopes])
+        differences = np.array([slope.difference for slope in study.local.slopes])
+        return _ranking(study, LOCAL, np.nan_to_num(slopes), np.nan_to_num(differences, nan=np.inf), SMALL)
+    decades = np.array([_decades(curve) for curve in study.curves or ()])
+    return _ranking(study, "change over its curve", decades, np.zeros(len(decades)), float(np.log10(1.0 + CHANGE)))
 
 
-def _grouped(by: str, strength: Array, interval: Array, bound: float) -> Ranking:
-    order = [int(j) for j in np.argsort(-strength, kind="stable")]
-    matter = tuple(j for j in order if strength[j] - interval[j] > bound)
-    rest = tuple(j for j in order if strength[j] + interval[j] < bound)
-    return Ranking(by, matter, tuple(j for j in order if j not in matter and j not in rest), rest, tuple(strength.tolist()))
+def _ranking(study: Study, measure: str, strength: Array, interval: Array, bound: float) -> Ranking:
+    order = np.argsort(-strength, kind="stable")
+
+    def named(which: NDArray[np.bool_]) -> dict[str, float]:
+        return {study.space.numbers[j].short: float(strength[j]) for j in order if which[j]}
+
+    matter, negligible = strength - interval > bound, strength + interval < bound
+    return Ranking(measure, named(matter), named(~matter & ~negligible), named(negligible))
 
 
 def _decades(curve: Curve) -> float:
@@ -73,91 +75,83 @@ def _decades(curve: Curve) -> float:
     return float(np.log10(good.max() / good.min())) if good.size and good.min() > 0.0 else 0.0
 
 
-def verdict(study: Study) -> tuple[str, ...]:
-    """Return the study in sentences."""
-    return (*_groups(study), *_pairs(study), *_first(study), *_doubts(study))
+def verdict(study: Study) -> tuple[Finding, ...]:
+    """Return the conclusions of a study."""
+    return (*_groups(ranking(study)), *_interactions(study), *_first(study), *_doubts(study))
 
 
-def _names(study: Study, which: tuple[int, ...], figures: tuple[float, ...] = ()) -> str:
-    short = [study.space.numbers[j].short for j in which]
-    return ", ".join(f"{name} ({figures[j]:.2g})" if figures else name for j, name in zip(which, short, strict=True))
-
-
-def _groups(study: Study) -> Iterator[str]:
-    found = ranking(study)
-    if found is None:
-        return
-    if found.matter:
-        yield f"These matter, by {found.by}: {_names(study, found.matter, found.strength)}."
+def _groups(ranked: Ranking) -> Iterator[Finding]:
+    measure = ranked.measure
+    if ranked.matter:
+        yield finding("CL656", measure=measure, **_listed(ranked.matter))
     else:
-        yield f"By {found.by} no number stands out."
-    if found.open:
-        yield f"In between, as far as can be told: {_names(study, found.open, found.strength)}."
-    if found.rest:
-        where = "near their present values" if found.by == LOCAL else "within their bounds"
-        yield f"These do not matter {where}: {_names(study, found.rest)}."
+        yield finding("CL657", measure=measure)
+    if ranked.undecided:
+        yield finding("CL658", measure=measure, **_listed(ranked.undecided))
+    if ranked.negligible and measure == LOCAL:
+        yield finding("CL660", **_listed(ranked.negligible))
+    elif ranked.negligible:
+        yield finding("CL659", **_listed(ranked.negligible))
 
 
-def _pairs(study: Study) -> Iterator[str]:
-    sobol, numbers = study.sobol, study.space.numbers
-    said = False
-    if sobol is not None:
-        beyond = sobol.total - sobol.first
-        clear = beyond - np.hypot(sobol.total_interval, sobol.first_interval) > TOGETHER
-        if clear.any():
-            said = True
-            who = ", ".join(f"{numbers[j].short} ({beyond[j]:.2g})" for j in np.flatnonzero(clear))
-            yield f"These act together with others, by total less first index: {who}; calibrating one moves the best value of another."
-        if sobol.second is not None and sobol.second_interval is not None:
-            sure = np.nan_to_num(sobol.second - sobol.second_interval) > SMALL / 2.0
-            for j, k in np.argwhere(sure):
-                said = True
-                yield f"{numbers[j].short} and {numbers[k].short} explain {100.0 * sobol.second[j, k]:.0f} % of the variance as a pair."
-    if study.local is not None:
-        matrix, apart = study.local.interactions, study.local.interactions_apart
-        pairs = [(j, k) for j, k in combinations(range(len(numbers)), 2) if abs(matrix[j, k]) > TOGETHER + 2.0 * apart[j, k]]
-        pairs.sort(key=lambda pair: -abs(matrix[pair]))
-        if pairs:
-            said = True
-            top = ", ".join(f"{numbers[j].short} with {numbers[k].short} ({matrix[j, k]:+.2g})" for j, k in pairs[:4])
-            more = f" and {len(pairs) - 4} pairs more" if len(pairs) > 4 else ""
-            yield f"Near the present values the largest interactions are {top}{more}."
-        elif any(apart[j, k] > TOGETHER for j, k in combinations(range(len(numbers)), 2)):
-            said = True
-            yield "Near the present values second differences change with their step: counts, friction or a corner hide any interaction."
-    if not said and len(numbers) > 1 and (sobol is not None or study.local is not None):
-        yield "No two numbers were seen to act together beyond what each does by itself: they can be calibrated one by one."
+def _listed(group: dict[str, float]) -> dict[str, Any]:
+    return {"parameters": tuple(group), "strengths": tuple(group.values())}
 
 
-def _first(study: Study) -> Iterator[str]:
-    """What to calibrate first: the number that alone lowers the figure most."""
+def _interactions(study: Study) -> Iterator[Finding]:
+    names = [variable.short for variable in study.space.numbers]
+    pairs = list(combinations(range(len(names)), 2))
+    findings = [*_shared(study, names), *_local_interactions(study, names, pairs)]
+    yield from findings
+    if not findings and pairs and (study.sobol is not None or study.local is not None):
+        yield finding("CL665")
+
+
+def _shared(study: Study, names: list[str]) -> Iterator[Finding]:
+    """Yield which parameters explain more of the variance together than alone."""
+    sobol = study.sobol
+    if sobol is None:
+        return
+    beyond = sobol.total - sobol.first
+    clear = np.flatnonzero(beyond - np.hypot(sobol.total_interval, sobol.first_interval) > TOGETHER)
+    if clear.size:
+        yield finding("CL661", **_listed({names[j]: float(beyond[j]) for j in clear}))
+    if sobol.second is not None and sobol.second_interval is not None:
+        for j, k in np.argwhere(np.nan_to_num(sobol.second - sobol.second_interval) > SMALL / 2.0):
+            yield finding("CL662", f"{names[j]} and {names[k]}", share=float(sobol.second[j, k]))
+
+
+def _local_interactions(study: Study, names: list[str], pairs: Iterable[tuple[int, int]]) -> Iterator[Finding]:
+    if study.local is None:
+        return
+    matrix, difference = study.local.interactions, study.local.interaction_differences
+    strong = [pair for pair in pairs if abs(matrix[pair]) > TOGETHER + 2.0 * difference[pair]]
+    strong.sort(key=lambda pair: -abs(matrix[pair]))
+    if strong:
+        shown = {f"{names[j]} with {names[k]}": float(matrix[j, k]) for j, k in strong[:MOST_PAIRS]}
+        yield finding("CL663", pairs=tuple(shown), strengths=tuple(shown.values()), count=len(strong))
+    elif any(difference[pair] > TOGETHER for pair in pairs):
+        yield finding("CL664")
+
+
+def _first(study: Study) -> Iterator[Finding]:
+    """Yield the parameters that alone lower the figure most."""
     if study.curves is None:
         return
-    gains = [(curve.minimum.figure / study.figure, curve) for curve in study.curves if curve.minimum is not None]
-    gains.sort(key=lambda gain: gain[0])
-    worth = [(part, curve) for part, curve in gains if part < 1.0 - WORTHWHILE]
+    minima = [(curve.minimum.figure / study.present, curve.minimum, curve) for curve in study.curves if curve.minimum is not None]
+    worth = sorted((one for one in minima if one[0] < 1.0 - WORTHWHILE), key=lambda one: one[0])
     if not worth:
-        yield f"No number by itself lowers the figure by {100.0 * WORTHWHILE:.0f} % or more: what is left is in several at once."
-        return
-    told = []
-    for part, curve in worth[:3]:
-        minimum, number = curve.minimum, curve.number
-        assert minimum is not None
-        beyond = ", where the bound is: it may be lower beyond" if minimum.bound else ""
-        told.append(f"{number.short} (at {number.shown(minimum.value):.4g} {number.written_in}".rstrip() + f"{beyond}: {part:.2g} of it)")
-    yield f"Calibrate first what alone lowers the figure most: {'; '.join(told)}."
+        yield finding("CL666", least=WORTHWHILE)
+    for ratio, minimum, curve in worth[:MOST_FIRST]:
+        values = {"ratio": ratio, "value": minimum.value}
+        yield finding("CL668", curve.variable.short, **values) if minimum.bound else finding("CL667", curve.variable.short, **values)
 
 
-def _doubts(study: Study) -> Iterator[str]:
-    sobol = study.sobol
-    if sobol is not None and sobol.total_interval.max() > WIDE:
-        wide = float(sobol.total_interval.max())
-        yield f"The widest interval is +-{wide:.2g}: closer numbers are not in order; --base {2 * study.plan.base} halves its square."
-    for name, found in (("Morris", study.morris_outcome), ("Sobol", study.sobol_outcome)):
-        if found is not None and found.failed:
-            share = f"{100.0 * found.share:.2g} % ({found.failed} of {len(found.values)})"
-            yield f"Of the runs for {name} {share} failed; each counts as the worst that any run counts as."
+def _doubts(study: Study) -> Iterator[Finding]:
+    if study.sobol is not None and study.sobol.total_interval.max() > WIDE:
+        yield finding("CL669", interval=float(study.sobol.total_interval.max()))
+    for name, sampled in (("Morris", study.morris_sample), ("Sobol", study.sobol_sample)):
+        if sampled is not None and sampled.failed:
+            yield finding("CL674", name, failed=sampled.failed, runs=sampled.runs, share=sampled.failed / sampled.runs)
     if study.local is not None:
-        shaky = [one for one in study.local.slopes if one.remark]
-        if shaky:
-            yield f"Local sensitivities with a remark: {', '.join(one.number.short for one in shaky)}."
+        yield from (slope.doubt for slope in study.local.slopes if slope.doubt is not None)

@@ -1,70 +1,71 @@
-"""``contourlab swap``: from a scenario and other axes to a verdict."""
+"""``contourlab swap``: from a scenario and axis modules to a verdict."""
 
 from __future__ import annotations
 
-import math
+import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.folder import staged
-from contourlab.app.kept_notes import kept_notes, taken_up_again
+from contourlab.app.checkpoint import Checkpoint, resumable, run_identity
+from contourlab.app.json_values import json_values
+from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
 from contourlab.design import Space
-from contourlab.design.bounds import Bounds
+from contourlab.design.guards import Bounds
 from contourlab.errors import ParameterError, ScenarioError
-from contourlab.features.link.command import USUAL_LONGEST, Asked, LinkOptions, read_options
-from contourlab.features.run.command import RunOutcome, check_plots
+from contourlab.features.link.command import USUAL_LONGEST, LinkOptions, LinkSettings, positive_quantity, read_options
+from contourlab.features.run.command import RunOutcome, check_plots, file_names
 from contourlab.features.swap.coverage import coverage
-from contourlab.features.swap.files import written
-from contourlab.features.swap.final import final
-from contourlab.features.swap.fleet import OBJECTIVES, Fleet
-from contourlab.features.swap.kept_searches import KEPT, kept_searches
-from contourlab.features.swap.known import known_designs
 from contourlab.features.swap.linear import METHODS, linear_swap
 from contourlab.features.swap.network import NetworkCost, least_division, network_cost
-from contourlab.features.swap.report import WORDS, SwapReport
-from contourlab.features.swap.settings import SwapSettings
+from contourlab.features.swap.pictures import matrices, write_matrices
+from contourlab.features.swap.result import swap_result, text_of
+from contourlab.features.swap.search import SwapSettings
 from contourlab.features.swap.study import SwapStudy, swap_study
-from contourlab.features.swap.variants import variants_of
-from contourlab.scenario.quantities import read_number
+from contourlab.features.swap.variants import OBJECTIVES, Variants, variants_of
+from contourlab.features.swap.warm_start import WarmStarts, warm_starts
+from contourlab.findings import Finding, finding
+from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
     from contourlab.loop import Axis, Controller, Machine
     from contourlab.scenario import Case
 
+SEARCHES = "searches"
+"""Folder of the checkpoint, in that of the results."""
 PLACES = 8
 """Points of a region at which J* is searched."""
 
 
 @dataclass(frozen=True)
 class SwapOptions:
-    """What is asked of a study; quantities as typed.
+    """Options; quantities as typed.
 
     Attributes
     ----------
     objective, floor
-        Figure that is made small, and J_tol with its unit; by default that of `contourlab.features.swap.fleet.OBJECTIVES`.
+        What is minimised, and J_tol with its unit; by default that of `contourlab.features.swap.variants.OBJECTIVES`.
     parameters, width
         As of `contourlab.design.Space.chosen`.
     local : sequence of str
-        Names, with commas between those of one set, of local numbers to look at in place of searching for a set.
+        Sets of local parameters, names with commas between, to look at in place of searching for one.
     gain_margin, phase_margin
         In dB and degrees.
     region : sequence of str
-        Numbers of the machine with bounds.
+        Parameters of the machine with bounds.
     tolerance : str, optional
         J that is good enough in the region.
     places : int, optional
         Points of the region at which J* is searched, by default `PLACES`.
     origins : sequence of str
-        Controllers that every search starts from as well, as of `contourlab.features.swap.known.known_designs`.
+        As of `contourlab.features.swap.warm_start.warm_starts`.
     linear : sequence of str
-        Methods of linear design to report, of `contourlab.features.swap.linear.METHODS`.
+        Methods of linear design, of `contourlab.features.swap.linear.METHODS`.
     network : LinkOptions
-        What is asked of the network between base and axes; without a division the one with the least in the axis that has all that is
-        local. Its quantities, axes, figure and tolerance are not looked at.
+        The network between base and axes. Without a division: the one with the least in the axis that has all local parameters there.
+        Its quantities, axes, figure and tolerance are not used.
     """
 
     objective: str = "contour_error_integral"
@@ -87,19 +88,6 @@ class SwapOptions:
     plugins: tuple[str | Path, ...] = field(default=())
 
 
-@dataclass(frozen=True)
-class _Prepared:
-    """A study, all of it checked, before anything runs; coverage asks for a region, and for J that is good enough there or none."""
-
-    fleet: Fleet
-    candidates: tuple[str, ...]
-    settings: SwapSettings
-    region: Space | None
-    tolerance: float | None
-    notes: tuple[str, ...]
-    inputs: tuple[str | Path, ...]
-
-
 def swap_scenario(
     file: str | Path,
     swaps: Sequence[tuple[str, Sequence[str]]],
@@ -110,17 +98,17 @@ def swap_scenario(
     plots: Sequence[str] = ("png",),
     progress: bool = False,
 ) -> RunOutcome:
-    """Say whether one controller holds when axes are swapped, and which numbers would have to move with them.
+    """Find out whether one controller holds when axes are swapped, and which parameters must move with them.
 
     Parameters
     ----------
     file : str or Path
         A scenario.
     swaps : sequence of (str, sequence of str)
-        Axis, and the files of the axes that take its place.
+        Axis, and the files of the modules that may take its place.
     out : str or Path
-        Folder of ``swap.json``, of controllers, and of the picture. Searches are kept in its folder ``searches``: those that are there from
-        an earlier time are not made again, and after an interrupt the same study goes on.
+        Folder of ``swap.json``, controllers and picture. Finished searches are kept in its folder ``searches``: after an interrupt the
+        same study continues.
     options : SwapOptions
     scheme : str, optional
         Of the scenario; by default its base.
@@ -134,198 +122,226 @@ def swap_scenario(
         If a file or an option is wrong; before anything runs.
     """
     check_plots(plots)
-    ready = _prepared(file, swaps, options, scheme)
-    fleet, settings = ready.fleet, ready.settings
-    asked = read_options(options.network)
-    period = fleet.variants[0].machine.servo_period
-    if asked.longest < period:
+    ready, network = _prepared(file, swaps, options, scheme), read_options(options.network)
+    variants, settings = ready.variants, ready.settings
+    period = variants.members[0].machine.servo_period
+    if network.longest < period:
         raise ParameterError("--longest", options.network.longest or USUAL_LONGEST, f"the servo period, {period * 1e3:g} ms, or longer")
-    with taken_up_again(Path(out) / KEPT, "searches"), shown(progress) as stages, staged(out, "swap.json", inputs=ready.inputs) as folder:
-        kept = kept_searches(Path(out) / KEPT, fleet, ready.candidates, settings)
-        study = swap_study(fleet, ready.candidates, settings, _told(stages, fleet), kept)
-        over = None
+    searches = Path(out) / SEARCHES
+    with resumable(searches, "searches"), shown(progress) as stages, staged(out, "swap.json", inputs=ready.inputs) as folder:
+        checkpoint = Checkpoint(searches, _identity(ready))
+        study = swap_study(variants, ready.candidates, settings, _stage(stages, variants), checkpoint)
+        covered = None
         if ready.region is not None:
             stages.begin("coverage of the region")
-            point, few = study.base.design.points[0], max(options.budget // 4, 200)
-            over = coverage(
-                fleet, point, ready.region, full=settings.full, tolerance=ready.tolerance, places=options.places or PLACES, budget=few
-            )
+            limits = {"full": settings.full, "tolerance": ready.tolerance, "places": options.places or PLACES}
+            budget = max(options.budget // 4, 200)
+            covered = coverage(variants, study.base.points[0], ready.region, budget=budget, **limits)  # type: ignore[arg-type]
         stages.begin("linear designs")
         swapped = [name for name, _ in swaps] if options.linear else []
-        linear = tuple(found for name in swapped for found in linear_swap(fleet.variants, fleet.controller, name, options.linear))
+        linear = tuple(design for name in swapped for design in linear_swap(variants.members, variants.controller, name, options.linear))
+        networks = _networks(study, options.network, network, stages)
         stages.begin("exact margins")
-        ended = final(fleet, (study.recommended or study.base).design.points)
-        networks = _networks(study, options.network, asked, stages)
+        findings = (*ready.findings, *checkpoint.findings("searches"))
+        result = swap_result(study, networks, covered, linear, options.origins, findings)
         stages.begin("writing")
-        told = kept_notes(kept, kept.found, "searches", "search", "scenario, axis, options or version of contourlab")
-        report = SwapReport(study, ended, networks, over, linear, options.origins, (*ready.notes, *told))
-        return written(report, folder, Path(out), plots)
+        lines = [text_of(result), *write_results(study, folder, Path(out), plots)]
+        summary = json_values(result)
+        write_text_atomic(folder / "swap.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
+        return RunOutcome(result.passed, summary, "\n\n".join(lines))
 
 
-def _networks(study: SwapStudy, options: LinkOptions, asked: Asked, stages: Stages) -> tuple[NetworkCost, ...]:
-    """Return what a network costs the recommended design, or where none is, the shared one; nothing where that holds no guards."""
+def _stage(stages: Stages, variants: Variants) -> Callable[[str, int], None]:
+    """Return what shows the search that runs, and how far it is."""
+    before, most = 0, 0
+
+    def begin(name: str, runs: int) -> None:
+        nonlocal before, most
+        before, most = variants.tried, runs
+        stages.begin(name)
+
+    variants.progress = lambda tried: stages.advance(min(tried - before, most), most)
+    return begin
+
+
+def _networks(study: SwapStudy, options: LinkOptions, settings: LinkSettings, stages: Stages) -> tuple[NetworkCost, ...]:
+    """Return what a network costs the recommended design, or the shared one if there is none and it keeps the guards."""
     choice = study.recommended or study.base
-    if not choice.design.holds:
+    if not choice.holds:
         return ()
-    local, found = choice.design.local, []
-    given = {"within": asked.within, "longest": asked.longest, "seeds": asked.seeds, "told": stages.advance}
-    for division in asked.divisions if options.divisions else (_own_division(study.fleet.controller) or least_division(local),):
-        for ways in asked.ways:
-            stages.begin(f"network: {division} in the axis, messages {WORDS[ways]}")
-            found.append(network_cost(study.fleet, choice.design.points, local, division, ways, asked.network, **given))  # type: ignore[arg-type]
-    return tuple(found)
+    local, controller = frozenset(choice.local), study.variants.controller
+    divisions = settings.divisions
+    if not options.divisions:
+        own = next((axis.link.division for axis in controller.axes.values() if axis.link is not None), None)
+        divisions = (own or least_division(local),)
+    costs = []
+    for division in divisions:
+        for ways in settings.ways:
+            stages.begin(f"network: {division} in the axis, {ways}")
+            limits = {"within": settings.within, "longest": settings.longest, "seeds": settings.seeds, "progress": stages.advance}
+            costs.append(network_cost(study.variants, choice.points, local, division, ways, settings.network, **limits))  # type: ignore[arg-type]
+    return tuple(costs)
 
 
-def _own_division(controller: Controller) -> str | None:
-    return next((mine.link.division for mine in controller.axes.values() if mine.link is not None), None)
+def write_results(study: SwapStudy, folder: Path, out: Path, plots: Sequence[str]) -> list[str]:
+    """Write picture and controllers into a folder that takes the place of `out`; return where they are."""
+    from contourlab.scenario.dump import dump
+
+    variants, best, base = study.variants, study.recommended, study.base
+    lines = []
+    if plots:
+        write_matrices(matrices(study), study.settings.full, "What a swap loses", folder / "plots", plots)
+        lines += [f"picture: {out / 'plots' / f'swap.{name}'}" for name in plots]
+    (folder / "controllers").mkdir()
+    files = file_names(variants.names)
+
+    def write(name: str, i: int, controller: Controller, title: str) -> None:
+        head = f"# {title}; J and the guards hold on the motion of the study.\n\n"
+        write_text_atomic(folder / "controllers" / f"{name}.toml", head + dump(controller, variants.members[i].machine))
+
+    for i, name in enumerate(variants.names):
+        write(f"own-{files[name]}", i, variants.controller_at(variants.best_points[i]), f"Best of {name} alone")
+        if best is not None:
+            write(files[name], i, variants.controller_at(best.points[i], best.local), f"For {name}. `local` moves with the axis")
+            lines.append(f"controller for {name}: {out / 'controllers' / f'{files[name]}.toml'}")
+    others = [f"the best of each variant alone: {out / 'controllers' / 'own-*.toml'}"]
+    if base.holds:
+        write("shared", 0, variants.controller_at(base.points[0]), f"Shared by {'; '.join(variants.names)}, nothing local")
+        others.append(f"the shared design, nothing local: {out / 'controllers' / 'shared.toml'}")
+    return ["\n".join([*lines, *others])]
+
+
+# --- what is checked before anything runs ------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Prepared:
+    """A study ready to run, and the region of its coverage."""
+
+    variants: Variants
+    candidates: tuple[str, ...]
+    settings: SwapSettings
+    starts: WarmStarts
+    region: Space | None
+    tolerance: float | None
+    findings: tuple[Finding, ...]
+    inputs: tuple[str | Path, ...]
+
+
+def _identity(ready: _Prepared) -> str:
+    """Return all that decides the searches."""
+    variants, settings = ready.variants, ready.settings
+    machines = [variant.machine for variant in variants]
+    given = {"seed": variants.seed, "moving": variants.moving}
+    runs = run_identity(machines, variants.controller, variants.reference, **given, rooms=("analysis", "design", "features/swap"))  # type: ignore[arg-type]
+    local = None if settings.local is None else [sorted(names) for names in settings.local]
+    known = [[sorted(values.items()) for values in design] for design in settings.known]
+    names = [f"{variant.name} {variant.modules}" for variant in variants]
+    search = [settings.budget, settings.seed, settings.full, settings.exhaustive, local, known]
+    words = [variants.objective, variants.floor, variants.bounds, variants.space.numbers, ready.candidates, *names, *search]
+    return "\n".join([runs, *map(repr, words)])
 
 
 def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], options: SwapOptions, scheme: str | None) -> _Prepared:
-    """Return all that is checked before anything runs."""
     from contourlab.scenario import load_scenario
 
-    _check_search(options)
+    _check(options)
     scenario = load_scenario(file, plugins=options.plugins)
     case: Case = scenario.case(scheme) if scheme is not None else scenario.base
     machine, controller = case.machine, case.controller
     for name, _ in swaps:
         if name not in machine.axis_names:
             raise ParameterError("--axis", repr(name), f"one of {', '.join(machine.axis_names)}, the axes of {machine.name}")
-    loaded, left_out = _modules(machine, swaps, options.plugins)
-    variants = variants_of(machine, loaded)
-    unit, default = OBJECTIVES.get(options.objective, ("", 0.0))
-    if not unit:
-        raise ParameterError("--objective", repr(options.objective), "one of " + ", ".join(OBJECTIVES))
-    fleet = Fleet(
-        variants,
+    modules, left_out = _modules(machine, swaps, options.plugins)
+    unit, _, default = OBJECTIVES[options.objective]
+    example = "2 um*s" if "s" in unit else "2 um"
+    floor, tolerance = (
+        None if text is None else positive_quantity(option, text, unit, example)
+        for option, text in (("--floor", options.floor), ("--tolerance", options.tolerance))
+    )
+    variants = Variants(
+        variants_of(machine, modules),
         controller,
         case.reference(),
         Space.chosen(machine, controller, options.parameters, options.width),
         objective=options.objective,
-        floor=_quantity("--floor", options.floor, unit, default),
+        floor=default if floor is None else floor,
         bounds=Bounds(options.gain_margin, options.phase_margin),
         moving=case.moving,
         seed=case.seed,
         threads=options.threads,
     )
-    candidates = tuple(name for name in fleet.space.names if variants[0].module(name) and _may_move(controller, name))
-    local, origins = _local_sets(fleet, candidates, options.local), known_designs(fleet, options.origins, options.plugins)
-    settings = SwapSettings(options.budget, options.seed, exhaustive=options.exhaustive, local=local, known=origins.known)
+    candidates = tuple(name for name in variants.space.names if variants.members[0].module(name) and _may_move(controller, name))
+    local, starts = _local_sets(variants, candidates, options.local), warm_starts(variants, options.origins, options.plugins)
+    settings = SwapSettings(options.budget, options.seed, exhaustive=options.exhaustive, local=local, known=starts.designs)
     region = None
     if options.region:
         region = Space.chosen(machine, controller, options.region, options.width, called="--region", machine_only=True)
-    tolerance = None if options.tolerance is None else _quantity("--tolerance", options.tolerance, unit, 0.0)
-    _methods(options.linear)
-    inputs: tuple[str | Path, ...] = (*scenario.inputs, *(other for _, others in swaps for other in others), *origins.files)
-    return _Prepared(fleet, candidates, settings, region, tolerance, (*left_out, *origins.notes), inputs)
+    inputs: tuple[str | Path, ...] = (*scenario.inputs, *(other for _, others in swaps for other in others), *starts.files)
+    return _Prepared(variants, candidates, settings, starts, region, tolerance, (*left_out, *starts.findings), inputs)
 
 
 def _may_move(controller: Controller, name: str) -> bool:
-    """Tell whether a number may be local: a scenario that divides its controllers itself leaves some in the base."""
+    """Tell whether a parameter may be local: links of the scenario itself leave some in the base."""
     _, _, axis, slot, *_ = name.split(".")
     link = controller.axes[axis].link
     return link is None or link.is_local(slot)
 
 
-def _check_search(options: SwapOptions) -> None:
-    if options.budget < 100:
-        raise ParameterError("--budget", str(options.budget), "100 or more candidates a search")
-    if options.seed < 0:
-        raise ParameterError("--seed", str(options.seed), "0 or more")
-    if options.threads is not None and options.threads < 1:
-        raise ParameterError("--threads", str(options.threads), "1 or more")
-    if options.places is not None and (options.places < 1 or options.places & (options.places - 1)):
-        raise ParameterError("--places", str(options.places), "a power of 2")
-    _refuse_idle(options)
-
-
-def _refuse_idle(options: SwapOptions) -> None:
-    """Refuse options of which nothing would come."""
-    if options.exhaustive and options.local:
-        raise ParameterError("--exhaustive", "given beside --local", "one of the two: all sets by size, or those that are named")
-    if options.tolerance is not None and not options.region:
-        raise ParameterError("--tolerance", options.tolerance, "given with --region: it is the J that is good enough there")
-    if options.places is not None and not options.region:
-        raise ParameterError("--places", str(options.places), "given with --region, of which they are points")
-    if options.places is not None and options.tolerance is not None:
-        wanted = "left out with --tolerance, or that without it: J* is searched nowhere where J itself is judged"
-        raise ParameterError("--places", f"{options.places} beside --tolerance", wanted)
-
-
-def _methods(methods: Sequence[str]) -> None:
-    for method in methods:
-        if method not in METHODS:
-            raise ParameterError("--linear", repr(method), "one of " + ", ".join(METHODS))
+def _check(options: SwapOptions) -> None:
+    """Refuse options that are out of range, or have no effect."""
+    places = options.places
+    faults = [
+        (options.budget < 100, "--budget", options.budget, "100 or more candidates a search"),
+        (options.seed < 0, "--seed", options.seed, "0 or more"),
+        (options.threads is not None and options.threads < 1, "--threads", options.threads, "1 or more"),
+        (places is not None and (places < 1 or places & (places - 1)), "--places", places, "a power of 2"),
+        (options.objective not in OBJECTIVES, "--objective", repr(options.objective), "one of " + ", ".join(OBJECTIVES)),
+        (options.exhaustive and options.local, "--exhaustive", "given beside --local", "one of the two: all sets, or those that are named"),
+        (options.tolerance and not options.region, "--tolerance", options.tolerance, "given with --region: it is the J good enough there"),
+        (places is not None and not options.region, "--places", places, "given with --region: they are points of it"),
+        (places is not None and options.tolerance, "--places", places, "left out with --tolerance, which needs no J*"),
+        *((method not in METHODS, "--linear", repr(method), "one of " + ", ".join(METHODS)) for method in options.linear),
+    ]
+    for wrong, option, value, wanted in faults:
+        if wrong:
+            raise ParameterError(option, str(value), wanted)
 
 
 def _modules(
     machine: Machine, swaps: Sequence[tuple[str, Sequence[str]]], plugins: Sequence[str | Path]
-) -> tuple[dict[str, list[tuple[str, Axis]]], list[str]]:
-    """Return the modules that may come to each axis, by what they are called, and what their files leave out."""
-    loaded: dict[str, list[tuple[str, Axis]]] = {}
-    notes = []
-    for name, others in swaps:
-        for other in others:
-            module, left_out = _module(other, machine.axis(name), plugins)
-            loaded.setdefault(name, []).append((_called(other), module))
-            if left_out:
-                notes.append(f"{name} = {_called(other)}: its file leaves out {left_out}")
-    return loaded, notes
-
-
-def _module(file: str, place: Axis, plugins: Sequence[str | Path]) -> tuple[Axis, str]:
+) -> tuple[dict[str, list[tuple[str, Axis]]], list[Finding]]:
+    """Load the modules of each axis with their names, and report what their files leave out."""
     from contourlab.scenario.load import load_module
 
-    if not file.strip():
-        raise ParameterError("--with", repr(file), "names of axis files, with commas between")
-    try:
-        return load_module(file, place, plugins)
-    except ScenarioError as error:
-        error.add_note(f"In the axis that is to take the place of {place.name}.")
-        raise
+    modules: dict[str, list[tuple[str, Axis]]] = {}
+    findings = []
+    for name, others in swaps:
+        for file in others:
+            if not file.strip():
+                raise ParameterError("--with", repr(file), "names of axis files, with commas between")
+            try:
+                module, left_out = load_module(file, machine.axis(name), plugins)
+            except ScenarioError as error:
+                error.add_note(f"In the axis that is to take the place of {name}.")
+                raise
+            called = Path(file.rpartition(":")[2]).stem
+            modules.setdefault(name, []).append((called, module))
+            if left_out:
+                findings.append(finding("CL716", f"{name} = {called}", parts=left_out))
+    return modules, findings
 
 
-def _called(file: str) -> str:
-    return Path(file.rpartition(":")[2]).stem
-
-
-def _quantity(option: str, text: str | None, unit: str, default: float) -> float:
-    if text is None:
-        return default
-    example = "2 um*s" if "s" in unit else "2 um"
-    try:
-        value = read_number(text, unit, "")
-    except Exception as error:
-        raise ParameterError(option, repr(text), f'a quantity, such as "{example}"') from error
-    if not (math.isfinite(value) and value > 0.0):
-        raise ParameterError(option, repr(text), f'above 0, such as "{example}"')
-    return value
-
-
-def _local_sets(fleet: Fleet, candidates: Sequence[str], texts: Sequence[str]) -> tuple[frozenset[str], ...] | None:
-    """Return the sets of local numbers that were asked for."""
-    if not texts:
-        return None
-    short = {number.name: number.short for number in fleet.space.numbers if number.name in candidates}
-    found = []
+def _local_sets(variants: Variants, candidates: Sequence[str], texts: Sequence[str]) -> tuple[frozenset[str], ...] | None:
+    """Return the sets of local parameters that were asked for."""
+    short = {number.name: number.short for number in variants.space.numbers if number.name in candidates}
+    sets = []
     for text in texts:
         chosen: set[str] = set()
-        for word in (each.strip() for each in text.split(",")):
+        for word in (word.strip() for word in text.split(",")):
             fits = [name for name, called in short.items() if word and (word in (name, called) or called.endswith(f".{word}"))]
             if not fits:
                 raise ParameterError("--local", repr(word), "a number of a swapped axis: " + ", ".join(short.values()))
             chosen.update(fits)
-        found.append(frozenset(chosen))
-    return tuple(found)
-
-
-def _told(stages: Stages, fleet: Fleet) -> Callable[[str, int], None]:
-    """Return what shows a stage, and how far it is in candidates."""
-    at = {"tried": 0, "of": 0}
-
-    def begin(words: str, most: int) -> None:
-        at["tried"], at["of"] = fleet.tried, most
-        stages.begin(words)
-
-    fleet.progress = lambda tried: stages.advance(min(tried - at["tried"], at["of"]), at["of"])
-    return begin
+        sets.append(frozenset(chosen))
+    return tuple(sets) or None

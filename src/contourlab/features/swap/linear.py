@@ -1,9 +1,10 @@
-"""The linear view of a swap: each module as a/(s (s + b)), with the observer and without, and what base gains lose on it."""
+"""Linear designs of a swap: each module as a/(s (s + b)), with and without the observer, and what base gains lose on it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,14 +22,15 @@ from contourlab.analysis.linear.modular_design import (
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.errors import ParameterError
 from contourlab.features.swap.variants import Variant
+from contourlab.findings import Finding, finding
 from contourlab.loop import Controller
 
 Array = NDArray[np.float64]
 METHODS = ("direct", "three-step", "lmi")
 SEEN = 5e-4
-"""So much of the sum of J/J* is seen in what is printed."""
+"""Difference of the sum of J/J* that is visible in print."""
 SLOWEST, FASTEST = 2.0, 60.0
-"""Frequencies [rad/s] between which a module is taken for a/(s (s + b)): where the loops of such axes live."""
+"""Frequencies [rad/s] between which a module is fitted by a/(s (s + b))."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,6 +48,7 @@ class LinearSwap:
     blind : ndarray (n, n)
         J/J* of the optimal gains of module i on module j.
     designs : tuple of ModularDesign
+    findings : tuple of Finding
     """
 
     axis: str
@@ -55,9 +58,20 @@ class LinearSwap:
     blind: Array
     designs: tuple[ModularDesign, ...]
 
+    json_derived: ClassVar = ("findings",)
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """Designs that are not optimal."""
+        place = f"axis {self.axis}, {self.case}"
+        return tuple(
+            finding("CL718", place, method=more.method, more=more.local or ("nothing",), fewer=fewer.local or ("nothing",))
+            for more, fewer in self.not_optimal
+        )
+
     @property
     def not_optimal(self) -> tuple[tuple[ModularDesign, ModularDesign], ...]:
-        """Designs that lose more than one of the same method with fewer local gains, each with that one: they contain it."""
+        """Designs that lose more than one of the same method with fewer local gains, which they contain; each with that one."""
         found = []
         for design in self.designs:
             fewer = [one for one in self.designs if one.method == design.method and set(one.local) < set(design.local)]
@@ -68,18 +82,18 @@ class LinearSwap:
 
 
 def first_order(variant: Variant, controller: Controller, name: str, observer: bool) -> LinearAxis:
-    """Return a and b of an axis, behind its observer or without, as its sampled loop responds.
+    """Fit a and b of an axis, with or without its observer, to the response of its sampled loop.
 
     Raises
     ------
     ComponentError
         If the axis has no linear model.
     ParameterError
-        If what it does is nothing like a/(s (s + b)).
+        If its response does not resemble a/(s (s + b)).
 
     Notes
     -----
-    Least squares of the inverse of the velocity's response, (s + b)/a = 1/V, each frequency weighed by |V|, so that parts of it count.
+    Least squares of the inverse of the velocity response, (s + b)/a = 1/V, weighted by |V| so that relative errors count.
     """
     machine, mine = variant.machine, controller.axes[name]
     part = mine if observer else replace(mine, observer=None)
@@ -97,28 +111,20 @@ def first_order(variant: Variant, controller: Controller, name: str, observer: b
 def linear_swap(
     variants: Sequence[Variant], controller: Controller, name: str, methods: Sequence[str] = METHODS, weights: LqWeights | None = None
 ) -> tuple[LinearSwap, ...]:
-    """Return what linear designs lose when an axis is swapped: raw drives, and behind the observer where there is one.
+    """Return what linear designs lose when an axis is swapped: as raw drive, and behind the observer if there is one.
 
     Parameters
     ----------
     variants : sequence of Variant
     controller : Controller
-        Whose observer it is.
+        Has the observer.
     name : str
         The axis.
     methods : sequence of str
         Of `METHODS`.
     weights : LqWeights, optional
-
-    Raises
-    ------
-    ParameterError
-        If a method is unknown.
     """
     weights = weights or LqWeights()
-    for method in methods:
-        if method not in METHODS:
-            raise ParameterError("design", repr(method), "of " + ", ".join(METHODS))
     modules: dict[str, Variant] = {}
     for variant in variants:
         modules.setdefault(dict(variant.modules)[name], variant)
@@ -133,7 +139,7 @@ def linear_swap(
 
 
 def _designs(method: str, models: Sequence[LinearAxis], weights: LqWeights) -> list[ModularDesign]:
-    """Return the designs of a method: nothing local, then each gain alone where the method can have that."""
+    """Return the designs of a method: nothing local, then each gain alone if the method allows it."""
     if method == "lmi":
         return [lmi_design(models, weights)[0]]
     design = direct_design if method == "direct" else three_step_design

@@ -1,107 +1,127 @@
-"""What a network between base and local controller costs a design that variants share, and the smallest message rate that still holds."""
+"""What a network between base and local controller costs a shared design, and the smallest message rate that holds on all variants."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.components.link.network import Network
-from contourlab.features.link.division import undivided_error
-from contourlab.features.link.sweep import SEEDS, LinkSetting, LinkSweep, divided, swept
-from contourlab.features.swap.fleet import Fleet
-from contourlab.features.swap.loss import losses
-from contourlab.features.swap.numbers import divided_controller
+from contourlab.features.link.cost import WAYS, allowed_error, divided, division_cost, undivided_error
+from contourlab.features.link.sweep import SEEDS, LinkSetting, LinkSweep
+from contourlab.features.swap.variants import Variants, losses
 from contourlab.loop import DIVISIONS, Division
 
 Array = NDArray[np.float64]
 PERIOD = "message_period"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
+class VariantCost:
+    """What a division costs one variant.
+
+    Attributes
+    ----------
+    variant : str
+    undivided, allowed : float [SI]
+        J without links, and the largest allowed.
+    as_given : float [SI]
+        J with the links as given, the worst of the seeds; nan if a run left its limits.
+    unstable : bool
+        Whether the linear model with these links is unstable; False if unknown.
+    sweep : LinkSweep
+        Of the message period.
+    """
+
+    variant: str
+    undivided: float
+    allowed: float
+    as_given: float
+    unstable: bool
+    sweep: LinkSweep
+
+    @property
+    def holds(self) -> bool:
+        """Whether the variant holds with the links as given."""
+        return not self.unstable and self.as_given <= self.allowed
+
+
+@dataclass(frozen=True)
 class NetworkCost:
-    """What one division between base and axes costs a shared design, on each variant.
+    """What one division between base and axes costs a shared design.
 
     Attributes
     ----------
     division, ways : str
-        As of `contourlab.features.link.sweep.divided`.
-    apart : tuple of str
-        Numbers that are to move with the axis, dotted, though the division leaves them in the base.
-    whole : ndarray (n_variant,) [SI]
-        J without any link.
-    allowed : ndarray (n_variant,) [SI]
-        Largest J that is let pass.
-    given : ndarray (n_variant,) [SI]
-        J with the links as they are given, the worst of the seeds; nan where a run left its limits.
-    stable : tuple of bool
-        Whether the linear model with these links is stable, or unknown.
-    sweeps : tuple of LinkSweep
-        Of the message period, one for each variant.
-    at_limit : ndarray (n_variant,) [SI]
-        J at the longest message period that holds on all variants; nan where there is none.
+        As of `contourlab.features.link.cost.divided`.
+    local_in_base : tuple of str
+        Local parameters, dotted, that the division leaves in the base.
     floor : float [SI]
         J_tol.
+    variants : tuple of VariantCost
     """
 
     division: str
     ways: str
-    apart: tuple[str, ...]
-    whole: Array
-    allowed: Array
-    given: Array
-    stable: tuple[bool, ...]
-    sweeps: tuple[LinkSweep, ...]
-    at_limit: Array
+    local_in_base: tuple[str, ...]
     floor: float
+    variants: tuple[VariantCost, ...]
+
+    json_derived: ClassVar = ("holds", "loss", "message_period", "rate", "limited")
+
+    @property
+    def name(self) -> str:
+        """Division and ways."""
+        return f"{self.division} in the axis, messages {WAYS[self.ways]}"
 
     @property
     def holds(self) -> bool:
-        """Whether all variants hold with the links as they are given."""
-        return all(self.stable) and bool((self.given <= self.allowed).all())
+        """Whether all variants hold with the links as given."""
+        return all(cost.holds for cost in self.variants)
 
     @property
-    def period(self) -> float:
-        """The longest message period [s] that holds on all variants; nan where not even the shortest does."""
-        return float(np.min([sweep.most for sweep in self.sweeps]))
+    def message_period(self) -> float:
+        """The longest message period [s] that holds on all variants; nan if not even the shortest does."""
+        return float(np.min([cost.sweep.most for cost in self.variants]))
 
     @property
     def rate(self) -> float:
         """The smallest message rate [Hz] that holds on all variants."""
-        return 1.0 / self.period
+        return 1.0 / self.message_period
 
     @property
     def limited(self) -> bool:
-        """Whether it is a limit, and not the end of what was looked at."""
-        return any(sweep.seen and sweep.most == self.period for sweep in self.sweeps)
+        """Whether a longer period was tested and fails."""
+        return any(cost.sweep.limited and cost.sweep.most == self.message_period for cost in self.variants)
 
     @property
     def loss(self) -> float:
-        """What the links as given lose over the undivided loop: max over variants of (J - J undivided)/max(J undivided, J_tol)."""
-        return float(losses(self.given, self.whole, self.floor).max())
+        """What the links as given lose: the largest (J - J undivided)/max(J undivided, J_tol)."""
+        given, whole = ([getattr(cost, name) for cost in self.variants] for name in ("as_given", "undivided"))
+        return float(losses(given, whole, self.floor).max())
 
 
 def stays_in_axis(name: str, division: str) -> bool:
-    """Tell whether a number of an axis' controller, by its dotted name, stands in the axis under a division."""
+    """Tell whether a division leaves a parameter of an axis' controller, by its dotted name, in the axis."""
     slot = name.split(".")[3] if name.startswith("controller.axes.") else ""
     return Division(division, Network(), Network()).is_local(slot)
 
 
 def least_division(local: frozenset[str]) -> str:
-    """Return the division that has the least in the axis, and all of some numbers.
+    """Return the division with the least in the axis that has all local parameters there.
 
     >>> least_division(frozenset({"controller.axes.x.observer.model_gain"}))
     'observer'
     """
-    # In the order of `DIVISIONS` each has in the axis what the one before has; the last has all of the axis' controller.
+    # `DIVISIONS` goes from the least to the most in the axis; the last has the whole controller there.
     return next(division for division in DIVISIONS if all(stays_in_axis(name, division) for name in local))
 
 
 def network_cost(
-    fleet: Fleet,
+    variants: Variants,
     points: Array,
     local: frozenset[str],
     division: str,
@@ -111,64 +131,43 @@ def network_cost(
     within: float = 0.1,
     longest: float = 0.1,
     seeds: int = SEEDS,
-    told: Callable[[int, int], None] | None = None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> NetworkCost:
-    """Return what it costs to run a design over a network, with the controllers of all axes divided alike.
+    """Run a design over a network, with the controllers of all axes divided alike.
 
     Parameters
     ----------
-    fleet : Fleet
-    points : ndarray (n_variant, n_number)
-        What each variant runs with, in the fleet's space.
+    variants : Variants
+    points : ndarray (n_variant, n_parameter)
+        What each variant runs with.
     local : frozenset of str
-        Numbers that move with the axis.
+        Local parameters.
     division, ways, link
-        As of `contourlab.features.link.sweep.divided`.
+        As of `contourlab.features.link.cost.divided`.
     within : float, >= 0
-        Largest part that is let pass, of (J - J undivided)/max(J undivided, J_tol): a swap loss by another cause.
+        Largest (J - J undivided)/max(J undivided, J_tol) allowed.
     longest : float [s]
-        Up to where message periods are looked at.
+        Longest message period to test.
     seeds : int
-        Where chance plays a part: the worst of so many runs counts.
-    told : callable, optional
-        Told the variants done, and how many there are.
+        Runs with jitter or loss: the worst counts.
+    progress : callable, optional
+        Called with the variants done, and their number.
 
     Raises
     ------
     ParameterError
         If division, ways or a limit is unknown or out of range.
     """
-    part, rows = link or Network(), []
-    for i, (variant, point) in enumerate(zip(fleet.variants, points, strict=True)):
-        whole_controller = divided_controller(fleet.controller, fleet.space.values(point))
-        whole = undivided_error(variant.machine, whole_controller, fleet.reference, fleet.objective, seed=fleet.seed, moving=fleet.moving)
-        allowed = whole + within * max(whole, fleet.floor)
-        controller = divided(whole_controller, division, ways, part)
-        setting = LinkSetting(variant.machine, controller, fleet.reference, fleet.objective, allowed, seeds, fleet.seed, fleet.moving)
-        given = float(setting.errors(PERIOD, np.array([part.message_period])).max())
-        stable = not setting.growth(PERIOD, part.message_period) >= 1.0
-        rows.append((setting, whole, allowed, given, stable, swept(setting, PERIOD, longest)))
-        if told is not None:
-            told(i + 1, fleet.n_variant)
-    settings, whole_of, allowed_of, given_of, stable_of, sweeps = zip(*rows, strict=True)
-    period = float(np.min([sweep.most for sweep in sweeps]))
-    apart = tuple(sorted(name for name in local if not stays_in_axis(name, division)))
-    return NetworkCost(
-        division,
-        ways,
-        apart,
-        whole=np.array(whole_of),
-        allowed=np.array(allowed_of),
-        given=np.array(given_of),
-        stable=stable_of,
-        sweeps=sweeps,
-        at_limit=_errors_at(settings, period),
-        floor=fleet.floor,
-    )
-
-
-def _errors_at(settings: Sequence[LinkSetting], period: float) -> Array:
-    """Return the worst error of each variant with messages of one period."""
-    if not math.isfinite(period):
-        return np.full(len(settings), math.nan)
-    return np.array([float(setting.errors(PERIOD, np.array([period])).max()) for setting in settings])
+    costs = []
+    for variant, point in zip(variants, points, strict=True):
+        machine, controller, reference, figure = variant.machine, variants.controller_at(point), variants.reference, variants.objective
+        whole = undivided_error(machine, controller, reference, figure, seed=variants.seed, moving=variants.moving)
+        allowed = allowed_error(whole, within, floor=variants.floor)
+        over = divided(controller, division, ways, link)
+        setting = LinkSetting(machine, over, reference, figure, allowed, seeds, variants.seed, variants.moving)
+        cost = division_cost(setting, (PERIOD,), longest)
+        costs.append(VariantCost(variant.name, whole, allowed, cost.error, cost.unstable, cost.sweeps[PERIOD]))
+        if progress is not None:
+            progress(len(costs), len(variants))
+    in_base = tuple(sorted(name for name in local if not stays_in_axis(name, division)))
+    return NetworkCost(division, ways, in_base, variants.floor, tuple(costs))

@@ -1,163 +1,218 @@
-"""The study of a swap: each variant's own optimum, the shared design, and the smallest set of local numbers that restores modularity."""
+"""The study of a swap: each variant's optimum, the shared design, and the smallest set of local parameters that is modular."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from itertools import combinations
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.features.swap.course import ALL, BASE, Course, Stage, words
-from contourlab.features.swap.design import Choice, Design, evaluated
-from contourlab.features.swap.fleet import Fleet
-from contourlab.features.swap.kept import Kept
-from contourlab.features.swap.loss import losses
-from contourlab.features.swap.own import Own, shortfalls
-from contourlab.features.swap.paring import pare
-from contourlab.features.swap.sensitivity import Ranked, ranked
-from contourlab.features.swap.settings import SwapSettings
+from contourlab.app.checkpoint import Checkpoint
+from contourlab.errors import ParameterError
+from contourlab.features.swap.search import Design, Optimum, SwapSearch, SwapSettings
+from contourlab.features.swap.variants import Variants
+from contourlab.findings import Finding, finding
 
 Array = NDArray[np.float64]
-TURNS = 3
-"""How often J* is searched on at most."""
+
+
+@dataclass(frozen=True, eq=False)
+class Choice:
+    """A choice of local parameters, and what it loses.
+
+    Attributes
+    ----------
+    name : str
+        Short names of the local parameters.
+    local : tuple of str
+        Their dotted names.
+    points : ndarray (n_variant, n_parameter)
+    values : ndarray (n_variant,) [SI]
+        J; infinite where a guard is broken.
+    losses : ndarray (n_variant,)
+    parameters : tuple of dict
+        Values [SI] by dotted names, for each variant.
+    """
+
+    name: str
+    local: tuple[str, ...]
+    points: Array = field(metadata={"json": False})
+    values: Array
+    losses: Array
+    parameters: tuple[dict[str, float], ...]
+
+    json_derived: ClassVar = ("swap_loss",)
+
+    @property
+    def swap_loss(self) -> float:
+        """The largest loss."""
+        return float(self.losses.max())
+
+    @property
+    def holds(self) -> bool:
+        """Whether it keeps the guards on all variants."""
+        return bool(np.isfinite(self.values).all())
 
 
 @dataclass(frozen=True, eq=False)
 class SwapStudy:
-    """What a study of a swap found.
+    """The result of a study.
 
     Attributes
     ----------
-    fleet : Fleet
-        With J* and where it was found.
+    variants : Variants
+        With J* and the designs that reached it.
     settings : SwapSettings
-    owns : tuple of Own
-        What the searches for each variant alone came to; J* may be better, as it counts every search.
+    optima : tuple of Optimum
+        What the searches of each variant alone reached.
     given : Choice
-        The scenario's own numbers on all variants.
+        The scenario's own parameters on all variants.
     choices : tuple of Choice
-        The first has nothing local, the last all that may be; between them in the order in which they were tried.
+        The first has nothing local, the last all that may be.
     crossed : ndarray (n_variant, n_variant)
-        J of the design that gave J* of variant i, run on variant j; infinite where it breaks a guard there.
-    ranking : tuple of Ranked
+        J of the best design of variant i, run on variant j; infinite where it breaks a guard.
     given_breaks : tuple of str
-        Variants on which the scenario's own numbers break a guard.
+        Variants on which the scenario's own parameters break a guard.
     """
 
-    fleet: Fleet
+    variants: Variants
     settings: SwapSettings
-    owns: tuple[Own, ...]
+    optima: tuple[Optimum, ...]
     given: Choice
     choices: tuple[Choice, ...]
     crossed: Array
-    ranking: tuple[Ranked, ...] = ()
     given_breaks: tuple[str, ...] = ()
 
     @property
     def base(self) -> Choice:
-        """Nothing local."""
+        """The shared design, nothing local."""
         return self.choices[0]
 
     @property
-    def fell_short(self) -> tuple[str, ...]:
-        """Variants whose J* may lie lower: no search for them alone came within the limit of it by itself, or it still fell by as much."""
-        short = shortfalls(self.fleet, self.owns, by_themselves=True)
-        return tuple(variant.name for variant, lost in zip(self.fleet.variants, short, strict=True) if lost >= self.settings.full)
+    def shortfalls(self) -> Array:
+        """How far the search of each variant alone ended above J*, counted as a loss (n_variant,)."""
+        return self.variants.losses(np.array([optimum.reached for optimum in self.optima]))
+
+    @property
+    def inconclusive(self) -> tuple[str, ...]:
+        """Variants whose J* may be lower still: no search for them alone came within the limit of it."""
+        return tuple(name for name, lost in zip(self.variants.names, self.shortfalls, strict=True) if not lost < self.settings.full)
 
     @property
     def full(self) -> bool:
         """Whether one controller serves all variants."""
-        return self.base.loss < self.settings.full
+        return self.base.swap_loss < self.settings.full
 
     @property
     def recommended(self) -> Choice | None:
-        """The choice with the fewest local numbers that is modular; None where none is."""
-        good = [choice for choice in self.choices if choice.loss < self.settings.full]
-        return min(good, key=lambda choice: (choice.effort, choice.loss), default=None)
+        """The modular choice with the fewest local parameters; None if there is none."""
+        good = [choice for choice in self.choices if choice.swap_loss < self.settings.full]
+        return min(good, key=lambda choice: (len(choice.local), choice.swap_loss), default=None)
+
+    @property
+    def verdict(self) -> Finding:
+        """The verdict on the swap, without a network."""
+        shared, limit, best = self.base.swap_loss, self.settings.full, self.recommended
+        if best is None:
+            least = min(self.choices, key=lambda choice: choice.swap_loss)
+            return finding("CL702", loss=least.swap_loss, names=least.name, limit=limit)
+        if self.inconclusive:
+            return finding("CL703", names=self.inconclusive, gap=float(self.shortfalls.max()), loss=shared, limit=limit)
+        if self.full:
+            return finding("CL700", loss=shared, limit=limit)
+        return finding("CL701", names=best.name, loss=best.swap_loss, shared=shared, limit=limit)
 
 
 def swap_study(
-    fleet: Fleet, candidates: tuple[str, ...], settings: SwapSettings, stage: Stage = lambda said, most: None, kept: Kept | None = None
+    variants: Variants,
+    candidates: tuple[str, ...],
+    settings: SwapSettings,
+    stage: Callable[[str, int], None] = lambda name, most: None,
+    checkpoint: Checkpoint | None = None,
 ) -> SwapStudy:
-    """Find out whether one controller serves all variants, and if not, which numbers have to be local.
+    """Find out whether one controller serves all variants, and if not, which parameters must be local.
+
+    Each variant's J* comes from a restarted search for it alone. For each set of local parameters one restarted search of the shared
+    design starts from the best known designs: the variants' optima, and designs with other sets. Backward elimination drops the least
+    missed local parameter. Every better value found for a variant on the way replaces its J*. A loss below the limit is modular.
 
     Parameters
     ----------
-    fleet : Fleet
+    variants : Variants
     candidates : tuple of str
-        Numbers of the swapped axes, all of which may be local.
+        Parameters of the swapped axes that may be local.
     settings : SwapSettings
     stage : callable
-        Told what is done next, and how many candidates of variants it takes at most.
-    kept : Kept, optional
-        Where searches are kept, and looked for.
+        Called before each search with its name and its number of runs at most.
+    checkpoint : Checkpoint, optional
+        Where finished searches are kept.
 
     Raises
     ------
     ParameterError
         If no design of a variant keeps the guards.
     """
-    going = Course(fleet, settings, stage, kept)
-    start = np.tile(fleet.space.start, (fleet.n_variant, 1))
-    values, broken = fleet.values(start[:, None], whole=True)
-    for points in going.known:
-        fleet.values(points[:, None])
-    owns = going.own()
-    order = tuple(ranked(fleet, candidates)) if candidates and settings.local is None else ()
-    if settings.local is not None:
-        _given(going, settings.local)
-    elif settings.exhaustive:
-        _exhausted(going, candidates, [one.name for one in order])
-    elif candidates:
-        pare(going, candidates, {one.name: one.sensitivity for one in order})
-    else:
-        going.look("none", (), share=BASE)
-    owns = _in_step(going, owns)
-    crossed = np.array([evaluated(fleet, frozenset(), np.tile(point, (fleet.n_variant, 1))).values for point in fleet.best_points])
-    given = Choice("as given", Design(frozenset(), start, values[:, 0], np.zeros(0), 1), losses(values[:, 0], fleet.best, fleet.floor))
+    search = SwapSearch(variants, settings, stage, checkpoint)
+    start = np.tile(variants.space.start, (len(variants), 1))
+    values, broken = variants.values(start[:, None], whole=True)
+    for points in search.known:
+        variants.values(points[:, None])
+    search.optima = [search.variant_optimum(i) for i in range(len(variants))]
+    for name, best in zip(variants.names, variants.best, strict=True):
+        if not math.isfinite(best):
+            raise ParameterError("guards", name, "kept by some design within the bounds: ask for smaller margins, or give wider bounds")
+    _search_sets(search, candidates)
+    _settle(search)
+    crossed = [variants.values(np.tile(point, (len(variants), 1, 1))) for point in variants.best_points]
+    breaks = tuple(name for name, worst in zip(variants.names, broken[:, 0], strict=True) if worst > 0.0)
     # Nothing local first, all of it last.
-    choices = sorted(going.choices(), key=lambda choice: (choice.effort == len(candidates) and choice.effort > 0, choice.effort > 0))
-    breaks = tuple(variant.name for variant, worst in zip(fleet.variants, broken[:, 0], strict=True) if worst > 0.0)
-    return SwapStudy(fleet, settings, owns, given, tuple(choices), crossed, order, breaks)
+    sets = sorted(search.designs, key=lambda local: (len(local) == len(candidates) and len(local) > 0, len(local) > 0))
+    return SwapStudy(
+        variants,
+        settings,
+        tuple(search.optima),
+        _choice(variants, "as given", Design(frozenset(), start, values[:, 0])),
+        tuple(_choice(variants, search.short(local), search.designs[local]) for local in sets),
+        np.array([np.where(broken[:, 0] > 0.0, np.inf, values[:, 0]) for values, broken in crossed]),
+        breaks,
+    )
 
 
-def _in_step(going: Course, owns: tuple[Own, ...]) -> tuple[Own, ...]:
-    """Let searches for a variant alone catch up where another one found better, and the design that held until then follow, in turns."""
-    for turn in range(TURNS):
-        going.stage("each design on each variant", 0)
-        going.settle()
-        held, more = going.fewest(), going.afresh(going.on(owns, turn))
-        if more == owns:
-            return owns
-        owns = more
-        if held is not None and not going.good(going.loss(held)):
-            going.refine(held, turn=2 + turn)
-    going.settle()
-    return owns
+def _choice(variants: Variants, name: str, design: Design) -> Choice:
+    parameters = tuple(variants.space.values(point) for point in design.points)
+    return Choice(name, tuple(sorted(design.local)), design.points, design.values, variants.losses(design.values), parameters)
 
 
-def _given(going: Course, sets: tuple[frozenset[str], ...]) -> None:
-    """Look at the sets that were asked for."""
-    going.look("none", (), share=BASE)
-    for names in sets:
-        going.look(words(going.fleet, names), names)
-    _no_verdict_on_one_search(going)
+def _search_sets(search: SwapSearch, candidates: tuple[str, ...]) -> None:
+    """Search the sets that were asked for, or all by their size up to the first that suffices, or by backward elimination."""
+    if search.settings.local is not None:
+        for given in search.settings.local:
+            search.search_set(given)
+    elif search.settings.exhaustive:
+        search.search_set(())
+        for size in range(1, len(candidates)):
+            if search.fewest() is not None:
+                break
+            for names in combinations(candidates, size):
+                search.search_set(names)
+        search.search_set(candidates)
+    elif candidates:
+        search.backward_elimination(candidates)
+    search.search_set(())
 
 
-def _exhausted(going: Course, candidates: tuple[str, ...], order: list[str]) -> None:
-    """Look at all sets by their size, up to the first size at which one restores modularity."""
-    good = going.good(going.look("none", (), share=BASE))
-    for size in range(1, len(candidates)):
-        if good:
-            break
-        found = [going.look(words(going.fleet, names), names) for names in combinations(order, size)]
-        good = any(going.good(loss) for loss in found)
-    if candidates:
-        going.look(ALL, candidates)
-    _no_verdict_on_one_search(going)
-
-
-def _no_verdict_on_one_search(going: Course) -> None:
-    if not going.good(going.loss(going.designs[0][1])):
-        going.again()
+def _settle(search: SwapSearch) -> None:
+    """Search again for J* where a shared design beat the search for it, then for the recommended design against J* as it then stands."""
+    search.propagate_best()
+    variants, beaten = search.variants, search.variants.losses(np.array([optimum.value for optimum in search.optima]))
+    for i in range(len(variants)):
+        if not beaten[i] <= 0.0:
+            search.optima[i] = replace(search.optima[i], again=search.variant_optimum(i, again=True).value)
+    recommended = search.fewest()
+    if recommended is not None:
+        search.search_set(recommended.local)
+    search.propagate_best()

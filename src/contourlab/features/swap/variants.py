@@ -1,14 +1,34 @@
-"""The machines that come of exchanging axes."""
+"""The variants of a machine: one for every combination of axis modules, and what a controller is worth on each."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field, replace
 from itertools import combinations, product
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.design import Evaluator, Space
+from contourlab.design.guards import Bounds, Guards
+from contourlab.design.values import controller_with
 from contourlab.errors import ParameterError
-from contourlab.loop import Axis, Machine
+from contourlab.feed import Reference
+from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+OBJECTIVES = {
+    "contour_error_integral": ("m*s", "um s", 2e-6),
+    "contour_error_rms": ("m", "um", 1e-6),
+    "contour_error_max": ("m", "um", 1e-6),
+}
+"""What can be minimised: SI unit, display unit, and J_tol [SI]. That of the integral is a mean of 1 um over a lap of 2 s."""
+BROKEN = 1e6
+"""Value of a design that breaks a guard or whose run failed: above that of any design that keeps the guards."""
 
 
 @dataclass(frozen=True)
@@ -18,10 +38,10 @@ class Variant:
     Attributes
     ----------
     name : str
-        What is in place of which axis, as ``"1 = axis2"``.
+        Which module is in place of which axis, as ``"1 = axis2"``.
     machine : Machine
     modules : tuple of (str, str)
-        For each axis that is swapped, what stands there.
+        Each swapped axis and the module there.
     """
 
     name: str
@@ -29,80 +49,260 @@ class Variant:
     modules: tuple[tuple[str, str], ...] = ()
 
     def module(self, name: str) -> str:
-        """Return what a number by its dotted name moves with: the module of its axis, or nothing where that is not swapped."""
-        return next((called for axis, called in self.modules if name.startswith(f"controller.axes.{axis}.")), "")
+        """Return the module that a parameter, by its dotted name, belongs to; empty if its axis is not swapped."""
+        return next((module for axis, module in self.modules if name.startswith(f"controller.axes.{axis}.")), "")
+
+
+def losses(values: ArrayLike, best: ArrayLike, floor: float) -> Array:
+    """Return the loss of each variant, (J - J*) / max(J*, J_tol).
+
+    Parameters
+    ----------
+    values, best : array_like (..., n_variant)
+        J under a shared design, and J*.
+    floor : float, > 0
+        J_tol: below it a ratio means nothing.
+
+    >>> losses([3.0, 12.0], [1.0, 10.0], 2.0).tolist()
+    [1.0, 0.2]
+    """
+    known = np.asarray(best, dtype=float)
+    return np.asarray((np.asarray(values, dtype=float) - known) / np.maximum(known, floor))
+
+
+@dataclass(eq=False)
+class Variants:
+    """All variants under candidates of one controller, run in lanes; keeps the best design found for each.
+
+    Attributes
+    ----------
+    members : tuple of Variant
+    controller : Controller
+    reference : Reference
+    space : Space
+        Parameters of the controller that are searched. Points are run with values rounded as in a file, so that what is written is what
+        was judged.
+    objective : str
+        Of `OBJECTIVES`.
+    floor : float [SI]
+        J_tol.
+    bounds : Bounds
+    moving, seed, threads
+        As of `contourlab.design.Evaluator`.
+    progress : callable, optional
+        Called with the number of candidates tried so far, including those that were not run as they break a margin.
+    best : ndarray (n_variant,)
+        J* so far; infinite until a design keeps the guards.
+    best_points : ndarray (n_variant, n_parameter)
+    """
+
+    members: tuple[Variant, ...]
+    controller: Controller
+    reference: Reference
+    space: Space
+    objective: str = "contour_error_integral"
+    floor: float = 2e-6
+    bounds: Bounds = field(default_factory=Bounds)
+    moving: bool = False
+    seed: int = 0
+    threads: int | None = None
+    progress: Callable[[int], None] | None = None
+    best: Array = field(init=False)
+    best_points: Array = field(init=False)
+    tried: int = field(init=False, default=0)
+
+    def __post_init__(self) -> None:
+        if self.objective not in OBJECTIVES:
+            raise ParameterError("objective", repr(self.objective), "one of " + ", ".join(OBJECTIVES))
+        if not self.floor > 0.0:
+            raise ParameterError("floor", f"{self.floor:g}", "> 0", OBJECTIVES[self.objective][0])
+        outside = [name for name in self.space.names if not name.startswith("controller.")]
+        if outside:
+            raise ParameterError("parameters", outside[0], "a number of the controller: the variants differ in those of the machine")
+        self.space = replace(self.space, written=True)
+        self.evaluators = tuple(
+            Evaluator(v.machine, self.controller, self.reference, moving=self.moving, seed=self.seed, threads=self.threads) for v in self
+        )
+        self.guards = tuple(Guards([(v.machine, self.controller)], self.bounds) for v in self)
+        self.best = np.full(len(self), np.inf)
+        self.best_points = np.tile(self.space.start, (len(self), 1))
+
+    def __iter__(self) -> Iterator[Variant]:
+        return iter(self.members)
+
+    def __len__(self) -> int:
+        return len(self.members)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the variants."""
+        return tuple(variant.name for variant in self)
+
+    @property
+    def runs(self) -> int:
+        """Runs so far."""
+        return sum(evaluator.runs for evaluator in self.evaluators)
+
+    @property
+    def unit(self) -> str:
+        """The display unit of the objective."""
+        return OBJECTIVES[self.objective][1]
+
+    def losses(self, values: Array) -> Array:
+        """Return the loss of each variant against J* as it stands."""
+        return losses(values, self.best, self.floor)
+
+    def controller_at(self, point: Array, local: Sequence[str] = ()) -> Controller:
+        """Return the controller of a point; `local` are the parameters, by dotted name, that move with their axis."""
+        controller = controller_with(self.controller, self.space.values(point))
+        axes = {}
+        for name, axis in controller.axes.items():
+            head = f"controller.axes.{name}."
+            axes[name] = replace(axis, local=tuple(dotted.removeprefix(head) for dotted in local if dotted.startswith(head)))
+        return replace(controller, axes=axes)
+
+    def values(self, points: Array, only: Sequence[int] | None = None, *, whole: bool = False) -> tuple[Array, Array]:
+        """Return J of points on each variant, and by how much a guard is broken (0 if none is).
+
+        Parameters
+        ----------
+        points : ndarray (n_variant, n, n_parameter)
+            For the variants in `only`, or for all.
+        only : sequence of int, optional
+        whole : bool
+            Whether to run points that break a margin, too.
+
+        Returns
+        -------
+        values, broken : ndarray (n_variant, n)
+            J is infinite if the run failed or was left out.
+        """
+        which = range(len(self)) if only is None else only
+        known: dict[tuple[object, ...], Array] = {}
+        columns = [self.space.columns(rows) for rows in points]
+        excess = [np.broadcast_to(self.guards[i].excess(column, known), len(points[0])) for column, i in zip(columns, which, strict=True)]
+        run = [np.full(len(over), True) if whole else over < 0.0 for over in excess]
+        chosen = [{name: values[r] for name, values in column.items()} for column, r in zip(columns, run, strict=True)]
+        judged = [self._judged(*args) for args in zip(which, points, excess, run, self._figures(which, chosen), strict=True)]
+        self.tried += sum(map(len, points))
+        if self.progress is not None:
+            self.progress(self.tried)
+        return np.array([values for values, _ in judged]), np.array([broken for _, broken in judged])
+
+    def _figures(self, which: Sequence[int], columns: Sequence[dict[str, Array]]) -> list[dict[str, Array]]:
+        """Return the figures of runs on each variant, side by side: one variant alone has too few lanes for all processors."""
+        threads = self.threads or os.cpu_count() or 1
+        sides = min(threads, len(which))
+
+        def figures(at: int, own: int) -> dict[str, Array]:
+            return self.evaluators[which[at]](columns[at], threads=own) if next(iter(columns[at].values())).size else {}
+
+        # The first runs of a machine compile its components, one after another.
+        if sides < 2 or any(self.evaluators[i].runs == 0 for i in which):
+            return [figures(at, threads) for at in range(len(which))]
+        with ThreadPoolExecutor(sides) as pool:
+            return list(pool.map(figures, range(len(which)), [-(-threads // sides)] * len(which)))
+
+    def _judged(self, i: int, points: Array, excess: Array, run: Mask, figures: dict[str, Array]) -> tuple[Array, Array]:
+        """Return J, and by how much a guard is broken, of the points of a variant; keep the best."""
+        values, limited = np.full(len(points), np.inf), np.zeros(len(points))
+        if figures:
+            values[run] = np.where(np.isfinite(figures[self.objective]), figures[self.objective], np.inf)
+            limited[run] = np.nan_to_num(self.guards[i].limited(figures), nan=1.0)
+        good = (excess < 0.0) & (limited <= 0.0) & np.isfinite(values)
+        at = int(np.argmin(np.where(good, values, np.inf)))
+        if good[at] and values[at] < self.best[i]:
+            self.best[i], self.best_points[i] = values[at], points[at]
+        # A run that failed is worse than a broken margin, and that is worse than a drive at its limit.
+        failed = 10.0 * (run & ~np.isfinite(values))
+        return values, np.where(good, 0.0, np.clip(excess, 0.0, 10.0) + np.maximum(limited, 0.0) + failed + 1e-9)
+
+    def state(self) -> dict[str, Array]:
+        """Return all that searches change."""
+        counts = np.array([self.tried, *(evaluator.runs for evaluator in self.evaluators)])
+        return {"best": self.best.copy(), "best_points": self.best_points.copy(), "counts": counts}
+
+    def restore(self, state: Mapping[str, Array]) -> None:
+        """Restore a state."""
+        self.best, self.best_points = state["best"], state["best_points"]
+        self.tried, *runs = state["counts"].tolist()
+        for evaluator, count in zip(self.evaluators, runs, strict=True):
+            evaluator.runs = count
+
+    def objective_of(self, i: int) -> Callable[[Array], Array]:
+        """Return the function to minimise for J* of variant `i`: J over J_tol of points (n, n_parameter)."""
+
+        def objective(points: Array) -> Array:
+            values, broken = self.values(points[None], (i,))
+            return np.asarray(np.where(broken[0] > 0.0, BROKEN * (1.0 + broken[0]), values[0] / self.floor))
+
+        return objective
+
+
+# --- which variants there are ------------------------------------------------------------------------------------------------------------
 
 
 def variants_of(machine: Machine, swaps: Mapping[str, Sequence[tuple[str, Axis]]]) -> tuple[Variant, ...]:
-    """Return every combination of axes, the machine's own first.
+    """Return every combination of modules, the machine's own first.
 
     Parameters
     ----------
     machine : Machine
     swaps : mapping of str to sequence of (str, Axis)
-        For each axis that is swapped the others that take its place, by what they are called.
+        For each swapped axis the modules that may take its place, with their names.
 
     Raises
     ------
     ParameterError
-        If the machine has no such axis, nothing but its like takes its place, two are alike or called the same, or one has a drive of
-        another unit.
+        If the machine has no such axis; no module differs from it; two modules are alike or have the same name; or one has a drive with
+        another unit of command.
     """
     if not swaps:
         raise ParameterError("axis", "none", f"at least one axis to swap, of {', '.join(machine.axis_names)}")
     choices = [_choices(machine, name, others) for name, others in swaps.items()]
-    found = []
+    variants = []
     for picked in product(*choices):
         made = machine
         for name, _, module in picked:
             made = made if module is None else made.swapped(name, module)
         modules = tuple((name, called) for name, called, _ in picked)
-        found.append(Variant(", ".join(f"{name} = {called}" for name, called in modules), made, modules))
-    return tuple(found)
+        variants.append(Variant(", ".join(f"{name} = {called}" for name, called in modules), made, modules))
+    return tuple(variants)
 
 
 def _choices(machine: Machine, name: str, others: Sequence[tuple[str, Axis]]) -> list[tuple[str, str, Axis | None]]:
-    """Return what may stand in the place of an axis: itself first, by the name of the file that has it, if one does."""
+    """Return what may stand in the place of an axis: first the axis itself, named by its file if one of the modules is its copy."""
     if name not in machine.axis_names:
         raise ParameterError("axis", repr(name), f"one of {', '.join(machine.axis_names)}, the axes of {machine.name}")
     if not others:
         raise ParameterError("with", "nothing", f"at least one axis to take the place of {name}")
     own = machine.axis(name)
-    same = next((called for called, other in others if _alike(own, other)), "as it is")
-    kept = [(called, other) for called, other in others if not _alike(own, other)]
-    _check_differ(name, others, kept)
-    calls = [called for called, _ in kept]
-    if len({same, *calls}) != len(calls) + 1:
-        raise ParameterError("with", ", ".join([same, *calls]), "axes that differ in their names")
-    for called, other in kept:
-        _check_fits(own, other, called)
-    return [(name, same, None), *((name, called, other) for called, other in kept)]
-
-
-def _check_differ(name: str, others: Sequence[tuple[str, Axis]], kept: Sequence[tuple[str, Axis]]) -> None:
-    """Refuse one module by two names, which would be searched twice, and a swap for nothing but what stands there already."""
-    for (called, one), (again, other) in combinations(others, 2):
+    itself = next((called for called, other in others if _alike(own, other)), "as it is")
+    modules = [(called, other) for called, other in others if not _alike(own, other)]
+    for (first, one), (second, other) in combinations(others, 2):
         if _alike(one, other):
-            raise ParameterError(
-                "with", f"{called}, {again}", f"axes that differ in a value, to take the place of {name}: these two do not"
-            )
-    if not kept:
-        wanted = f"an axis that differs from axis {name} of the machine in a value: in place of its like nothing is lost"
+            wanted = f"axes that differ in a value, to take the place of {name}: these two do not"
+            raise ParameterError("with", f"{first}, {second}", wanted)
+    if not modules:
+        wanted = f"an axis that differs from axis {name} of the machine in a value: a copy of it loses nothing"
         raise ParameterError("with", ", ".join(called for called, _ in others), wanted)
+    names = [itself, *(called for called, _ in modules)]
+    if len(set(names)) != len(names):
+        raise ParameterError("with", ", ".join(names), "axes that differ in their names")
+    for called, other in modules:
+        _check_fits(own, other, called)
+    return [(name, itself, None), *((name, called, other) for called, other in modules)]
 
 
 def _alike(one: Axis, other: Axis) -> bool:
-    """Tell whether two axes are the same module."""
-    slots = (*AXIS_SLOTS, "substeps", "stage_mass", "limits")
-    return all(getattr(one, slot) == getattr(other, slot) for slot in slots)
+    return all(getattr(one, slot) == getattr(other, slot) for slot in (*AXIS_SLOTS, "substeps", "stage_mass", "limits"))
 
 
 def _check_fits(own: Axis, other: Axis, called: str) -> None:
-    units, wanted = (other.plant.command_unit, other.plant.force_unit), (own.plant.command_unit, own.plant.force_unit)
-    if units[0] != wanted[0]:
-        raise ParameterError(
-            "with", called, f"an axis whose drive takes its command in {wanted[0]}, as that of {own.name} does: this one takes {units[0]}"
-        )
+    unit, wanted = other.plant.command_unit, own.plant.command_unit
+    if unit != wanted:
+        fitting = f"an axis whose drive takes its command in {wanted}, as that of {own.name} does, not in {unit}"
+        raise ParameterError("with", called, fitting)
     if other.plant.two_sided != own.plant.two_sided:
-        shown = "one with a motor and a load side" if own.plant.two_sided else "one without a motor side of its own"
-        raise ParameterError("with", called, f"{shown}, as {own.name} is")
+        side = "one with a motor and a load side" if own.plant.two_sided else "one without a motor side of its own"
+        raise ParameterError("with", called, f"{side}, as {own.name} is")

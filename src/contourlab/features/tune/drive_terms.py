@@ -1,44 +1,79 @@
-"""A calibrated controller in the terms of drives: Kv, bandwidth of the velocity loop, LinuxCNC's gains."""
+"""A controller in the terms of drives: Kv, bandwidth of the velocity loop, and the gains of LinuxCNC's component ``pid`` with its law.
+
+LinuxCNC's manual page pid(9) and source (``src/hal/components/pid.c``): error = command - feedback; the integral includes the error of the
+same period; the derivative is the pin ``command-deriv`` less ``feedback-deriv``, each the difference over a period if not connected;
+output = bias + Pgain error + Igain integral + Dgain derivative + FF0 command + FF1 command' + FF2 command'' + FF3 command''', of which the
+second and third derivatives are differences of command'.
+"""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.linear.delay_form import DelayForm
 from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
+from contourlab.analysis.linear.tick_map import DelayForm
+from contourlab.components.contract import Component
 from contourlab.errors import ComponentError
-from contourlab.features.tune.linuxcnc import LinuxCNCGains, linuxcnc_gains, linuxcnc_law
-from contourlab.features.tune.placed import model_of
+from contourlab.features.tune.pole_placement import model_of
+from contourlab.figures import listing
+from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.result import Result
 
 Array = NDArray[np.float64]
 GRID = 2000
+"""Frequencies at which the velocity loop is evaluated."""
+
+
+@dataclass(frozen=True)
+class LinuxCNCGains:
+    """Gains of LinuxCNC's ``pid`` in SI: command per metre, per metre and second, and so on.
+
+    Attributes
+    ----------
+    p, i, d, ff0, ff1, ff2, ff3 : float
+        Pgain, Igain, Dgain, FF0 to FF3.
+    findings : tuple of Finding
+        What to add to LinuxCNC's configuration, and what has no counterpart there.
+    """
+
+    p: float
+    i: float = 0.0
+    d: float = 0.0
+    ff0: float = 0.0
+    ff1: float = 0.0
+    ff2: float = 0.0
+    ff3: float = 0.0
+    findings: tuple[Finding, ...] = field(default=(), metadata={"json": False})
+
+    def per_millimetre(self) -> dict[str, float]:
+        """Return the gains as in an INI file with machine units of mm, by the names of the pins."""
+        names = {"Pgain": self.p, "Igain": self.i, "Dgain": self.d, "FF0": self.ff0, "FF1": self.ff1, "FF2": self.ff2, "FF3": self.ff3}
+        return {name: 1e-3 * value for name, value in names.items()}
 
 
 @dataclass(frozen=True)
 class DriveTerms:
-    """One axis.
+    """One axis in the terms of drives.
 
     Attributes
     ----------
     axis : str
     kv : float [1/s]
-        Velocity per position error with the reference's velocity and the integral left out: what the axis would lag by at a steady speed
-        is that speed over Kv. In a cascade it is the position gain; nan where it cannot be told.
+        Steady speed over position error, without the reference's velocity and the integral. In a cascade the position gain; nan if unknown.
     velocity_bandwidth : float [Hz]
-        At which the velocity loop, the position loop open, gives 3 dB less than at standstill, sampled as it runs; nan where there is no
-        velocity loop.
+        At which the sampled velocity loop, position loop open, has fallen by 3 dB; nan without a velocity loop.
     command_unit : str
     linuxcnc : LinuxCNCGains or None
     difference, difference_rms : float
-        Largest, and root mean square, difference of LinuxCNC's law from the law that was simulated, over a run, in parts of the largest
-        command; nan where it is not compared. Where a planned acceleration steps, its difference comes a tick late.
+        Difference of LinuxCNC's law from the simulated command over a run, largest and rms, relative to the largest command; nan if not
+        compared. Where a planned acceleration steps, LinuxCNC's FF2 acts one tick later.
     """
 
     axis: str
@@ -51,42 +86,41 @@ class DriveTerms:
 
 
 def drive_terms(machine: Machine, controller: Controller, run: Result | None = None) -> tuple[DriveTerms, ...]:
-    """Return the terms of every axis.
-
-    Parameters
-    ----------
-    machine, controller
-    run : Result, optional
-        A run of these, against which LinuxCNC's law is held.
-    """
-    found = []
+    """Return the drive terms of every axis; `run`, if given, is compared with LinuxCNC's law."""
+    terms = []
     for i, axis in enumerate(machine.axes):
-        mine = controller.axes[axis.name]
-        gains = linuxcnc_gains(mine, controller)
-        terms = DriveTerms(
-            axis.name, _kv(machine, axis, mine, gains), _velocity_bandwidth(machine, axis, mine), axis.plant.command_unit, gains
-        )
-        if run is not None and gains is not None and run.status.ok and _comparable(axis, mine):
-            largest, rms = law_difference(gains, mine, run, i)
-            terms = replace(terms, difference=largest, difference_rms=rms)
-        found.append(terms)
-    return tuple(found)
+        slots = controller.axes[axis.name]
+        gains = linuxcnc_gains(slots, controller)
+        difference = difference_rms = math.nan
+        if run is not None and gains is not None and run.status.ok and _comparable(axis, slots):
+            difference, difference_rms = law_difference(gains, slots, run, i)
+        kv, bandwidth = _kv(machine, axis, slots, gains), _velocity_bandwidth(machine, axis, slots)
+        terms.append(DriveTerms(axis.name, kv, bandwidth, axis.plant.command_unit, gains, difference, difference_rms))
+    return tuple(terms)
 
 
-def _comparable(axis: Axis, mine: AxisController) -> bool:
-    """Tell whether a command is made of nothing but the law, the observer's estimate and what LinuxCNC feeds forward, too."""
-    others = (mine.compensation, mine.gap_observer, mine.supervisor, mine.predictor)
-    ahead = mine.feedforward is None or mine.feedforward.kind == "inverse-dynamics"
+def linuxcnc_findings(terms: Sequence[DriveTerms]) -> list[Finding]:
+    """Return what to know of LinuxCNC's gains, each finding once with the axes that it concerns."""
+    axes: dict[str, tuple[Finding, list[str]]] = {}
+    for one in terms:
+        for remark in (finding("CL620"),) if one.linuxcnc is None else one.linuxcnc.findings:
+            axes.setdefault(str(remark), (remark, []))[1].append(one.axis)
+    return [replace(remark, place=f"{'axis' if len(names) == 1 else 'axes'} {listing(names)}") for remark, names in axes.values()]
+
+
+def _comparable(axis: Axis, slots: AxisController) -> bool:
+    """Tell whether the command consists of the law, the observer's estimate and a feedforward that LinuxCNC has too."""
+    others = (slots.compensation, slots.gap_observer, slots.supervisor, slots.predictor)
+    ahead = slots.feedforward is None or slots.feedforward.kind == "inverse-dynamics"
     return ahead and not axis.plant.two_sided and all(part is None for part in others)
 
 
-def _kv(machine: Machine, axis: Axis, mine: AxisController, gains: LinuxCNCGains | None) -> float:
-    values = mine.controller.values()
-    if mine.controller.kind in ("cascade", "load-side-cascade"):
-        return float(values["position_gain"])
+def _kv(machine: Machine, axis: Axis, slots: AxisController, gains: LinuxCNCGains | None) -> float:
+    if slots.controller.kind in ("cascade", "load-side-cascade"):
+        return float(slots.controller.values()["position_gain"])
     if gains is None:
         return math.nan
-    gain, damping = model_of(machine, axis, mine)
+    gain, damping = model_of(machine, axis, slots)
     below = gains.d + damping / gain
     return gains.p / below if below > 0.0 else math.inf
 
@@ -103,14 +137,14 @@ VELOCITY_ONLY: dict[str, dict[str, Any]] = {
     },
     "cascade": {"position_gain": 0.0, "velocity_feedforward": 1.0, "acceleration_feedforward": 0.0},
 }
-"""What leaves of a controller its velocity loop, led by the reference's velocity."""
+"""Changes that leave only the velocity loop of a controller, driven by the reference's velocity."""
 
 
-def _velocity_bandwidth(machine: Machine, axis: Axis, mine: AxisController) -> float:
-    changes = VELOCITY_ONLY.get(mine.controller.kind)
+def _velocity_bandwidth(machine: Machine, axis: Axis, slots: AxisController) -> float:
+    changes = VELOCITY_ONLY.get(slots.controller.kind)
     if changes is None:
         return math.nan
-    bare = replace(mine, controller=mine.controller.replace(**changes), feedforward=None)
+    bare = replace(slots, controller=slots.controller.replace(**changes), feedforward=None)
     try:
         loop = sampled_loop(axis, bare, machine.servo_period, machine.carried_mass(axis.name))
     except ComponentError:
@@ -119,7 +153,7 @@ def _velocity_bandwidth(machine: Machine, axis: Axis, mine: AxisController) -> f
 
 
 def _bandwidth(loop: SampledLoop) -> float:
-    """Return the frequency [Hz] at which velocity over the reference's velocity has fallen by 3 dB; nan where it never does."""
+    """Return the frequency [Hz] at which velocity over reference velocity has fallen by 3 dB; nan if it never does."""
     w = np.geomspace(1e-5 * loop.nyquist, loop.nyquist, GRID)
     response = DelayForm(*loop.closed, loop.state[1:2])(np.exp(1j * w * loop.servo_period))[:, 0, 1]
     size = np.abs(response) / abs(response[0]) if response[0] else np.zeros(GRID)
@@ -131,30 +165,140 @@ def _bandwidth(loop: SampledLoop) -> float:
     return float(w[k - 1] + part * (w[k] - w[k - 1])) / (2.0 * math.pi)
 
 
-def law_difference(gains: LinuxCNCGains, mine: AxisController, run: Result, axis: int) -> tuple[float, float]:
-    """Return how far LinuxCNC's law is from what a run was commanded, fed with what the controller saw: largest and root mean square.
+def law_difference(gains: LinuxCNCGains, slots: AxisController, run: Result, axis: int) -> tuple[float, float]:
+    """Return the difference of LinuxCNC's law from the command of a run, largest and rms, relative to the largest command.
 
-    Both in parts of the largest command.
-
-    The disturbance estimate, which has no counterpart, is added to what was commanded; the first half of the run is left out.
+    The disturbance estimate, which has no counterpart, is added to the command; the first half of the run is left out.
     """
-    known = run.signals
-    target = "modified_reference" if "modified_reference" in known else "reference"
-    to, at = run[target][:, axis], run["position"][:, axis]
-    told = run["command"][:, axis]
-    if mine.observer is not None:
-        if "disturbance_estimate" not in known:
+    target = "modified_reference" if "modified_reference" in run.signals else "reference"
+    command = run["command"][:, axis]
+    if slots.observer is not None:
+        if "disturbance_estimate" not in run.signals:
             return math.nan, math.nan
-        told = told + run["disturbance_estimate"][:, axis]
-    if "coupling_command" in known:
-        told = told - run["coupling_command"][:, axis]
-    ports = {port.name for port in mine.controller.inputs}
-    seen = run["velocity"][:, axis] if "velocity" in ports else None
-    planned = "reference_velocity" in ports or mine.feedforward is not None
-    law = linuxcnc_law(gains, to, at, run.servo_period, run["reference_velocity"][:, axis] if planned else None, seen)
-    # A constant is what the integral was before, at the start or at a limit of the drive; it is none of the gains.
-    off = (law - told)[len(told) // 2 :]
-    off, scale = off - np.median(off), float(np.abs(told).max())
+        command = command + run["disturbance_estimate"][:, axis]
+    if "coupling_command" in run.signals:
+        command = command - run["coupling_command"][:, axis]
+    ports = {port.name for port in slots.controller.inputs}
+    measured = run["velocity"][:, axis] if "velocity" in ports else None
+    planned = run["reference_velocity"][:, axis] if "reference_velocity" in ports or slots.feedforward is not None else None
+    law = linuxcnc_law(gains, run[target][:, axis], run["position"][:, axis], run.servo_period, planned, measured)
+    # A constant is what the integral was before, at the start or at a limit of the drive; it comes from none of the gains.
+    off = (law - command)[len(command) // 2 :]
+    off, scale = off - np.median(off), float(np.abs(command).max())
     if not scale:
         return math.nan, math.nan  # an axis that stands still
     return float(np.abs(off).max()) / scale, float(np.sqrt(np.mean(off**2))) / scale
+
+
+def linuxcnc_law(
+    gains: LinuxCNCGains,
+    command: ArrayLike,
+    feedback: ArrayLike,
+    period: float,
+    command_derivative: ArrayLike | None = None,
+    feedback_derivative: ArrayLike | None = None,
+) -> Array:
+    """Return the output (n,) of ``pid`` without limits, deadband and bias, enabled at the first sample.
+
+    Parameters
+    ----------
+    gains : LinuxCNCGains
+    command, feedback : array_like (n,) [m]
+    period : float [s]
+    command_derivative, feedback_derivative : array_like (n,) [m/s], optional
+        What is connected to ``command-deriv`` and ``feedback-deriv``; by default differences over a period.
+
+    >>> linuxcnc_law(LinuxCNCGains(p=2.0, i=1.0), [1.0, 1.0], [0.0, 0.5], 0.1).tolist()
+    [2.1, 1.15]
+    """
+    to, at = np.asarray(command, dtype=float), np.asarray(feedback, dtype=float)
+    error = to - at
+
+    def slope(values: Array) -> Array:
+        return np.diff(values, prepend=values[:1]) / period
+
+    rate = slope(to) if command_derivative is None else np.asarray(command_derivative, dtype=float)
+    back = slope(at) if feedback_derivative is None else np.asarray(feedback_derivative, dtype=float)
+    second = slope(rate)
+    law = gains.p * error + gains.i * np.cumsum(error) * period + gains.d * (rate - back)
+    return np.asarray(law + gains.ff0 * to + gains.ff1 * rate + gains.ff2 * second + gains.ff3 * slope(second))
+
+
+def linuxcnc_gains(axis: AxisController, controller: Controller) -> LinuxCNCGains | None:
+    """Return the gains of an axis' controller in LinuxCNC's terms; None for a kind without an equivalent ``pid``."""
+    if axis.controller.kind not in MAPS:
+        return None
+    gains, missing = MAPS[axis.controller.kind](axis.controller)
+    if axis.feedforward is not None and axis.feedforward.kind == "inverse-dynamics":
+        values = axis.feedforward.values()
+        gains = replace(gains, ff1=gains.ff1 + values["velocity_gain"], ff2=gains.ff2 + values["acceleration_gain"])
+    elif axis.feedforward is not None:
+        missing.append(f"feedforward {axis.feedforward.kind}")
+    for slot in ("observer", "predictor", "compensation", "gap_observer", "supervisor"):
+        part = getattr(axis, slot)
+        missing += [] if part is None else [f"{slot.replace('_', ' ')} {part.kind}"]
+    if controller.coupling is not None:
+        missing.append(f"coupling {controller.coupling.kind}")
+    findings = [*gains.findings]
+    if missing:
+        findings.append(finding("CL621", parts=tuple(missing)))
+    if gains.ff0:
+        findings.append(finding("CL622"))
+    if gains.d and any(port.name == "velocity" for port in axis.controller.inputs):
+        findings.append(finding("CL623"))
+    return replace(gains, findings=tuple(findings))
+
+
+Mapped = tuple[LinuxCNCGains, list[str]]
+"""Gains, and what of the controller has no counterpart."""
+
+
+def _position(part: Component) -> Mapped:
+    v = part.values()
+    p, i, d = v["position_gain"], v["position_gain"] * v["integral_gain"], v["velocity_gain"]
+    if v["structure"] == "ipv":
+        # The reference enters by the integral alone: FF0 and FF1 take out what P and D make of it, but for the start.
+        return LinuxCNCGains(p, i, d, -p, -d), []
+    return LinuxCNCGains(p, i, d, ff1=v["model_damping"] / v["model_gain"], ff2=1.0 / v["model_gain"]), []
+
+
+def _state_feedback(part: Component) -> Mapped:
+    v = part.values()
+    missing = ["feedback of acceleration"] if v["acceleration_gain"] else []
+    base = LinuxCNCGains(v["position_gain"], v["integral_gain"], v["velocity_gain"])
+    if v["following"] == "position":
+        return replace(base, ff1=-v["velocity_gain"]), missing
+    return replace(base, ff1=v["velocity_feedforward"], ff2=v["acceleration_feedforward"], ff3=v["jerk_feedforward"]), missing
+
+
+def _pid(part: Component) -> Mapped:
+    v = part.values()
+    missing = [f"derivative filter of {v['derivative_bandwidth']:g} rad/s"] if v["derivative_gain"] else []
+    ff1 = -v["derivative_gain"] if v["derivative_on"] == "measurement" else 0.0
+    p = v["proportional_gain"]
+    return LinuxCNCGains(p, v["integral_gain"], v["derivative_gain"], p * (v["reference_weight"] - 1.0), ff1), missing
+
+
+def _cascade(part: Component) -> Mapped:
+    v = part.values()
+    kv, k, w = v["position_gain"], v["velocity_gain"], v["velocity_feedforward"]
+    rate = k / v["integral_time"]
+    # The integral of the velocity error is that of the position error times Kv, plus the position error itself.
+    return LinuxCNCGains(k * kv + rate, rate * kv, k, rate * (w - 1.0), k * (w - 1.0), v["acceleration_feedforward"]), []
+
+
+def _lead_lag(part: Component) -> Mapped:
+    v = part.values()
+    k, lead, ki = v["gain"], v["lead_time"] - v["lag_time"], v["integral_rate"]
+    # K (a s + 1)/(b s + 1) (s + k_i)/s = K (k_i/s + 1 + k_i (a - b) + s (a - b)(1 - k_i b) + ...)
+    slow = (finding("CL624", frequency=1.0 / v["lag_time"]),)
+    return LinuxCNCGains(k * (1.0 + ki * lead), k * ki, k * lead * (1.0 - ki * v["lag_time"]), findings=slow), []
+
+
+MAPS: dict[str, Callable[[Component], Mapped]] = {
+    "position": _position,
+    "state-feedback": _state_feedback,
+    "pid": _pid,
+    "cascade": _cascade,
+    "lead-lag": _lead_lag,
+}

@@ -1,37 +1,55 @@
-"""What a calibration makes small: figures of the run, one or a weighted sum, of one machine or of the worst of several."""
+"""Figures of a run: those that a calibration lowers, by batches, and all of them for one controller, judged exactly."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.analysis.linear.margins import Margins
 from contourlab.design import Evaluator
-from contourlab.errors import ParameterError
+from contourlab.design.guards import Guards
+from contourlab.errors import DivergenceError, ParameterError
+from contourlab.feed import Reference
+from contourlab.loop import Controller, Machine, simulate
+from contourlab.metrics import judge, summarise
+from contourlab.result import Result
 
 Array = NDArray[np.float64]
 
 FIGURES = {
-    "integral": ("contour_error_integral", "m*s", "um*s"),
-    "max": ("contour_error_max", "m", "um"),
-    "rms": ("contour_error_rms", "m", "um"),
-    "tracking": ("tracking_error_rms", "m", "um"),
-    "energy": ("command_energy", "s", "s"),
+    "contour_error_integral": ("contour error, integral", "um s"),
+    "contour_error_rms": ("contour error, rms", "um"),
+    "contour_error_max": ("contour error, largest", "um"),
+    "contour_error_signed_mean": ("contour error, signed mean", "um"),
+    "part_error_max": ("part error, largest", "um"),
+    "tracking_error_rms": ("tracking error, rms", "um"),
+    "command_energy": ("command energy", "s"),
+    "command_largest": ("largest command, share of the drive's limit", "%"),
+    "limited_share": ("time at a drive's limit", "%"),
 }
-"""What may be asked for: figure of a batch, its unit, and the unit in which it is shown."""
+"""Figures of a run: the name in print, and the display unit."""
+GOALS = {
+    "integral": "contour_error_integral",
+    "max": "contour_error_max",
+    "rms": "contour_error_rms",
+    "tracking": "tracking_error_rms",
+    "energy": "command_energy",
+}
+"""Figures that a calibration may lower."""
 
 
 @dataclass(frozen=True)
 class Goal:
-    """Figures and their weights.
+    """Figures to lower, and their weights.
 
     Attributes
     ----------
     weights : tuple of (str, float)
-        Of `FIGURES`, each > 0. With more than one, each figure counts in parts of what it is at the start.
+        Names of `GOALS`, weights > 0. In a sum, each figure counts relative to its value at the start.
     """
 
     weights: tuple[tuple[str, float], ...] = (("integral", 1.0),)
@@ -39,8 +57,8 @@ class Goal:
     def __post_init__(self) -> None:
         names = [name for name, _ in self.weights]
         for name, weight in self.weights:
-            if name not in FIGURES:
-                raise ParameterError("objective", repr(name), f"of {', '.join(FIGURES)}, or a sum such as integral=1,energy=0.1")
+            if name not in GOALS:
+                raise ParameterError("objective", repr(name), f"of {', '.join(GOALS)}, or a sum such as integral=1,energy=0.1")
             if not (weight > 0.0 and math.isfinite(weight)):
                 raise ParameterError("objective", f"{name}={weight:g}", "a weight > 0")
         if not names or len(set(names)) < len(names):
@@ -48,100 +66,172 @@ class Goal:
 
     @staticmethod
     def parse(text: str) -> Goal:
-        """Return the goal of a text: ``integral``, or ``integral=1,energy=0.1``.
+        """Read ``integral``, or ``integral=1,energy=0.1``.
 
         Raises
         ------
         ParameterError
-            If a figure is unknown, or a weight is no positive number.
+            If a figure is unknown, or a weight is not a positive number.
 
         >>> Goal.parse("integral=1, energy=0.1").weights
         (('integral', 1.0), ('energy', 0.1))
         """
-        found = []
+        weights = []
         for part in text.split(","):
             name, given, weight = part.partition("=")
             try:
-                found.append((name.strip(), float(weight) if given else 1.0))
+                weights.append((name.strip(), float(weight) if given else 1.0))
             except ValueError as error:
                 raise ParameterError("objective", repr(part), "a figure and its weight, as energy=0.1") from error
-        return Goal(tuple(found))
+        return Goal(tuple(weights))
 
     @property
-    def single(self) -> str | None:
-        """The only figure; None for a sum."""
-        return self.weights[0][0] if len(self.weights) == 1 else None
+    def figure(self) -> str | None:
+        """Key of the only figure in `FIGURES`; None for a sum."""
+        return GOALS[self.weights[0][0]] if len(self.weights) == 1 else None
 
     @property
-    def words(self) -> str:
-        """The goal in words."""
-        return self.weights[0][0] if self.single else " + ".join(f"{weight:g} {name}" for name, weight in self.weights)
+    def label(self) -> str:
+        """The goal as text."""
+        return self.weights[0][0] if self.figure else " + ".join(f"{weight:g} {name}" for name, weight in self.weights)
+
+    @property
+    def unit(self) -> str:
+        """Display unit of the objective; empty for a sum."""
+        return FIGURES[self.figure][1] if self.figure else ""
 
 
 @dataclass(frozen=True, eq=False)
-class Judged:
-    """What runs came to, arrays (n,).
+class ObjectiveValues:
+    """The objective of n runs.
 
     Attributes
     ----------
     value : ndarray (n,)
-        The objective: the worst over all machines; infinite where a run failed.
-    limited, largest : ndarray (n,)
-        Part of the time at a limit of a drive, and the largest command in parts of it: the worst.
-    figures : tuple of mapping
-        All figures, for each machine.
+        Infinite where a run failed.
+    limited : ndarray (n,)
+        Share of the time at a drive's limit.
+    largest : ndarray (n,)
+        Largest command, relative to the drive's limit.
+    figures : mapping of str to ndarray (n,)
+        All figures.
     """
 
     value: Array
     limited: Array
     largest: Array
-    figures: tuple[Mapping[str, Array], ...]
+    figures: Mapping[str, Array]
+
+    def violations(self, values: Mapping[str, float], guards: Guards) -> tuple[str, ...]:
+        """Return the bounds that the first run breaks, whose parameters have these values [SI]."""
+        return guards.broken(values, float(self.limited[0]), float(self.largest[0]))
 
 
 @dataclass(eq=False)
 class Objective:
-    """A goal on one machine, or on several at once, of which the worst counts.
+    """A goal as a function of parameter values.
 
     Attributes
     ----------
-    evaluators : sequence of Evaluator
-        Machines that know the same dotted names.
+    evaluator : Evaluator
     goal : Goal
-    start : mapping of str to float
-        Values [SI] that the figures of a sum are taken in parts of.
+    start : mapping of str to float [SI]
+        Parameters at which the figures of a sum are scaled to 1.
     """
 
-    evaluators: Sequence[Evaluator]
+    evaluator: Evaluator
     goal: Goal
     start: Mapping[str, float]
-    _scales: tuple[dict[str, float], ...] = field(init=False, repr=False)
+    _scales: dict[str, float] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        self._scales = ()
-        if self.goal.single is None:
-            found = self({name: np.array([value]) for name, value in self.start.items()})
-            keys = [FIGURES[name][0] for name, _ in self.goal.weights]
-            scales = tuple({key: float(one[key][0]) for key in keys} for one in found.figures)
-            if not all(math.isfinite(value) and value > 0.0 for one in scales for value in one.values()):
-                raise ParameterError("objective", self.goal.words, "a single figure: at the start the run fails, so a sum has no scale")
+        if self.goal.figure is None:
+            figures = self.at(self.start).figures
+            scales = {GOALS[name]: float(figures[GOALS[name]][0]) for name, _ in self.goal.weights}
+            if not all(math.isfinite(scale) and scale > 0.0 for scale in scales.values()):
+                raise ParameterError("objective", self.goal.label, "a single figure: the run at the start fails, so a sum has no scale")
             self._scales = scales
 
-    @property
-    def runs(self) -> int:
-        """How many runs it has made."""
-        return sum(one.runs for one in self.evaluators)
+    def __call__(self, columns: Mapping[str, Array]) -> ObjectiveValues:
+        """Run with parameter values [SI], each (n,)."""
+        figures = self.evaluator(columns)
+        values = figures[GOALS[self.goal.weights[0][0]]]
+        if self._scales:
+            parts = [weight * figures[GOALS[name]] / self._scales[GOALS[name]] for name, weight in self.goal.weights]
+            values = np.asarray(np.sum(parts, axis=0))
+        failed = (figures["failed_at"] >= 0.0) | ~np.isfinite(values)
+        return ObjectiveValues(np.where(failed, np.inf, values), figures["limited_share"], figures["command_largest"], figures)
 
-    def __call__(self, columns: Mapping[str, Array]) -> Judged:
-        """Return what runs with these values [SI], each (n,), come to."""
-        figures = tuple(one(columns) for one in self.evaluators)
-        values = np.max([self._value(one, i) for i, one in enumerate(figures)], axis=0)
-        limited, largest = (np.max([one[key] for one in figures], axis=0) for key in ("limited_share", "command_largest"))
-        failed = np.any([one["failed_at"] >= 0.0 for one in figures], axis=0) | ~np.isfinite(values)
-        return Judged(np.where(failed, np.inf, values), limited, largest, figures)
+    def at(self, values: Mapping[str, float]) -> ObjectiveValues:
+        """Run once with parameter values [SI]."""
+        return self({name: np.array([value]) for name, value in values.items()})
 
-    def _value(self, figures: Mapping[str, Array], machine: int) -> Array:
-        if not self._scales:
-            return figures[FIGURES[self.goal.weights[0][0]][0]]
-        scale = self._scales[machine]
-        parts = [weight * figures[FIGURES[name][0]] / scale[FIGURES[name][0]] for name, weight in self.goal.weights]
-        return np.asarray(np.sum(parts, axis=0))
+
+@dataclass(frozen=True, eq=False)
+class Evaluation:
+    """One controller: a single run under the exact judge, and the exact margins.
+
+    Attributes
+    ----------
+    figures : dict of str to float [SI]
+        The keys of `FIGURES`; nan where the run failed.
+    margins : dict of str to Margins
+        By axis, without the axes that have no linear model.
+    violations : tuple of str
+        Bounds that are broken.
+    run : Result or None
+        Judged; None where it diverged.
+    """
+
+    figures: dict[str, float]
+    margins: dict[str, Margins]
+    violations: tuple[str, ...]
+    run: Result | None = field(metadata={"json": False})
+
+
+def evaluate(
+    machine: Machine, controller: Controller, reference: Reference, guards: Guards, *, seed: int = 0, moving: bool = False
+) -> Evaluation:
+    """Run a controller once, judge it exactly, and check it against the bounds of `guards`.
+
+    Parameters
+    ----------
+    machine, controller, reference
+        See `contourlab.loop.simulate`.
+    guards : Guards
+    seed : int
+        Of all noise.
+    moving : bool
+        Whether the axes start with the velocity of the reference.
+    """
+    exact = Guards([(machine, controller)], guards.bounds)
+    margins = exact.exact({})
+    try:
+        run = simulate(machine, controller, reference, seed=seed, moving=moving)
+    except DivergenceError as error:
+        return Evaluation(dict.fromkeys(FIGURES, math.nan), margins, (f"diverges: {error}",), None)
+    run = judge(run, reference)
+    figures = _figures(run, machine, reference)
+    return Evaluation(figures, margins, exact.broken({}, figures["limited_share"], figures["command_largest"], margins), run)
+
+
+def _figures(run: Result, machine: Machine, reference: Reference) -> dict[str, float]:
+    metrics = summarise(run, reference)
+    error = metrics.contour_error
+    window = slice(*metrics.window)
+    tracking = np.linalg.norm((run["reference"] - run["position"])[window], axis=1)
+    # Relative to the drive's limit where it has one, as in `contourlab.loop.BatchResult`.
+    limits = np.array([getattr(axis.drive, "limit", math.inf) for axis in machine.axes], dtype=float)
+    scales = np.where(np.isfinite(limits), limits, 1.0)
+    asked, applied = run["command"][window], run["applied_command"][window]
+    return {
+        "contour_error_integral": error.integral,
+        "contour_error_rms": error.rms,
+        "contour_error_max": error.max,
+        "contour_error_signed_mean": error.signed_mean,
+        "part_error_max": metrics.part_error.max,
+        "tracking_error_rms": float(np.sqrt(np.mean(tracking**2))),
+        "command_energy": float(((applied / scales) ** 2).sum() * run.servo_period),
+        "command_largest": float((np.abs(asked) / scales).max()),
+        "limited_share": float((np.abs(asked) > limits).any(axis=1).mean()),
+    }

@@ -1,13 +1,15 @@
-"""The way that a calibration took: the objective from step to step, the line of each number, and the error before and after."""
+"""Pictures of a calibration: the objective over the runs, the line of each parameter, the contour error before and after."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.features.tune.line_search import Step
+from contourlab.features.tune.objective import Goal
+from contourlab.features.tune.study import Tuned
 from contourlab.report.charts import Chart, Curve, Panel
 from contourlab.report.style import scheme_style
 
@@ -15,63 +17,69 @@ Array = NDArray[np.float64]
 SMALLEST = 1e-12
 
 
-@dataclass(frozen=True, eq=False)
-class Line:
-    """What was tried of one number: values over the one it had, and the objective of each; `axis` is the axis, or part, it belongs to."""
-
-    name: str
-    axis: str
-    factor: Array
-    objective: Array
-
-
-def tuning_charts(
-    label: str, course: Mapping[str, tuple[Array, Array]], lines: Sequence[Line], errors: Mapping[str, tuple[Array, Array]]
-) -> tuple[Chart, ...]:
-    """Return the pictures of a calibration.
-
-    Parameters
-    ----------
-    label : str
-        The objective with its unit.
-    course : mapping of str to (ndarray (n,), ndarray (n,))
-        By method: runs so far, and the objective by then.
-    lines : sequence of Line
-        Of the sequential procedure, in its order.
-    errors : mapping of str to (ndarray (n,) [s], ndarray (n,) [um])
-        Contour error over time, before and after.
-    """
-    found = []
-    curves = [Curve(*_drawn(*of), name, *scheme_style(i, len(course))) for i, (name, of) in enumerate(course.items())]
-    if curves:
-        panel = Panel("runs", label, tuple(curves), log_y=True)
-        caption = "The objective over runs: after each number of the sequential procedure; of the global search the best so far."
-        found.append(Chart("tune-course", "Course of the calibration", caption, (panel,), panel_height=320))
+def tuning_charts(goal: Goal, tuned: Tuned) -> tuple[Chart, ...]:
+    """Return the pictures of a calibration."""
+    scale = 1e6 if goal.unit.startswith("um") else 1.0
+    label = f"{goal.label} [{goal.unit}]" if goal.unit else goal.label
+    charts = []
+    progress = _progress(tuned, scale)
+    if progress:
+        panel = Panel("runs", label, _curves(progress), log_y=True)
+        caption = "The objective over runs: after each step of the sequential procedure; the best so far of the global search."
+        charts.append(Chart("tune-course", "Course of the calibration", caption, (panel,), panel_height=320))
+    lines = [step for step in tuned.path.steps if step.stage != "repair" and step.before]
     if lines:
-        found.append(_lines(label, lines))
-    traces = [Curve(x, y, name, *scheme_style(i, len(errors))) for i, (name, (x, y)) in enumerate(errors.items())]
-    if traces:
-        panel = Panel("time [s]", "contour error [µm]", tuple(traces))
-        found.append(Chart("tune-error", "Contour error before and after", "Over the time that counts, by the exact judge.", (panel,)))
-    return tuple(found)
+        charts.append(_lines(label, lines, scale))
+    errors = {}
+    for name, evaluation in (("before", tuned.before), ("after", tuned.after)):
+        if evaluation.run is not None:
+            error = evaluation.run["contour_error"]
+            half = len(error) // 2
+            errors[name] = (evaluation.run.time[half:], 1e6 * error[half:])
+    if errors:
+        panel = Panel("time [s]", "contour error [um]", _curves(errors, positive=False))
+        charts.append(Chart("tune-error", "Contour error before and after", "Second half of the run, judged exactly.", (panel,)))
+    return tuple(charts)
 
 
-def _lines(label: str, lines: Sequence[Line]) -> Chart:
-    axes = dict.fromkeys(line.axis for line in lines)
+def _progress(tuned: Tuned, scale: float) -> dict[str, tuple[Array, Array]]:
+    """Return the objective over runs, by method."""
+    progress = {}
+    steps = tuned.path.steps
+    if steps:
+        runs = np.cumsum([0, *(len(step.values) for step in steps)]).astype(float)
+        objective = np.array([tuned.start_objective, *(step.objective_after for step in steps)])
+        progress["one parameter at a time"] = (runs, scale * objective)
+    if tuned.global_result is not None:
+        course = tuned.global_result.search.course
+        progress["all parameters at once"] = (course[:, 0], scale * course[:, 1])
+    return progress
+
+
+def _lines(label: str, steps: Sequence[Step], scale: float) -> Chart:
+    axes: dict[str, list[tuple[str, Step]]] = {}
+    for step in steps:
+        axis, _, name = step.variable.short.partition(".")
+        axes.setdefault(axis, []).append((name, step))
     panels = []
-    for axis in axes:
-        mine = [line for line in lines if line.axis == axis]
+    for axis, lines in axes.items():
+        styles = [scheme_style(i, max(len(lines), 2)) for i in range(len(lines))]
         curves = tuple(
-            Curve(*_drawn(line.factor, line.objective), line.name, *scheme_style(i, max(len(mine), 2))) for i, line in enumerate(mine)
+            Curve(*_positive(step.values / step.before, scale * step.objectives), name, *style)
+            for (name, step), style in zip(lines, styles, strict=True)
         )
-        panels.append(
-            Panel("value over the one it had", f"{axis}: {label}", curves, log_x=all((c.x > 0.0).all() for c in curves), log_y=True)
-        )
-    caption = "Each curve is one number, all others fixed at what they were then: where it is flat, the number hardly matters."
-    return Chart("tune-lines", "One number at a time", caption, tuple(panels), panel_height=320)
+        log_x = all((curve.x > 0.0).all() for curve in curves)
+        panels.append(Panel("value over the value before", f"{axis}: {label}", curves, log_x=log_x, log_y=True))
+    caption = "Each curve is one parameter, all others fixed at their values then. Where it is flat, the parameter hardly matters."
+    return Chart("tune-lines", "One parameter at a time", caption, tuple(panels), panel_height=320)
 
 
-def _drawn(x: Array, y: Array) -> tuple[Array, Array]:
-    """Return what a logarithmic scale can show."""
+def _curves(traces: Mapping[str, tuple[Array, Array]], positive: bool = True) -> tuple[Curve, ...]:
+    drawn = {name: _positive(*trace) if positive else trace for name, trace in traces.items()}
+    return tuple(Curve(x, y, name, *scheme_style(i, len(drawn))) for i, (name, (x, y)) in enumerate(drawn.items()))
+
+
+def _positive(x: Array, y: Array) -> tuple[Array, Array]:
+    """Return the points that a logarithmic scale can show."""
     kept = np.isfinite(x) & np.isfinite(y) & (y > SMALLEST)
     return x[kept], y[kept]

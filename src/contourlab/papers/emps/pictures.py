@@ -33,7 +33,7 @@ def draw(log: str | Path | None, folder: str | Path, formats: Sequence[str]) -> 
         traces_chart("emps-force-left", "EMPS: measured less predicted force", force, _force_residual(found)),
         traces_chart("emps-friction", "EMPS: friction and offset", ("velocity [mm/s]", "force [N]"), _friction_curves(found)),
         traces_chart("emps-error", "EMPS: reference less position", error, _position_errors(found)),
-        traces_chart("emps-error-left", "EMPS: measured less simulated", ("time [s]", "position [µm]"), _position_residual(found)),
+        traces_chart("emps-error-left", "EMPS: measured less simulated", ("time [s]", "position [um]"), _position_residual(found)),
     ]
     return write_charts(charts, folder, formats)
 

@@ -119,7 +119,7 @@ def parts_of(log: str | Path | None, validation: str | Path | None = None) -> li
 def _parameters(found: Identified) -> Iterator[Row]:
     fit = found.symmetric
     alike, directed = "friction alike in both directions", "friction by direction"
-    note = f"{len(fit.force)} rows; " + ("; ".join(fit.remarks) or "nothing remarked")
+    note = f"{len(fit.force)} rows; " + ("; ".join(finding.text for finding in fit.findings) or "nothing remarked")
     for name, (value, _) in SYMMETRIC.items():
         yield printed(name, alike, value, fit[name], UNITS[name], LAST_DIGIT, note)
     yield from _judged(fit, ON_SYMMETRIC, "", alike)

@@ -17,7 +17,11 @@ from functools import cache
 
 from contourlab.analysis.linear.margins import Margins
 from contourlab.design import Evaluator, Space
-from contourlab.features.tune import Bounds, Checked, Goal, Guards, LineRule, Objective, checked, sequential, tune, with_values
+from contourlab.design.guards import Bounds, Guards
+from contourlab.design.values import with_values
+from contourlab.features.tune.line_search import LineRule, SearchPath, sequential
+from contourlab.features.tune.objective import Evaluation, Goal, Objective, evaluate
+from contourlab.features.tune.study import tune
 from contourlab.loop import Controller
 from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Gains, Reading, axis_controller, circle, controller, machine
 from contourlab.papers.rows import Row, derived, ours, printed
@@ -50,8 +54,9 @@ class Calibrated:
 
     gains: dict[int, Gains]
     controller: Controller
-    before: Checked
-    after: Checked
+    before: Evaluation
+    after: Evaluation
+    path: SearchPath
 
 
 @cache
@@ -69,10 +74,10 @@ def calibrate(first: int) -> Calibrated:
     values = {number.name: number.value for number in space.numbers}
     bounds = Bounds(gain_margin=0.0, phase_margin=0.0)
     guards, evaluator = Guards([(stage, start)], bounds), Evaluator(stage, start, reference)
-    path = sequential(Objective([evaluator], Goal(), values), guards, space, values, LineRule(plateau="best"))
+    path = sequential(Objective(evaluator, Goal(), values), guards, space, values, LineRule(plateau="best"))
     tuned = with_values(stage, start, path.values)[1]
-    before, after = (checked(stage, design, reference, guards) for design in (made, tuned))
-    return Calibrated({n: _gains(tuned, n) for n in (first, 3)}, tuned, before, after)
+    before, after = (evaluate(stage, design, reference, guards) for design in (made, tuned))
+    return Calibrated({n: _gains(tuned, n) for n in (first, 3)}, tuned, before, after, path)
 
 
 def _gains(made: Controller, number: int) -> Gains:

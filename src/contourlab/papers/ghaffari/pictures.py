@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab.features.sensitivity import Curve as Study
+from contourlab.features.sensitivity.curves import Curve as Study
 from contourlab.papers.ghaffari.sensitivity import axis_curves
 from contourlab.papers.ghaffari.setup import AXES
 from contourlab.report.charts import Curve, Multiples, Tile
@@ -37,10 +37,10 @@ def _tile(symbol: str, studies: Mapping[str, Study]) -> Tile:
     for i, (axis, study) in enumerate(studies.items()):
         # Of coinciding curves both are visible if one is dashed.
         colour, dash = scheme_style(i, len(studies))[0], ("solid", "dash", "dot")[i]
-        values = np.array([study.number.shown(value) for value in study.values])
+        values = np.array([study.variable.display_value(value) for value in study.values])
         curves.append(Curve(values, study.figures * 1e6, axis, colour, dash))
-        present.append((study.number.shown(study.number.value), colour))
+        present.append((study.variable.display_value(study.variable.value), colour))
         if study.minimum is not None:
-            marks.append((study.number.shown(study.minimum.value), study.minimum.figure * 1e6, colour))
-    label = f"{symbol} [{next(iter(studies.values())).number.display}]"
+            marks.append((study.variable.display_value(study.minimum.value), study.minimum.figure * 1e6, colour))
+    label = f"{symbol} [{next(iter(studies.values())).variable.display}]"
     return Tile(symbol, label, tuple(curves), tuple(marks), tuple(present), log_x=True)

@@ -15,7 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.design import Evaluator, Space
-from contourlab.features.sensitivity import Curve, Runs, Slope, curves, figure_called, local
+from contourlab.features.sensitivity.curves import Curve, curves
+from contourlab.features.sensitivity.local import Slope, local
+from contourlab.features.sensitivity.runs import FIGURES, Runs
 from contourlab.papers.ghaffari.setup import TABLE_3, Gains, Reading, circle, controller, machine
 from contourlab.papers.rows import Row, ours, printed
 
@@ -37,7 +39,7 @@ WITH = {1: 1, 2: 2, 3: 2}
 AGREES = 0.05
 """Relative tolerance, as for the integrals of Fig 9."""
 _MICRO = 1e6
-FIGURE = figure_called("integral")
+FIGURE = FIGURES["integral"]
 
 
 def sensitivity_rows() -> Iterator[Row]:
@@ -82,7 +84,7 @@ def _moved(number: int, name: str) -> dict[str, float]:
     """Return the line of Table III with one parameter at its minimum."""
     curve = axis_curves(number)[name]
     assert curve.minimum is not None
-    return _gains(number) | {name: curve.number.shown(curve.minimum.value)}
+    return _gains(number) | {name: curve.variable.display_value(curve.minimum.value)}
 
 
 def _minima() -> Iterator[Row]:
@@ -92,7 +94,7 @@ def _minima() -> Iterator[Row]:
             curve, paper = axis_curves(number)[name], _gains(number)[name]
             assert curve.minimum is not None
             here, lowest = _moved(number, name)[name], _MICRO * curve.minimum.figure
-            at_paper = _MICRO * float(np.interp(curve.number.value, curve.values, curve.figures))
+            at_paper = _MICRO * float(np.interp(curve.variable.value, curve.values, curve.figures))
             case = f"axis {number} in A3-A{WITH[number]}, the others as in Table III"
             note = f"integral {lowest:.3g} um s there, {at_paper:.3g} at Table III"
             reason = (
@@ -100,7 +102,7 @@ def _minima() -> Iterator[Row]:
                 f"Table III, {_ratio(_moved(number, name)):.3f} at this minimum. The difference is a radius error of constant sign "
                 "that Table III leaves in the model; on the stage it may have differed, and its values are rounded"
             )
-            unit = curve.number.display
+            unit = curve.variable.display
             yield printed(f"minimum over {name}", case, paper, here, unit, AGREES * paper, note, reason=reason)
 
 
@@ -128,7 +130,8 @@ def _slopes() -> Iterator[Row]:
     """Normalised local sensitivities at Table III."""
     for number in TABLE_3:
         for name, slope in _axis_slopes(number).items():
-            note = slope.remark or f"percent of the integral for one percent of the parameter; step {100.0 * slope.step:.2g} %"
+            step = f"percent of the integral for one percent of the parameter; step {100.0 * slope.step:.2g} %"
+            note = slope.doubt.text if slope.doubt else step
             yield ours("local sensitivity at Table III", f"axis {number}, {name}", slope.sensitivity, "%/%", note)
 
 
@@ -138,11 +141,11 @@ def _flat() -> Iterator[Row]:
         for name in ("K_V", "K_P", "K_I"):
             curve = axis_curves(number)[name]
             if curve.flat is not None:
-                low, high = (curve.number.shown(value) for value in (curve.flat.low, curve.flat.high))
+                low, high = (curve.variable.display_value(value) for value in (curve.flat.low, curve.flat.high))
                 beyond = "" if curve.flat.last else ", beyond which the error grows"
                 note = f"up to {high:.3g}{beyond}; the longest stretch of the curve"
                 case = f"axis {number}, {name}"
-                yield ours("integral changes by less than 5 % from", case, low, curve.number.display, note)
+                yield ours("integral changes by less than 5 % from", case, low, curve.variable.display, note)
 
 
 def _large_gains() -> Iterator[Row]:

@@ -92,5 +92,5 @@ def compare(case: LimitCycleCase) -> Comparison:
     loop = case.loop
     prediction = predict_limit_cycles(loop)
     orbits = find_orbits(loop, prediction=prediction, kicks=(case.kick,)).stable
-    predicted = next((cycle for cycle in prediction.cycles if cycle.stable), None)
+    predicted = next((cycle for cycle in prediction if cycle.stable), None)
     return Comparison(case, predicted, orbits[0] if orbits else None)

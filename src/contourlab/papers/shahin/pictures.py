@@ -23,8 +23,8 @@ def draw(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
     gap, none = Setting(), Setting(gap=0.0)
     baselines = {
         "on the motors, no backlash": third_lap("PI", none),
-        "on the motors, 25 µm": third_lap("PI", gap),
-        "closed over the loads, 25 µm": third_lap("PI on the load", gap),
+        "on the motors, 25 um": third_lap("PI", gap),
+        "closed over the loads, 25 um": third_lap("PI on the load", gap),
     }
     charts: list[Chart | PolarChart] = [_circle("fig-7-8", "Figs 7, 8: PI on the circle at 8000 mm/min", baselines)]
     schemes = {name: third_lap(name, gap) for name in setup.SCHEMES}
@@ -37,7 +37,7 @@ def draw(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
         for name, run in list(schemes.items())[1:]
         for j, axis in enumerate(setup.AXES)
     }
-    charts.append(traces_chart("fig-10", "Fig 10: axis errors of schemes II and III", ("time [s]", "axis error [µm]"), errors))
+    charts.append(traces_chart("fig-10", "Fig 10: axis errors of schemes II and III", ("time [s]", "axis error [um]"), errors))
     for number, (name, run) in zip((11, 12, 13), schemes.items(), strict=True):
         rate = {f"scheme {name}": (run["time"], np.hypot(*run["axis_velocity"].T) * 60.0)}
         title = f"Fig {number}: overall feedrate, scheme {name}"
@@ -53,5 +53,5 @@ def _circle(key: str, title: str, runs: Mapping[str, Mapping[str, Array]]) -> Po
         deviation = (np.hypot(x, y) - setup.RADIUS) * 1e6
         curves.append(Curve(np.degrees(np.unwrap(np.arctan2(y, x))), deviation, name, *scheme_style(i, len(runs))))
     division, span = ring_spacing(max(float(np.abs(curve.y).max()) for curve in curves))
-    caption = f"One ring is {division:g} µm of radial deviation."
+    caption = f"One ring is {division:g} um of radial deviation."
     return PolarChart(key, title, caption, tuple(curves), division, (-2.0 * span, span), setup.RADIUS)

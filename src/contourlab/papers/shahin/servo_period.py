@@ -10,7 +10,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.linear.small_exponential import exponentials
+from contourlab.analysis.backlash.mode_flow import exponentials
 from contourlab.papers.shahin.two_inertia_loop import Feedback, TwoInertias
 
 Array = NDArray[np.float64]

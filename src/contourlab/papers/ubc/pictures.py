@@ -18,10 +18,10 @@ def draw(logs: str | Path | None, folder: str | Path, formats: Sequence[str]) ->
         for j, axis in enumerate(run.machine.axis_names):
             traces = {"measured": (times, 1e6 * run.measured[:, j]), "simulated": (times, 1e6 * signals[:, j])}
             title = f"UBC table, {name}: tracking error of {axis}"
-            charts.append(traces_chart(f"ubc-{name}-{axis}", title, ("time [s]", f"tracking error of {axis} [µm]"), traces))
+            charts.append(traces_chart(f"ubc-{name}-{axis}", title, ("time [s]", f"tracking error of {axis} [um]"), traces))
         errors = {}
         for label, judged in (("measured", run.judged()), ("simulated", run.judged(signals))):
             errors[label] = 1e3 * judged.result["foot_arc_length"], 1e6 * judged.result["contour_error"]
-        labels = "place along the path [mm]", "contour error [µm]"
+        labels = "place along the path [mm]", "contour error [um]"
         charts.append(traces_chart(f"ubc-{name}-contour", f"UBC table, {name}: contour error", labels, errors))
     return write_charts(charts, folder, formats)

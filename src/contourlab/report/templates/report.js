@@ -48,7 +48,7 @@
     const magnify = Object.values(figures).map(function (spec) { return spec.magnify; }).filter(Boolean)[0];
     document.getElementById("magnification").textContent = "error × " + scale.toLocaleString("en").replace(/,/g, "\u2009");
     const worth = magnify.bar * 1e3 / scale;
-    document.getElementById("bar").textContent = magnify.bar + " mm beside the path are " + Number(worth.toPrecision(3)) + " µm of error";
+    document.getElementById("bar").textContent = magnify.bar + " mm beside the path are " + Number(worth.toPrecision(3)) + " um of error";
   }
 
   // 1, 2, 5, 10, 20, 50 ...: the next step up or down

@@ -15,8 +15,7 @@ import contourlab as cl
 from contourlab.components.learning.law import LearningProblem
 from contourlab.errors import OutputError, ParameterError, ResultError
 from contourlab.features.learn import LearnedTable, Stopping, TrialFigures, learn
-from contourlab.features.learn.growth import growth_of
-from contourlab.features.learn.split import Memory
+from contourlab.features.learn.split import Memory, growth_of
 from contourlab.features.learn.stopping import best_of, verdict
 from contourlab.feed import AxisLimits
 from contourlab.geometry import Line
@@ -39,7 +38,7 @@ def course(merits: list[float], tracking: list[float] | None = None, changes: li
 
 def word(figures: list[TrialFigures], stopping: Stopping, explained: bool = False) -> str:
     found = verdict(figures, stopping, explained)
-    return "" if found is None else found.word
+    return "" if found is None else found.status
 
 
 def test_learning_goes_on_while_it_improves() -> None:
@@ -211,7 +210,7 @@ def test_what_is_told_while_it_runs(reference: cl.Reference) -> None:
     run = learn(stage(), control(), reference, make("learning", "zero-phase"), trials=2, progress=told.append, on_trial=seen.append)
     assert told == [reference.n_sample * k for k in (1, 2, 3)]
     assert [t.trial for t in seen] == [0, 1, 2]
-    assert run.status == "trials used up"
+    assert "CL300" in {one.code for one in run.findings}
     assert len(run.trials) == 3
     with pytest.raises(ParameterError, match="trials"):
         learn(stage(), control(), reference, make("learning", "zero-phase"), trials=-1)
@@ -219,8 +218,8 @@ def test_what_is_told_while_it_runs(reference: cl.Reference) -> None:
 
 def test_a_loop_that_runs_away_is_rolled_back_to_the_best(reference: cl.Reference) -> None:
     run = learn(stage(), control(), reference, make("learning", "p-type", gain=1e5), trials=20)
-    assert run.status == "diverged, rolled back to trial 0"
-    assert "following error" in run.reason or "times as bad" in run.reason
+    assert run.diverged and run.best == 0
+    assert run.findings[0].code in ("CL303", "CL304")
     assert not run.table.values.any()
 
 
@@ -282,7 +281,7 @@ def test_a_table_is_refused_for_anything_else(learned: LearnedTable, reference: 
         (stage(), control(2, 0.2), reference, "time_constant"),
         (renamed, control(), reference, "axes x, y.*a, b"),
         (stage(2, 2e-3), control(), slow, "servo period of 0.001 s.*0.002"),
-        (stage(), control(), larger, "take the program"),
+        (stage(), control(), larger, "use the program"),
         (stage(), control(), faster, "the feed"),
     ):
         with pytest.raises(ResultError, match=said):
@@ -292,13 +291,13 @@ def test_a_table_is_refused_for_anything_else(learned: LearnedTable, reference: 
 
 
 def test_files_that_are_no_tables_are_refused(learned: LearnedTable, reference: cl.Reference, tmp_path: Path) -> None:
-    with pytest.raises(ResultError, match="cannot be read"):
+    with pytest.raises(ResultError, match=r"nothing\.nc"):
         LearnedTable.load(tmp_path / "nothing.nc")
     (tmp_path / "text.nc").write_text("no table")
-    with pytest.raises(ResultError, match="cannot be read"):
+    with pytest.raises(ResultError, match=r"text\.nc"):
         LearnedTable.load(tmp_path / "text.nc")
     cl.simulate(stage(), control(), reference).save(tmp_path / "result.nc")
-    with pytest.raises(ResultError, match="no learned table"):
+    with pytest.raises(ResultError, match=r"result\.nc"):
         LearnedTable.load(tmp_path / "result.nc")
     replace(learned, values=np.full_like(learned.values, np.nan)).save(tmp_path / "nan.nc")
     with pytest.raises(ResultError, match="damaged"):

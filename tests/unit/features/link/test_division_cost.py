@@ -13,8 +13,8 @@ import contourlab as cl
 from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
 from contourlab.errors import DivergenceError, ParameterError
-from contourlab.features.link.division import allowed_error, division_cost, link_limit, message_rate, undivided_error
-from contourlab.features.link.sweep import LinkSetting, LinkSweep, divided, swept
+from contourlab.features.link.cost import DivisionCost, allowed_error, divided, division_cost, link_limit, message_rate, undivided_error
+from contourlab.features.link.sweep import LinkSetting, LinkSweep, swept
 from contourlab.loop import Division, simulate_batch
 from contourlab.scenario import load_controller, load_machine
 
@@ -35,6 +35,10 @@ def controller(machine: cl.Machine) -> cl.Controller:
 def circle(machine: cl.Machine) -> cl.Reference:
     """The circle of the paper, as in Fig 9."""
     return cl.uniform(cl.contour("circle", radius=0.02), 0.5, 2, machine.servo_period)
+
+
+def delay_cost(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference, allowed: float, longest: float) -> DivisionCost:
+    return division_cost(LinkSetting(machine, controller, circle, "contour_error_rms", allowed), ("delay",), longest)
 
 
 def test_the_undivided_error_is_that_of_a_run(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
@@ -98,7 +102,7 @@ def test_limits_do_not_hang_on_how_far_one_looks(quantity: str, error: int, line
         found = np.array([sweep.most, sweep.stable_linear, sweep.stable_simulated])
         assert found == pytest.approx(np.array([min(error, linear), linear, simulated]) * 1e-3)
         assert len(np.unique(sweep.values)) == len(sweep.values) and setting.asked < 700
-        assert (sweep.asked, sweep.ended) == (pytest.approx(longest), True)
+        assert (sweep.asked, sweep.ended_early) == (pytest.approx(longest), True)
 
 
 @pytest.mark.parametrize(
@@ -109,9 +113,9 @@ def test_delay_that_holds_is_that_of_the_linear_model(
 ) -> None:
     allowed = allowed_error(undivided_error(machine, controller, circle), 0.1)
     made = divided(controller, division, ways)
-    cost = division_cost(machine, made, circle, allowed=allowed, quantities=("delay",), longest=0.03)
+    cost = delay_cost(machine, made, circle, allowed, 0.03)
     sweep = cost.sweeps["delay"]
-    assert (cost.division, cost.ways, cost.remarks) == (division, ways, ())
+    assert (cost.division, cost.ways, cost.findings) == (division, ways, ())
     assert sweep.most == pytest.approx(delay)
     assert sweep.stable_linear == pytest.approx(delay) == sweep.stable_simulated
 
@@ -170,16 +174,16 @@ def test_what_makes_no_sense_is_refused(machine: cl.Machine, controller: cl.Cont
 
 def test_rounding_of_a_message_period_is_said(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     made = divided(controller, "observer", link=Network(message_period=2.4e-3))
-    cost = division_cost(machine, made, circle, allowed=1e-5, quantities=("delay",), longest=2e-3)
-    assert "messages each 2.4 ms go each 3 ms" in cost.remarks[0]
-    assert set(cost.local["1"]) >= {"observer.model_gain", "velocity.bandwidth"}
+    cost = delay_cost(machine, made, circle, 1e-5, 2e-3)
+    assert cost.findings[0].code == "CL750" and cost.findings[0].values == {"asked": 2.4e-3, "sent": pytest.approx(3e-3)}
+    assert set(cost.local_parameters["1"]) >= {"observer.model_gain", "velocity.bandwidth"}
 
 
 def test_limits_are_read_off_the_values_in_order() -> None:
     unknown = np.full(5, np.nan)
     sweep = LinkSweep("delay", np.arange(5.0), np.array([1.0, 2.0, 9.0, 1.0, 1.0]), np.ones(5), unknown, unknown, 3.0)
     assert sweep.holds.tolist() == [True, True, False, True, True]
-    assert (sweep.most, sweep.seen) == (1.0, True)  # what holds beyond a gap is none to build on
+    assert (sweep.most, sweep.limited) == (1.0, True)  # what holds beyond a gap is none to build on
     assert math.isnan(sweep.stable_linear)
     stable = replace(sweep, error=np.ones(5), growth=np.array([0.9, 0.95, 0.99, 1.01, np.nan]))
     assert (stable.most, stable.stable_linear) == (2.0, 2.0)
@@ -188,18 +192,18 @@ def test_limits_are_read_off_the_values_in_order() -> None:
     assert math.isnan(replace(stable, growth=gaps).stable_linear)
     assert replace(stable, growth=np.where(np.arange(5) == 4, 1.1, gaps)).stable_linear == 2.0
     lost = replace(sweep, error=np.full(5, np.nan))
-    assert math.isnan(lost.most) and lost.seen
+    assert math.isnan(lost.most) and lost.limited
 
 
 def test_links_that_differ_are_run_as_they_are_given(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     slow, quick = (divided(controller, "observer", link=Network(delay=delay)).axes for delay in (3e-3, 1e-3))
     made = replace(controller, axes={"1": slow["1"], "3": quick["3"]})
-    cost = division_cost(machine, made, circle, allowed=1e-4, quantities=("delay",), longest=4e-3)
+    cost = delay_cost(machine, made, circle, 1e-4, 4e-3)
     found = cl.summarise(cl.judge(cl.simulate(machine, made, circle), circle), circle)
     assert cost.error == pytest.approx(found.contour_error.rms, rel=1e-6)
     assert cost.error not in cost.sweeps["delay"].error
     mixed = replace(controller, axes={"1": slow["1"], "3": divided(controller, "drive", "one").axes["3"]})
-    cost = division_cost(machine, mixed, circle, allowed=1e-4, quantities=("delay",), longest=1e-3)
+    cost = delay_cost(machine, mixed, circle, 1e-4, 1e-3)
     assert (cost.division, cost.ways) == ("observer, drive", "both, one")
 
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from contourlab.features.measure.laps import last_lap
 from contourlab.features.measure.sample_path import path_of_samples
 from contourlab.features.measure.study import measure
-from contourlab.features.run.laps import last_lap
 from contourlab.result import Result, Signal
 
 Array = NDArray[np.float64]
@@ -45,4 +45,5 @@ def test_the_figures_of_the_last_lap_are_told_beside_those_with_the_start() -> N
     signals = {name: Signal(data, ("sample", "axis"), "m") for name, data in held.items()}
     found = measure(Result("bench", ("x", "y"), 1e-3, signals))
     assert found.metrics.contour_error.max == pytest.approx(100e-6, rel=0.02)
-    assert any(note.startswith("of the last lap alone, from t = 1") and note.endswith("10 um rms, 10 um at most") for note in found.notes)
+    (lap,) = (one.values for one in found.findings if one.code == "CL409")
+    assert lap == {"time": pytest.approx(1.0, abs=0.01), "rms": pytest.approx(10e-6, rel=0.02), "largest": pytest.approx(10e-6, rel=0.02)}

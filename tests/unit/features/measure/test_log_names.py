@@ -8,7 +8,7 @@ import pytest
 
 from contourlab.errors import LogError
 from contourlab.features.measure.command import _names
-from contourlab.features.measure.log_choice import told_apart
+from contourlab.features.measure.log_choice import distinct_names
 
 
 @pytest.mark.parametrize(
@@ -24,7 +24,7 @@ from contourlab.features.measure.log_choice import told_apart
     ],
 )
 def test_names_are_as_short_as_they_can_be(files: list[str], names: list[str]) -> None:
-    assert told_apart(files) == names
+    assert distinct_names(files) == names
 
 
 def test_runs_are_called_without_their_endings_where_that_tells_them_apart() -> None:

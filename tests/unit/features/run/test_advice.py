@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -12,8 +11,8 @@ import pytest
 
 import contourlab as cl
 from contourlab.components.registry import component
-from contourlab.features.run.advice import advice, candidates
-from contourlab.features.run.compare import run_case
+from contourlab.features.run.causes.advice import advice, candidates
+from contourlab.features.run.outcome import run_case
 from contourlab.scenario import scenario_from_parts
 
 PERIOD = 1e-3
@@ -82,22 +81,23 @@ def test_what_there_is_already_is_not_tried() -> None:
 def test_without_feedforward_the_model_is_what_helps() -> None:
     one, by = machine(), controller()
     before = largest(one, by)
-    said = advice(one, by, circle(), before)
-    told = re.fullmatch(r"(.*) brings the largest error from (\S+) um to (\S+) um", said)
-    assert told and told[1] == "feeding forward the model that the loop really follows"
-    trials = {words: largest(one, changed) for words, changed in candidates(one, by)}
-    assert min(trials, key=trials.__getitem__) == told[1]
-    assert (float(told[2]), float(told[3])) == (pytest.approx(1e6 * before, rel=5e-3), pytest.approx(1e6 * min(trials.values()), rel=5e-3))
+    values = advice(one, by, circle(), before).values
+    tried = dict(candidates(one, by))
+    assert tried[values["change"]].axes["x"].controller.values()["model_gain"] == pytest.approx(A, rel=0.1)
+    trials = {words: largest(one, changed) for words, changed in tried.items()}
+    assert min(trials, key=trials.__getitem__) == values["change"]
+    assert (values["before"], values["after"]) == (before, pytest.approx(min(trials.values())))
 
 
 def test_against_friction_it_is_an_observer() -> None:
     rubbing = machine(friction=make("friction", "coulomb", coulomb=30.0, breakaway=30.0, stribeck_velocity=1e-3))
     by = controller(model_gain=A, model_damping=B)
-    assert advice(rubbing, by, circle(), largest(rubbing, by)).startswith("adding a disturbance observer brings")
+    change = advice(rubbing, by, circle(), largest(rubbing, by)).values["change"]
+    assert by.axes["x"].observer is None and dict(candidates(rubbing, by))[change].axes["x"].observer is not None
 
 
 def test_where_nothing_helps_it_says_so() -> None:
-    assert advice(machine(), controller(), circle(), 0.0) == "no single change that was tried makes it smaller"
+    assert advice(machine(), controller(), circle(), 0.0).code == "CL204"
 
 
 CORNER = "G21 G17 G90 F1500\nG64 P0.2\nG1 X10\nG1 X18 Y6\nM2\n"
@@ -110,13 +110,12 @@ def test_where_planning_is_the_cause_a_closer_plan_is_tried(tmp_path: Path) -> N
     case = scenario_from_parts(part, "xyz", "xyz-controller", run={"tolerance": "40 um"}).base
     found = run_case(case).verdict
     assert found is not None and found.causes[0].name == "planning"
-    told = re.fullmatch(r"(.*), (\S+) s in all instead of (\S+) s, brings the largest error from (\S+) um to (\S+) um", found.advice)
-    assert told
-    by_words = case.closer(1e-5)
+    values = found.findings[-1].values
+    by_name = case.closer(1e-5)
     changed = replace(case, feed=replace(case.feed, path_control="blend", corner_tolerance=1e-5))
-    assert told[1] in by_words
-    if "blending" in told[1]:
-        assert 'G64 P0.01 in mm, or path_control = "blend", corner_tolerance = "10 um" under [feed]' in told[1]
-        assert float(told[5]) == pytest.approx(run_case(changed).metrics.part_error.max * 1e6, rel=5e-3)
-    assert float(told[5]) < 40.0 < 150.0 < float(told[4])
-    assert float(told[2]) == pytest.approx(by_words[told[1]]().duration, rel=1e-3)
+    assert values["change"] in by_name
+    if "blending" in values["change"]:
+        assert "G64 P0.01" in values["change"] and 'path_control = "blend", corner_tolerance = "10 um"' in values["change"]
+        assert values["after"] == pytest.approx(run_case(changed).metrics.part_error.max, rel=5e-3)
+    assert values["after"] < 40e-6 < 150e-6 < values["before"]
+    assert values["time_after"] == by_name[values["change"]]().duration

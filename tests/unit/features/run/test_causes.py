@@ -11,7 +11,7 @@ import pytest
 
 import contourlab as cl
 from contourlab.components.registry import component
-from contourlab.features.run.causes import Cause, causes
+from contourlab.features.run.causes.causes import causes
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import Reference
 
@@ -148,6 +148,6 @@ def test_a_passed_verdict_names_no_cause_unless_asked() -> None:
     error = float(np.abs(judged["part_error"][slice(*reference.laps[-1])]).max())
     short = verdict(machine, controller, reference, judged, 1.01 * error, explain=False)
     long = verdict(machine, controller, reference, judged, 0.99 * error)
-    assert (short.passed, short.causes, short.advice) == (True, (), "")
-    assert not long.passed and isinstance(long.causes[0], Cause) and long.advice
+    assert (short.passed, short.causes, short.findings) == (True, (), ())
+    assert not long.passed and long.causes and long.findings
     assert short.worst.value == long.worst.value == error

@@ -12,8 +12,8 @@ from contourlab.components.compensation.backlash_offset import BacklashOffset
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.two_inertia import TwoInertia
-from contourlab.features.run.causes import causes
-from contourlab.features.run.idealise import without_backlash
+from contourlab.features.run.causes.causes import causes
+from contourlab.features.run.causes.idealise import without_backlash
 
 PERIOD = 1e-3
 DRIVE = TwoInertia(motor_inertia=5.2e-3, load_inertia=4.4e-3, lead=0.016, stiffness=9500.0, shaft_damping=0.5, backlash_gap=60e-6)
@@ -56,7 +56,7 @@ def test_what_reckons_with_the_gap_is_told_that_it_has_gone() -> None:
 
 
 def test_an_offset_is_tried_where_nothing_takes_the_gap_up() -> None:
-    from contourlab.features.run.advice import advice, candidates
+    from contourlab.features.run.causes.advice import advice, candidates
 
     machine, controller, reference = rig(DRIVE)
     words = "compensating the backlash by an offset on reversal"

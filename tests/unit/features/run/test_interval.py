@@ -16,11 +16,12 @@ from contourlab.components.friction.laws import Coulomb
 from contourlab.components.gap_observer.multiple_model import MultipleModel
 from contourlab.components.origin import Origin
 from contourlab.components.plant.mass_damper import MassDamper
-from contourlab.features.run.interval import SAMPLES, Interval, contour_interval, draw
-from contourlab.features.run.provenance import numbers_of
+from contourlab.features.run.trust.interval import SAMPLES, contour_interval, draw, main_contributor, noticeable
+from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine, simulate_batch
+from contourlab.report.judgement import Rank
 
 PERIOD = 1e-3
 GAIN, FORCE_CONSTANT = 4000.0, 50.0
@@ -51,15 +52,15 @@ def along_x(n: int = 2000) -> Reference:
 
 
 def uncertain(found: Machine, law: Controller) -> list:
-    return [number for number in numbers_of(found, law) if number.drawn and number.origin and number.origin.uncertain]
+    return [number for number in numbers_of(found, law) if number.drawn]
 
 
 def test_a_push_across_the_path_gives_the_quantiles_of_its_normal_distribution() -> None:
     """The loop is linear and settles at F/(K_P K_f): the largest contour error of a sample is that, and the rms goes with it."""
     law, force, deviation = controller(), 40.0, 5.0
     found = contour_interval(machine(axis("x"), axis("y", force, force=Origin(**FITTED, deviation=deviation))), law, along_x())
-    pushes = found.samples["axes.y.disturbance.force"]
-    assert (found.n, found.failed, found.reason) == (SAMPLES, 0, "")
+    pushes = found.values["axes.y.disturbance.force"]
+    assert (found.samples, found.failed) == (SAMPLES, 0)
     assert found.figures["max"] == pytest.approx(pushes / (GAIN * FORCE_CONSTANT), rel=1e-9)
     share = found.figures["rms"] / found.figures["max"]
     assert share == pytest.approx(np.full(SAMPLES, share[0]), rel=1e-9)
@@ -70,17 +71,18 @@ def test_a_push_across_the_path_gives_the_quantiles_of_its_normal_distribution()
             low, high = norm.ppf([level - 2.0 / SAMPLES, level + 2.0 / SAMPLES], force, deviation) * factor
             assert low <= value <= high
     assert found.main == "axes.y.disturbance.force"
-    assert found.ranks[found.main] == pytest.approx((1.0, 1.0))
+    assert (found.ranks[0].rms, found.ranks[0].max) == pytest.approx((1.0, 1.0))
+    assert [one.code for one in found.findings] == ["CL225", "CL228"]
 
 
 def test_a_number_without_a_part_in_it_has_no_rank_that_stands_out() -> None:
     pushed = axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))
     moving = axis("x", mass=Origin(**FITTED, deviation=1.0))
     found = contour_interval(machine(moving, pushed), controller(), along_x())
-    assert list(found.ranks) == ["axes.y.disturbance.force", "axes.x.plant.mass"]
-    assert max(map(abs, found.ranks["axes.x.plant.mass"])) < found.noticeable
-    told = spearmanr(found.samples["axes.x.plant.mass"], found.figures["rms"]).statistic
-    assert found.ranks["axes.x.plant.mass"][0] == pytest.approx(told)
+    assert [rank.name for rank in found.ranks] == ["axes.y.disturbance.force", "axes.x.plant.mass"]
+    assert max(abs(found.ranks[1].rms), abs(found.ranks[1].max)) < found.noticeable
+    told = spearmanr(found.values["axes.x.plant.mass"], found.figures["rms"]).statistic
+    assert found.ranks[1].rms == pytest.approx(told)
 
 
 def test_the_size_of_chance_is_that_of_a_test_at_five_percent() -> None:
@@ -97,8 +99,8 @@ def test_of_many_numbers_that_do_nothing_none_stands_out() -> None:
     named = 0
     for _ in range(400):
         figure, *numbers = rng.standard_normal((31, SAMPLES))
-        ranks = {f"n{i}": 2 * (float(spearmanr(values, figure).statistic),) for i, values in enumerate(numbers)}
-        named += bool(Interval("", SAMPLES, ranks=dict(sorted(ranks.items(), key=lambda one: -abs(one[1][0])))).main)
+        ranks = [Rank(f"n{i}", *2 * (float(spearmanr(values, figure).statistic),)) for i, values in enumerate(numbers)]
+        named += bool(main_contributor(sorted(ranks, key=lambda one: -abs(one.rms)), noticeable(30, SAMPLES)))
     assert 0.02 < named / 400 < 0.08
 
 
@@ -165,7 +167,7 @@ def test_a_controller_computes_with_the_number_it_was_given() -> None:
     stated = law.axes["y"].controller.traced({"position_gain": Origin(**FITTED, deviation=100.0)})
     law = replace(law, axes={**law.axes, "y": replace(law.axes["y"], controller=stated)})
     found = contour_interval(machine(axis("x"), axis("y", 40.0)), law, along_x(50))
-    assert (found.reason, found.n) == ("not known: no number of the machine has a deviation", 0)
+    assert ([one.code for one in found.findings], found.samples) == (["CL220"], 0)
     assert found.main == "" and found.rms is None
 
 
@@ -175,40 +177,40 @@ def test_a_machine_of_nothing_but_exact_numbers_has_no_interval_and_says_why() -
         return replace(one, **{slot: part.traced(dict.fromkeys(part.parameters, Origin("design"))) for slot, part in stated.items()})
 
     found = contour_interval(machine(exact(axis("x")), exact(axis("y", 40.0))), controller(), along_x(50))
-    assert found.reason == "of no width: every number of the machine is said to be exactly what it is"
+    assert [one.code for one in found.findings] == ["CL221"]
     found = contour_interval(machine(exact(axis("x")), axis("y", 40.0)), controller(), along_x(50))
-    assert found.reason == "not known: no number of the machine has a deviation"
+    assert [one.code for one in found.findings] == ["CL220"]
 
 
 def test_samples_are_those_of_a_batch_and_the_tolerance_counts_them() -> None:
     pair, law = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller()
     reference, tolerance = along_x(), 40.0 / (GAIN * FORCE_CONSTANT)
     found = contour_interval(pair, law, reference, tolerance=tolerance)
-    again = simulate_batch(pair, law, reference, found.samples)
+    again = simulate_batch(pair, law, reference, found.values)
     assert np.array_equal(again.figures["contour_error_rms"], found.figures["rms"])
-    assert found.beyond == SAMPLES // 2  # the mean is the tolerance, and the points lie evenly about it
+    assert found.beyond_tolerance == SAMPLES // 2  # the mean is the tolerance, and the points lie evenly about it
 
 
 def test_samples_that_trip_are_counted_and_push_the_interval_out() -> None:
     pair = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0)))
     tripping = replace(pair, axes=(pair.axes[0], replace(pair.axes[1], limits=Limits(following_error=40.0 / (GAIN * FORCE_CONSTANT)))))
     found = contour_interval(tripping, controller(), along_x(), tolerance=1.0)
-    assert found.failed == found.beyond == SAMPLES // 2
+    assert found.failed == found.beyond_tolerance == SAMPLES // 2
     assert found.max is not None and found.max.high == np.inf and np.isfinite(found.max.low)
 
 
 def test_what_lanes_cannot_is_said_in_words() -> None:
     pair, law = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller()
-    assert "changes controllers" in contour_interval(pair, law, along_x(50), changes=[object()]).reason
+    assert [one.code for one in contour_interval(pair, law, along_x(50), changes=[object()]).findings] == ["CL222"]
     stiff = replace(pair.axes[0], friction=Coulomb(coulomb=1.0).traced({"stribeck_velocity": Origin("assumed", deviation=1e-3)}))
-    assert contour_interval(replace(pair, axes=(stiff, pair.axes[1])), law, along_x(50)).n == SAMPLES
+    assert contour_interval(replace(pair, axes=(stiff, pair.axes[1])), law, along_x(50)).samples == SAMPLES
 
 
 def test_a_bank_of_filters_is_left_out_unless_asked_for() -> None:
     pair, law = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller()
     watched = replace(law.axes["y"], gap_observer=MultipleModel(**MultipleModel.example))
     found = contour_interval(pair, replace(law, axes={**law.axes, "y": watched}), along_x(50))
-    assert "--interval" in found.reason
+    assert [one.code for one in found.findings] == ["CL223"]
 
 
 def test_what_has_changed_since_has_no_deviation_any_more() -> None:

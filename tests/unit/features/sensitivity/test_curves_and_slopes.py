@@ -11,10 +11,14 @@ import pytest
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
-from contourlab.design import Evaluator, Number, Space
+from contourlab.design import DesignVariable, Evaluator, Space
 from contourlab.errors import ParameterError
-from contourlab.features.sensitivity import FIGURES, Kept, Plan, Runs, curves, distributions, local, ranking, sensitivity_study, verdict
-from contourlab.features.sensitivity.runs import CHUNK, Columns
+from contourlab.features.sensitivity.curves import curves
+from contourlab.features.sensitivity.indices import distributions
+from contourlab.features.sensitivity.local import local
+from contourlab.features.sensitivity.runs import CHUNK, FIGURES, Columns, Kept, Runs
+from contourlab.features.sensitivity.study import Plan, sensitivity_study
+from contourlab.features.sensitivity.verdict import ranking, verdict
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import AxisController, Controller, Machine, simulate
@@ -29,11 +33,17 @@ REFERENCE = uniform(contour("circle", radius=0.02), 0.5, 2, READING.servo_period
 GAINS = Space.chosen(MACHINE, CONTROLLER, ["3.model_gain", "3.position_gain"], 2.0)
 
 
-def number(name: str, value: float, low: float, high: float, logarithmic: bool = True) -> Number:
-    return Number(f"controller.axes.x.controller.{name}", value, low, high, logarithmic=logarithmic)
+def number(name: str, value: float, low: float, high: float, logarithmic: bool = True) -> DesignVariable:
+    return DesignVariable(f"controller.axes.x.controller.{name}", value, low, high, logarithmic=logarithmic)
 
 
 PLANE = Space((number("a", 2.0, 0.5, 8.0), number("b", 3.0, 1.0, 9.0)))
+
+
+def around(value: float) -> Space:
+    """Return `PLANE` with another start value of its first variable."""
+    first, *others = PLANE.numbers
+    return Space((replace(first, value=value), *others))
 
 
 def model(columns: Columns) -> dict[str, np.ndarray]:
@@ -52,28 +62,28 @@ def test_slopes_and_interactions_are_the_derivatives() -> None:
     matrix = np.array([[2 / b * a * a, (-2 * a / b**2 + 1) * a * b], [0, 2 * a**2 / b**3 * b * b]]) / figure
     matrix[1, 0] = matrix[0, 1]
     np.testing.assert_allclose(found.interactions, matrix, rtol=5e-3)
-    assert not any(one.remark for one in found.slopes) and all(one.step <= 0.02 for one in found.slopes)
+    assert not any(one.doubt for one in found.slopes) and all(one.step <= 0.02 for one in found.slopes)
 
 
 def test_a_corner_is_told() -> None:
     found = local(PLANE.only([PLANE.names[0]]), lambda columns: 1.0 + 3.0 * np.abs(next(iter(columns.values())) - 2.0)).slopes[0]
-    assert "corner" in found.remark and found.sensitivity == pytest.approx(0.0, abs=1e-9)
+    assert found.doubt is not None and found.doubt.code == "CL672" and found.sensitivity == pytest.approx(0.0, abs=1e-9)
     assert (found.below, found.above) == (pytest.approx(-6.0), pytest.approx(6.0))
 
 
 def test_counts_are_told() -> None:
     """A figure in steps as coarse as the changes: no two steps agree."""
     noisy = local(PLANE.only([PLANE.names[0]]), lambda columns: 1.0 + 0.3 * np.sin(2e4 * next(iter(columns.values())) ** 2)).slopes[0]
-    assert "do not agree" in noisy.remark
+    assert noisy.doubt is not None and noisy.doubt.code == "CL673"
 
 
 def test_a_number_on_its_bound_and_one_that_fails_are_told() -> None:
     judge = Runs(model).judge(KEY)
     found = local(PLANE, judge, {PLANE.names[0]: (2.0, 9.0)})
-    assert np.isnan(found.slopes[0].sensitivity) and "bound" in found.slopes[0].remark
+    assert np.isnan(found.slopes[0].sensitivity) and found.slopes[0].doubt is not None and found.slopes[0].doubt.code == "CL670"
     assert np.isfinite(found.slopes[1].sensitivity) and np.isnan(found.interactions[0, 1])
-    near = local(PLANE.around({PLANE.names[0]: 5.9}), judge)
-    assert "fail" in near.slopes[0].remark
+    near = local(around(5.9), judge)
+    assert near.slopes[0].doubt is not None and near.slopes[0].doubt.code == "CL671"
 
 
 def test_a_curve_has_its_minimum_its_flat_and_its_failed_stretches() -> None:
@@ -88,7 +98,7 @@ def test_a_curve_has_its_minimum_its_flat_and_its_failed_stretches() -> None:
     level = curves(PLANE.only([PLANE.names[0]]), lambda columns: 1.0 + np.exp(-3.0 * next(iter(columns.values()))), 41)[0]
     assert level.flat is not None and level.flat.last and level.flat.low == pytest.approx(1.0, abs=0.05)
     with pytest.raises(ParameterError, match="5 or more"):
-        curves(PLANE, judge, 4)
+        Plan(values=4)
 
 
 def test_a_curve_is_made_of_runs_by_themselves() -> None:
@@ -135,10 +145,10 @@ def test_runs_are_kept_found_again_and_never_taken_for_others(tmp_path: Path) ->
     columns = {name: np.linspace(1.0, 5.0, CHUNK + 7) for name in PLANE.names}
     first = Runs(counted, Kept(tmp_path, "one"))
     figures = first(columns)[KEY]
-    assert (first.made, first.found, calls) == (CHUNK + 7, 0, [CHUNK, 7])
+    assert (first.made, first.reused, calls) == (CHUNK + 7, 0, [CHUNK, 7])
     again = Runs(counted, Kept(tmp_path, "one"))
     np.testing.assert_array_equal(again(columns)[KEY], figures)
-    assert (again.made, again.found) == (0, CHUNK + 7)
+    assert (again.made, again.reused) == (0, CHUNK + 7)
     other = Runs(counted, Kept(tmp_path, "another"))
     other(columns)
     assert other.made == CHUNK + 7 and other.kept is not None and other.kept.others == 1
@@ -175,7 +185,7 @@ def test_an_interrupted_study_goes_on_and_ends_the_same(tmp_path: Path) -> None:
         sensitivity_study(PLANE, Runs(stopped, Kept(tmp_path, "m")), plan, drawn, 1e3)
     runs = Runs(model, Kept(tmp_path, "m"))
     resumed = sensitivity_study(PLANE, runs, plan, drawn, 1e3)
-    assert runs.found > 1000
+    assert runs.reused > 1000
     assert whole.sobol is not None and resumed.sobol is not None
     np.testing.assert_array_equal(resumed.sobol.total, whole.sobol.total)
     np.testing.assert_array_equal(resumed.sobol.total_interval, whole.sobol.total_interval)
@@ -192,7 +202,7 @@ def test_threads_change_nothing() -> None:
     np.testing.assert_array_equal(one.sobol.total, three.sobol.total)
 
 
-def test_words_say_what_they_rest_on() -> None:
+def test_conclusions_say_what_they_rest_on() -> None:
     """The same numbers by each of the four parts alone."""
     flat = Space((*PLANE.numbers, number("c", 1.0, 0.5, 2.0)))
 
@@ -204,21 +214,20 @@ def test_words_say_what_they_rest_on() -> None:
     for part, ground in grounds.items():
         study = sensitivity_study(flat, Runs(three), Plan((part,), base=64), distributions(flat), 1e3)
         order = ranking(study)
-        assert order is not None and order.by == ground and set(order.matter) == {0, 1} and order.rest == (2,)
-        said = " ".join(verdict(study))
-        assert f"by {ground}" in said and "do not matter" in said and "x.c" in said
-    assert "near their present values" in " ".join(
-        verdict(sensitivity_study(flat, Runs(three), Plan(("local",)), distributions(flat), 1e3))
-    )
+        assert order.measure == ground and set(order.matter) == {"x.a", "x.b"} and set(order.negligible) == {"x.c"}
+        found = {one.code: one.values for one in verdict(study)}
+        assert found["CL656"]["measure"] == ground and set(found["CL656"]["parameters"]) == {"x.a", "x.b"}
+        assert found["CL660" if part == "local" else "CL659"]["parameters"] == ("x.c",)
 
 
-def test_failures_are_told_in_words() -> None:
+def test_failures_are_told() -> None:
     study = sensitivity_study(PLANE, Runs(model), Plan(("curves", "sobol"), base=64), distributions(PLANE, "log-uniform"), 1e3)
-    assert study.sobol_outcome is not None and study.sobol_outcome.failed > 0
-    said = " ".join(verdict(study))
-    assert f"({study.sobol_outcome.failed} of {len(study.sobol_outcome.values)}) failed" in said
+    assert study.sobol_sample is not None and study.sobol_sample.failed > 0
+    (failed,) = [one for one in verdict(study) if one.code == "CL674"]
+    assert (failed.place, failed.values["failed"]) == ("Sobol", study.sobol_sample.failed)
+    assert failed.values["runs"] == len(study.sobol_sample.values)
 
 
 def test_a_run_that_fails_as_it_is_has_no_sensitivities() -> None:
-    with pytest.raises(ParameterError, match="one that holds"):
-        sensitivity_study(PLANE.around({PLANE.names[0]: 7.0}), Runs(model), Plan(("local",)), distributions(PLANE), 1.0)
+    with pytest.raises(ParameterError, match="holds"):
+        sensitivity_study(around(7.0), Runs(model), Plan(("local",)), distributions(PLANE), 1.0)

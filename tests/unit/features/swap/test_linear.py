@@ -6,7 +6,6 @@ import numpy as np
 
 from contourlab.analysis.linear.modular_design import GAINS, LinearAxis, direct_design, three_step_design
 from contourlab.features.swap.linear import LinearSwap
-from contourlab.features.swap.text import linear_remarks
 
 
 def test_a_method_that_loses_more_with_more_local_is_said_not_to_be_optimal() -> None:
@@ -18,6 +17,6 @@ def test_a_method_that_loses_more_with_more_local_is_said_not_to_be_optimal() ->
         for method in (three_step_design, direct_design)
     ]
     assert [(design.local, fewer.local) for design, fewer in found[0].not_optimal] == [(("position",), ())]
-    (said,) = linear_remarks(found[0])
-    assert said.startswith("three-step is not optimal: with position local it loses more than with nothing local")
-    assert not list(linear_remarks(found[1]))
+    (more,) = found[0].findings
+    assert more.code == "CL718" and more.values == {"method": "three-step", "more": ("position",), "fewer": ("nothing",)}
+    assert found[1].findings == ()

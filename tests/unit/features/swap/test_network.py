@@ -11,14 +11,11 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.link.network import Network
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.design import Space
-from contourlab.design.bounds import Bounds
+from contourlab.design.guards import Bounds
 from contourlab.errors import ParameterError
-from contourlab.features.link.division import message_rate
-from contourlab.features.swap.final import final
-from contourlab.features.swap.fleet import Fleet
+from contourlab.features.link.cost import message_rate
 from contourlab.features.swap.network import NetworkCost, least_division, network_cost
-from contourlab.features.swap.numbers import divided_controller
-from contourlab.features.swap.variants import variants_of
+from contourlab.features.swap.variants import Variants, variants_of
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
@@ -27,7 +24,7 @@ AHEAD = "controller.axes.x.controller.model_gain"
 
 
 @pytest.fixture(scope="module")
-def fleet() -> Fleet:
+def variants() -> Variants:
     def rigid(name: str, gain: float) -> Axis:
         return Axis(name, RigidAxis(gain=gain, damping=0.0), limits=Limits(velocity=1.0))
 
@@ -36,37 +33,37 @@ def fleet() -> Fleet:
     controller = Controller({name: AxisController(law) for name in ("x", "y")})
     circle = uniform(contour("circle", radius=0.01), 1.0, 2, 1e-3)
     space = Space.chosen(machine, controller, ("model_gain=0.3 m/s^2/full_scale..4 m/s^2/full_scale",))
-    return Fleet(
+    return Variants(
         variants_of(machine, {"x": [("strong", rigid("o", 2.0))]}), controller, circle, space, moving=True, bounds=Bounds(6.0, 30.0)
     )
 
 
-def cost_of(fleet: Fleet, division: str = "drive", ways: str = "both", link: Network | None = None, **options: float) -> NetworkCost:
-    return network_cost(fleet, np.tile(fleet.space.start, (2, 1)), frozenset({AHEAD}), division, ways, link, **options)  # type: ignore[arg-type]
+def cost_of(variants: Variants, division: str = "drive", ways: str = "both", link: Network | None = None, **options: float) -> NetworkCost:
+    return network_cost(variants, np.tile(variants.space.start, (2, 1)), frozenset({AHEAD}), division, ways, link, **options)  # type: ignore[arg-type]
 
 
-def test_a_network_that_loses_no_time_costs_nothing(fleet: Fleet) -> None:
-    cost = cost_of(fleet)
-    alone, _ = fleet.values(np.tile(fleet.space.start, (2, 1, 1)), whole=True)
-    assert cost.given.tolist() == cost.whole.tolist() == alone[:, 0].tolist()
-    assert cost.loss == 0.0 and cost.holds and cost.apart == (AHEAD,)
+def test_a_network_that_loses_no_time_costs_nothing(variants: Variants) -> None:
+    cost = cost_of(variants)
+    alone, _ = variants.values(np.tile(variants.space.start, (2, 1, 1)), whole=True)
+    assert [(one.as_given, one.undivided) for one in cost.variants] == [(value, value) for value in alone[:, 0].tolist()]
+    assert cost.loss == 0.0 and cost.holds and cost.local_in_base == (AHEAD,)
 
 
-def test_the_rate_that_holds_is_the_largest_of_the_variants(fleet: Fleet) -> None:
-    cost = cost_of(fleet, within=0.5)
+def test_the_rate_that_holds_is_the_largest_of_the_variants(variants: Variants) -> None:
+    cost = cost_of(variants, within=0.5)
     each = []
-    for variant, allowed in zip(fleet.variants, cost.allowed, strict=True):
-        controller = divided_controller(fleet.controller, fleet.space.values(fleet.space.start))
-        options = {"figure": fleet.objective, "allowed": allowed, "moving": True}
-        each.append(message_rate(variant.machine, controller, fleet.reference, "drive", "both", **options).rate)
+    for variant, one in zip(variants, cost.variants, strict=True):
+        controller = variants.controller_at(variants.space.start)
+        options = {"figure": variants.objective, "allowed": one.allowed, "moving": True}
+        each.append(message_rate(variant.machine, controller, variants.reference, "drive", "both", **options).rate)
     assert cost.rate == max(each)
-    assert (cost.at_limit <= cost.allowed).all()
-    assert cost.allowed == pytest.approx(cost.whole + 0.5 * np.maximum(cost.whole, fleet.floor))
+    for one in cost.variants:
+        assert one.allowed == pytest.approx(one.undivided + 0.5 * max(one.undivided, variants.floor))
 
 
-def test_what_is_late_does_not_hold(fleet: Fleet) -> None:
-    cost = cost_of(fleet, link=Network(delay=0.05))
-    assert not cost.holds and np.isnan(cost.rate) and np.isnan(cost.at_limit).all() and not all(cost.stable)
+def test_what_is_late_does_not_hold(variants: Variants) -> None:
+    cost = cost_of(variants, link=Network(delay=0.05))
+    assert not cost.holds and np.isnan(cost.rate) and any(one.unstable for one in cost.variants)
 
 
 def test_the_least_division_has_all_that_is_local() -> None:
@@ -75,16 +72,16 @@ def test_the_least_division_has_all_that_is_local() -> None:
     assert least_division(frozenset({"controller.axes.x.observer.model_gain", AHEAD})) == "controller"
 
 
-def test_an_unknown_division_is_refused(fleet: Fleet) -> None:
+def test_an_unknown_division_is_refused(variants: Variants) -> None:
     with pytest.raises(ParameterError, match="drive, observer, controller"):
-        cost_of(fleet, "half")
+        cost_of(variants, "half")
 
 
-def test_exact_margins_of_each_variant(fleet: Fleet) -> None:
-    points = np.tile(fleet.space.start, (2, 1))
-    found = final(fleet, points)
+def test_exact_margins_of_each_variant(variants: Variants) -> None:
+    values = variants.space.values(variants.space.start)
+    first, second = (guards.exact(values) for guards in variants.guards)
     # The second axis is the same in both; twice the gain of the plant takes a factor of two off the gain margin.
-    assert found.margins[0]["y"] == found.margins[1]["y"]
-    assert found.margins[0]["x"].gain == pytest.approx(2.0 * found.margins[1]["x"].gain, rel=1e-6)
-    strict = final(replace(fleet, bounds=Bounds(60.0, 0.0)), points)
-    assert found.holds and not strict.holds and "axis x: gain margin" in strict.broken[1][0]
+    assert first["y"] == second["y"]
+    assert first["x"].gain == pytest.approx(2.0 * second["x"].gain, rel=1e-6)
+    strict = replace(variants, bounds=Bounds(60.0, 0.0))
+    assert "axis x: gain margin" in strict.guards[1].broken(values, 0.0, 0.0)[0]

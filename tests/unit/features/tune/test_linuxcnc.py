@@ -17,8 +17,7 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.controller.speed_pid import SpeedPID
 from contourlab.components.controller.state_feedback import StateFeedback
 from contourlab.components.feedforward.inverse_dynamics import InverseDynamics
-from contourlab.features.tune import LinuxCNCGains, drive_terms, linuxcnc_gains, linuxcnc_law
-from contourlab.features.tune.drive_terms import law_difference
+from contourlab.features.tune.drive_terms import LinuxCNCGains, drive_terms, law_difference, linuxcnc_gains, linuxcnc_law
 from contourlab.loop import AxisController, Controller, simulate
 
 
@@ -96,7 +95,7 @@ def test_what_has_no_likeness_is_said() -> None:
     lag = made(LeadLag(gain=1200.0, lead_time=0.03, lag_time=0.003))
     found = linuxcnc_gains(lag.axes["x"], lag)
     assert found is not None
-    assert any("no counterpart" in note for note in found.notes)
+    assert [one.code for one in found.findings] == ["CL624"]
 
 
 def test_millimetres() -> None:

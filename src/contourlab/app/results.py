@@ -1,0 +1,212 @@
+"""Folders of results: new results replace those of the previous run all at once, and only if the run succeeds.
+
+A run writes into a temporary folder inside the folder of results; its files are then renamed into place. A list in the folder says which
+files contourlab wrote, and with which summary, so that nothing else is ever replaced.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from contourlab.errors import OutputError, ParameterError
+
+LIST = ".contourlab.json"
+"""Name of the list."""
+_RESULTS = (
+    *("report.html", "signals/*.nc", "switches/*.csv", "learned/*.nc", "controllers/*.toml"),
+    *("plots/*.png", "plots/*.svg", "plots/*.pdf"),
+    *("swap.json", "summary.json"),
+)
+"""All that a run may write; a summary is moved last, so that where it is the rest is complete."""
+_SINGLE = "single"
+"""Stands in the list for the summary of files that were written without one."""
+_PRODUCTS = "learned/"
+"""What is a product rather than a report: it stays when the next run replaces its summary."""
+
+
+def check_file(file: str | Path, inputs: Iterable[str | Path] = (), option: str = "--out") -> None:
+    """Check, before the work, that a file can be written. Leave nothing behind.
+
+    Parameters
+    ----------
+    file : str or Path
+        Missing parent folders are no fault: they are made when the file is written.
+    inputs : iterable of str or Path
+        What the command reads and must not overwrite.
+    option : str
+        The option that named it, for the message.
+
+    Raises
+    ------
+    ParameterError
+        If it is one of `inputs`.
+    OutputError
+        If it is a folder, or cannot be made or replaced.
+    """
+    target = Path(file)
+    if target.is_dir():
+        raise OutputError(f"{target}: is a folder; name a file with {option}")
+    spared(target, inputs, option)
+    with _temporary(target.parent, option):
+        pass
+
+
+def spared(file: str | Path, inputs: Iterable[str | Path], option: str = "--out") -> None:
+    """Refuse to write a file that the command reads, by whatever name: a link or another spelling.
+
+    Names in `inputs` without a file, such as those of built-in scenarios, are passed over.
+
+    Raises
+    ------
+    ParameterError
+        If it is one of `inputs`.
+    """
+    for given in inputs:
+        if _is_same(file, given):
+            raise ParameterError(option, repr(str(file)), f"another file than {given}, which is read")
+
+
+def _is_same(one: str | Path, other: str | Path) -> bool:
+    try:
+        return Path(one).samefile(other)
+    except (OSError, ValueError):  # one of them does not exist, or is no file name
+        return False
+
+
+@contextmanager
+def staged(out: str | Path, *names: str, inputs: Iterable[str | Path] = (), option: str = "--out") -> Iterator[Path]:
+    """Give a temporary folder to write results into; if the block succeeds, they replace the previous ones in `out`.
+
+    Replaced is what contourlab wrote into `out` with the same summary. Every other file stays. If the block fails, is interrupted or
+    writes nothing, `out` stays as it was.
+
+    Parameters
+    ----------
+    out : str or Path
+        Made if missing.
+    names : str
+        Files that will be written for certain, the summary first: what stands in their way is reported before the work. Without names the
+        results belong to no summary (pictures alone, for example) and replace only files of the same name.
+    inputs : iterable of str or Path
+        What the command reads and must not replace.
+    option : str
+        The option that named the folder, for the message.
+
+    Raises
+    ------
+    ParameterError
+        If one of `inputs` would be replaced.
+    OutputError
+        If the folder cannot be written to, or contourlab did not write a file that would be replaced.
+    """
+    folder, summary, given = Path(out), names[0] if names else "", tuple(inputs)
+    _check(folder, summary, names, given, option)
+    with _temporary(folder, option) as stage:
+        yield stage
+        new = [path.relative_to(stage).as_posix() for pattern in _RESULTS for path in sorted(stage.glob(pattern))]
+        if new:
+            _check(folder, summary, new, given, option)
+            _exchange(stage, folder, summary, new)
+
+
+def _check(folder: Path, summary: str, names: Iterable[str], inputs: Iterable[str | Path], option: str) -> None:
+    """Refuse to replace what is read, and what contourlab did not write."""
+    listed = _listed(folder)
+    for name in (*names, *_written_with(summary, listed)):
+        for given in inputs:
+            if _is_same(folder / name, given):
+                raise ParameterError(option, repr(str(folder)), f"another folder: {given} is read, and would be replaced")
+    for name in names:
+        if name not in listed and os.path.lexists(folder / name):
+            cure = f"choose another folder with {option}, or move it away"
+            raise OutputError(f"{folder / name}: would be replaced, and is not known to be contourlab's: {cure}")
+
+
+def _listed(folder: Path) -> dict[str, str]:
+    """Return the files that contourlab wrote and that still exist, each with its summary; none if the list is missing or damaged."""
+    try:
+        sets = json.loads((folder / LIST).read_text(encoding="utf-8"))["files"]
+        listed = {name: str(summary) for summary, names in sets.items() for name in names}
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return {}
+    there = {path.relative_to(folder).as_posix() for pattern in _RESULTS for path in folder.glob(pattern)}
+    return {name: summary for name, summary in listed.items() if name in there}
+
+
+def _save_list(listed: Mapping[str, str], stage: Path, folder: Path) -> None:
+    sets: dict[str, list[str]] = {}
+    for name, summary in sorted(listed.items()):
+        sets.setdefault(summary, []).append(name)
+    (stage / LIST).write_text(json.dumps({"schema": "contourlab-files/1", "files": sets}, indent=2) + "\n", encoding="utf-8")
+    (stage / LIST).replace(folder / LIST)
+
+
+def _written_with(summary: str, listed: Mapping[str, str]) -> list[str]:
+    return [name for name, its in listed.items() if summary and its == summary]
+
+
+def _exchange(stage: Path, folder: Path, summary: str, new: Iterable[str]) -> None:
+    """Rename the previous results into the temporary folder and the new ones out of it; undo it all at an error or interrupt."""
+    before = _listed(folder)
+    previous = _written_with(summary, before)
+    added = {name: _SINGLE if not summary or name.startswith(_PRODUCTS) else summary for name in new}
+    list_before = (folder / LIST).read_bytes() if (folder / LIST).exists() else None
+    moved: list[tuple[Path, Path]] = []
+
+    def move(path: Path, target: Path) -> None:
+        moved.append((path, target))  # ahead of the rename: an interrupt may come between the two
+        path.replace(target)
+
+    def put_away(name: str) -> None:
+        if os.path.lexists(folder / name):
+            move(folder / name, stage / f"previous-{len(moved)}")
+
+    try:
+        # Killed from here on, the folder holds previous and new results, and the list names both.
+        _save_list({**before, **added}, stage, folder)
+        for name in previous:
+            put_away(name)
+        for name in new:
+            (folder / name).parent.mkdir(exist_ok=True)
+            put_away(name)
+            move(stage / name, folder / name)
+        _save_list({name: its for name, its in before.items() if name not in previous} | added, stage, folder)
+    except BaseException as error:
+        for path, target in reversed(moved):
+            with suppress(OSError):
+                target.replace(path)
+        (folder / LIST).unlink(missing_ok=True) if list_before is None else (folder / LIST).write_bytes(list_before)
+        if isinstance(error, OSError):
+            raise OutputError(f"{folder}: cannot be written: {error.strerror or error}") from error
+        raise
+    finally:
+        _remove_empty(folder / name for name in {pattern.partition("/")[0] for pattern in _RESULTS if "/" in pattern})
+
+
+@contextmanager
+def _temporary(folder: Path, option: str) -> Iterator[Path]:
+    """Give a temporary folder inside `folder`, which is made if missing, and removed again if it is empty in the end."""
+    made = [path for path in (folder, *folder.parents) if not path.exists()]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        stage = Path(tempfile.mkdtemp(dir=folder, prefix=".contourlab-"))
+    except OSError as error:
+        _remove_empty(made)
+        raise OutputError(f"{folder}: cannot be written: {error.strerror or error}; choose another folder with {option}") from error
+    try:
+        yield stage
+    finally:
+        shutil.rmtree(stage, ignore_errors=True)
+        _remove_empty(made)
+
+
+def _remove_empty(folders: Iterable[Path]) -> None:
+    for path in folders:
+        with suppress(OSError):
+            path.rmdir()

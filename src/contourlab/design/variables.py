@@ -1,0 +1,339 @@
+"""Design variables: the parameters that a study varies, each between its bounds."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from fnmatch import fnmatchcase
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.components.contract import Component
+from contourlab.design.values import calibration_order
+from contourlab.errors import ParameterError, UnitError
+from contourlab.loop import Controller, Machine, parameter_names
+from contourlab.scenario.quantities import read_number
+from contourlab.units import from_si, in_si
+
+Array = NDArray[np.float64]
+WIDTH = 4.0
+"""Bounds without a text: the value divided and multiplied by this."""
+NEAR = 0.005
+"""Distance to a bound, as a part of the range, that counts as on it."""
+DIGITS = 6
+"""Digits of a value in a file."""
+ROUNDING = 1e-9
+"""Part of a bound by which a value may lie beyond it."""
+MOST_NAMES = 8
+"""Names suggested for one that is wrong, at most."""
+
+
+@dataclass(frozen=True)
+class DesignVariable:
+    """A parameter of a machine or controller, to be varied between bounds.
+
+    Attributes
+    ----------
+    name : str
+        Dotted name, as of `contourlab.loop.parameter_names`.
+    value : float [SI]
+        Value of the scenario.
+    low, high : float [SI]
+        Bounds, `low` < `high`.
+    unit : str
+        SI unit.
+    display : str
+        Display unit.
+    logarithmic : bool
+        Whether equal steps are equal factors.
+    least, most : float [SI]
+        Limits of the component itself.
+    """
+
+    name: str
+    value: float
+    low: float
+    high: float
+    unit: str = ""
+    display: str = ""
+    logarithmic: bool = True
+    least: float = -math.inf
+    most: float = math.inf
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.low) and math.isfinite(self.high)):
+            raise ParameterError(self.name, self.bounds, "finite")
+        if not self.low < self.high:
+            wanted = "two that differ: leave out a number that is to stay" if self.low == self.high else "in order, the lower one first"
+            raise ParameterError(self.name, self.bounds, wanted)
+        if self.logarithmic and self.low <= 0.0:
+            raise ParameterError(self.name, self.bounds, "above 0 for equal factors")
+
+    @property
+    def short(self) -> str:
+        """The short name: axis, slot unless it is the controller, parameter."""
+        words = self.name.removeprefix("controller.").removeprefix("axes.").split(".")
+        return ".".join(word for word in words if word != "controller")
+
+    @property
+    def bounds(self) -> str:
+        """The bounds in the display unit."""
+        return f"bounds {self.display_value(self.low):g} to {self.display_value(self.high):g} {self.display_unit}".rstrip()
+
+    @property
+    def nearest(self) -> float:
+        """The value [SI], or the nearest bound if it lies outside."""
+        return min(max(self.value, self.low), self.high)
+
+    @property
+    def display_unit(self) -> str:
+        """The unit in which the value is written."""
+        return self.display or self.unit
+
+    def display_value(self, value: float) -> float:
+        """Convert a value [SI] to the display unit."""
+        return from_si(value, self.display_unit)
+
+    def end(self, value: float) -> str:
+        """Name the end of the range within `NEAR` of a value [SI]; empty if neither is."""
+        place = float(self.normalise(value))
+        if place < NEAR:
+            return "lower end of its range" if self.low > self.least else "the least it may be"
+        if place > 1.0 - NEAR:
+            return "upper end of its range" if self.high < self.most else "the most it may be"
+        return ""
+
+    def cramped(self, value: float) -> bool:
+        """Tell whether a value [SI] lies on a bound that could be wider."""
+        return self.end(value).endswith("its range")
+
+    def written(self, values: ArrayLike) -> Array:
+        """Round values [SI] to the digits that a file has, within the bounds.
+
+        A value with the same digits as the scenario's becomes the scenario's own, unrounded.
+        """
+        made = np.clip(with_digits(values, self.display_unit, self.low, self.high), self.least, self.most)
+        if not math.isfinite(self.value):
+            return made
+        return np.where(made == with_digits(self.value, self.display_unit), self.value, made)
+
+    def physical(self, place: ArrayLike) -> Array:
+        """Return the values [SI] at positions from 0 (lower bound) to 1 (upper bound)."""
+        x = np.asarray(place, dtype=float)
+        if self.logarithmic:
+            return np.asarray(np.clip(self.low * (self.high / self.low) ** x, self.low, self.high))
+        return np.asarray(np.clip(self.low + (self.high - self.low) * x, self.low, self.high))
+
+    def normalise(self, value: ArrayLike) -> Array:
+        """Return the positions from 0 to 1 of values [SI]; values outside are clipped to the bound."""
+        v = np.clip(np.asarray(value, dtype=float), self.low, self.high)
+        if self.logarithmic:
+            return np.asarray(np.log(v / self.low) / math.log(self.high / self.low))
+        return np.asarray((v - self.low) / (self.high - self.low))
+
+
+@dataclass(frozen=True)
+class Space:
+    """A box of design variables; its points are rows of positions from 0 to 1.
+
+    Attributes
+    ----------
+    numbers : tuple of DesignVariable
+    written : bool
+        Whether values of points are rounded as in a file, see `DesignVariable.written`.
+    """
+
+    numbers: tuple[DesignVariable, ...]
+    written: bool = False
+
+    def __post_init__(self) -> None:
+        names = self.names
+        twice = sorted({name for name in names if names.count(name) > 1})
+        if not names or twice:
+            raise ParameterError("parameters", twice[0] if twice else "none", "at least one, each once")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Dotted names, in order."""
+        return tuple(variable.name for variable in self.numbers)
+
+    @cached_property
+    def start(self) -> Array:
+        """Positions of the scenario's own values (n_variable,)."""
+        return np.array([float(variable.normalise(variable.value)) for variable in self.numbers])
+
+    def columns(self, points: ArrayLike) -> dict[str, Array]:
+        """Return the values [SI] of points (n, n_variable) by name, each (n,), as `contourlab.loop.simulate_batch` takes them."""
+        rows = np.atleast_2d(np.asarray(points, dtype=float))
+        found = {variable: variable.physical(rows[:, i]) for i, variable in enumerate(self.numbers)}
+        return {variable.name: variable.written(values) if self.written else values for variable, values in found.items()}
+
+    def values(self, point: ArrayLike) -> dict[str, float]:
+        """Return the values [SI] of one point."""
+        return {name: float(column[0]) for name, column in self.columns(point).items()}
+
+    def points(self, values: Mapping[str, ArrayLike]) -> Array:
+        """Return the positions (n, n_variable) of values [SI]; for missing names those of the scenario."""
+        given = [np.atleast_1d(variable.normalise(values.get(variable.name, variable.value))) for variable in self.numbers]
+        return np.stack(np.broadcast_arrays(*given), axis=1)
+
+    @staticmethod
+    def chosen(
+        machine: Machine,
+        controller: Controller,
+        texts: Sequence[str] = (),
+        width: float = WIDTH,
+        *,
+        called: str = "parameter",
+        machine_only: bool = False,
+    ) -> Space:
+        """Choose variables by text, each with its bounds.
+
+        Parameters
+        ----------
+        machine, controller
+            Their owners.
+        texts : sequence of str
+            ``NAME`` or ``NAME=LOW..HIGH`` with units, such as ``"3.observer.model_damping=5 1/s..50 1/s"``. A name may be the end of a
+            dotted name and may contain ``*``; it stands for all that match. By default all of `calibration_order` that are not zero.
+        width : float, > 1
+            Bounds are the value divided and multiplied by it where the text has none.
+        called : str
+            Name of the texts in an error.
+        machine_only : bool
+            Whether only parameters of the machine may be chosen.
+
+        Raises
+        ------
+        ParameterError
+            If a name matches nothing, a bound has the wrong unit or is out of range, a variable gets two pairs of bounds, or a value of
+            zero gets none.
+        """
+        if not (width > 1.0 and math.isfinite(width)):
+            raise ParameterError("width", f"{width:g}", "above 1 and finite: a factor either side of a value")
+        known = parameter_names(machine, controller)
+        if machine_only:
+            known = {name: found for name, found in known.items() if name.startswith("axes.")}
+        units = {axis.name: (axis.plant.command_unit, axis.plant.force_unit) for axis in machine.axes}
+        if not texts:
+            order = calibration_order(machine, controller)
+            names = [name for name in order if _value(known[name]) not in (0.0, math.inf)]
+            return Space(tuple(_variable(name, known[name], units, "", width) for name in names))
+        asked: dict[str, str] = {}
+        for text in texts:
+            wanted, _, bounds = (part.strip() for part in text.partition("="))
+            for name in _fitting(wanted, known, called, "the machine" if machine_only else "the machine or its controller"):
+                if bounds and asked.get(name, bounds) not in ("", bounds):
+                    raise ParameterError(name, f"{asked[name]} and {bounds}", "given bounds once")
+                asked[name] = bounds or asked.get(name, "")
+        return Space(tuple(_variable(name, known[name], units, bounds, width) for name, bounds in asked.items()))
+
+    def only(self, names: Iterable[str]) -> Space:
+        """Return the space of some of the variables."""
+        wanted = set(names)
+        return replace(self, numbers=tuple(variable for variable in self.numbers if variable.name in wanted))
+
+
+# --- values as a file has them -----------------------------------------------------------------------------------------------------------
+
+
+def with_digits(values: ArrayLike, unit: str, low: float = -np.inf, high: float = np.inf) -> Array:
+    """Round values [SI] to six digits in a display unit: the result is, bit for bit, what their text is read as.
+
+    Parameters
+    ----------
+    values : array_like [SI], low to high
+    unit : str
+        The display unit.
+    low, high : float [SI]
+        A value that would be rounded beyond one of them is rounded inwards, or left as it is if no six digits lie between.
+
+    >>> with_digits([0.0123456789, 0.99999996], "m", high=1.0).tolist()
+    [0.0123457, 1.0]
+    """
+    v = np.asarray(values, dtype=float)
+    whole, power = _split(np.asarray(from_si(v, unit)))
+    under, over = low - ROUNDING * abs(low), high + ROUNDING * abs(high)
+    made = in_si(_over(whole, -power), unit)
+    inwards = np.where(made > over, -1.0, np.where(made < under, 1.0, 0.0))
+    made = in_si(_over(whole + inwards, -power), unit)
+    return np.where((made > over) | (made < under), v, made)
+
+
+def _split(values: Array) -> tuple[Array, Array]:
+    """Return values as whole numbers of `DIGITS` digits, and the powers of ten that these count."""
+    power = np.floor(np.log10(np.where(values == 0.0, 1.0, np.abs(values)))) - (DIGITS - 1)
+    return np.rint(_over(values, power)), power
+
+
+def _over(values: Array, power: Array) -> Array:
+    """Divide values by powers of ten with one rounding, as their text has."""
+    return np.where(power < 0.0, values * 10.0 ** np.maximum(-power, 0.0), values / 10.0 ** np.maximum(power, 0.0))
+
+
+# --- from text ---------------------------------------------------------------------------------------------------------------------------
+
+
+def _value(known: tuple[Component, str]) -> float:
+    return float(getattr(*known))
+
+
+def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]], called: str, whose: str) -> list[str]:
+    """Return the dotted names that a text matches."""
+    if wanted in known:
+        return [wanted]
+    found = [name for name in known if fnmatchcase(name, wanted) or fnmatchcase(name, f"*.{wanted}")]
+    # "3.position_gain" means controller.axes.3.controller.position_gain: the slot of the controller may be left out.
+    found += [name for name in known if name not in found and fnmatchcase(name.replace(".controller.", "."), f"*.{wanted}")]
+    if not wanted or not found:
+        raise ParameterError(called, repr(wanted), f"a number of {whose}, such as {', '.join(_near(wanted, known))}")
+    return found
+
+
+def _near(wanted: str, known: Iterable[str]) -> list[str]:
+    """Return the names nearest to an unknown one: with the same last word, or spelt alike, or else the first few."""
+    names = sorted(known, key=lambda name: name.startswith("axes."))  # gains first
+    ends = {name: name.rpartition(".")[2] for name in names}
+    word = wanted.rpartition(".")[2]
+    alike = get_close_matches(word, dict.fromkeys(ends.values()), n=3)
+    found = [name for end in (word, *alike) for name in names if ends[name] == end]
+    return list(dict.fromkeys(found))[:MOST_NAMES] or names[:MOST_NAMES]
+
+
+def _variable(name: str, known: tuple[Component, str], units: Mapping[str, tuple[str, str]], bounds: str, width: float) -> DesignVariable:
+    """Make a variable with the bounds of a text, or else a factor either side of its value."""
+    part, word = known
+    axis = next((axis for axis in units if f".axes.{axis}." in f".{name}"), next(iter(units)))
+    parameter = replace(part.parameters[word].for_plant(*units[axis]), name=name)
+    value = _value(known)
+    if bounds:
+        low, high = _bounds(name, bounds, parameter.unit, parameter.display)
+        for bound in (low, high):
+            parameter.check(bound)
+    elif value == 0.0 or not math.isfinite(value):
+        raise ParameterError(name, f"{value:g}", f"given with bounds, as {name}=LOW..HIGH: there is no factor around {value:g}")
+    elif value < 0.0:
+        low, high = width * value, value / width
+    else:
+        low, high = max(value / width, parameter.minimum), min(value * width, parameter.maximum)
+    least, most = parameter.minimum, parameter.maximum
+    return DesignVariable(name, value, low, high, parameter.unit, parameter.display, logarithmic=low > 0.0, least=least, most=most)
+
+
+def _bounds(name: str, text: str, unit: str, display: str) -> tuple[float, float]:
+    low, dots, high = text.partition("..")
+    try:
+        if dots:
+            first, second = (read_number(side.strip() if unit else float(side), unit, display) for side in (low, high))
+            return first, second
+        fault = "two of them are needed"
+    except (UnitError, ValueError) as error:
+        fault = str(error)
+    shown = display or unit
+    raise ParameterError(
+        name, repr(text), f"bounds LOW..HIGH, each with its unit, as {f'1 {shown}..2 {shown}' if unit else '1..2'}: {fault}"
+    )

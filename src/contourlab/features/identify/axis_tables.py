@@ -1,0 +1,321 @@
+"""Tables of an axis file: plant, friction, drive, sensor, and limits from the motion in the logs.
+
+A plan may ask for the largest velocity and the largest acceleration at once. Mass, damping, friction and constant force together must then
+take less than the drive's limit, with a reserve for the controller, or the axis cannot follow its own plans.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.origin import Origin
+from contourlab.features.identify.records import AxisRecord, reference_name
+from contourlab.features.identify.result import Row, Tables, assumed
+from contourlab.features.measure.plausibility import fastest
+
+Array = NDArray[np.float64]
+OriginOf = Callable[..., Origin]
+"""From the name of a number, such as "plant.mass", and a note to its origin."""
+ROOM = 0.2
+"""Share by which limits exceed the largest in the log: at the limit itself no plan would reach what the log reached."""
+RESERVE = 0.1
+"""Share of the drive's limit that plans leave to the controller."""
+MOST_ROOM = 0.5
+"""Largest share by which an assumed limit of the drive exceeds the largest command in the logs."""
+PLANNED, REACTED = 0.005, 0.05
+"""Times [s] over which accelerations are taken: of a reference, and of a position alone, whose fast part is the controller's reaction."""
+TWO_INERTIAS = {
+    "motor_inertia": ("motor_mass", "kg*m^2"),
+    "load_inertia": ("load_mass", "kg*m^2"),
+    "stiffness": ("stiffness", "N*m/rad"),
+    "shaft_damping": ("shaft_damping", "N*m*s/rad"),
+    "motor_damping": ("damping", "N*m*s/rad"),
+}
+"""Numbers of a plant of two inertias: the fitted parameter, and the unit."""
+
+
+@dataclass(frozen=True)
+class Forces:
+    """How an axis file counts forces.
+
+    Attributes
+    ----------
+    unit : str
+        ``"N"`` or ``"full_scale"``.
+    one : float [unit of the command]
+        Size of one such unit.
+    largest : float [unit of the command]
+        In the logs.
+    constant : float [N/A]
+        Force per command as given; one unit of the logged command counts as one ampere.
+    note : str
+        What is assumed of full scale; may be empty.
+    """
+
+    unit: str
+    one: float
+    largest: float
+    constant: float = 1.0
+    note: str = ""
+
+
+def forces_of(records: Sequence[AxisRecord]) -> Forces:
+    """Return how to count forces: in the unit of the command, or in shares of its largest if that is neither newtons nor shares already.
+
+    Raises
+    ------
+    ResultError
+        If a log has no command.
+    """
+    unit, largest = records[0].unit, max(record.largest() for record in records)
+    if unit == "N":
+        return Forces("N", 1.0, largest, abs(records[0].gain))
+    if unit in ("", "full_scale"):
+        return Forces("full_scale", 1.0, largest)
+    where = "log" if len(records) == 1 else "logs"
+    note = f"full scale is assumed to be the largest command in the {where}, {largest:.4g} {unit}"
+    return Forces("full_scale", largest, largest, note=note)
+
+
+def plant_numbers(forces: Forces, a: float, b: float) -> dict[str, float]:
+    """Return the numbers of the plant v' = -b v + a u by their names in an axis file, in SI.
+
+    Parameters
+    ----------
+    forces : Forces
+    a : float [m/s^2 per command], > 0
+    b : float [1/s]
+    """
+    if forces.unit == "N":
+        return {"plant.mass": 1.0 / a, "plant.damping": b / a}
+    return {"plant.gain": forces.one * a, "plant.damping": b}
+
+
+def rigid_tables(
+    records: Sequence[AxisRecord],
+    forces: Forces,
+    a: float,
+    b: float,
+    origin: OriginOf,
+    *,
+    held: float = 0.0,
+    delay: float = 0.0,
+    friction: Tables | None = None,
+    peak: Peak | None = None,
+) -> Tables:
+    """Return the axis file of the plant v' = -b v + a u.
+
+    Parameters
+    ----------
+    records : sequence of AxisRecord
+    forces : Forces
+    a : float [m/s^2 per command], > 0
+    b : float [1/s]
+    origin : callable
+    held : float [command]
+        Friction and constant force.
+    delay : float [s]
+        Of the drive.
+    friction : Tables, optional
+        Of friction and disturbance.
+    peak : Peak, optional
+        Largest acceleration; see `motion_limits`.
+    """
+    limits = motion_limits(records, Effort(forces, a, b, held), peak)
+    x = plant_numbers(forces, a, b)
+    if forces.unit == "N":
+        plant: dict[str, Row] = {
+            "kind": ("mass-damper", "", None),
+            "mass": (x["plant.mass"], "kg", origin("plant.mass")),
+            "damping": (x["plant.damping"], "N*s/m", origin("plant.damping")),
+            "force_constant": (forces.constant, "N/A", assumed("as given; a command counts as so many amperes")),
+        }
+        top: Row = (limits.command / forces.constant, "A", limits.origin)
+    else:
+        plant = {
+            "kind": ("rigid-axis", "", None),
+            "gain": (x["plant.gain"], "m/s^2/full_scale", origin("plant.gain", forces.note)),
+            "damping": (x["plant.damping"], "1/s", origin("plant.damping")),
+        }
+        top = (limits.command / forces.one, "full_scale", limits.origin)
+    drive = _drive_table(top, delay, origin)
+    return {"plant": plant, **(friction or {}), "drive": drive, "limits": limits.table, **_sensor_table(records)}
+
+
+def friction_tables(coulomb: float, force: float, unit: str, origin: OriginOf) -> Tables:
+    """Return the tables of Coulomb friction and of a constant force."""
+    return {
+        "friction": {"kind": ("coulomb", "", None), "coulomb": (coulomb, unit, origin("friction.coulomb"))},
+        "disturbance": {"kind": ("constant", "", None), "force": (force, unit, origin("disturbance.force"))},
+    }
+
+
+def two_inertia_numbers(lead: float, x: Mapping[str, float]) -> dict[str, float]:
+    """Return the numbers of two inertias by their names in an axis file, in SI, from masses along the axis."""
+    arm = lead / (2.0 * math.pi)
+    return {f"plant.{name}": arm**2 * x[key] for name, (key, _) in TWO_INERTIAS.items()} | {"drive.delay": x["delay"]}
+
+
+def two_inertia_tables(
+    records: Sequence[AxisRecord], lead: float, x: Mapping[str, float], given: Mapping[str, float], origin: OriginOf, limits: MotionLimits
+) -> Tables:
+    """Return the axis file of two inertias.
+
+    Parameters
+    ----------
+    records : sequence of AxisRecord
+    lead : float [m]
+        Travel per turn.
+    x, given : mapping of str to float
+        All parameters, and those that were given rather than fitted.
+    origin : callable
+    limits : MotionLimits
+    """
+    values = two_inertia_numbers(lead, x)
+    plant: dict[str, Row] = {"kind": ("two-inertia", "", None), "lead": (lead, "m", assumed("as given"))}
+    for name, (key, unit) in TWO_INERTIAS.items():
+        plant[name] = (values[f"plant.{name}"], unit, assumed("as given") if key in given else origin(f"plant.{name}"))
+    plant["torque_gain"] = (1.0, "", assumed("the command is counted as torque, force times lead over 2 pi"))
+    drive = _drive_table((limits.command * (lead / (2.0 * math.pi)), "N*m", limits.origin), x["delay"], origin)
+    return {"plant": plant, "drive": drive, "limits": limits.table, **_sensor_table(records)}
+
+
+def _drive_table(limit: Row, delay: float, origin: OriginOf) -> dict[str, Row]:
+    if delay <= 0.0:
+        return {"kind": ("saturation", "", None), "limit": limit}
+    return {"kind": ("delayed-saturation", "", None), "limit": limit, "delay": (delay, "s", origin("drive.delay"))}
+
+
+def _sensor_table(records: Sequence[AxisRecord]) -> Tables:
+    """Return the encoder, with the smallest step in the records as its resolution."""
+    steps = np.concatenate([np.abs(np.diff(record.position)) for record in records])
+    seen = steps[steps > 1e-12]
+    if not seen.size:
+        return {}
+    origin = Origin("measured", reference=reference_name(records), note="the smallest step in the log")
+    return {"sensor": {"kind": ("encoder", "", None), "resolution": (float(seen.min()), "m", origin)}}
+
+
+@dataclass(frozen=True)
+class Effort:
+    """Command that the motion of an axis takes.
+
+    Attributes
+    ----------
+    forces : Forces
+    a : float [m/s^2 per command], > 0
+    b : float [1/s]
+    held : float [command]
+        Friction and constant force.
+    """
+
+    forces: Forces
+    a: float
+    b: float
+    held: float = 0.0
+
+    def drive(self, velocity: float, acceleration: float) -> float:
+        """Return the limit of the drive [command]: what both at once take, within what may be assumed of it; or full scale."""
+        if self.forces.unit != "N":
+            return self.forces.one
+        taken = (self.held + (acceleration + self.b * velocity) / self.a) / (1.0 - RESERVE)
+        return min(max(taken, (1.0 + ROOM) * self.forces.largest), (1.0 + MOST_ROOM) * self.forces.largest)
+
+    def share(self, velocity: float, acceleration: float) -> float:
+        """Return the share of both at once that the drive can give, at most 1."""
+        limit = self.drive(velocity, acceleration)
+        left = max((1.0 - RESERVE) * limit - self.held, RESERVE * limit)
+        taken = (acceleration + self.b * velocity) / self.a
+        return min(1.0, left / taken) if taken > 0.0 else 1.0
+
+
+@dataclass(frozen=True)
+class Peak:
+    """The largest acceleration in logs [m/s^2], and a note on its signal."""
+
+    value: float
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class MotionLimits:
+    """Limits of an axis file.
+
+    Attributes
+    ----------
+    table : dict of str to Row
+        Of velocity, acceleration and jerk.
+    command : float [command]
+        Of the drive.
+    origin : Origin
+        Of `command`.
+    """
+
+    table: dict[str, Row]
+    command: float
+    origin: Origin
+
+
+def motion_limits(records: Sequence[AxisRecord], effort: Effort, acceleration: Peak | None = None) -> MotionLimits:
+    """Return the limits of an axis file.
+
+    Parameters
+    ----------
+    records : sequence of AxisRecord
+        Of one axis.
+    effort : Effort
+    acceleration : Peak, optional
+        The largest in the records; by default that of the reference, or else of the position.
+
+    Notes
+    -----
+    Velocity, acceleration and command are 20 % above the largest in the logs. If velocity and acceleration at once take more command than
+    that less a tenth for the controller, the drive's limit rises, up to half above the largest command in the logs; full scale stays full
+    scale. If that is not enough, each of the two is first limited to what the drive gives alone, then both are lowered by the same share.
+    """
+    source = reference_name(records)
+    peak = acceleration or max((_largest_acceleration(record) for record in records), key=lambda peak: peak.value)
+    top = max(fastest(record.position[:, None], record.period) for record in records)
+    velocity, gain = (1.0 + ROOM) * top, (1.0 + ROOM) * peak.value
+    velocity, gain = velocity * effort.share(velocity, 0.0), gain * effort.share(0.0, gain)
+    share, command = effort.share(velocity, gain), effort.drive(velocity, gain)
+
+    def origin(value: float, largest: float, note: str, why: str) -> Origin:
+        return Origin("assumed", reference=source, note=_limit_note(value, largest, note, why))
+
+    less = "the drive's limit gives no more of velocity and acceleration at once"
+    rows = (("velocity", share * velocity, top, "m/s", ""), ("acceleration", share * gain, peak.value, "m/s^2", peak.note))
+    table: dict[str, Row] = {name: (value, unit, origin(value, largest, note, less)) for name, value, largest, unit, note in rows}
+    table["jerk"] = (100.0 * share * gain, "m/s^3", assumed("the acceleration in 10 ms"))
+    more = "velocity and acceleration take it at their limits"
+    of_drive = origin(command, effort.forces.largest, "", more) if effort.forces.unit == "N" else assumed("full scale")
+    return MotionLimits(table, command, of_drive)
+
+
+def _largest_acceleration(record: AxisRecord) -> Peak:
+    """Return the largest acceleration of the planned motion in a log: of its reference, or else of its position.
+
+    A controller's reaction to friction and corners was not planned, and the corner of a reference was not driven: the smaller counts.
+    """
+    if record.reference is None or not np.ptp(record.reference) > 0.0:
+        return Peak(_acceleration(record.position, record.period, REACTED), f" over {1e3 * REACTED:.0f} ms")
+    asked, driven = (_acceleration(values, record.period, PLANNED) for values in (record.reference, record.position))
+    return Peak(asked, " of the reference") if asked <= driven else Peak(driven)
+
+
+def _acceleration(position: Array, period: float, over: float) -> float:
+    """Return the largest second difference over a time [m/s^2]."""
+    n = max(1, min(round(over / period), (position.size - 1) // 2))
+    return float(np.abs(position[2 * n :] - 2.0 * position[n:-n] + position[: -2 * n]).max(initial=0.0)) / (n * period) ** 2
+
+
+def _limit_note(value: float, largest: float, note: str, why: str) -> str:
+    """Return how a limit compares with the largest in the log, and why if not by the usual share."""
+    above = value / largest - 1.0 if largest else ROOM
+    apart = f"{100.0 * abs(above):.0f} % {'above' if above >= 0.0 else 'below'} the largest{note} in the log"
+    return f"{apart}{'' if math.isclose(above, ROOM) else f', as {why}'}: give the axis' own"

@@ -1,0 +1,271 @@
+"""One axis of a log: its signals and their units, and whether they are plausible."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from hashlib import sha256
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ResultError
+from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
+from contourlab.findings import Finding, finding
+from contourlab.logs import Log
+from contourlab.result import Result
+
+Array = NDArray[np.float64]
+POSITIONS = ("position", "motor_position", "axis_position")
+LARGEST = {"N": 1e5, "V": 1e3, "A": 1e3, "full_scale": 1.01}
+"""Largest plausible command of a feed drive, by unit."""
+TRAVEL = '--lead, the travel per turn, as "10 mm"'
+"""The option that two inertias need, and that makes newtons of torques."""
+
+
+@dataclass(frozen=True, eq=False)
+class AxisRecord:
+    """The signals of one axis of a log.
+
+    Attributes
+    ----------
+    source, axis : str
+        Name of the log, and of the axis.
+    period : float [s]
+    position : ndarray (n,) [m]
+    command : ndarray (n,) or None
+        Force [N] if logged or if a gain was given; else the command in its own unit.
+    unit : str
+        Of the command.
+    reference : ndarray (n,) or None [m]
+    estimate : ndarray (n,) or None
+        Disturbance that an observer subtracted from the command.
+    gain : float [N per unit of the logged command]
+        Given, or from lead and torque; 1 without one.
+    logged : str
+        Unit of the logged command; ``"N*m"`` for a torque.
+    start : float [s]
+        Time of the first sample after that of the log.
+    findings : tuple of Finding
+    """
+
+    source: str
+    axis: str
+    period: float
+    position: Array
+    command: Array | None
+    unit: str
+    reference: Array | None
+    estimate: Array | None
+    gain: float = 1.0
+    logged: str = ""
+    start: float = 0.0
+    findings: tuple[Finding, ...] = ()
+
+    @property
+    def time(self) -> Array:
+        """Times of the samples [s], from 0."""
+        return np.asarray(self.period * np.arange(self.position.size))
+
+    def driven(self) -> Array:
+        """Return the command.
+
+        Raises
+        ------
+        ResultError
+            If the log has none.
+        """
+        if self.command is None:
+            wanted = f"say --column 'command.{self.axis}=NAME [V]', or with force or torque for command, in N or N*m"
+            raise ResultError(f"no force, torque or command of {self.axis} in {self.source}: {wanted}")
+        return self.command
+
+    def largest(self) -> float:
+        """Return the largest command, or force, either way; as `driven`."""
+        return float(np.abs(self.driven()).max())
+
+    def asked(self) -> Array:
+        """Return the reference.
+
+        Raises
+        ------
+        ResultError
+            If the log has none.
+        """
+        if self.reference is None:
+            raise ResultError(f"no reference of {self.axis} in {self.source}: say --column 'reference.{self.axis}=NAME [mm]'")
+        return self.reference
+
+    def part(self, start: int, stop: int) -> AxisRecord:
+        """Return the record of the samples [start, stop)."""
+        named = ((name, getattr(self, name)) for name in ("command", "reference", "estimate"))
+        signals: dict[str, Any] = {name: None if values is None else values[start:stop] for name, values in named}
+        return replace(self, position=self.position[start:stop], start=self.start + start * self.period, **signals)
+
+    def doubts(self) -> list[Finding]:
+        """Return findings on the record and on what is implausible about its signals."""
+        found = [*self.findings, *period_findings(self.period, self.source)]
+        position = self.position[:, None]
+        found += motion_findings(position, self.period, f"{self.axis} in {self.source}")
+        if self.reference is not None:
+            found += same_column_findings((self.axis,), self.reference[:, None], position, self.source)
+        return found if self.command is None else [*found, *self._command_doubts()]
+
+    def _command_doubts(self) -> list[Finding]:
+        reached, unit = self.largest(), self.unit
+        if unit == "N" and self.logged not in ("", "N") and reached / abs(self.gain) > LARGEST.get(self.logged, np.inf):
+            reached, unit = reached / abs(self.gain), self.logged
+        if reached <= LARGEST.get(unit, np.inf):
+            return []
+        return [finding("CL502", f"{self.axis} in {self.source}", largest=reached, unit=unit)]
+
+
+def newton_option(unit: str) -> str:
+    """Return the option, with an example, that makes newtons of commands in a unit.
+
+    >>> newton_option("V")
+    '--gain, as "35.15 N/V"'
+    """
+    return TRAVEL if unit == "N*m" else f'--gain, as "35.15 {newtons_per(unit)}"'
+
+
+def newtons_per(unit: str) -> str:
+    """Return the unit of a gain that makes newtons of commands in a unit.
+
+    >>> newtons_per("V"), newtons_per("N*m"), newtons_per("")
+    ('N/V', 'N/(N*m)', 'N')
+    """
+    return f"N/({unit})" if "*" in unit else f"N/{unit}".removesuffix("/")
+
+
+def unit_findings(unit: str) -> list[Finding]:
+    """Return the finding that friction in a command's own unit fits no plant; none for newtons and shares of full scale."""
+    return [] if unit in ("", "N", "full_scale") else [finding("CL505", unit=unit, option=newton_option(unit))]
+
+
+def common_unit(records: Sequence[AxisRecord], what: str) -> str:
+    """Return the unit of the commands of all records.
+
+    Parameters
+    ----------
+    records : sequence of AxisRecord
+    what : str
+        The common subject of the logs, for the message.
+
+    Raises
+    ------
+    ResultError
+        If there are several.
+    """
+    units = sorted({record.unit for record in records})
+    if len(units) > 1:
+        raise ResultError(f"commands in {' and '.join(units)}: logs of {what} have one unit")
+    return units[0]
+
+
+def log_names(records: Sequence[AxisRecord]) -> tuple[str, ...]:
+    """Return the names of the logs of records, each once."""
+    return tuple(dict.fromkeys(record.source for record in records))
+
+
+def reference_name(records: Sequence[AxisRecord]) -> str:
+    """Return the reference of numbers from several logs: the first, and how many more there are."""
+    names = log_names(records)
+    return names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
+
+
+def axis_pieces(
+    log: Log, source: str, axis: str | None, gain: float | None, full_scale: float | None, lead: float | None
+) -> list[AxisRecord]:
+    """Return the signals of an axis of a log, a record for each stretch without a long gap.
+
+    Parameters
+    ----------
+    log : Log
+    source : str
+        Name of the log.
+    axis : str or None
+        None for the only one.
+    gain : float [N per unit of command] or None
+    full_scale : float [unit of the command] or None
+        The command is given as a share of it.
+    lead : float [m] or None
+        Travel per turn; makes a force of a torque.
+
+    Raises
+    ------
+    ResultError
+        If the log has several axes and none is named, or no position; or a gain is given for a log of forces alone,
+        or beside the lead for one of torques.
+    """
+    name = _chosen_axis(log.result, axis)
+    whole = _whole(log, name, gain, full_scale, source, lead)
+    spans = log.stretches(name)
+    if spans == [(0, whole.position.size)]:
+        return [whole]
+    if not spans:
+        raise ResultError(f"{source} has no stretch without a long gap in it")
+    return [whole.part(*span) for span in spans]
+
+
+def longest_piece(log: Log, pieces: Sequence[AxisRecord]) -> AxisRecord:
+    """Return the longest stretch of a log, with a finding if it is not all of the log."""
+    longest = max(pieces, key=lambda piece: piece.position.size)
+    if len(pieces) == 1 and longest.position.size == log.result.n_sample:
+        return longest
+    end = longest.start + longest.position.size * longest.period
+    return replace(longest, findings=(finding("CL501", longest.source, start=longest.start, end=end),))
+
+
+def samples_digest(pieces: Sequence[AxisRecord]) -> str:
+    """Return a digest of position and command: logs of one digest are the same record."""
+    digest = sha256()
+    for piece in pieces:
+        command = np.zeros(0) if piece.command is None else piece.command
+        digest.update(np.array([piece.position.size, command.size]).tobytes())
+        digest.update(piece.position.tobytes() + command.tobytes())
+    return digest.hexdigest()
+
+
+def _chosen_axis(result: Result, axis: str | None) -> str:
+    if axis is None and len(result.axes) == 1:
+        return result.axes[0]
+    if axis not in result.axes:
+        problem = "which axis?" if axis is None else f"no axis {axis} in {result.source}:"
+        raise ResultError(f"{problem} There are {', '.join(result.axes)}: name one with --axis")
+    return axis
+
+
+def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, source: str, lead: float | None) -> AxisRecord:
+    """Return the signals of an axis, gaps included."""
+    result = log.result
+    column = result.axes.index(axis)
+
+    def signal(name: str) -> Array | None:
+        values = result[name][:, column] if name in result else None
+        return None if values is None or not np.isfinite(values).any() else values
+
+    position = next((values for name in POSITIONS if (values := signal(name)) is not None), None)
+    if position is None:
+        problem = f"no position of {axis} in {result.source}: say --column 'position.{axis}=NAME [mm]'"
+        raise ResultError("; ".join([problem, *log.doubtful]))
+    command, force = signal("command"), signal("force")
+    logged = result.signals["command"].unit if command is not None else ""
+    if command is None and force is None and (command := signal("torque")) is not None:
+        logged = "N*m"
+    if command is None and gain is not None and force is not None:
+        raise ResultError(f"{source} has the force of {axis} and no command: leave --gain out")
+    if lead is not None and logged == "N*m" and full_scale is None:
+        if gain is not None:
+            raise ResultError(f"{source} has the torque of {axis}, of which --lead makes a force: leave --gain out")
+        gain = 2.0 * np.pi / lead
+    unit = logged
+    if gain is not None and command is not None:
+        command, unit = gain * command, "N"
+    elif full_scale is not None and command is not None:
+        command, unit = command / full_scale, "full_scale"
+    elif gain is None and force is not None:
+        command, unit = force, "N"
+    signals = position, command, unit, signal("reference"), signal("disturbance_estimate")
+    return AxisRecord(source, axis, result.servo_period, *signals, gain=1.0 if gain is None else gain, logged=logged)

@@ -1,1 +1,0 @@
-"""What each model of `identify` asks of its logs and options."""

@@ -1,0 +1,195 @@
+"""The result of an identification, whatever the model: parameters with deviations, findings, pictures, tables of an axis file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.origin import Origin
+from contourlab.findings import Finding
+from contourlab.report.table import Table
+
+Array = NDArray[np.float64]
+Row = tuple[float | str, str, Origin | None]
+"""A value in SI, its unit, and its origin; None for a word."""
+Tables = Mapping[str, Mapping[str, Row]]
+"""Of an axis file, by table and key."""
+Drawn = tuple[Array, Array] | tuple[Array, Array, Array]
+"""A line through (x, y); with a third array points, and half the heights of their bars."""
+AT_BOUND = "at the bound of the search: the log does not determine it"
+_PRINTED: dict[str, Any] = {"json": False}
+
+
+@dataclass(frozen=True)
+class Figure:
+    """An identified parameter.
+
+    Attributes
+    ----------
+    value : float
+        In SI.
+    unit : str
+    deviation : float
+        Standard deviation for a white residual; nan at the bound of the search.
+    robust_deviation : float
+        The same for a correlated residual.
+    """
+
+    value: float
+    unit: str
+    deviation: float
+    robust_deviation: float
+
+
+@dataclass(frozen=True, eq=False)
+class Graph:
+    """Curves, or points with bars, on one pair of axes, each in the units of its label."""
+
+    x_label: str
+    y_label: str
+    curves: Mapping[str, Drawn]
+    log_x: bool = False
+    log_y: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """Graphs, one below the other, over one x axis."""
+
+    key: str
+    title: str
+    graphs: tuple[Graph, ...]
+    caption: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Identified:
+    """An identified model.
+
+    Attributes
+    ----------
+    model, axis : str
+    logs : tuple of str
+    parameters : dict of str to Figure
+    fit_percent : float or None
+        100 (1 - |measured - model|/|measured - mean|); None if nothing is fitted.
+    usable : bool
+        Whether the figures can be used; if not, no axis file is written.
+    findings : tuple of Finding
+    details : mapping
+        Further keys of the JSON.
+    lines : tuple of str
+        Further lines of text.
+    points : Table or None
+        Printed below them.
+    tables : Tables
+        Of the axis file; empty if there is none.
+    correlations : tuple of (str, str, float)
+        Between numbers of the axis file, such as ``"plant.mass"``.
+    pictures : tuple of Picture
+    """
+
+    model: str
+    axis: str
+    logs: tuple[str, ...]
+    parameters: dict[str, Figure]
+    fit_percent: float | None
+    usable: bool
+    findings: tuple[Finding, ...] = ()
+    details: Mapping[str, Any] = field(default_factory=dict, metadata=_PRINTED)
+    lines: tuple[str, ...] = field(default=(), metadata=_PRINTED)
+    points: Table | None = field(default=None, metadata=_PRINTED)
+    tables: Tables = field(default_factory=dict, metadata=_PRINTED)
+    correlations: tuple[tuple[str, str, float], ...] = field(default=(), metadata=_PRINTED)
+    pictures: tuple[Picture, ...] = field(default=(), metadata=_PRINTED)
+
+
+def figures(names: Sequence[str], values: Array, deviations: Array, robust: Array, units: Callable[[str], str]) -> dict[str, Figure]:
+    """Return the parameters of a fit by name."""
+    rows = zip(names, values.tolist(), deviations.tolist(), robust.tolist(), strict=True)
+    return {name: Figure(value, units(name), white or math.nan, coloured or math.nan) for name, value, white, coloured in rows}
+
+
+@dataclass(frozen=True, eq=False)
+class Propagated:
+    """Uncertainty of the numbers of an axis file, by name: deviations, and correlations of pairs."""
+
+    deviations: Mapping[str, float]
+    correlations: tuple[tuple[str, str, float], ...] = ()
+
+    def origin(self, log: str, name: str, note: str = "") -> Origin:
+        """Return the origin of a number: fitted, or assumed where it has no deviation because it is at its bound."""
+        deviation = self.deviations[name]
+        return fitted(log, deviation, note) if deviation > 0.0 else Origin("assumed", reference=log, note=AT_BOUND)
+
+
+def propagate(
+    numbers: Callable[[Mapping[str, float]], Mapping[str, float]],
+    names: Sequence[str],
+    values: Array,
+    deviations: Array,
+    correlation: Array,
+) -> Propagated:
+    """Propagate the uncertainty of fitted parameters to the numbers of an axis file.
+
+    Parameters
+    ----------
+    numbers : callable
+        From parameters by name to numbers by name, such as ``"plant.mass"``.
+    names : sequence of str
+        Of the parameters.
+    values, deviations : ndarray (p,)
+        A parameter without a deviation, as one at its bound, adds nothing.
+    correlation : ndarray (p, p)
+
+    Notes
+    -----
+    First order: S = D C D', with D the effect of one deviation of each parameter on the numbers.
+    """
+    columns, small = [], 1e-3
+    for i, deviation in enumerate(deviations.tolist()):
+        step = np.zeros(values.size)
+        step[i] = small * deviation
+        up, down = (numbers(dict(zip(names, (values + sign * step).tolist(), strict=True))) for sign in (1.0, -1.0))
+        columns.append([(up[name] - down[name]) / (2.0 * small) for name in up])
+    effect = np.array(columns).T
+    covariance = effect @ correlation @ effect.T
+    sizes = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    of = list(numbers(dict(zip(names, values.tolist(), strict=True))))
+    known = [i for i, size in enumerate(sizes.tolist()) if 0.0 < size < float("inf")]
+    pairs = ((of[i], of[j], round(float(covariance[i, j] / (sizes[i] * sizes[j])), 4)) for i, j in combinations(known, 2))
+    return Propagated(dict(zip(of, sizes.tolist(), strict=True)), tuple(pair for pair in pairs if pair[2]))
+
+
+def fitted(log: str, deviation: float, note: str = "") -> Origin:
+    """Return the origin of a number fitted to a log; only a finite deviation > 0 is kept."""
+    return Origin("fitted", deviation=deviation if 0.0 < deviation < float("inf") else None, reference=log, note=note)
+
+
+def assumed(note: str) -> Origin:
+    """Return the origin of a number that the log does not contain."""
+    return Origin("assumed", note=note)
+
+
+def command_label(unit: str) -> str:
+    """Return the label of a command in a picture.
+
+    >>> command_label("V"), command_label("")
+    ('command [V]', 'command')
+    """
+    return f"command [{unit}]" if unit else "command"
+
+
+def join_names(names: Sequence[str]) -> str:
+    """Join names of logs, a few of many.
+
+    >>> join_names(["a", "b", "c", "d"])
+    'a, b and 2 more'
+    """
+    return ", ".join(names) if len(names) <= 3 else f"{', '.join(names[:2])} and {len(names) - 2} more"

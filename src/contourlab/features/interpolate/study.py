@@ -1,0 +1,254 @@
+"""Counts from quadrature signals, and the errors within a pitch before and after the correction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.analysis.encoder.interpolation import SinusoidTable, period_count
+from contourlab.analysis.encoder.quadrature import (
+    EllipseFit,
+    QuadratureConstants,
+    Subdivisional,
+    Tracked,
+    fit_ellipse,
+    subdivisional_error,
+    track_ellipse,
+)
+from contourlab.errors import ParameterError, ResultError
+from contourlab.features.interpolate.signals import QuadratureRecord, line_of
+from contourlab.findings import Finding, finding
+
+Array = NDArray[np.float64]
+WEAK = 0.5
+"""Share of the amplitude below which a signal is weak."""
+SCALE = 0.01
+"""Largest relative difference between the travels of signals and reference; beyond it the pitch is wrong."""
+SETTLING = 2.0
+"""Memories of the recursive fit, 1/(1 - lambda) updates each, until it has settled."""
+BINS = 180
+CONSTANTS = ("offset_1", "offset_2", "amplitude", "ratio", "phase_error")
+
+
+@dataclass(frozen=True)
+class Interpolated:
+    """The result; as JSON field by field, in SI.
+
+    Attributes
+    ----------
+    file : str
+    n_sample : int
+    columns : (str, str)
+    pitch, resolution : float [m]
+    order : int
+        Of the sinusoids.
+    method : str
+        ``"all samples"`` or ``"recursive"``.
+    forgetting : float or None
+    updates : int or None
+        Of the recursive fit.
+    settled_from_sample : int
+    constants : dict
+        Offsets, amplitude, ratio and phase error; with their unit.
+    scatter : float
+        Around the ellipse, over its radius.
+    subdivisional_error : dict
+        What it is measured ``against``, and the error ``before`` and ``after``: peak, orders and rest [m]; None if unknown.
+    counts : dict of str to int
+    travel : float [m]
+    fastest : float
+        Pitches from one sample to the next.
+    missed : dict
+        Number of samples at which a period was missed, and the line of the first.
+    weak_samples : int
+    findings : tuple of Finding
+    files : dict of str to str
+        Written.
+    """
+
+    file: str
+    n_sample: int
+    columns: tuple[str, str]
+    pitch: float
+    resolution: float
+    order: int
+    method: str
+    forgetting: float | None
+    updates: int | None
+    settled_from_sample: int
+    constants: dict[str, Any]
+    scatter: float
+    subdivisional_error: dict[str, Any]
+    counts: dict[str, int]
+    travel: float
+    fastest: float
+    missed: dict[str, int | None]
+    weak_samples: int
+    findings: tuple[Finding, ...]
+    files: dict[str, str] = field(default_factory=dict)
+
+
+class Interpolation:
+    """Interpolate a record: counts, errors and where periods are missed.
+
+    Parameters
+    ----------
+    record : QuadratureRecord
+    pitch : float [m]
+    order : int
+        The resolution is the pitch over four times the order.
+    forgetting : float, optional
+        Of the recursive fit; by default one ellipse is fitted to all samples.
+
+    Raises
+    ------
+    ParameterError
+        If the signals make no ellipse.
+    ResultError
+        If the reference contradicts the pitch or the order of the signals.
+    """
+
+    def __init__(self, record: QuadratureRecord, pitch: float, order: int, forgetting: float | None) -> None:
+        self.record, self.pitch, self.order, self.forgetting = record, pitch, order, forgetting
+        self.resolution = pitch / (4 * order)
+        self.fit: EllipseFit = fit_ellipse(record.u1, record.u2)
+        size = self.fit.constants.amplitude
+        self.tracked: Tracked | None = None
+        self.constants: QuadratureConstants = self.fit.constants
+        if forgetting is None:
+            self.after = np.stack(self.constants.corrected(record.u1, record.u2)) / size
+        else:
+            self.tracked = track_ellipse(record.u1, record.u2, QuadratureConstants(amplitude=size), forgetting=forgetting)
+            self.constants = self.tracked.constants()
+            self.after = np.stack([self.tracked.u1, self.tracked.u2])
+        self.before = np.stack([record.u1, record.u2]) / size
+        table = SinusoidTable(order)
+        self.counted, self.uncorrected = table.count(*self.after), table.count(*self.before)
+        self.settled = self._settled()
+        self.missed = self.counted.missed.copy()
+        self.errors = None if record.reference is None else self._against_reference(record.reference)
+
+    def _settled(self) -> int:
+        """Return the sample from which the recursive fit is judged; 0 where most of the record would be dropped."""
+        if self.tracked is None or self.forgetting is None:
+            return 0
+        updates = int(min(SETTLING / max(1.0 - self.forgetting, 1e-4), 1e9))
+        reached = np.flatnonzero(np.cumsum(self.tracked.updated) >= updates)
+        size = self.record.u1.size
+        return int(reached[0]) if reached.size and size - int(reached[0]) >= size // 4 else 0
+
+    def _against_reference(self, true: Array) -> tuple[Array, Array]:
+        """Return the errors of position before and after, whole pitches removed; note where periods were missed."""
+        moved = np.abs(np.diff(true, prepend=true[:1]))
+        travel = float(np.ptp(true))
+        if 2.0 * float(moved.max()) < self.pitch and travel > 2.0 * self.pitch:
+            slope = float(np.polyfit(true - true.mean(), self.resolution * self.counted.counts, 1)[0])
+            place = f"{self.record.source.file}: the signals travel {slope:.4g} of {self.record.reference_name}"
+            if slope < 0.0:
+                raise ResultError(f"{place}: they are in the wrong order: say --columns {self.record.names[1]},{self.record.names[0]}")
+            if abs(slope - 1.0) > SCALE:
+                raise ResultError(f"{place}: a pitch of {self.pitch / slope * 1e6:.4g} um would fit, not {self.pitch * 1e6:.4g} um")
+        errors = []
+        for counted in (self.uncorrected, self.counted):
+            off = self.resolution * counted.counts - true
+            whole = np.rint(np.diff(off, prepend=off[:1]) / self.pitch)
+            if counted is self.counted:
+                self.missed = whole != 0.0  # the reference is more certain than the speed of the signals
+            errors.append(off - self.pitch * np.cumsum(whole))
+        return errors[0], errors[1]
+
+    def position(self) -> Array:
+        """Return the position [m]."""
+        return np.asarray(self.resolution * self.counted.counts, dtype=np.float64)
+
+    def over_phase(self) -> tuple[Array, Array, Array]:
+        """Return phases [deg], and the mean errors there before and after [nm]."""
+        centre = (np.arange(BINS) + 0.5) * 360.0 / BINS
+        part = slice(self.settled, None)
+        if self.record.reference is not None and self.errors is not None:
+            turns = self.record.reference / self.pitch
+            return centre, _binned(turns, self.errors[0]), _binned(turns[part], self.errors[1][part])
+        length = self.pitch / (2.0 * np.pi)
+        turns = np.arctan2(self.after[1], self.after[0]) / (2.0 * np.pi)
+        implied = _binned(centre / 360.0, self.fit.constants.error_without(np.radians(centre)) * length)
+        return centre, implied, _binned(turns[part], self._radius()[part] * length)
+
+    def _subdivisional(self) -> tuple[Subdivisional | None, Subdivisional | None]:
+        """Return what repeats with the pitch, before and after; None where the record is too short."""
+        part = slice(self.settled, None)
+        try:
+            if self.record.reference is not None and self.errors is not None:
+                phase = 2.0 * np.pi / self.pitch * self.record.reference
+                return subdivisional_error(self.errors[0], phase), subdivisional_error(self.errors[1][part], phase[part])
+            turns = np.arctan2(self.after[1], self.after[0]) / (2.0 * np.pi)
+            phase = 2.0 * np.pi * (turns + period_count(turns)[0])
+            return self._implied(), subdivisional_error(self._radius()[part] * self.pitch / (2.0 * np.pi), phase[part])
+        except ParameterError:
+            return (None if self.record.reference is not None else self._implied()), None
+
+    def _radius(self) -> Array:
+        """Return how far the corrected signals are off their circle, over its radius."""
+        radius = np.hypot(*self.after)
+        return np.asarray(radius / np.median(radius) - 1.0, dtype=np.float64)
+
+    def _implied(self) -> Subdivisional:
+        """Return the error that the constants cause, by their own model."""
+        phase = np.linspace(0.0, 12.0 * np.pi, 4320, endpoint=False)
+        return subdivisional_error(self.fit.constants.error_without(phase) * self.pitch / (2.0 * np.pi), phase)
+
+    def result(self) -> Interpolated:
+        """Return the figures."""
+        record, counts = self.record, self.counted.counts
+        before, after = self._subdivisional()
+        marked = np.flatnonzero(self.missed)
+        first_line = line_of(record.source, int(marked[0])) if marked.size else None
+        weak = int(np.count_nonzero(np.hypot(*self.after)[self.settled :] < WEAK))
+        conditions = {
+            "CL450": first_line is not None,
+            "CL451": weak > 0,
+            "CL452": before is None or after is None,
+            "CL453": record.reference is None,
+            "CL454": self.settled > 0,
+        }
+        values: dict[str, Any] = {"samples": int(marked.size), "line": first_line, "weak": weak, "settled": self.settled}
+        return Interpolated(
+            file=str(record.source.file),
+            n_sample=int(counts.size),
+            columns=record.names,
+            pitch=self.pitch,
+            resolution=self.resolution,
+            order=self.order,
+            method="all samples" if self.tracked is None else "recursive",
+            forgetting=self.forgetting,
+            updates=None if self.tracked is None else int(self.tracked.updated.sum()),
+            settled_from_sample=self.settled,
+            constants={**{name: getattr(self.constants, name) for name in CONSTANTS}, "unit": record.unit},
+            scatter=self.fit.scatter,
+            subdivisional_error={
+                "against": "shape" if record.reference is None else "reference",
+                "before": _figures(before),
+                "after": _figures(after),
+            },
+            counts={"first": int(counts[0]), "last": int(counts[-1]), "least": int(counts.min()), "greatest": int(counts.max())},
+            travel=float(np.ptp(counts)) * self.resolution,
+            fastest=float(np.abs(np.diff(counts, prepend=counts[:1])).max()) / (4 * self.order),
+            missed={"n_sample": int(marked.size), "first_line": first_line},
+            weak_samples=weak,
+            findings=tuple(finding(code, **values) for code, holds in conditions.items() if holds),
+        )
+
+
+def _figures(error: Subdivisional | None) -> dict[str, Any] | None:
+    return None if error is None else {"peak": error.peak, "orders": list(error.orders), "rest_rms": error.rest}
+
+
+def _binned(turns: Array, error: Array) -> Array:
+    """Return the mean of an error [m] in each part of a turn, less the mean of them all [nm]; nan where there is nothing."""
+    place = np.clip(((turns - np.floor(turns)) * BINS).astype(np.int64), 0, BINS - 1)
+    number = np.bincount(place, minlength=BINS)
+    total = np.bincount(place, weights=error, minlength=BINS)
+    mean = np.where(number > 0, total / np.maximum(number, 1), np.nan)
+    return np.asarray(1e9 * (mean - np.nanmean(mean)), dtype=np.float64)

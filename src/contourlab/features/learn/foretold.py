@@ -1,0 +1,38 @@
+"""What an analysis predicts of learning, as findings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from contourlab.analysis.learning.learning_analysis import LearningAnalysis
+from contourlab.components.learning.error_law import ZeroPhase
+from contourlab.findings import Finding, finding
+
+GROWTH = 1e-6
+"""How far above 1 a factor may be by rounding."""
+
+
+def learning_findings(analysis: LearningAnalysis) -> Iterator[Finding]:
+    """Yield what may go wrong, and the settings by rule that would not."""
+    frequency, factor = analysis.response.worst_radius
+    diverges = factor > 1.0 + GROWTH
+    if diverges:
+        yield finding("CL310", frequency=_hertz(frequency), growth=factor - 1.0)
+    elif analysis.response.worst_norm[1] > 1.0 + GROWTH:
+        at, size = analysis.response.worst_norm
+        yield finding("CL311", frequency=_hertz(at), growth=size - 1.0)
+    design = analysis.design
+    if design is not None and design.worst_factor < factor:
+        yield finding(
+            "CL312", half_width=design.half_width, gain=design.gain, passes=design.passes, lead=design.lead,
+            bandwidth=_hertz(design.bandwidth), growth=max(design.worst_factor - 1.0, 0.0),
+        )  # fmt: skip
+    elif design is None and diverges and isinstance(analysis.law, ZeroPhase):
+        yield finding("CL313")
+    if analysis.lifted is not None and analysis.lifted.radius > 1.0 + 1e-4 and not diverges:
+        yield finding("CL314", growth=analysis.lifted.radius - 1.0)
+
+
+def _hertz(omega: float) -> float:
+    return omega / (2.0 * math.pi)

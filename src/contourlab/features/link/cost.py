@@ -1,0 +1,321 @@
+"""What it costs to divide controllers between base and axes, and how slow, late or lossy the network between them may be."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from contourlab.components.contract import Component
+from contourlab.components.ideal import IdealLink
+from contourlab.components.link.network import Network
+from contourlab.errors import ParameterError
+from contourlab.features.link.sweep import FIGURES, QUANTITIES, SEEDS, LinkSetting, LinkSweep, swept
+from contourlab.feed import Reference
+from contourlab.findings import Finding, finding
+from contourlab.loop import Controller, Division, Machine, parameter_names, simulate, simulate_batch
+
+WAYS = {"both": "both ways", "one": "one way"}
+"""Directions of messages. One way they go down only: the base has wires of its own to the sensors, or sees nothing."""
+WITHIN = 0.1
+"""Allowed error above that of the undivided loop, as a part of it."""
+
+
+def divided(
+    controller: Controller,
+    division: str,
+    ways: str = "both",
+    link: Network | None = None,
+    axes: Sequence[str] | None = None,
+) -> Controller:
+    """Divide a controller between base and axes.
+
+    Parameters
+    ----------
+    controller : Controller
+        Its own links are replaced.
+    division : str
+        Of `contourlab.loop.DIVISIONS`.
+    ways : {"both", "one"}
+        Whether messages also go up. If not, the base has wires of its own to the sensors; with the whole controller in the axis it sees
+        nothing, and contour estimator and coupling are left out.
+    link : Network, optional
+        Network of each direction; by default one without delay.
+    axes : sequence of str, optional
+        Axes to divide; all by default.
+
+    Raises
+    ------
+    ParameterError
+        If division, ways or an axis is unknown.
+    """
+    if ways not in WAYS:
+        raise ParameterError("ways", repr(ways), "one of " + ", ".join(WAYS))
+    chosen = tuple(controller.axes) if axes is None else tuple(axes)
+    unknown = [name for name in chosen if name not in controller.axes]
+    if unknown:
+        raise ParameterError("axes", repr(unknown[0]), "of " + ", ".join(controller.axes))
+    part = link or Network()
+    blind = ways == "one" and division == "controller"
+    up: Component | None = part if ways == "both" else (None if blind else IdealLink())
+    made = {name: replace(axis, link=Division(division, part, up) if name in chosen else None) for name, axis in controller.axes.items()}
+    contour: dict[str, Any] = {"estimator": None, "coupling": None} if blind else {}
+    return replace(controller, axes=made, **contour)
+
+
+def undivided_error(
+    machine: Machine,
+    controller: Controller,
+    reference: Reference,
+    figure: str = FIGURES[0],
+    *,
+    seed: int = 0,
+    moving: bool = False,
+) -> float:
+    """Return a figure of the contour error [m, or m s] of the loop without links, over the last lap or the whole motion.
+
+    Raises
+    ------
+    ParameterError
+        If the figure is unknown.
+    DivergenceError
+        If the run leaves its limits.
+    """
+    if figure not in FIGURES:
+        raise ParameterError("figure", repr(figure), "one of " + ", ".join(FIGURES))
+    whole = replace(controller, axes={name: replace(axis, link=None) for name, axis in controller.axes.items()})
+    name, (part, parameter) = next(iter(parameter_names(machine, whole).items()))
+    error = simulate_batch(machine, whole, reference, {name: [part.values()[parameter]]}, seed=seed, moving=moving).figures[figure][0]
+    if math.isnan(error):
+        simulate(machine, whole, reference, seed=seed, moving=moving)  # raises, and says where and when the run fails
+    return float(error)
+
+
+def allowed_error(whole: float, within: float, allowed: float | None = None, floor: float = 0.0) -> float:
+    """Return the largest error allowed: `allowed` if given, else the undivided loop's and a part of it (or of `floor`, if larger) more.
+
+    Raises
+    ------
+    ParameterError
+        If `within` or `allowed` is out of range.
+    """
+    if allowed is None:
+        if not (within >= 0.0 and math.isfinite(within)):
+            raise ParameterError("within", f"{within:g}", ">= 0 and finite")
+        return (1.0 + within) * whole if whole >= floor else whole + within * floor
+    if not (allowed > 0.0 and math.isfinite(allowed)):
+        raise ParameterError("allowed", f"{allowed:g}", "> 0 and finite")
+    return allowed
+
+
+# --- the limit of one quantity -----------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class LinkLimit:
+    """The largest value of one quantity of the links that holds.
+
+    Attributes
+    ----------
+    quantity : str
+    value : float [SI]
+        nan if not even the smallest holds.
+    limited : bool
+        False if all tested values hold.
+    error : float
+        At that value.
+    undivided, allowed : float
+        Error of the undivided loop, and the largest allowed.
+    """
+
+    quantity: str
+    value: float
+    limited: bool
+    error: float
+    undivided: float
+    allowed: float
+
+    @property
+    def rate(self) -> float:
+        """For a message period: the smallest message rate that holds [Hz]."""
+        return 1.0 / self.value
+
+
+def link_limit(
+    machine: Machine,
+    controller: Controller,
+    reference: Reference,
+    quantity: str = "message_period",
+    *,
+    figure: str = FIGURES[0],
+    within: float = WITHIN,
+    allowed: float | None = None,
+    longest: float = 0.1,
+    seeds: int = SEEDS,
+    seed: int = 0,
+    moving: bool = False,
+) -> LinkLimit:
+    """Find the largest value of a quantity of the links at which contour error and stability hold.
+
+    Parameters
+    ----------
+    machine, controller, reference
+        The controller divided, with a network in at least one direction: see `divided`.
+    quantity : str
+        Of `QUANTITIES`, the same for all axes and both directions.
+    figure : str
+        Of `FIGURES`.
+    within : float, >= 0
+        Allowed error above that of the undivided loop, as a part of it.
+    allowed : float, optional
+        Largest error in place of that [m, or m s for the integral].
+    longest : float [s]
+        Largest time to test.
+    seeds : int
+        Runs with jitter or loss: the worst counts.
+    seed : int
+        The first of them, and that of all other noise.
+    moving : bool
+        As of `simulate_batch`.
+
+    Raises
+    ------
+    ParameterError
+        If an argument is out of range, or no link is a network.
+    """
+    whole = undivided_error(machine, controller, reference, figure, seed=seed, moving=moving)
+    top = allowed_error(whole, within, allowed)
+    sweep = swept(LinkSetting(machine, controller, reference, figure, top, seeds, seed, moving), quantity, longest)
+    most = sweep.most
+    error = float(sweep.error[sweep.values == most][0]) if math.isfinite(most) else math.nan
+    return LinkLimit(quantity, most, sweep.limited, error, whole, top)
+
+
+def message_rate(
+    machine: Machine,
+    controller: Controller,
+    reference: Reference,
+    division: str = "observer",
+    ways: str = "both",
+    link: Network | None = None,
+    axes: Sequence[str] | None = None,
+    **options: Any,
+) -> LinkLimit:
+    """Find the smallest message rate at which a machine with divided controllers holds: `LinkLimit.rate`.
+
+    Parameters
+    ----------
+    machine, controller, reference
+        The controller whole; its own links are replaced.
+    division, ways, link, axes
+        As of `divided`; delay, jitter and loss of the link stay as given.
+    **options
+        As of `link_limit`.
+    """
+    return link_limit(machine, divided(controller, division, ways, link, axes), reference, "message_period", **options)
+
+
+# --- the cost of a division --------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class DivisionCost:
+    """What one way of dividing the controllers costs.
+
+    Attributes
+    ----------
+    division, ways : str
+        All that occur, if axes differ.
+    local_parameters : dict of str to tuple of str
+        Parameters that may move with each axis.
+    error : float
+        With the links as given; nan if a run left its limits.
+    unstable : bool
+        Whether the linear model with the links as given is unstable; False if unknown.
+    sweeps : dict of str to LinkSweep
+    findings : tuple of Finding
+    """
+
+    division: str
+    ways: str
+    local_parameters: Mapping[str, tuple[str, ...]]
+    error: float
+    unstable: bool
+    sweeps: Mapping[str, LinkSweep]
+    findings: tuple[Finding, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """Division and ways."""
+        return f"{self.division}, {WAYS.get(self.ways, self.ways)}"
+
+
+def division_cost(
+    setting: LinkSetting,
+    quantities: Sequence[str] = QUANTITIES,
+    longest: float = 0.1,
+    progress: Callable[[int, int], None] | None = None,
+) -> DivisionCost:
+    """Sweep the links of a divided controller, one quantity at a time, the others as given.
+
+    A swept quantity is the same for all links, even if they differ as given.
+
+    Parameters
+    ----------
+    setting : LinkSetting
+    quantities : sequence of str
+        Of `QUANTITIES`.
+    longest : float [s]
+        Largest time to test.
+    progress : callable, optional
+        Called with the quantities done, and their number.
+
+    Raises
+    ------
+    ParameterError
+        If a quantity is unknown, or the longest time shorter than a servo period.
+    """
+    unknown = [name for name in quantities if name not in QUANTITIES]
+    if unknown:
+        raise ParameterError("quantities", repr(unknown[0]), "of " + ", ".join(QUANTITIES))
+    sweeps = {}
+    for i, quantity in enumerate(quantities):
+        sweeps[quantity] = swept(setting, quantity, longest)
+        if progress is not None:
+            progress(i + 1, len(quantities))
+    links = [axis.link for axis in setting.controller.axes.values() if axis.link is not None]
+    divisions = ", ".join(dict.fromkeys(link.division for link in links))
+    ways = ", ".join(dict.fromkeys("both" if isinstance(link.up, Network) else "one" for link in links))
+    local = {name: axis.local_parameters for name, axis in setting.controller.axes.items()}
+    period = next(iter(setting.networks.values())).message_period
+    unstable = setting.growth("message_period", period) >= 1.0
+    findings = [*_on_links(setting), *(_on_stability(setting) if {"message_period", "delay"} & set(quantities) else ())]
+    return DivisionCost(divisions, ways, local, setting.as_given(), unstable, sweeps, tuple(findings))
+
+
+def _on_links(setting: LinkSetting) -> Iterator[Finding]:
+    period, duration, controller = setting.machine.servo_period, setting.reference.duration, setting.controller
+    for (axis, way), part in setting.networks.items():
+        place, ticks = f"axis {axis}, {way}", part.message_period / period
+        if abs(ticks - round(ticks)) > 1e-6:
+            yield finding("CL750", place, asked=part.message_period, sent=math.ceil(ticks) * period)
+        if part.loss >= 1.0:
+            yield finding("CL751", place)
+        elif part.delay >= duration:
+            yield finding("CL752", place, delay=part.delay, duration=duration)
+    if controller.coupling is None and any(axis.link is not None and axis.link.up is None for axis in controller.axes.values()):
+        yield finding("CL753")
+
+
+def _on_stability(setting: LinkSetting) -> Iterator[Finding]:
+    """Yield why a limit of stability is unknown."""
+    if any(part.jitter > 0.0 or part.loss > 0.0 for part in setting.networks.values()):
+        yield finding("CL754")
+        return
+    if len(setting.reference.laps) < 2:
+        yield finding("CL755")
+    if not setting.loops:
+        yield finding("CL756")
+    elif any(part.between != "hold" for part in setting.networks.values()):
+        yield finding("CL757")

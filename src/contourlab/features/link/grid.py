@@ -1,0 +1,79 @@
+"""The values at which a quantity of the links is tested: a grid that depends on the servo period alone, and the gaps in it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ParameterError
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+LOSSES = np.linspace(0.0, 0.98, 50)
+EACH = 128
+"""Servo periods up to which each is tested."""
+FARTHER = 64
+"""Values per doubling beyond them."""
+
+
+def times(quantity: str, period: float, longest: float) -> Array:
+    """Return the values of a time to test [s]: each servo period up to `EACH`, then `FARTHER` values per doubling.
+
+    Grids of different length agree where they overlap, so that a limit does not depend on `longest`.
+
+    Parameters
+    ----------
+    quantity : str
+        ``message_period`` begins at one servo period, other times begin at 0.
+    period, longest : float [s]
+        Servo period, and the last value.
+
+    Raises
+    ------
+    ParameterError
+        If the longest time is shorter than a servo period.
+    """
+    if not longest >= period:
+        raise ParameterError("longest", f"{longest:g}", f">= the servo period, {period:g}", "s")
+    last = math.floor(longest / period + 1e-9)
+    parts = [np.arange(min(EACH, last) + 1)]
+    start = EACH
+    while start < last:
+        parts.append(np.arange(start, min(2 * start, last) + 1, start // FARTHER))
+        start *= 2
+    ticks = np.unique(np.concatenate([*parts, [last]])).astype(float)
+    return np.asarray(period * (ticks[1:] if quantity == "message_period" else ticks))
+
+
+def passed_over(values: Array, bad: Mask, unknown: Mask, period: float, most: int) -> Array:
+    """Return multiples of the servo period, evenly spaced, between the last good value and the first bad one.
+
+    Parameters
+    ----------
+    values : ndarray (n,) [s]
+        Rising.
+    bad, unknown : ndarray (n,)
+        An unknown value is neither good nor bad.
+    period : float [s]
+        Servo period.
+    most : int
+        Values at most.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> values, no = np.array([0.0, 8.0, 16.0, 24.0]), np.zeros(4, dtype=bool)
+    >>> passed_over(values, np.array([False, False, True, False]), no, 1.0, 3).tolist()
+    [10.0, 12.0, 14.0]
+    """
+    if not bad.any():
+        return np.zeros(0)
+    first = int(np.argmax(bad))
+    good = np.flatnonzero(~unknown[:first])
+    if not good.size:
+        return np.zeros(0)
+    low, high = (round(value / period) for value in (values[good[-1]], values[first]))
+    step = max(1, math.ceil((high - low) / (most + 1)))
+    return period * np.arange(low + step, high, step, dtype=float)

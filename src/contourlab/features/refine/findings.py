@@ -1,0 +1,91 @@
+"""What speaks against refined parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from contourlab.analysis.identification.gauss_newton import Descent, FitCovariance
+from contourlab.features.refine.log_run import Agreement
+from contourlab.features.refine.parameters import RefinedParameter
+from contourlab.findings import Finding, finding
+
+TOGETHER = 0.95
+"""Correlation from which two parameters cannot be told apart."""
+UNKNOWN = 0.5
+"""Relative deviation from which a parameter is hardly known."""
+EXPLAINED = 0.5
+"""Share of the variance of a signal below which a finding is made."""
+WORSE = 0.01
+"""Share by which more may be left than before of what was not fitted."""
+COLOURED = 1.5
+"""Ratio of deviations with and without colour from which a finding is made."""
+
+
+def fit_findings(
+    parameters: Sequence[RefinedParameter],
+    descent: Descent,
+    knowledge: FitCovariance,
+    after: Sequence[Agreement],
+    descents: tuple[int, int],
+) -> Iterator[Finding]:
+    """Yield what speaks against the parameters.
+
+    Parameters
+    ----------
+    parameters : sequence of RefinedParameter
+    descent : Descent
+    knowledge : FitCovariance
+        Of the parameters that are not at a bound.
+    after : sequence of Agreement
+    descents : (int, int)
+        Made, and ended at the same minimum as the best.
+    """
+    for parameter in parameters:
+        value, deviation, place = parameter.value, parameter.deviation, parameter.sought.label
+        if parameter.at_bound:
+            yield finding("CL550", place, value=value)
+        elif not np.isfinite(deviation):
+            yield finding("CL551", place)
+        elif deviation > UNKNOWN * abs(value) and not parameter.sought.signed:
+            yield finding("CL552", place, ratio=deviation / abs(value) if value else np.inf)
+    yield from _correlated(parameters, knowledge)
+    if not descent.converged:
+        yield finding("CL554", steps=descent.iterations)
+    made, same = descents
+    if made > 1 and same < made:
+        yield finding("CL555", made=made, same=same)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratios = np.array([parameter.deviation for parameter in parameters]) / [parameter.white_deviation for parameter in parameters]
+    ratio = float(np.nan_to_num(ratios, nan=1.0, posinf=1.0).max())
+    if ratio > COLOURED:
+        yield finding("CL556", ratio=ratio)
+    for one in after:
+        if one.explained <= 0.0:
+            yield finding("CL558", one.place)
+        elif one.explained < EXPLAINED:
+            yield finding("CL557", one.place, explained=one.explained)
+
+
+def _correlated(parameters: Sequence[RefinedParameter], knowledge: FitCovariance) -> Iterator[Finding]:
+    labels = [parameter.sought.label for parameter in parameters if not parameter.at_bound]
+    for i, j in np.argwhere(np.triu(np.abs(knowledge.correlation), 1) > TOGETHER).tolist():
+        if not (knowledge.untold[i] or knowledge.untold[j]):
+            yield finding("CL553", f"{labels[i]} and {labels[j]}", correlation=float(knowledge.correlation[i, j]))
+
+
+def unseen_findings(before: Sequence[Agreement], after: Sequence[Agreement], validation: bool = False) -> Iterator[Finding]:
+    """Yield where a refined model follows what was not fitted less well than the model at the start.
+
+    Parameters
+    ----------
+    before, after : sequence of Agreement
+        Of the same signals in the same order.
+    validation : bool
+        Whether they are of a log for validation, or of what `--window` leaves out.
+    """
+    for one, other in zip(before, after, strict=True):
+        if other.rms > (1.0 + WORSE) * one.rms:
+            values = {"ratio": other.rms / one.rms, "before": one.rms, "after": other.rms}
+            yield finding("CL560", other.place, **values) if validation else finding("CL559", other.place, **values)

@@ -1,0 +1,297 @@
+"""One case: simulate, or learn from trial to trial; judge; sum up; give a verdict."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from time import perf_counter
+
+from contourlab.analysis.learning.learning_analysis import LearningAnalysis, learning_analysis
+from contourlab.analysis.linear.contour_transfer import InternalStability, internal_stability
+from contourlab.analysis.linear.margins import Margins
+from contourlab.analysis.linear.sampled_loop import AxisResponse, sampled_loop
+from contourlab.components.supervisor.pre_routed import PreRouted
+from contourlab.engine.runner import make_group
+from contourlab.errors import ComponentError, ResultError
+from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
+from contourlab.features.learn.foretold import learning_findings
+from contourlab.features.run.trust.interval import contour_interval
+from contourlab.features.run.trust.provenance import trust_of
+from contourlab.features.run.verdict import verdict
+from contourlab.feed import LimitReport, Reference, limit_report
+from contourlab.findings import Finding, finding
+from contourlab.loop import Controller, Machine, simulate
+from contourlab.loop.feeding import Feed
+from contourlab.loop.simulate import sampler
+from contourlab.loop.switches import Switches, switches_of
+from contourlab.loop.template import build
+from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
+from contourlab.report.judgement import Trust, Verdict
+from contourlab.result import Result
+from contourlab.scenario import Case
+
+KEPT_REPORTS = 16
+_REPORTS: dict[tuple[str, bytes, bytes, bytes], LimitReport] = {}
+"""The latest reports by motion and limits: schemes of a file mostly share both, and a report reads the whole motion."""
+TICKS, SECONDS, FEWEST = 20_000, 0.3, 7
+"""For the cost of a tick: most ticks of a run, total time of the runs, fewest runs."""
+
+
+@dataclass(frozen=True, eq=False)
+class AxisBode:
+    """Closed loop and margins of one axis, sampled as it runs."""
+
+    response: AxisResponse
+    margins: Margins
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """A judged case; of a case that learns, its best trial.
+
+    Attributes
+    ----------
+    limits : LimitReport or None
+        None where the motion was not planned within limits.
+    learning : LearningRun or None
+    foretold : LearningAnalysis or None
+        What an analysis predicts of learning.
+    tick : float or None [s]
+        Time of a servo tick, where asked for.
+    switches : Switches or None
+        None where no axis has several controllers.
+    remarks : tuple of Finding
+        On the case, before it runs.
+    """
+
+    name: str
+    case: Case
+    reference: Reference
+    result: Result
+    metrics: Metrics
+    verdict: Verdict | None
+    circles: tuple[CircleFigures, ...]
+    spikes: tuple[Spike, ...]
+    bode: dict[str, AxisBode]
+    limits: LimitReport | None
+    learning: LearningRun | None
+    foretold: LearningAnalysis | None
+    tick: float | None
+    switches: Switches | None
+    trust: Trust
+    remarks: tuple[Finding, ...]
+
+    def loop_meant(self, axis: str) -> str:
+        """Return which loop of an axis the linear analysis is of; empty where it has just one."""
+        several = self.case.controller.axes[axis].supervisor is not None
+        contact = self.case.machine.axis(axis).plant.two_sided
+        return ", ".join(["first controller"] * several + ["in contact"] * contact)
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """All findings: on the case, its loops, learning, verdict, uncertainty."""
+        unstable = [finding("CL205", place=f"axis {axis}") for axis, bode in self.bode.items() if not bode.margins.stable]
+        learning = () if self.learning is None else self.learning.findings
+        judged = () if self.verdict is None else self.verdict.findings
+        sampled = () if self.trust.interval is None else self.trust.interval.findings
+        return (*self.remarks, *unstable, *learning, *judged, *sampled)
+
+
+def run_case(
+    case: Case,
+    *,
+    explain: bool = True,
+    progress: Callable[[int, int], None] | None = None,
+    stage: Callable[[str], None] | None = None,
+    costs: bool = False,
+    foretell: bool = False,
+    interval: bool | None = False,
+) -> Outcome:
+    """Run one case and judge it.
+
+    Parameters
+    ----------
+    case : Case
+    explain : bool
+        Whether to find causes and advice of a failed verdict. A case that learns gets none: what it learned belongs to its own machine.
+    progress : callable, optional
+        Called with samples done and samples in all, while simulating.
+    stage : callable, optional
+        Called with the name of each stage.
+    costs : bool
+        Whether to time the servo tick.
+    foretell : bool
+        Whether to analyse learning and coupling beforehand.
+    interval : bool or None
+        Whether to draw machines from the stated deviations, for the interval of the contour error; None: where it is quick.
+
+    Raises
+    ------
+    DivergenceError
+        If the loop diverges.
+    """
+    begin = stage or (lambda name: None)
+    begin(f"planning {case.name}")
+    reference = case.reference()
+    machine, controller = case.machine, case.controller
+
+    def report_progress(done: int) -> None:
+        if progress is not None:
+            progress(done, reference.n_sample * (1 if case.learning is None else case.learning.trials + 1))
+
+    foretold = learned = None
+    if case.learning is not None:
+        if foretell:
+            begin(f"analysing how {case.name} learns")
+            foretold = _foretold(case)
+        begin(f"learning, {case.name}")
+        learned = _learned(case, reference, report_progress)
+    begin(f"simulating {case.name}" + ("" if learned is None else f", trial {learned.best}"))
+    table, trial = (None, 0) if learned is None else (learned.table.learned, learned.best)
+    given = {"seed": case.seed, "learned": table, "moving": case.moving, "changes": case.changes}
+    shown = report_progress if learned is None else None
+    result = simulate(machine, controller, reference, scheme=case.name, trial=trial, progress=shown, **given)  # type: ignore[arg-type]
+    begin(f"judging {case.name}")
+    judged = judge(result, reference)
+    figures = summarise(judged, reference)
+    explain = explain and case.tolerance is not None and figures.part_error.max > case.tolerance and learned is None
+    if explain:
+        begin(f"looking for the causes of the error of {case.name}")
+    answer = None if case.tolerance is None else verdict(
+        machine, controller, reference, judged, case.tolerance,
+        lines=case.lines, slower=case.reference, closer=case.closer, explain=explain, seed=case.seed,
+    )  # fmt: skip
+    sampled = None
+    if interval is not False:
+        begin(f"drawing machines from the deviations, {case.name}")
+        sampled = contour_interval(
+            machine, controller, reference, tolerance=case.tolerance, progress=progress, patient=bool(interval), **given  # type: ignore[arg-type]
+        )  # fmt: skip
+    return Outcome(
+        name=case.name,
+        case=case,
+        reference=reference,
+        result=judged,
+        metrics=figures,
+        verdict=answer,
+        circles=circles_of(judged, reference),
+        spikes=reversal_spikes(judged, (max(figures.window[0] - 5, 0), figures.window[1]), reference=reference),
+        bode=bode_of(machine, controller),
+        limits=limits_of(case, reference),
+        learning=learned,
+        foretold=foretold,
+        tick=tick_cost(machine, controller, reference) if costs else None,
+        switches=switches_of(judged, controller, reference, case.changes),
+        trust=trust_of(machine, controller, sampled),
+        remarks=tuple(_remarks(case, reference, foretold, costs or foretell)),
+    )
+
+
+def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None, coupling: bool) -> Iterator[Finding]:
+    """Yield what a person should know before trusting a run; with `coupling` its stability too."""
+    if coupling and case.controller.coupling is not None:
+        with suppress(ComponentError):  # not linear
+            yield from coupling_findings(internal_stability(case.machine, case.controller))
+    for axis in case.machine.axes:
+        loop = case.controller.axes[axis.name]
+        shifts = loop.compensation is not None and any(port.name == "reference_shift" for port in loop.compensation.outputs)
+        if shifts and loop.feedback == "load" and axis.plant.two_sided:
+            yield finding("CL101", place=f"axis {axis.name}")
+        if isinstance(loop.supervisor, PreRouted):
+            yield from _unreached(axis.name, loop.supervisor, reference)
+    last = reference.n_sample * reference.servo_period
+    for change in case.changes:
+        if change.sample(reference.servo_period) >= reference.n_sample:
+            yield finding("CL104", time=change.time, end=last)
+    if foretold is not None:
+        yield from learning_findings(foretold)
+
+
+def coupling_findings(stability: InternalStability) -> Iterator[Finding]:
+    """Yield why a coupling of stable axes is unstable; nothing where it is stable."""
+    if not all(stability.axes.values()) or stability.directions is None:
+        return
+    if not stability.directions.stable:
+        parts = zip(stability.axes, stability.directions.modulus_direction, strict=True)
+        direction = [f"{axis} {part:.2f}" for axis, part in parts]
+        yield finding("CL206", frequency=stability.directions.modulus_frequency / (2.0 * math.pi), direction=direction)
+    elif stability.lap >= 1.0:
+        yield finding("CL207", growth=stability.lap)
+
+
+def _unreached(name: str, supervisor: PreRouted, reference: Reference) -> Iterator[Finding]:
+    if supervisor.by == "line" and not reference.source_lines.any():
+        yield finding("CL102", place=f"axis {name}")
+    end = float(reference.block(reference.n_sample - 1, reference.n_sample).arc_length[0])
+    beyond = [place for place in supervisor.places if place > end] if supervisor.by == "arc-length" else []
+    if beyond:
+        yield finding("CL103", place=f"axis {name}", place_at=beyond[0], end=end)
+
+
+def _foretold(case: Case) -> LearningAnalysis | None:
+    """Analyse learning before it begins; None without a linear model."""
+    assert case.learning is not None
+    try:
+        return learning_analysis(case.machine, case.controller, case.learning.law)
+    except ComponentError:
+        return None
+
+
+def _learned(case: Case, reference: Reference, report_progress: Callable[[int], None]) -> LearningRun:
+    """Run the trials of a case; the first starts with the table that the case names."""
+    learning, start = case.learning, None
+    assert learning is not None
+    if learning.table is not None:
+        start = LearnedTable.load(learning.table)
+        try:
+            start.check(case.machine, case.controller, reference)
+        except ResultError as error:
+            raise ResultError(f"{learning.table}: {error}") from error
+    stopping = Stopping(improvement=learning.improvement, patience=learning.patience)
+    return learn(
+        case.machine, case.controller, reference, learning.law,
+        trials=learning.trials, seed=case.seed, start=start, stopping=stopping, progress=report_progress,
+    )  # fmt: skip
+
+
+def limits_of(case: Case, reference: Reference) -> LimitReport | None:
+    """Check the reference against the limits of the axes; None where it was not planned within them."""
+    if case.route() is None:
+        return None
+    limits = case.limits
+    key = (reference.digest, limits.velocity.tobytes(), limits.acceleration.tobytes(), limits.jerk.tobytes())
+    if key not in _REPORTS:
+        while len(_REPORTS) >= KEPT_REPORTS:
+            del _REPORTS[next(iter(_REPORTS))]
+        _REPORTS[key] = limit_report(reference, limits)
+    return _REPORTS[key]
+
+
+def bode_of(machine: Machine, controller: Controller) -> dict[str, AxisBode]:
+    """Return the closed loop of each axis whose components are linear but for friction, counts and limits."""
+    loops = {}
+    for axis in machine.axes:
+        try:
+            loop = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
+        except ComponentError:
+            continue
+        loops[axis.name] = AxisBode(loop.response(loop.frequencies()), loop.margins())
+    return loops
+
+
+def tick_cost(machine: Machine, controller: Controller, reference: Reference) -> float:
+    """Return the time of one tick of the compiled loop [s], the simulated machine included: the shortest of several runs."""
+    feed = Feed(machine, controller, reference, None, sampler(True))
+    first, fed = feed.block(0, min(TICKS, reference.n_sample))
+    loop = build(machine, controller, reference.path, first.position[0], float(first.arc_length[0]), fed=feed.names)
+    group = make_group(loop.schedule, 1, slice(0, 1), True)
+    start = group.snapshot()
+    times: list[float] = []
+    while len(times) < FEWEST or sum(times) * len(fed) < SECONDS:
+        group.restore(start)
+        begun = perf_counter()
+        group.run(fed, [])
+        times.append((perf_counter() - begun) / len(fed))
+    return min(times)

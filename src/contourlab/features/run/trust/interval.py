@@ -1,0 +1,207 @@
+"""The interval of contour error that the stated deviations of the machine's numbers imply.
+
+64 machines are drawn from the deviations, run in lanes and judged there. The points are a scrambled Sobol sequence that depends on the seed
+only: the figures are the same for any number of threads.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.contract import Component
+from contourlab.errors import ContourlabError
+from contourlab.features.run.trust.provenance import numbers_of
+from contourlab.feed import Reference
+from contourlab.findings import Finding, finding
+from contourlab.loop import Controller, Learned, Machine, parameter_names, simulate_batch
+from contourlab.report.judgement import Interval, Number, Rank, Spread
+
+Array = NDArray[np.float64]
+
+SAMPLES = 64
+"""Machines that are drawn: two groups of 32 lanes."""
+LEVELS = (0.05, 0.95)
+"""Shares of the samples below the ends of an interval."""
+FIGURES = {"rms": "contour_error_rms", "max": "contour_error_max"}
+
+
+def contour_interval(
+    machine: Machine,
+    controller: Controller,
+    reference: Reference,
+    *,
+    seed: int = 0,
+    tolerance: float | None = None,
+    moving: bool = False,
+    changes: Sequence[object] = (),
+    learned: Learned | None = None,
+    threads: int | None = None,
+    n: int = SAMPLES,
+    patient: bool = False,
+    progress: Callable[[int, int], None] | None = None,
+) -> Interval:
+    """Return the interval of the contour error that the stated deviations imply.
+
+    Parameters
+    ----------
+    machine, controller, reference
+        As they are run.
+    seed : int
+        Of the run: all samples see its noise, and the points depend on it.
+    tolerance : float [m], optional
+        Limit for the largest contour error.
+    moving : bool
+        As in `contourlab.loop.simulate_batch`.
+    changes : sequence
+        Controllers that take over during the run; lanes cannot run them.
+    learned : Learned, optional
+        What the nominal machine has learned, fed to each sample.
+    threads : int, optional
+    n : int
+        Samples, a power of two.
+    patient : bool
+        Whether machines with a gap observer are drawn too, which takes as long as `n` single runs.
+    progress : callable, optional
+        Called with samples done and samples in all.
+
+    Returns
+    -------
+    Interval
+        Without samples, and with a finding, where there is no interval.
+
+    Notes
+    -----
+    The contour error is that of the true axis positions, without the machine's error map.
+    """
+    simulated = [number for number in numbers_of(machine, controller) if number.simulated]
+    uncertain = [number for number in simulated if number.drawn]
+    if not uncertain:
+        exact = all(number.source == "design" for number in simulated)
+        return Interval(findings=(finding("CL221") if exact else finding("CL220"),))
+    if changes:
+        return Interval(findings=(finding("CL222"),))
+    if not patient and any(controller.axes[name].gap_observer is not None for name in machine.axis_names):
+        return Interval(findings=(finding("CL223", samples=n),))
+    columns = draw(uncertain, machine, controller, seed, n)
+
+    def report_progress(done: int) -> None:
+        if progress is not None:
+            progress(done, reference.n_sample)
+
+    given = {"seed": seed, "threads": threads, "moving": moving, "learned": learned}
+    try:
+        batch = simulate_batch(machine, controller, reference, columns, progress=report_progress, **given)  # type: ignore[arg-type]
+    except ContourlabError as error:
+        return Interval(findings=(finding("CL224", reason=str(error)),))
+    figures = {name: batch.figures[key] for name, key in FIGURES.items()}
+    bad = ~np.isfinite(figures["max"])
+    failed = int(bad.sum())
+    beyond = None if tolerance is None else int(np.count_nonzero(bad | (figures["max"] > tolerance)))
+    rms, largest = _spread(figures["rms"]), _spread(figures["max"])
+    ranks = _ranks(columns, figures, ~bad)
+    chance = noticeable(len(ranks), n - failed)
+    main = main_contributor(ranks, chance)
+    findings = tuple(_findings(n, rms, largest, failed, beyond, main))
+    return Interval(n, rms, largest, failed, beyond, ranks, chance, main, findings, columns, figures)
+
+
+def noticeable(numbers: int, samples: int) -> float:
+    """Return the size from which the largest of so many numbers' rank correlations is more than chance, at 5 % for all (Bonferroni).
+
+    Those of a number with rms and maximum count as one: the two go together.
+    """
+    from scipy.stats import t
+
+    left = max(samples - 2, 1)
+    quantile = float(t.ppf(1.0 - 0.025 / max(numbers, 1), left))
+    return quantile / float(np.hypot(quantile, np.sqrt(left)))
+
+
+def main_contributor(ranks: Sequence[Rank], chance: float) -> str:
+    """Return the name of the first number if its rank correlation is more than chance; else nothing."""
+    return ranks[0].name if ranks and max(abs(ranks[0].rms), abs(ranks[0].max)) >= chance else ""
+
+
+def _findings(n: int, rms: Spread, largest: Spread, failed: int, beyond: int | None, main: str) -> Iterator[Finding]:
+    yield finding("CL225", rms_low=rms.low, rms_high=rms.high, max_low=largest.low, max_high=largest.high, samples=n)
+    if failed:
+        yield finding("CL226", failed=failed, samples=n)
+    if beyond:
+        yield finding("CL227", beyond=beyond, samples=n)
+    if main:
+        yield finding("CL228", number=main)
+
+
+def _spread(values: Array) -> Spread:
+    """Return median and ends; a failed sample counts as infinite."""
+    with np.errstate(invalid="ignore"):
+        levels = np.quantile(np.where(np.isfinite(values), values, np.inf), (0.5, *LEVELS))
+    return Spread(*np.where(np.isnan(levels), np.inf, levels).tolist())
+
+
+def _ranks(columns: Mapping[str, Array], figures: Mapping[str, Array], kept: NDArray[np.bool_]) -> tuple[Rank, ...]:
+    from scipy.stats import rankdata
+
+    def correlation(one: Array, other: Array) -> float:
+        a, b = (rankdata(values[kept]) for values in (one, other))
+        if a.size < 3 or np.ptp(a) == 0.0 or np.ptp(b) == 0.0:
+            return 0.0
+        return float(np.corrcoef(a, b)[0, 1])
+
+    ranks = [Rank(name, correlation(values, figures["rms"]), correlation(values, figures["max"])) for name, values in columns.items()]
+    return tuple(sorted(ranks, key=lambda rank: -max(abs(rank.rms), abs(rank.max))))
+
+
+def draw(uncertain: Sequence[Number], machine: Machine, controller: Controller, seed: int, n: int = SAMPLES) -> dict[str, Array]:
+    """Return `n` samples (a power of two) of uncertain numbers, within the bounds of their components.
+
+    Notes
+    -----
+    A normal distribution is cut off at a bound. The machine's correlations are those of the normal numbers behind it (a Gaussian copula);
+    without a bound these are the correlations of the numbers themselves.
+    """
+    from scipy.special import ndtr, ndtri
+    from scipy.stats import qmc
+
+    share = qmc.Sobol(len(uncertain), scramble=True, rng=np.random.default_rng([seed, len(uncertain)])).random(n)
+    share = np.clip(share, 0.5**31, 1.0 - 0.5**31)
+    mixed = ndtr(ndtri(share) @ _root(uncertain, machine).T)
+    known = parameter_names(machine, controller)
+    return {number.name: _placed(number, known[number.name], mixed[:, i]) for i, number in enumerate(uncertain)}
+
+
+def _placed(number: Number, place: tuple[Component, str], share: Array) -> Array:
+    """Return values of a number at shares of its distribution."""
+    from scipy.special import ndtr, ndtri
+
+    part, name = place
+    parameter = part.parameters[name]
+    if number.range is not None:
+        low, high = number.range
+        return low + share * (high - low)
+    assert number.deviation is not None and isinstance(number.value, float)
+    least, most = (float(ndtr((bound - number.value) / number.deviation)) for bound in (parameter.minimum, parameter.maximum))
+    values: Array = number.value + number.deviation * ndtri(least + share * (most - least))
+    lowest = np.nextafter(parameter.minimum, np.inf) if parameter.exclusive else parameter.minimum
+    return np.clip(values, lowest, parameter.maximum)
+
+
+def _root(uncertain: Sequence[Number], machine: Machine) -> Array:
+    """Return a root of the correlation matrix."""
+    place = {number.name: i for i, number in enumerate(uncertain)}
+    matrix = np.eye(len(uncertain))
+    within = [(f"axes.{axis.name}.", *pair) for axis in machine.axes for pair in axis.correlations]
+    for head, one, other, value in (*within, *(("axes.", *pair) for pair in machine.correlations)):
+        i, j = (place.get(f"{head}{name}") for name in (one, other))
+        if i is not None and j is not None:
+            matrix[i, j] = matrix[j, i] = value
+    if np.array_equal(matrix, np.eye(len(uncertain))):
+        return matrix
+    sizes, directions = np.linalg.eigh(matrix)
+    root = directions * np.sqrt(np.maximum(sizes, 0.0))
+    # Rounded coefficients may leave an eigenvalue just below zero; each number keeps its own deviation.
+    scaled: Array = root / np.linalg.norm(root, axis=1, keepdims=True)
+    return scaled

@@ -1,0 +1,277 @@
+"""The result of ``contourlab swap``: as JSON, as text, and as the cells of its picture."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.analysis.linear.margins import Margins
+from contourlab.design import DesignVariable
+from contourlab.design.guards import Bounds
+from contourlab.features.run.margin_words import decibel, degrees
+from contourlab.features.swap.coverage import Coverage
+from contourlab.features.swap.linear import LinearSwap
+from contourlab.features.swap.network import NetworkCost
+from contourlab.features.swap.search import Optimum, SwapSettings
+from contourlab.features.swap.study import Choice, SwapStudy
+from contourlab.features.swap.variants import Variants
+from contourlab.figures import figure
+from contourlab.findings import Finding, finding
+from contourlab.report.table import Column, Table, paragraphs
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class VariantResult:
+    """What was found for one variant, in SI.
+
+    Attributes
+    ----------
+    best : float
+        J*.
+    alone : Optimum
+        What the searches for this variant alone reached.
+    parameters : dict
+        The design of J*.
+    margins : dict of str to Margins
+        Exact margins of the recommended design, or of the shared one if there is none; without axes that have no linear model.
+    broken : tuple of str
+        Guards that this design breaks, by the exact analysis.
+    """
+
+    best: float
+    alone: Optimum
+    parameters: dict[str, float]
+    margins: dict[str, Margins]
+    broken: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class SwapResult:
+    """The result of the command, in SI; its fields are the keys of ``swap.json``.
+
+    `local` is None if no choice of local parameters is modular, `swap_loss` is that of the shared design. `designs_on_variants` has J of
+    the best design of each variant (rows) on each variant (columns).
+    """
+
+    passed: bool
+    verdict: Finding
+    full_modularity: bool
+    local: tuple[str, ...] | None
+    swap_loss: float
+    inconclusive: tuple[str, ...]
+    settings: SwapSettings
+    objective: str
+    floor: float
+    guards: Bounds
+    runs: int
+    warm_starts: tuple[str, ...]
+    parameters: tuple[DesignVariable, ...]
+    variants: dict[str, VariantResult]
+    as_given: Choice
+    choices: tuple[Choice, ...]
+    designs_on_variants: Array
+    networks: tuple[NetworkCost, ...]
+    coverage: Coverage | None
+    linear: tuple[LinearSwap, ...]
+    findings: tuple[Finding, ...]
+    study: SwapStudy = field(metadata={"json": False})
+
+
+def swap_result(
+    study: SwapStudy,
+    networks: tuple[NetworkCost, ...] = (),
+    coverage: Coverage | None = None,
+    linear: tuple[LinearSwap, ...] = (),
+    warm_starts: tuple[str, ...] = (),
+    findings: Sequence[Finding] = (),
+) -> SwapResult:
+    """Put together what was found; `findings` are those on the files that were read."""
+    variants, best = study.variants, study.recommended
+    judged = {}
+    for i, (name, point) in enumerate(zip(variants.names, (best or study.base).points, strict=True)):
+        values, guards = variants.space.values(point), variants.guards[i]
+        margins = guards.exact(values)
+        # How long drives are at their limits was counted in the runs.
+        broken = guards.broken(values, 0.0, 0.0, margins)
+        own = variants.space.values(variants.best_points[i])
+        judged[name] = VariantResult(float(variants.best[i]), study.optima[i], own, margins, broken)
+    kept = not any(one.broken for one in judged.values())
+    modular = best is not None and not study.inconclusive
+    return SwapResult(
+        passed=modular and kept and any(cost.holds for cost in networks),
+        verdict=study.verdict,
+        full_modularity=study.full,
+        local=None if best is None else best.local,
+        swap_loss=study.base.swap_loss,
+        inconclusive=study.inconclusive,
+        settings=study.settings,
+        objective=variants.objective,
+        floor=variants.floor,
+        guards=variants.bounds,
+        runs=variants.runs,
+        warm_starts=warm_starts,
+        parameters=variants.space.numbers,
+        variants=judged,
+        as_given=study.given,
+        choices=study.choices,
+        designs_on_variants=study.crossed,
+        networks=networks,
+        coverage=coverage,
+        linear=linear,
+        findings=tuple(_findings(study, judged, networks, coverage, linear, findings)),
+        study=study,
+    )
+
+
+def _findings(
+    study: SwapStudy,
+    judged: dict[str, VariantResult],
+    networks: Sequence[NetworkCost],
+    coverage: Coverage | None,
+    linear: Sequence[LinearSwap],
+    others: Sequence[Finding],
+) -> Iterator[Finding]:
+    yield study.verdict
+    for name, variant in judged.items():
+        if variant.broken:
+            yield finding("CL711", name, guards=variant.broken)
+    for cost in networks:
+        yield from _on_network(study.variants, cost)
+    if coverage is not None:
+        low, high = coverage.interval
+        yield finding("CL717", share=coverage.share, low=low, high=high, covered=coverage.covered, points=len(coverage.points))
+        if coverage.without_design:
+            yield finding("CL719", count=coverage.without_design)
+    edges = on_bounds(study.variants, study.recommended or study.base)
+    if edges:
+        yield finding("CL712", names=edges)
+    if study.given_breaks:
+        yield finding("CL713", names=study.given_breaks)
+    for axis, reason in {axis: reason for guards in study.variants.guards for axis, reason in guards.unknown.items()}.items():
+        yield finding("CL714", f"axis {axis}", reason=reason)
+    for designs in linear:
+        yield from designs.findings
+    yield from others
+    settings, guarded = study.settings, study.variants.bounds.words
+    yield finding("CL720", runs=study.variants.runs, budget=settings.budget, seed=settings.seed, guards=guarded)
+
+
+def _on_network(variants: Variants, cost: NetworkCost) -> Iterator[Finding]:
+    if math.isnan(cost.rate):
+        yield finding("CL707", cost.name)
+    else:
+        yield finding("CL705" if cost.limited else "CL706", cost.name, rate=cost.rate)
+        if not cost.holds:
+            yield finding("CL708", cost.name)
+    if any(variant.unstable for variant in cost.variants):
+        yield finding("CL709", cost.name)
+    if cost.local_in_base:
+        short = {number.name: number.short for number in variants.space.numbers}
+        yield finding("CL710", cost.name, names=[short[name] for name in cost.local_in_base])
+
+
+def on_bounds(variants: Variants, choice: Choice) -> list[str]:
+    """Return the parameters of a design that are on a bound which could be wider, with the bound."""
+    found = []
+    for j, number in enumerate(variants.space.numbers):
+        for value in number.physical(choice.points[:, j]).tolist():
+            if number.cramped(value):
+                bound = number.low if value - number.low < number.high - value else number.high
+                found.append(f"{number.short} at {number.display_value(bound):.4g} {number.display_unit}".rstrip())
+    return list(dict.fromkeys(found))
+
+
+# --- text --------------------------------------------------------------------------------------------------------------------------------
+
+
+def text_of(result: SwapResult) -> str:
+    """Return the result as text: tables, and the verdict with all other findings."""
+    study = result.study
+    parts = [_losses(study).text(), paragraphs(str(one) for one in result.findings)]
+    which = "the shared design, nothing local" if study.recommended is None else "the recommended design"
+    if study.recommended is not None:
+        parts.append(_division(study, study.recommended).text())
+    parts.append(_margins(result, which).text())
+    if result.networks:
+        parts.append(_networks(result, which).text())
+    parts += [_linear(designs).text() for designs in result.linear]
+    return "\n\n".join(parts)
+
+
+def _losses(study: SwapStudy) -> Table:
+    variants = study.variants
+    objective = variants.objective.replace("_", " ")
+    title = f"J: {objective} [{variants.unit}]; loss: (J - J*)/max(J*, J_tol), J_tol {figure(variants.floor, variants.unit)}"
+    columns = [Column("local parameters", left=True, prose=True), Column("number"), *map(Column, variants.names), Column("loss [%]")]
+    table = Table(columns, title)
+
+    def add(name: str, number: str, values: Sequence[float], loss: str) -> None:
+        table.add(name, number, *(_number(value, variants.unit) for value in values), loss)
+
+    add("J*, the best of any search", "", variants.best.tolist(), "")
+    add("search of the variant alone", "", [optimum.reached for optimum in study.optima], "")
+    add("the scenario's own", "", study.given.values.tolist(), _percent(study.given.swap_loss))
+    for choice in study.choices:
+        add(choice.name, str(len(choice.local)), choice.values.tolist(), _percent(choice.swap_loss))
+    return table
+
+
+def _division(study: SwapStudy, choice: Choice) -> Table:
+    """Return the parameters of a design: the value of a base one once, of a local one for each variant."""
+    columns = [Column("parameter", left=True), Column("", left=True), *map(Column, study.variants.names), Column("unit", left=True)]
+    table = Table(columns, "Recommended design")
+    for number in study.variants.space.numbers:
+        local = number.name in choice.local
+        values = [f"{number.display_value(point[number.name]):.6g}" for point in choice.parameters]
+        shown = values if local else [values[0], *[""] * (len(values) - 1)]
+        table.add(number.short, "local" if local else "base", *shown, number.display_unit)
+    return table
+
+
+def _margins(result: SwapResult, which: str) -> Table:
+    columns = [Column("variant", left=True), Column("axis", left=True), Column("gain margin"), Column("phase margin")]
+    table = Table(columns, f"Exact margins of {which}")
+    for name, variant in result.variants.items():
+        for axis, margins in variant.margins.items():
+            table.add(name, axis, decibel(margins), degrees(margins))
+    return table
+
+
+def _networks(result: SwapResult, which: str) -> Table:
+    heads = ("wired", "allowed", "as given", "longest period that holds")
+    columns = [Column("division, variant", left=True), *map(Column, heads)]
+    unit = result.study.variants.unit
+    table = Table(columns, f"J of {which} over a network [{unit}]")
+    for cost in result.networks:
+        table.add(cost.name, "", "", "", "")
+        for variant in cost.variants:
+            values = [_number(value, unit, "runs away") for value in (variant.undivided, variant.allowed, variant.as_given)]
+            most = figure(variant.sweep.most, "ms", 4) if math.isfinite(variant.sweep.most) else "none"
+            table.add(f"  {variant.variant}", *values, most if variant.sweep.limited else f"all, to {most}")
+    return table
+
+
+def _linear(designs: LinearSwap) -> Table:
+    title = f"Linear designs, axis {designs.axis}, {designs.case}: J/J* of each module"
+    table = Table([Column("method, local", left=True), *map(Column, designs.modules)], title)
+    table.add("a [mm/s^2]", *(f"{model.gain:.4g}" for model in designs.models))
+    table.add("b [1/s]", *(f"{model.damping:.3g}" for model in designs.models))
+    for module, row in zip(designs.modules, designs.blind, strict=True):
+        table.add(f"optimal for {module}", *(f"{ratio:.4g}" for ratio in row))
+    for design in designs.designs:
+        table.add(f"{design.method}, {', '.join(design.local) or 'nothing'}", *(f"{ratio:.4g}" for ratio in design.ratio))
+    return table
+
+
+def _number(value: float, unit: str, missing: str = "breaks a guard") -> str:
+    return figure(value, unit, 4).removesuffix(f" {unit}") if math.isfinite(value) else missing
+
+
+def _percent(loss: float) -> str:
+    return f"{100.0 * loss:.3g}" if loss < 1.0 else f"{100.0 * loss:.0f}" if math.isfinite(loss) else "-"

@@ -1,0 +1,362 @@
+"""The search of a swap: the optimum of each variant, and shared designs for sets of local parameters."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.app.checkpoint import Checkpoint
+from contourlab.design import Found, Space, search
+from contourlab.errors import ParameterError
+from contourlab.features.swap.variants import BROKEN, Variant, Variants, losses
+
+Array = NDArray[np.float64]
+Objective = Callable[[Array], Array]
+WarmStart = tuple[Mapping[str, float], ...]
+"""A design from elsewhere: values [SI] by dotted names for each variant, or once for all."""
+STARTS = 5
+"""Points from which a search starts."""
+ALONE, SHARED, RESTARTS = 0.2, 0.1, (0.05, 0.01)
+"""First step of a search as a part of the box: for one variant, for a shared design, which starts from known ones, and for the restarts.
+The optima lie along narrow, bent valleys, as gains make up for each other: long steps overshoot them."""
+EXPLORED, POPULATION = 0.4, 16
+"""Part of the budget before the first restart, and size of the first generation."""
+EVENNESS = 0.01
+"""Weight of the mean loss beside the largest: it decides between designs that are equal for the worst variant."""
+
+
+@dataclass(frozen=True)
+class SwapSettings:
+    """Settings of a study.
+
+    Attributes
+    ----------
+    budget : int
+        Candidates of each search; a candidate of a shared design is run on all variants.
+    seed : int
+    full : float
+        Largest swap loss that counts as full modularity.
+    exhaustive : bool
+        Whether to try all sets of local parameters by size, in place of backward elimination.
+    local : tuple of frozenset of str, optional
+        The only sets to look at.
+    known : tuple of WarmStart
+        Designs from which every search starts as well. Missing parameters stay as in the scenario.
+    """
+
+    budget: int = 8000
+    seed: int = 0
+    full: float = 0.03
+    exhaustive: bool = False
+    local: tuple[frozenset[str], ...] | None = None
+    known: tuple[WarmStart, ...] = ()
+
+
+def restarted(objective: Objective, starts: Array, budget: int, seed: int, step: float = ALONE, target: float = -math.inf) -> Found:
+    """Search from all starts (n_start, n), then restart from the best, until `budget` candidates are tried or `target` is reached.
+
+    Each restart has a smaller first step and generations twice as large: the count of an encoder makes the objective rough near its
+    optimum (Auger & Hansen, CEC 2005).
+    """
+    first = max(int(EXPLORED * budget), 1)
+    found = search(objective, starts, budget=first, seed=seed, spread=step, population=POPULATION, target=target)
+    runs, size, turn = found.runs, POPULATION, 1
+    while budget - runs > size and found.value > target:
+        options = {"seed": seed + 1000 * turn, "spread": RESTARTS[min(turn, len(RESTARTS)) - 1], "population": size, "target": target}
+        more = search(objective, found.point[None], budget=budget - runs, **options)  # type: ignore[arg-type]
+        found = replace(found, point=more.point, value=more.value)
+        runs, size, turn = runs + more.runs, 2 * size, turn + 1
+    return replace(found, runs=runs)
+
+
+# --- designs -----------------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class Optimum:
+    """What the search for one variant alone reached; J* may be better, as it counts every search.
+
+    Attributes
+    ----------
+    value : float
+        J; infinite if nothing that was tried keeps the guards.
+    per_start : ndarray (n_start,)
+        J that each start reached before the restarts.
+    again : float
+        J of a second, independent search; nan if none was needed.
+    """
+
+    value: float
+    per_start: Array
+    again: float = math.nan
+
+    @property
+    def reached(self) -> float:
+        """The best that a search for the variant alone reached without a hint."""
+        return float(np.fmin(self.value, self.again))
+
+
+@dataclass(frozen=True, eq=False)
+class Design:
+    """A shared design.
+
+    Attributes
+    ----------
+    local : frozenset of str
+        Parameters of which each module has its own value; all others are base.
+    points : ndarray (n_variant, n_parameter)
+        What each variant runs with.
+    values : ndarray (n_variant,)
+        J of each; infinite where a guard is broken.
+    """
+
+    local: frozenset[str]
+    points: Array
+    values: Array
+
+    @property
+    def holds(self) -> bool:
+        """Whether it keeps the guards on all variants."""
+        return bool(np.isfinite(self.values).all())
+
+
+@dataclass(frozen=True)
+class SharedSpace:
+    """The search space of a shared design: base parameters once, local ones once for each module.
+
+    Attributes
+    ----------
+    space : Space
+    variants : sequence of Variant
+    local : frozenset of str
+        Dotted names, of swapped axes.
+
+    Raises
+    ------
+    ParameterError
+        If a local name is unknown, or its axis is not swapped.
+    """
+
+    space: Space
+    variants: Sequence[Variant]
+    local: frozenset[str] = frozenset()
+
+    def __post_init__(self) -> None:
+        for name in sorted(self.local):
+            if name not in self.space.names or not self.variants[0].module(name):
+                raise ParameterError("local", name, "a number of a swapped axis that is calibrated; those of other axes are base")
+
+    @cached_property
+    def _columns(self) -> NDArray[np.int64]:
+        """Column of each parameter of each variant in a row (n_variant, n_parameter)."""
+        known: dict[tuple[str, str], int] = {}
+        return np.array(
+            [
+                [known.setdefault((name, variant.module(name) if name in self.local else ""), len(known)) for name in self.space.names]
+                for variant in self.variants
+            ]
+        )
+
+    @property
+    def size(self) -> int:
+        """Length of a row."""
+        return int(self._columns.max()) + 1
+
+    def spread(self, rows: Array) -> Array:
+        """Return the points (n_variant, n, n_parameter) of rows (n, size)."""
+        return np.stack([rows[:, columns] for columns in self._columns])
+
+    def gathered(self, points: Array) -> Array:
+        """Return the row (size,) of one point a variant (n_variant, n_parameter), averaged where values of a shared parameter differ."""
+        flat, low, high = self._columns.ravel(), np.full(self.size, np.inf), np.full(self.size, -np.inf)
+        np.minimum.at(low, flat, points.ravel())
+        np.maximum.at(high, flat, points.ravel())
+        return np.where(low == high, low, np.bincount(flat, points.ravel()) / np.bincount(flat))
+
+
+def merged(points: Array, columns: NDArray[np.bool_]) -> list[Array]:
+    """Give the variants one value of some parameters: the average, values that lean to one variant, and those of one variant.
+
+    Parameters
+    ----------
+    points : ndarray (n_variant, n_parameter)
+    columns : ndarray (n_parameter,) of bool
+    """
+    n = len(points)
+    even = np.full(n, 1.0 / n)
+    weights = (even, *(0.5 * (even + alone) for alone in np.eye(n)), *np.eye(n))
+    return [np.where(columns, weight @ points, points) for weight in weights]
+
+
+# --- the search --------------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(eq=False)
+class SwapSearch:
+    """The searches of a study, and what they have found so far.
+
+    Attributes
+    ----------
+    variants : Variants
+        Has J* so far: every better value found on the way replaces it.
+    settings : SwapSettings
+    stage : callable
+        Called before each search with its name and its number of runs at most.
+    checkpoint : Checkpoint, optional
+        Where finished searches are kept.
+    optima : list of Optimum
+        Of each variant alone.
+    designs : dict
+        The best shared design found for each set of local parameters.
+    """
+
+    variants: Variants
+    settings: SwapSettings
+    stage: Callable[[str, int], None] = lambda name, most: None
+    checkpoint: Checkpoint | None = None
+    optima: list[Optimum] = field(default_factory=list)
+    designs: dict[frozenset[str], Design] = field(default_factory=dict)
+    searches: int = 0
+
+    def variant_optimum(self, i: int, *, again: bool = False) -> Optimum:
+        """Search the best design of variant `i` alone; `again` starts around J* but not there: is it found independently?"""
+        variants, settings = self.variants, self.settings
+        centre = variants.best_points[i] if again else variants.space.start
+        seed = settings.seed + i + (100 if again else 0)
+        around = centre + 0.15 * np.random.default_rng([seed, STARTS]).standard_normal((STARTS - 1, centre.size))
+        given = [] if again else [variants.space.start, *(points[i] for points in self.known)]
+        starts = np.clip(np.vstack([*given, around]), 0.0, 1.0)[: max(STARTS, len(given))]
+
+        def made(budget: int) -> dict[str, Array]:
+            found = restarted(variants.objective_of(i), starts, budget, seed)
+            values = np.append(found.per_start, found.value)
+            return {"values": np.where(values < BROKEN, values * variants.floor, math.inf)}
+
+        name = f"{variants.names[i]} alone"
+        values = self._searched(f"{name}, again" if again else name, settings.budget, 1, made)["values"]
+        return Optimum(float(values[-1]), values[:-1])
+
+    def search_set(self, local: Iterable[str], target: float = -math.inf) -> Design:
+        """Search the shared design for a set of local parameters; keep and return the best.
+
+        It starts from the best design that follows from the known ones, from the variants' optima, and from the scenario's own. With
+        nothing local, where one design must suit all variants, it gets twice the budget. It ends early once the loss is below `target`.
+        """
+        variants, chosen = self.variants, frozenset(local)
+        shared = SharedSpace(variants.space, variants.members, chosen)
+        best = variants.best.copy()  # a target that moves would rank candidates of one generation by different rules
+
+        def objective(rows: Array) -> Array:
+            values, broken = variants.values(shared.spread(rows))
+            lost = losses(np.where(np.isfinite(values), values, 0.0).T, best, variants.floor)
+            whole = (lost.max(axis=1) + EVENNESS * lost.mean(axis=1)) / (1.0 + EVENNESS)
+            return np.asarray(np.where((broken > 0.0).any(axis=0), BROKEN * (1.0 + broken.sum(axis=0)), whole))
+
+        def made(budget: int) -> dict[str, Array]:
+            optima, own = variants.best_points, np.array([name in chosen for name in variants.space.names])
+            starts = [self.inherit_best(chosen).points, *(np.where(own, optima, point) for point in optima[: STARTS - 3]), optima]
+            rows = np.array([shared.gathered(start) for start in (*starts, np.tile(variants.space.start, (len(variants), 1)))])
+            found = restarted(objective, rows, budget, self.settings.seed + 10 * self.searches + 5, SHARED, target)
+            points = shared.spread(found.point[None])
+            values, broken = variants.values(points)
+            return {"points": points[:, 0], "values": np.where(broken > 0.0, np.inf, values)[:, 0]}
+
+        budget = self.settings.budget * (1 if chosen else 2)
+        arrays = self._searched(f"local: {self.short(chosen)}", budget, len(variants), made)
+        design, known = Design(chosen, arrays["points"], arrays["values"]), self.designs.get(chosen)
+        if known is None or self.swap_loss(design) < self.swap_loss(known):
+            self.designs[chosen] = design
+        return self.designs[chosen]
+
+    def inherit_best(self, local: frozenset[str]) -> Design:
+        """Return the best design for a set of local parameters that follows from all known designs."""
+        fitting = self._fitting(local)
+        values, broken = self.variants.values(fitting)
+        values = np.where(broken > 0.0, np.inf, values)
+        at = int(np.argmin(self.variants.losses(values.T).max(axis=1)))
+        return Design(local, fitting[:, at], values[:, at])
+
+    def propagate_best(self) -> None:
+        """Give each set of local parameters the best of its own design and of those that follow from the others."""
+        changed = True
+        while changed:
+            changed = False
+            for local in sorted(self.designs, key=len):
+                inherited = self.inherit_best(local)
+                if self.swap_loss(inherited) < self.swap_loss(self.designs[local]):
+                    self.designs[local], changed = inherited, True
+
+    def backward_elimination(self, names: Iterable[str]) -> Design | None:
+        """Drop the least missed local parameter, one after another, as long as the loss stays below the limit.
+
+        Start with all of `names` local, and keep the last one: to drop it gives the shared design, which is searched by itself. Return
+        the design with the fewest local parameters, or None if not even all of them suffice. A parameter that was missed once is not
+        tried again: with fewer local parameters it is missed all the more.
+        """
+        held = self.search_set(names)
+        if not self.good(held):
+            return None
+        needed: set[str] = set()
+        while len(held.local) > 1 and held.local - needed:
+            name = min(sorted(held.local - needed), key=lambda name: self.swap_loss(self.inherit_best(held.local - {name})))
+            tried = self.search_set(held.local - {name}, target=0.5 * self.settings.full)
+            if self.good(tried):
+                held = tried
+            else:
+                needed.add(name)
+        return held
+
+    @property
+    def known(self) -> list[Array]:
+        """The designs of `SwapSettings.known`, each (n_variant, n_parameter)."""
+        space, n = self.variants.space, len(self.variants)
+        rows = [np.vstack([space.points(values) for values in design]) for design in self.settings.known]
+        return [np.broadcast_to(points, (n, len(space.names))) for points in rows]
+
+    def _fitting(self, local: frozenset[str]) -> Array:
+        """Return all known designs (n_variant, n, n_parameter), fitted to a set of local parameters: all others get one value."""
+        variants, base = self.variants, np.array([name not in local for name in self.variants.space.names])
+        tiled = [np.tile(point, (len(variants), 1)) for point in (variants.space.start, *variants.best_points)]
+        designs = [variants.best_points, *self.known, *(design.points for design in self.designs.values())]
+        for points in designs:
+            tiled += [points] if not np.ptp(points, axis=0)[base].any() else merged(points, base)
+        shared = SharedSpace(variants.space, variants.members, local)
+        return shared.spread(np.array([shared.gathered(points) for points in tiled]))
+
+    def swap_loss(self, design: Design) -> float:
+        """Return the largest loss of a design over the variants, as J* stands."""
+        return float(self.variants.losses(design.values).max())
+
+    def good(self, design: Design) -> bool:
+        """Tell whether a design loses less than the limit."""
+        return self.swap_loss(design) < self.settings.full
+
+    def fewest(self) -> Design | None:
+        """Return the good design with the fewest local parameters; None if there is none."""
+        good = [design for design in self.designs.values() if self.good(design)]
+        return min(good, key=lambda design: (len(design.local), self.swap_loss(design)), default=None)
+
+    def short(self, local: Iterable[str]) -> str:
+        """Return the short names of parameters, in the order of the space."""
+        chosen = set(local)
+        return ", ".join(number.short for number in self.variants.space.numbers if number.name in chosen) or "none"
+
+    def _searched(self, name: str, budget: int, sides: int, make: Callable[[int], dict[str, Array]]) -> dict[str, Array]:
+        """Make a search, or read from the checkpoint what it found and how it left the variants."""
+        self.stage(name, budget * sides)
+        self.searches += 1
+        if self.checkpoint is None:
+            return make(budget)
+        file = self.checkpoint.path(f"{self.searches} {name}\n".encode(), *(array.tobytes() for array in self.variants.state().values()))
+        arrays = self.checkpoint.load(file)
+        if arrays is None:
+            arrays = make(budget)
+            self.checkpoint.store(file, arrays | self.variants.state())
+        else:
+            self.variants.restore(arrays)
+        return arrays

@@ -1,0 +1,304 @@
+"""One parameter at a time: the line search, the sequential procedure of Ghaffari & Ulsoy, and the repair of margins ahead of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.analysis.linear.sampled_loop import SampledLoop
+from contourlab.design import DesignVariable, Space
+from contourlab.design.guards import Guards
+from contourlab.errors import ParameterError
+from contourlab.features.tune.objective import Objective
+
+Array = NDArray[np.float64]
+PLATEAUS = ("robust", "best", "largest")
+SETTLED = 1e-3
+"""The sequential procedure ends after a pass that lowers the objective by less than this share."""
+REFINEMENTS = 2
+"""Finer lines, each between the neighbours of the best value so far."""
+REPAIR_VALUES = 64
+HIDDEN = {"json": False}
+
+
+@dataclass(frozen=True)
+class LineRule:
+    """How a line is searched.
+
+    Attributes
+    ----------
+    lanes : int, 8 to 1024
+        Values of a line; 32 fill the lanes of one thread.
+    plateau : str
+        Which of the values within `within` of the best is taken: "robust" the one whose loop stays farthest from -1, "largest" the largest
+        ("as large as feasible"), "best" the best.
+    within : float, >= 0, < 1
+        Share by which a value may be worse than the best.
+    """
+
+    lanes: int = 32
+    plateau: str = "robust"
+    within: float = 0.01
+
+    def __post_init__(self) -> None:
+        if self.plateau not in PLATEAUS:
+            raise ParameterError("plateau", repr(self.plateau), f"one of {', '.join(PLATEAUS)}")
+        if not 8 <= self.lanes <= 1024:
+            raise ParameterError("lanes", f"{self.lanes}", "8 to 1024")
+        if not 0.0 <= self.within < 1.0:
+            raise ParameterError("within", f"{self.within:g}", ">= 0 and < 1")
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """One parameter changed, all others fixed.
+
+    Attributes
+    ----------
+    stage : str
+        "repair", or "pass 1" and so on.
+    variable : DesignVariable
+    before, after : float [SI]
+    objective_before, objective_after : float
+    bound : str
+        What keeps it from a value with a smaller objective, and the end of the range that it is on; empty if nothing does.
+    values, objectives : ndarray (k,)
+        All values tried, rising.
+    """
+
+    stage: str
+    variable: DesignVariable
+    before: float
+    after: float
+    objective_before: float
+    objective_after: float
+    bound: str
+    values: Array = field(metadata=HIDDEN)
+    objectives: Array = field(metadata=HIDDEN)
+
+
+@dataclass(frozen=True)
+class SearchPath:
+    """Steps in order, and the values [SI] that they lead to."""
+
+    values: dict[str, float]
+    steps: tuple[Step, ...] = ()
+
+
+def sequential(
+    objective: Objective,
+    guards: Guards,
+    space: Space,
+    values: Mapping[str, float],
+    rule: LineRule,
+    *,
+    passes: int = 1,
+    progress: Callable[[int, int], None] | None = None,
+) -> SearchPath:
+    """Calibrate the parameters of a space in its order, innermost loop first, one at a time.
+
+    Parameters
+    ----------
+    objective : Objective
+    guards : Guards
+    space : Space
+        In the order of the procedure; by default `contourlab.design.calibration_order`.
+    values : mapping of str to float [SI]
+        The start.
+    rule : LineRule
+    passes : int, >= 1
+        Largest number of passes; a pass that hardly lowers the objective is the last.
+    progress : callable, optional
+        Called with the steps done and the largest number of steps.
+
+    References
+    ----------
+    Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", section IV.
+    """
+    now, steps = dict(values), list[Step]()
+    total = passes * len(space.numbers)
+    for turn in range(1, passes + 1):
+        begun = steps[-1].objective_after if steps else math.inf
+        for variable in space.numbers:
+            step = line_search(objective, guards, variable, now, rule, f"pass {turn}")
+            now[variable.name] = step.after
+            steps.append(step)
+            if progress is not None:
+                progress(len(steps), total)
+        if steps[-1].objective_after > begun * (1.0 - SETTLED):
+            break
+    return SearchPath(now, tuple(steps))
+
+
+def line_search(
+    objective: Objective, guards: Guards, variable: DesignVariable, values: Mapping[str, float], rule: LineRule, stage: str = "pass 1"
+) -> Step:
+    """Find the best value of one parameter, all others as in `values` [SI].
+
+    Notes
+    -----
+    The present value is among those tried, so the objective never rises. Where the present values break a bound, a new value may not break
+    it further.
+    """
+    line = _Line(objective, guards, variable, values)
+    line.add(np.append(np.linspace(0.0, 1.0, rule.lanes - 1), variable.normalise(line.own)), keep_present=True)
+    for _ in range(REFINEMENTS):
+        low, high = line.neighbours(line.best())
+        if not high > low:
+            break
+        line.add(np.linspace(low, high, rule.lanes + 2)[1:-1])
+    best = line.best()
+    chosen = line.chosen(best, rule)
+    objectives = float(line.value[line.present]), float(line.value[chosen])
+    return Step(stage, variable, line.own, float(line.values[chosen]), *objectives, line.bound(best, chosen), line.values, line.value)
+
+
+class _Line:
+    """All values of one parameter that were tried, rising, with their runs and loops."""
+
+    def __init__(self, objective: Objective, guards: Guards, variable: DesignVariable, values: Mapping[str, float]) -> None:
+        self.objective, self.guards, self.variable, self.given = objective, guards, variable, dict(values)
+        self.axes = guards.concerned(variable.name)
+        self.values = self.value = self.limited = self.largest = np.zeros(0)
+        self.own = float(values[variable.name])
+        self.known_margins: dict[float, tuple[float, float]] = {}
+        self.loops: dict[float, list[SampledLoop]] = {}
+        self.allowance = 0.0
+
+    @property
+    def present(self) -> int:
+        """Index of the present value."""
+        return int(np.flatnonzero(self.values == self.own)[0])
+
+    def add(self, places: Array, keep_present: bool = False) -> None:
+        """Run values at places from 0 to 1; the last of them is the present value itself if `keep_present`."""
+        tried = np.asarray(self.variable.physical(places))
+        if keep_present:
+            tried[-1] = self.own
+        tried = np.setdiff1d(np.unique(tried), self.values)
+        if not tried.size:
+            return
+        columns = {name: np.full(tried.size, value) for name, value in self.given.items()} | {self.variable.name: tried}
+        runs = self.objective(columns)
+        self.loops |= dict(zip(tried.tolist(), self.guards.loops(columns, self.axes), strict=True))
+        order = np.argsort(np.concatenate([self.values, tried]), kind="stable")
+        for name in ("value", "limited", "largest"):
+            setattr(self, name, np.concatenate([getattr(self, name), getattr(runs, name)])[order])
+        self.values = np.concatenate([self.values, tried])[order]
+        if not self.known_margins:
+            self.allowance = self.margins(self.present)[0]
+
+    def margins(self, i: int) -> tuple[float, float]:
+        """Return by how much the margins fall short, and the distance of the loops from -1."""
+        value = float(self.values[i])
+        if value not in self.known_margins:
+            self.known_margins[value] = self.guards.missing(self.loops[value])
+        return self.known_margins[value]
+
+    def within_limits(self) -> NDArray[np.bool_]:
+        """Return which runs went well and keep the drive limits, at least as far as the present value does."""
+        bounds, here = self.guards.bounds, self.present
+        limited = self.limited <= max(bounds.limited, self.limited[here] if np.isfinite(self.limited[here]) else 0.0)
+        largest = self.largest <= max(bounds.command, self.largest[here] if np.isfinite(self.largest[here]) else 0.0)
+        return np.asarray(np.isfinite(self.value) & limited & largest)
+
+    def best(self) -> int:
+        """Return the index of the best allowed value; the present one if none is."""
+        return next((i for i in np.argsort(self.value, kind="stable").tolist() if self._allowed(i)), self.present)
+
+    def _allowed(self, i: int) -> bool:
+        return bool(self.within_limits()[i]) and self.margins(i)[0] <= self.allowance
+
+    def neighbours(self, i: int) -> tuple[float, float]:
+        """Return the places of the values next to one."""
+        place = self.variable.normalise(self.values)
+        return float(place[max(i - 1, 0)]), float(place[min(i + 1, len(place) - 1)])
+
+    def chosen(self, best: int, rule: LineRule) -> int:
+        """Return the index of the value that the rule takes of those as good as the best."""
+        if rule.plateau == "best" or not np.isfinite(self.value[best]):
+            return best
+        limit = min(self.value[best] * (1.0 + rule.within), max(self.value[best], self.value[self.present]))
+        good = [i for i in np.flatnonzero(self.value <= limit).tolist() if self._allowed(i)]
+        if not good:
+            return best
+        if rule.plateau == "largest":
+            return int(max(good))
+        # Feedforward moves no pole: there all are equally robust, and the best is taken.
+        farthest = max(self.margins(i)[1] for i in good)
+        robust = [i for i in good if self.margins(i)[1] >= farthest * (1.0 - 1e-6)]
+        return int(min(robust, key=lambda i: self.value[i]))
+
+    def bound(self, best: int, chosen: int) -> str:
+        """Return what stands between the chosen value and a smaller objective, an end of the range included."""
+        reasons = list(filter(None, (self._barrier(best), self.variable.end(float(self.values[chosen])))))
+        return "; ".join(reasons) or ("" if chosen == best else "as good as the best")
+
+    def _barrier(self, best: int) -> str:
+        """Return which bound the value with the smallest objective breaks, if it is not the best allowed one."""
+        lowest = int(np.argmin(self.value))
+        if not self.value[lowest] < self.value[best]:
+            return ""
+        if not self.within_limits()[lowest]:
+            return "limit of a drive"
+        return "stability" if math.isinf(self.margins(lowest)[0]) else "margins"
+
+
+def restore_margins(objective: Objective, guards: Guards, space: Space, values: Mapping[str, float]) -> SearchPath:
+    """Change parameters axis by axis until the margins are kept; no step where they are kept already.
+
+    Parameters
+    ----------
+    objective : Objective
+    guards : Guards
+    space : Space
+        Parameters that may change, each in its range.
+    values : mapping of str to float [SI]
+        The start.
+
+    Notes
+    -----
+    Of each axis the one parameter is changed that restores the margins at the least error. Where none does, the one that comes nearest is
+    changed and the next is looked for. Margins may still be broken in the end, if the ranges are too narrow.
+    """
+    now, steps = dict(values), list[Step]()
+    for axis in guards.axes:
+        variables = [variable for variable in space.numbers if axis in guards.concerned(variable.name)]
+        for _ in variables:
+            columns = {name: np.array([value]) for name, value in now.items()}
+            missing = guards.missing(guards.loops(columns, (axis,))[0])[0]
+            if missing <= 0.0:
+                break
+            repairs = [_repair(objective, guards, axis, variable, now) for variable in variables]
+            missing_after, _, _, step = min(repairs, key=lambda repair: repair[:3])
+            if not missing_after < missing:
+                break
+            now[step.variable.name] = step.after
+            steps.append(step)
+    return SearchPath(now, tuple(steps))
+
+
+def _repair(
+    objective: Objective, guards: Guards, axis: str, variable: DesignVariable, now: Mapping[str, float]
+) -> tuple[float, float, float, Step]:
+    """Return for the best value of one parameter: by how much margins fall short, the objective, the distance moved, and the step."""
+    own = now[variable.name]
+    values = np.unique(np.append(variable.physical(np.linspace(0.0, 1.0, REPAIR_VALUES - 1)), own))
+    columns = {name: np.full(values.size, value) for name, value in now.items()} | {variable.name: values}
+    objectives = objective(columns).value
+    missing = np.array([guards.missing(loops)[0] for loops in guards.loops(columns, (axis,))])
+    # While another axis still diverges, all runs fail: then the smallest change that restores the margins is taken.
+    finite = np.isfinite(objectives)
+    usable = finite if finite.any() else np.ones(values.size, dtype=bool)
+    least = float(missing[usable].min(initial=math.inf))
+    distance = np.abs(variable.normalise(values) - variable.normalise(own))
+    at = int(np.lexsort((distance, objectives, ~(usable & (missing <= least))))[0])
+    present, reached = int(np.flatnonzero(values == own)[0]), float(objectives[at])
+    barrier = "margins" if bool((objectives[usable & (missing > least)] < reached).any()) else ""
+    bound = "; ".join(filter(None, (barrier, variable.end(float(values[at])))))
+    step = Step("repair", variable, own, float(values[at]), float(objectives[present]), reached, bound, values, objectives)
+    return least, reached, float(distance[at]), step

@@ -1,0 +1,266 @@
+"""Calibration from end to end: start, sequential procedure, global search, and a check of the result."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+from contourlab.design import Evaluator, Space, calibration_order
+from contourlab.design.guards import Bounds, Guards
+from contourlab.design.values import with_values
+from contourlab.errors import ParameterError
+from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings
+from contourlab.features.tune.global_search import GlobalResult, global_search
+from contourlab.features.tune.line_search import HIDDEN, LineRule, SearchPath, restore_margins, sequential
+from contourlab.features.tune.objective import FIGURES, Evaluation, Goal, Objective, evaluate
+from contourlab.features.tune.pole_placement import FRACTIONS, placed_start
+from contourlab.feed import Reference
+from contourlab.findings import Finding, finding
+from contourlab.loop import Controller, Machine, parameter_names
+
+METHODS = ("sequential", "global", "both")
+STARTS = ("scenario", "placed")
+Candidate = tuple[float, str, dict[str, float]]
+"""Objective, method, and values [SI]."""
+Problem = tuple[Objective, Guards, Space]
+
+
+@dataclass(frozen=True)
+class TuneSettings:
+    """How a controller is calibrated.
+
+    Attributes
+    ----------
+    goal : Goal
+    bounds : Bounds
+    rule : LineRule
+    method : str
+        One of `METHODS`.
+    start : str
+        One of `STARTS`: the gains of the scenario, or placed poles.
+    parameters : tuple of str
+        Parameters and their ranges, see `contourlab.design.Space.chosen`; empty for all that is calibrated.
+    width : float, > 1
+        A parameter without a range may become so many times smaller or larger.
+    passes : int, >= 1
+        Of the sequential procedure, at most.
+    budget : int, > 0
+        Runs of the global search.
+    starts : int, >= 1
+        Starts of the global search.
+    seed : int
+        Of the global search.
+    threads : int, optional
+    """
+
+    goal: Goal = field(default_factory=Goal)
+    bounds: Bounds = field(default_factory=Bounds)
+    rule: LineRule = field(default_factory=LineRule)
+    method: str = "sequential"
+    start: str = "scenario"
+    parameters: tuple[str, ...] = ()
+    width: float = 4.0
+    passes: int = 1
+    budget: int = 6000
+    starts: int = 5
+    seed: int = 0
+    threads: int | None = None
+
+    def __post_init__(self) -> None:
+        for name, value, known in (("method", self.method, METHODS), ("start", self.start, STARTS)):
+            if value not in known:
+                raise ParameterError(name, repr(value), f"one of {', '.join(known)}")
+        if not 1.0 < self.width <= 1000.0:
+            raise ParameterError("width", f"{self.width:g}", "> 1 and <= 1000")
+        for name, low, high in (("passes", 1, 100), ("budget", 32, 10_000_000), ("starts", 1, 100), ("seed", 0, 2**63 - 1)):
+            if not low <= getattr(self, name) <= high:
+                raise ParameterError(name, f"{getattr(self, name)}", f"{low} to {high}")
+        if self.threads is not None and self.threads < 1:
+            raise ParameterError("threads", f"{self.threads}", "1 or more")
+
+
+@dataclass(frozen=True, eq=False)
+class Tuned:
+    """A calibrated controller.
+
+    Attributes
+    ----------
+    controller : Controller
+    space : Space
+        The parameters that were varied, with their values at the start.
+    values : dict of str to float [SI]
+        Their calibrated values.
+    method : str
+        "sequential", "global", or "none" if nothing better keeps the bounds.
+    before, after : Evaluation
+        Of the given and the calibrated controller.
+    start_objective : float
+        Where the search began: at the placed start if there is one.
+    path : SearchPath
+        Steps of the repair and of the sequential procedure.
+    global_result : GlobalResult or None
+    drive_terms : tuple of DriveTerms
+    runs : int
+        In all.
+    findings : tuple of Finding
+    """
+
+    controller: Controller = field(metadata=HIDDEN)
+    space: Space
+    values: dict[str, float]
+    method: str
+    before: Evaluation
+    after: Evaluation
+    start_objective: float
+    path: SearchPath
+    global_result: GlobalResult | None
+    drive_terms: tuple[DriveTerms, ...]
+    runs: int
+    findings: tuple[Finding, ...] = field(metadata=HIDDEN)
+
+    @property
+    def gain(self) -> float:
+        """Integral of the contour error before over that after."""
+        after = self.after.figures["contour_error_integral"]
+        return self.before.figures["contour_error_integral"] / after if after else math.inf
+
+
+def tune(
+    machine: Machine,
+    controller: Controller,
+    reference: Reference,
+    settings: TuneSettings | None = None,
+    *,
+    moving: bool = False,
+    seed: int = 0,
+    begin: Callable[[str], None] = lambda stage: None,
+    progress: Callable[[int, int], None] | None = None,
+) -> Tuned:
+    """Calibrate a controller.
+
+    Parameters
+    ----------
+    machine, controller, reference
+        See `contourlab.loop.simulate`.
+    settings : TuneSettings, optional
+    moving : bool
+        Whether the axes start with the velocity of the reference.
+    seed : int
+        Of all noise.
+    begin : callable, optional
+        Called with the name of each stage.
+    progress : callable, optional
+        Called with how much of the stage is done, of how much.
+
+    Raises
+    ------
+    ParameterError
+        If a parameter is unknown or belongs to the machine, nothing can be calibrated, or a start cannot be placed.
+
+    Notes
+    -----
+    A parameter outside its range starts at the nearer end.
+    """
+    settings = settings or TuneSettings()
+    _check(machine, controller, settings)
+    begin("first run")
+    before = evaluate(machine, controller, reference, Guards([(machine, controller)], settings.bounds), seed=seed, moving=moving)
+    evaluator = Evaluator(machine, controller, reference, seed=seed, threads=settings.threads, moving=moving)
+    if settings.start == "placed":
+        begin("placing poles")
+        evaluator = replace(evaluator, controller=placed_start(evaluator, settings.goal, settings.bounds))
+    start = evaluator.controller
+    space = Space.chosen(machine, start, settings.parameters, settings.width)
+    values = {variable.name: variable.nearest for variable in space.numbers}
+    objective, guards = Objective(evaluator, settings.goal, values), Guards([(machine, start)], settings.bounds)
+    start_objective = float(objective.at(values).value[0])
+    path, global_result, candidates = _candidates((objective, guards, space), values, settings, begin, progress)
+    method, best, rejected = _chosen(objective, guards, values, candidates)
+    begin("checking the result")
+    best = {variable.name: float(variable.written(best[variable.name])) for variable in space.numbers}
+    tuned = with_values(machine, start, best)[1]
+    after = evaluate(machine, tuned, reference, guards, seed=seed, moving=moving)
+    terms = drive_terms(machine, tuned, after.run)
+    runs = evaluator.runs + (len(FRACTIONS) if settings.start == "placed" else 0) + 2
+    findings = [*_range_findings(space, best, guards), *rejected]
+    if global_result is not None and global_result.values is None:
+        findings.append(finding("CL603"))
+    findings += [*linuxcnc_findings(terms), *_conclusions(settings.goal, before, after)]
+    return Tuned(tuned, space, best, method, before, after, start_objective, path, global_result, terms, runs, tuple(findings))
+
+
+def _check(machine: Machine, controller: Controller, settings: TuneSettings) -> None:
+    """Refuse parameters of the machine, and a controller with nothing to calibrate."""
+    if not settings.parameters:
+        known = parameter_names(machine, controller)
+        order = calibration_order(machine, controller)
+        if not any(getattr(*known[name]) not in (0.0, math.inf) for name in order):
+            kinds = ", ".join(sorted({part.controller.kind for part in controller.axes.values()}))
+            raise ParameterError("parameters", f"none: {kinds} has nothing to calibrate that is not zero", "given, each with its bounds")
+    for variable in Space.chosen(machine, controller, settings.parameters, settings.width).numbers:
+        if variable.name.startswith("axes."):
+            raise ParameterError("parameter", variable.short, "a number of the controller; the machine is not calibrated")
+
+
+def _range_findings(space: Space, values: Mapping[str, float], guards: Guards) -> Iterator[Finding]:
+    for axis, reason in guards.unknown.items():
+        yield finding("CL600", f"axis {axis}", reason=reason)
+    for variable in space.numbers:
+        if variable.nearest != variable.value:
+            yield finding("CL601", variable.short, value=variable.value, start=variable.nearest)
+    ended = tuple(variable.short for variable in space.numbers if variable.cramped(values[variable.name]))
+    if ended:
+        yield finding("CL602", parameters=ended)
+
+
+def _conclusions(goal: Goal, before: Evaluation, after: Evaluation) -> Iterator[Finding]:
+    """Yield how the figure asked for and the integral of the contour error changed."""
+    for key in dict.fromkeys((goal.figure or "contour_error_integral", "contour_error_integral")):
+        if math.isfinite(before.figures[key]) and before.figures[key]:
+            yield finding("CL609", FIGURES[key][0], ratio=after.figures[key] / before.figures[key])
+
+
+def _candidates(
+    problem: Problem,
+    values: Mapping[str, float],
+    settings: TuneSettings,
+    begin: Callable[[str], None],
+    progress: Callable[[int, int], None] | None,
+) -> tuple[SearchPath, GlobalResult | None, list[Candidate]]:
+    """Search from a start by the chosen methods; return the steps, the result of the global search, and the candidates."""
+    objective = problem[0]
+    candidates: list[Candidate] = []
+    begin("restoring the margins")
+    path = restore_margins(*problem, values)
+    starts = [path.values]
+    if settings.method != "global":
+        begin("one parameter at a time")
+        line = sequential(*problem, path.values, settings.rule, passes=settings.passes, progress=progress)
+        path = SearchPath(line.values, (*path.steps, *line.steps))
+        candidates.append((float(objective.at(line.values).value[0]), "sequential", line.values))
+        starts.append(line.values)
+    if settings.method == "sequential":
+        return path, None, candidates
+    begin("all parameters at once")
+    result = global_search(*problem, starts, starts=settings.starts, budget=settings.budget, seed=settings.seed, progress=progress)
+    if result.values is not None:
+        candidates.append((result.objective, "global", result.values))
+    return path, result, candidates
+
+
+def _chosen(
+    objective: Objective, guards: Guards, values: Mapping[str, float], candidates: list[Candidate]
+) -> tuple[str, Mapping[str, float], list[Finding]]:
+    """Return method and values of the best candidate that keeps the bounds, with a finding for each better one that does not.
+
+    Where none keeps them, the best is returned all the same: its evaluation names what it breaks.
+    """
+    findings: list[Finding] = []
+    ranked = sorted(candidates, key=lambda candidate: candidate[0])
+    for _, method, found in ranked:
+        violations = objective.at(found).violations(found, guards)
+        if not violations:
+            return method, found, findings
+        findings.append(finding("CL604", method=method, bounds=violations))
+    return (*ranked[0][1:], findings[1:]) if ranked else ("none", values, findings)

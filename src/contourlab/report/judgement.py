@@ -1,0 +1,203 @@
+"""The verdict on a run, and how far to trust its figures: sources of the numbers, interval of the contour error."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.findings import Finding
+from contourlab.units import from_si
+
+Array = NDArray[np.float64]
+NOT_STATED = "not stated"
+MOST_ITEMS = 4
+"""Items of a list that are printed."""
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number of a machine or controller, and its source.
+
+    Attributes
+    ----------
+    name : str
+        Dotted, as ``axes.x.plant.mass``.
+    value : float or tuple of float
+        In SI.
+    unit, display : str
+        In SI, and for people.
+    source : str
+        Of `contourlab.components.origin.SOURCES`, or ``not stated``.
+    deviation : float or None
+        Standard deviation.
+    range : (float, float) or None
+        Of a uniform distribution.
+    reference, note : str
+    drawn : bool
+        Whether it differs between the sampled machines.
+    simulated : bool
+        Whether it is a number of the simulated machine. A controller computes with exactly the number that it was given.
+    """
+
+    name: str
+    value: float | tuple[float, ...]
+    unit: str
+    display: str = field(metadata={"json": False})
+    source: str = NOT_STATED
+    deviation: float | None = None
+    range: tuple[float, float] | None = None
+    reference: str = ""
+    note: str = ""
+    drawn: bool = False
+    simulated: bool = field(default=False, metadata={"json": False})
+
+    @property
+    def is_stated(self) -> bool:
+        """Whether its source is stated."""
+        return self.source != NOT_STATED
+
+    @property
+    def value_text(self) -> str:
+        """The value in its display unit."""
+        if not isinstance(self.value, tuple):
+            return self._shown(self.value)
+        rest = f", ... ({len(self.value)})" if len(self.value) > MOST_ITEMS else ""
+        return ", ".join(map(self._shown, self.value[:MOST_ITEMS])) + rest
+
+    @property
+    def deviation_text(self) -> str:
+        """The deviation or range in the display unit; empty for none."""
+        if self.deviation is not None:
+            share = f" ({100.0 * self.deviation / abs(self.value):.2g} %)" if isinstance(self.value, float) and self.value else ""
+            return f"± {self._shown(self.deviation, 3)}{share}"
+        return f"{self._shown(self.range[0])} to {self._shown(self.range[1])}" if self.range is not None else ""
+
+    def _shown(self, value: float, digits: int = 6) -> str:
+        return f"{from_si(value, self.display):.{digits}g}"
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Median, 5 % and 95 % of a figure [m]; infinite where too many samples failed."""
+
+    median: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class Rank:
+    """Rank correlation of a sampled number with rms and maximum of the contour error, over the samples that did not fail."""
+
+    name: str
+    rms: float
+    max: float
+
+
+@dataclass(frozen=True, eq=False)
+class Interval:
+    """Contour error of the machines that were drawn from the stated deviations.
+
+    Attributes
+    ----------
+    samples : int
+        0 where there is no interval; the findings say why.
+    rms, max : Spread or None [m]
+    failed : int
+        Samples that left a following-error limit or produced a non-finite command.
+    beyond_tolerance : int or None
+        Samples that failed or whose largest contour error exceeds the tolerance; None without one.
+    ranks : tuple of Rank
+        Strongest first.
+    noticeable : float
+        Size from which a rank correlation is more than chance.
+    main : str
+        The number that contributes most; empty where none stands out.
+    findings : tuple of Finding
+    values : mapping of str to ndarray (n,)
+        The numbers that were drawn, in SI.
+    figures : mapping of str to ndarray (n,) [m]
+        ``rms`` and ``max`` of each sample; NaN where it failed.
+    """
+
+    samples: int = 0
+    rms: Spread | None = None
+    max: Spread | None = None
+    failed: int = 0
+    beyond_tolerance: int | None = None
+    ranks: tuple[Rank, ...] = ()
+    noticeable: float = 0.0
+    main: str = ""
+    findings: tuple[Finding, ...] = field(default=(), metadata={"json": False})
+    values: Mapping[str, Array] = field(default_factory=dict, metadata={"json": False})
+    figures: Mapping[str, Array] = field(default_factory=dict, metadata={"json": False})
+
+
+@dataclass(frozen=True)
+class Trust:
+    """Of one scheme: the numbers whose source is stated, the names of the others, and the interval (None where nobody asked)."""
+
+    provenance: tuple[Number, ...]
+    not_stated: tuple[str, ...]
+    interval: Interval | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """One cause of the error at the worst place.
+
+    Attributes
+    ----------
+    name : str
+    contribution : float [m]
+        Along the direction of the error; negative where it makes the error smaller.
+    share : float, 0 to 1
+        Of the sum of all contributions' magnitudes.
+    """
+
+    name: str
+    contribution: float
+    share: float
+
+
+@dataclass(frozen=True, slots=True)
+class Worst:
+    """Where the part error is largest: value [m], sample, time [s], position [m], arc length [m], source line (0 for none) and its text."""
+
+    value: float
+    sample: int
+    time: float
+    position: tuple[float, ...]
+    arc_length: float
+    line: int
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """Pass or fail against a tolerance.
+
+    Attributes
+    ----------
+    passed : bool
+        Whether the largest part error is within the tolerance, and the tool traces the whole path: the longest piece it skips is within
+        ten tolerances (at the end: two), or within three steps of the reference where these are longer.
+    tolerance : float [m]
+    worst : Worst
+    causes : tuple of Cause
+        Largest first.
+    left_out : float [m]
+        Longest piece of the path that the tool skips, where it is too long to pass; else 0.
+    findings : tuple of Finding
+        Skipped path, causes that could not be separated, the best single change.
+    """
+
+    passed: bool
+    tolerance: float
+    worst: Worst
+    causes: tuple[Cause, ...] = ()
+    left_out: float = 0.0
+    findings: tuple[Finding, ...] = field(default=(), metadata={"json": False})

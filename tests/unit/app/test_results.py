@@ -1,0 +1,184 @@
+"""Where results go: refused before the work where they cannot, and never at the cost of older ones, of what is read, or of a stranger's."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from contourlab.app.results import LIST, check_file, staged
+from contourlab.errors import OutputError, ParameterError
+
+OLD = {"report.html": "old", "summary.json": "old", "plots/path.svg": "old"}
+NOTES = {"notes.txt": "of the user", "plots/path-old.svg": "of the user", "signals/bench.nc": "of the user"}
+
+
+@pytest.fixture
+def used(tmp_path: Path) -> Path:
+    folder = tmp_path / "results"
+    with staged(folder, "summary.json") as stage:
+        write(stage, OLD)
+    write(folder, NOTES)
+    return folder
+
+
+def write(folder: Path, files: dict[str, str]) -> None:
+    for name, text in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+
+
+def read(folder: Path) -> dict[str, str]:
+    return {path.relative_to(folder).as_posix(): path.read_text() for path in folder.rglob("*") if path.is_file() and path.name != LIST}
+
+
+def listed(folder: Path) -> set[str]:
+    return {name for names in json.loads((folder / LIST).read_text())["files"].values() for name in names}
+
+
+def test_newer_results_replace_all_older_ones_and_nothing_else(used: Path) -> None:
+    with staged(used, "summary.json") as stage:
+        write(stage, {"summary.json": "new"})
+        assert read(used).items() >= OLD.items()
+    assert read(used) == {"summary.json": "new", **NOTES}
+    assert listed(used) == {"summary.json"}
+
+
+def test_pictures_by_themselves_replace_their_namesakes_only(used: Path) -> None:
+    with staged(used) as stage:
+        write(stage, {"plots/path.svg": "new", "plots/other.png": "new"})
+    assert read(used) == OLD | NOTES | {"plots/path.svg": "new", "plots/other.png": "new"}
+    with staged(used, "summary.json") as stage:
+        write(stage, {"summary.json": "new"})
+    assert read(used).keys() == {"summary.json", "plots/path.svg", "plots/other.png", *NOTES}
+
+
+def test_results_of_another_kind_and_products_stay(used: Path) -> None:
+    swap = {"swap.json": "swap", "controllers/shared.toml": "swap", "plots/swap.png": "swap"}
+    with staged(used, "swap.json") as stage:
+        write(stage, swap)
+    with staged(used, "summary.json") as stage:
+        write(stage, {"summary.json": "new", "learned/a.nc": "table"})
+    with staged(used, "summary.json") as stage:
+        write(stage, {"summary.json": "newer"})
+    assert read(used) == {**swap, "summary.json": "newer", "learned/a.nc": "table", **NOTES}
+    with staged(used, "swap.json") as stage:
+        write(stage, {"swap.json": "newer"})
+    assert read(used) == {"swap.json": "newer", "summary.json": "newer", "learned/a.nc": "table", **NOTES}
+
+
+@pytest.mark.parametrize("file", ["summary.json", "signals/bench.nc"])
+def test_what_contourlab_did_not_write_is_not_replaced(tmp_path: Path, file: str) -> None:
+    write(tmp_path, {file: "of the user"})
+    ahead = pytest.raises(OutputError, match=rf"{file}: would be replaced.*another folder with --to")
+    with ahead, staged(tmp_path, "summary.json", file, option="--to"):
+        pytest.fail("it is told ahead of the work")
+    with pytest.raises(OutputError, match=file), staged(tmp_path) as stage:
+        write(stage, {file: "new", "plots/a.png": "new"})
+    assert read(tmp_path) == {file: "of the user"}
+
+
+@pytest.mark.parametrize("names", ["", '[["signals/a.nc"]]', '["../mine.nc", "notes.txt"]'])
+def test_a_damaged_list_makes_nothing_ours(tmp_path: Path, names: str) -> None:
+    folder = tmp_path / "results"
+    mine = {"../mine.nc": "of the user", "notes.txt": "of the user", "signals/a.nc": "of the user"}
+    write(folder, {**mine, LIST: f'{{"files": {{"summary.json": {names}}}}}'})
+    with staged(folder, "summary.json") as stage:
+        write(stage, {"summary.json": "new"})
+    assert {name: (folder / name).read_text() for name in mine} == mine
+
+
+@pytest.mark.parametrize("spelling", ["results/plots/path.svg", "results/../results/plots/path.svg", "link/plots/path.svg"])
+def test_what_is_read_is_not_replaced_by_whatever_name(used: Path, spelling: str) -> None:
+    (used.parent / "link").symlink_to(used, target_is_directory=True)
+    before = read(used)
+    ahead = pytest.raises(ParameterError, match=r"another folder: .* is read, and would be replaced")
+    with ahead, staged(used, "summary.json", inputs=[used.parent / spelling]):
+        pytest.fail("it is told ahead of the work")
+    with pytest.raises(ParameterError, match="is read"), staged(used, inputs=[used.parent / spelling]) as stage:
+        write(stage, {"plots/path.svg": "new"})
+    assert read(used) == before
+    with staged(used, "summary.json", inputs=[used / "signals" / "bench.nc", "builtin:xyz"]) as stage:
+        write(stage, {"summary.json": "new"})
+    assert read(used) == {"summary.json": "new", **NOTES}
+
+
+def test_a_file_that_is_read_is_not_written_over_by_whatever_name(tmp_path: Path) -> None:
+    (tmp_path / "log.csv").write_text("of the user")
+    (tmp_path / "link.csv").symlink_to(tmp_path / "log.csv")
+    for name in ("log.csv", "link.csv", f"../{tmp_path.name}/log.csv"):
+        with pytest.raises(ParameterError, match=r"--out = .*: must be another file than .*log\.csv, which is read"):
+            check_file(tmp_path / name, ["nowhere.csv", tmp_path / "log.csv"])
+    check_file(tmp_path / "other.csv", [tmp_path / "log.csv", "builtin:xyz"])
+
+
+def test_a_block_that_writes_nothing_takes_nothing_away(used: Path) -> None:
+    """As of a command that only sees whether it may write there."""
+    with staged(used, "summary.json"):
+        pass
+    check_file(used / "machine.toml")
+    assert read(used) == OLD | NOTES
+
+
+def test_what_cannot_be_moved_in_leaves_the_older_results(used: Path) -> None:
+    """A file of the user stands where a folder is wanted."""
+    write(used, {"switches": "of the user"})
+    before = {path: path.read_bytes() for path in used.rglob("*") if path.is_file()}
+    new = {"report.html": "new", "switches/base.csv": "new", "plots/path.svg": "new"}
+    with pytest.raises(OutputError, match="cannot be written"), staged(used, "summary.json") as stage:
+        write(stage, new)
+    with pytest.raises(OutputError, match="cannot be written"), staged(used) as stage:
+        write(stage, new)
+    assert {path: path.read_bytes() for path in used.rglob("*") if path.is_file()} == before
+
+
+@pytest.mark.parametrize("reached", range(6))
+def test_what_is_killed_while_it_replaces_leaves_nothing_unknown(used: Path, reached: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever is there afterwards is known as ours, so that the next run replaces all of it."""
+    replace, done = Path.replace, []
+
+    def until_killed(path: Path, target: Path) -> Path:
+        done.append(target)
+        if len(done) > reached:
+            raise SystemExit
+        return replace(path, target)
+
+    with monkeypatch.context() as patched, pytest.raises(SystemExit), staged(used, "summary.json") as stage:
+        write(stage, {"summary.json": "new", "report.html": "new", "plots/more.svg": "new"})
+        patched.setattr(Path, "replace", until_killed)
+    assert read(used).keys() - NOTES.keys() <= listed(used)
+    with staged(used, "summary.json") as stage:
+        write(stage, {"summary.json": "newer"})
+    assert read(used) == {"summary.json": "newer", **NOTES}
+
+
+@pytest.mark.parametrize("reached", range(6))
+def test_an_interrupt_while_it_replaces_leaves_all_as_it_was(used: Path, reached: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    before, listed_before = read(used), (used / LIST).read_bytes()
+    replace, done = Path.replace, []
+
+    def interrupted(path: Path, target: Path) -> Path:
+        done.append(target)
+        moved = replace(path, target)
+        if len(done) == reached + 1:
+            raise KeyboardInterrupt
+        return moved
+
+    with monkeypatch.context() as patched, pytest.raises(KeyboardInterrupt), staged(used, "summary.json") as stage:
+        write(stage, {"summary.json": "new", "report.html": "new", "plots/more.svg": "new"})
+        patched.setattr(Path, "replace", interrupted)
+    assert (read(used), (used / LIST).read_bytes()) == (before, listed_before)
+
+
+@pytest.mark.parametrize(("place", "said"), [("folder.toml", "is a folder"), ("file/below.toml", "choose another folder with --to")])
+def test_a_file_that_cannot_be_is_refused(place: str, said: str, tmp_path: Path) -> None:
+    (tmp_path / "folder.toml").mkdir()
+    (tmp_path / "file").write_text("of the user")
+    with pytest.raises(OutputError, match=said):
+        check_file(tmp_path / place, option="--to")
+
+
+def test_folders_that_are_not_there_yet_are_no_fault_and_are_not_left_behind(tmp_path: Path) -> None:
+    check_file(tmp_path / "some" / "where" / "machine.toml")
+    assert list(tmp_path.iterdir()) == []

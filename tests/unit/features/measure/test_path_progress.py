@@ -1,0 +1,72 @@
+"""Where on a path a measured tool was: paths that close, cross themselves, go laps or back over themselves; runs of a part of them."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+
+from contourlab.errors import ResultError
+from contourlab.features.measure.path_progress import progress_along
+from contourlab.features.measure.shift import fitted_shift
+from contourlab.geometry import Arc, Line, Path
+
+
+def lines(*corners: tuple[float, float]) -> Path:
+    return Path([Line(a, b) for a, b in itertools.pairwise(corners)])
+
+
+def turn(centre: tuple[float, float], sweep: float, begin: float) -> Arc:
+    return Arc(np.array(centre), 0.02, begin, sweep)
+
+
+PATHS = {
+    "closed": lines((0.0, 0.0), (0.04, 0.0), (0.04, 0.03), (0.0, 0.03), (0.0, 0.0)),
+    "three laps": Path([turn((0.0, 0.0), 2.0 * np.pi, 0.0)] * 3),
+    "there and back": lines((0.0, 0.0), (0.04, 0.0), (0.0, 0.0), (0.0, 0.03)),
+    "eight": Path([turn((0.02, 0.0), 2.0 * np.pi, np.pi), turn((-0.02, 0.0), -2.0 * np.pi, 0.0)]),
+    "rows": lines(*[(0.04 * ((k + 1) // 2 % 2), 2e-4 * (k // 2)) for k in range(40)]),
+}
+
+
+def tool_on(path: Path, part: tuple[float, float], late: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return arc lengths from a part of the path, with rests at both ends, and a tool 10 um beside and late along the tangent."""
+    along = np.linspace(part[0] * path.length, part[1] * path.length, 6000)
+    along = np.concatenate([np.full(500, along[0]), along, np.full(500, along[-1])])
+    noise = np.random.default_rng(3).normal(0.0, 0.3e-6, (along.size, 2))
+    return along, path.position(along) + 10e-6 * path.normal(along) - late * path.tangent(along) + noise
+
+
+@pytest.mark.parametrize("late", [0.0, 50e-6, -80e-6])
+@pytest.mark.parametrize("part", [(0.0, 1.0), (0.0, 0.55), (0.3, 1.0)])
+@pytest.mark.parametrize("name", PATHS)
+def test_progress_stays_on_its_branch(name: str, part: tuple[float, float], late: float) -> None:
+    """A closed path's end is as near to its first sample as its start; laps, crossings and ways back are all near it."""
+    along, tool = tool_on(PATHS[name], part, late)
+    found, _ = progress_along(PATHS[name], tool)
+    assert np.abs(found - along).max() < abs(late) + 100e-6
+    assert (np.diff(found) >= 0.0).all()
+
+
+@pytest.mark.parametrize("part", [(0.0, 1.0), (0.0, 0.6)])
+@pytest.mark.parametrize("name", ["three laps", "eight", "rows"])
+def test_a_shift_is_found_from_a_part_of_the_run_too(name: str, part: tuple[float, float]) -> None:
+    """On these paths 10 um to the left is no shift but for what the normals do not average to; a tool at rest weighs nothing."""
+    _, tool = tool_on(PATHS[name], part, 20e-6)
+    rest = np.repeat(tool[-1:], 20_000, axis=0)
+    assert fitted_shift(PATHS[name], np.vstack([tool, rest]) + np.array([0.1, -0.05])) == pytest.approx([0.1, -0.05], abs=11e-6)
+
+
+def test_a_tool_that_is_elsewhere() -> None:
+    path = PATHS["closed"]
+    _, tool = tool_on(path, (0.0, 1.0), 0.0)
+    for wrong in (tool + 0.01, tool * 1e3, tool[:, ::-1]):
+        with pytest.raises(ResultError, match="same coordinates and units"):
+            progress_along(path, wrong)
+
+
+def test_the_way_that_a_straight_part_of_a_run_does_not_tell() -> None:
+    _, tool = tool_on(PATHS["there and back"], (0.0, 0.5), 0.0)
+    with pytest.raises(ResultError, match="straight"):
+        fitted_shift(PATHS["there and back"], tool + 0.3)
