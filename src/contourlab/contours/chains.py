@@ -1,4 +1,4 @@
-"""Chains of entities that meet end to end in a drawing, as paths."""
+"""Join the entities of a drawing that meet end to end, and make paths of them."""
 
 from __future__ import annotations
 
@@ -15,11 +15,9 @@ from contourlab.geometry import Curve, Line, Path, backwards, with_ends
 
 Array = NDArray[np.float64]
 CLOSE = 2e-10
-"""Ends [m] that are left as they are: a path accepts 1e-9 m."""
-
-
+"""Gap [m] that stays; a path accepts 1e-9 m."""
 FURTHEST = 5.0
-"""Gap, in tolerances, that ends can have between which specks were left out."""
+"""Largest gap that is closed, in tolerances; entities shorter than the tolerance may be missing in it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +28,7 @@ class Strand:
     ----------
     curves : tuple of Curve
     what : str
-        Its name in messages: ``LINE #2F``.
+        Name in messages: ``LINE #2F``.
     layer : str
     """
 
@@ -40,17 +38,17 @@ class Strand:
 
     @cached_property
     def ends(self) -> Array:
-        """Where it starts and where it ends: (2, n_axis)."""
+        """Start and end point: (2, n_axis)."""
         first, last = self.curves[0], self.curves[-1]
         return np.array([_end(first, 0.0), _end(last, last.length)])
 
     @property
     def length(self) -> float:
-        """Length of all its curves [m]."""
+        """Length of all curves [m]."""
         return float(sum(curve.length for curve in self.curves))
 
     def turned(self) -> Strand:
-        """Return it from its end to its start."""
+        """Return the strand from its end to its start."""
         return Strand(tuple(backwards(curve) for curve in reversed(self.curves)), self.what, self.layer)
 
     def middle(self) -> Array:
@@ -71,12 +69,12 @@ def _end(curve: Curve, s: float) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Chain:
-    """Strands end to end, each in the direction of travel.
+    """Strands end to end.
 
     Attributes
     ----------
     strands : tuple of (Strand, bool)
-        Each with whether it is run backwards.
+        In the order of travel, and whether each is run backwards.
     closed : bool
     tolerance : float [m]
         Largest gap that is closed.
@@ -88,47 +86,46 @@ class Chain:
 
     @property
     def length(self) -> float:
-        """Length [m], gaps left out."""
+        """Length without gaps [m]."""
         return float(sum(strand.length for strand, _ in self.strands))
 
     @property
     def start(self) -> Array:
-        """Where it starts: (n_axis,)."""
+        """Start point (n_axis,)."""
         strand, turned = self.strands[0]
         return np.asarray(strand.ends[1 if turned else 0])
 
     @property
     def layers(self) -> tuple[str, ...]:
-        """Its layers, in the order met."""
+        """Layers in the order of travel."""
         return tuple(dict.fromkeys(strand.layer for strand, _ in self.strands))
 
     @cached_property
     def path(self) -> Path:
-        """The chain as a path, gaps closed."""
+        """The chain as a path, with its gaps closed."""
         curves = [curve for strand, turned in self.strands for curve in (strand.turned() if turned else strand).curves]
         return Path(_joined(curves, self.closed, self.tolerance), self.closed)
 
     def backwards(self) -> Chain:
-        """Return the chain from its end to its start; a closed one still starts where it did."""
+        """Return the chain from its end to its start; a closed chain keeps its starting point."""
         return Chain(tuple((strand, not turned) for strand, turned in reversed(self.strands)), self.closed, self.tolerance)
 
 
 def chains_of(strands: Sequence[Strand], tolerance: float) -> tuple[list[Chain], list[str]]:
-    """Return the chains that strands make, in the order of their first strands, and what was left out.
+    """Join strands to chains, in the order of their first strands.
 
     Parameters
     ----------
     strands : sequence of Strand
     tolerance : float [m], > 0
-        Ends at most this far apart meet.
+        Largest gap between ends that meet.
 
     Returns
     -------
     list of Chain
-        Each runs in the direction of its first strand in the drawing; a closed one starts there. Where more than two ends meet, chains
-        end.
+        Each runs in the direction of its first strand in the drawing; a closed one starts there. Chains end where more than two ends meet.
     list of str
-        Strands that are shorter than the tolerance, or lie on another.
+        Omitted strands: shorter than the tolerance, or on top of another.
     """
     if not strands:
         return [], []
@@ -146,7 +143,7 @@ def chains_of(strands: Sequence[Strand], tolerance: float) -> tuple[list[Chain],
         used.add(i)
         ahead = _follow(i, 1, node, meet, used)
         behind = [(j, 1 - end) for j, end in reversed(_follow(i, 0, node, meet, used))]
-        # Each strand with the end at which it is entered.
+        # Each strand, and the end at which it is entered.
         run = [*behind, (i, 0), *ahead]
         closed = node[run[0][0], run[0][1]] == node[run[-1][0], 1 - run[-1][1]]
         chains.append(Chain(tuple((strands[j], entered == 1) for j, entered in run), bool(closed), tolerance))
@@ -154,22 +151,20 @@ def chains_of(strands: Sequence[Strand], tolerance: float) -> tuple[list[Chain],
 
 
 def _follow(i: int, end: int, node: NDArray[np.int64], meet: dict[int, list[tuple[int, int]]], used: set[int]) -> list[tuple[int, int]]:
-    """Return the strands that follow one of the ends of strand i, each with the end at which it is entered."""
-    found: list[tuple[int, int]] = []
-    while True:
-        here = meet[int(node[i, end])]
-        if len(here) != 2:
-            return found
+    """Return the strands that follow one end of strand i, each with the end at which it is entered."""
+    run: list[tuple[int, int]] = []
+    while len(here := meet[int(node[i, end])]) == 2:
         j, entered = here[1] if here[0] == (i, end) else here[0]
         if j in used:
-            return found
+            break
         used.add(j)
-        found.append((j, entered))
+        run.append((j, entered))
         i, end = j, 1 - entered
+    return run
 
 
 def _nodes(points: Array, tolerance: float) -> NDArray[np.int64]:
-    """Return a number for each point, equal for those that lie together."""
+    """Return a number for each point, equal for points that meet."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
@@ -189,7 +184,7 @@ def _without_doubles(strands: Sequence[Strand], node: NDArray[np.int64], toleran
         if key[0] == key[1] and strand.length <= 2.0 * tolerance:
             left_out.append(f"{strand.what}: shorter than the tolerance")
             continue
-        twin = next((j for j in seen[key] if _same(strand, strands[j], tolerance)), None)
+        twin = next((j for j in seen[key] if _coincide(strand, strands[j], tolerance)), None)
         if twin is not None:
             left_out.append(f"{strand.what}: lies on {strands[twin].what}")
             continue
@@ -198,12 +193,12 @@ def _without_doubles(strands: Sequence[Strand], node: NDArray[np.int64], toleran
     return kept, left_out
 
 
-def _same(a: Strand, b: Strand, tolerance: float) -> bool:
+def _coincide(a: Strand, b: Strand, tolerance: float) -> bool:
     return abs(a.length - b.length) <= 2.0 * tolerance and float(np.linalg.norm(a.middle() - b.middle())) <= 2.0 * tolerance
 
 
 def _joined(curves: list[Curve], closed: bool, tolerance: float) -> list[Curve]:
-    """Return the curves with their ends moved onto each other; where one cannot be moved, a short line closes the gap."""
+    """Return the curves with their ends moved together; a short line closes the gap where an end cannot be moved."""
     n = len(curves)
     ends = np.array([[_end(curve, 0.0), _end(curve, curve.length)] for curve in curves])
     wanted = ends.copy()
@@ -212,27 +207,28 @@ def _joined(curves: list[Curve], closed: bool, tolerance: float) -> list[Curve]:
     if max(gaps.values(), default=0.0) <= CLOSE:
         return curves
     for i, j in joints:
-        if gaps[i] > FURTHEST * tolerance:  # inside one entity, where no search for ends has met it
+        if gaps[i] > FURTHEST * tolerance:  # within one entity
             raise GeometryError(f"there is a gap of {1e3 * gaps[i]:.3g} mm at {ends[i, 1].tolist()} m")
         if gaps[i] > CLOSE:
-            # A line can be moved unseen; what is drawn as an arc or a spline stays where it is beside one.
+            # Beside a line, an arc or a spline stays and the line moves.
             share = {(True, False): 0.0, (False, True): 1.0}.get((isinstance(curves[i], Line), isinstance(curves[j], Line)), 0.5)
             wanted[i, 1] = wanted[j, 0] = ends[j, 0] + share * (ends[i, 1] - ends[j, 0])
-    moved = [_moved(curve, *ends[i], *wanted[i]) for i, curve in enumerate(curves)]
-    found: list[Curve] = []
+    moved = [_moved(curve, ends[i], wanted[i]) for i, curve in enumerate(curves)]
+    joined: list[Curve] = []
     for i, curve in enumerate(moved):
-        found.append(curve)
+        joined.append(curve)
         if i in gaps:
             a, b = _end(curve, curve.length), _end(moved[(i + 1) % n], 0.0)
             if float(np.linalg.norm(b - a)) > CLOSE:
-                found.append(Line(a, b))
-    return found
+                joined.append(Line(a, b))
+    return joined
 
 
-def _moved(curve: Curve, start: Array, end: Array, new_start: Array, new_end: Array) -> Curve:
-    if np.array_equal(start, new_start) and np.array_equal(end, new_end):
+def _moved(curve: Curve, ends: Array, wanted: Array) -> Curve:
+    """Return the curve with its ends moved; itself if that is not possible."""
+    if np.array_equal(ends, wanted):
         return curve
     try:
-        return with_ends(curve, new_start, new_end)
+        return with_ends(curve, *wanted)
     except GeometryError:
         return curve

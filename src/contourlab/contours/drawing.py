@@ -1,4 +1,4 @@
-"""A drawing that has been read: its chains, what was left out, and the choice of one chain."""
+"""The contents of a drawing: its chains, the omitted entities, and the choice of one chain."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path as File
 
 import numpy as np
@@ -17,9 +17,9 @@ from contourlab.errors import GeometryError, UnitError
 from contourlab.units import to_si
 
 TOLERANCE = 1e-6
-"""Largest gap [m] between ends that meet, where none is stated."""
+"""Default of the largest gap [m] between ends that meet."""
 OUTERMOST = 1e9
-"""Coordinates [m] beyond this are mistakes; lengths would overflow."""
+"""Larger coordinates [m] are mistakes."""
 LISTED = 20
 
 
@@ -42,7 +42,7 @@ class LeftOut:
 
 @dataclass(frozen=True, eq=False)
 class Drawing:
-    """The contours that a drawing holds.
+    """The contours of a drawing.
 
     Attributes
     ----------
@@ -52,56 +52,50 @@ class Drawing:
     left_out : tuple of LeftOut
         Entities without a contour, such as texts.
     notes : tuple of str
-        Doubles and specks that were dropped.
+        Omitted duplicates and very short entities.
     layers : tuple of str
-        Layers of all entities, chosen or not; empty where the format has none.
+        Layers of all entities; empty if the format has none.
     """
 
     file: File
     chains: tuple[Chain, ...]
     left_out: tuple[LeftOut, ...] = ()
     notes: tuple[str, ...] = ()
-    layers: tuple[str, ...] = field(default=())
+    layers: tuple[str, ...] = ()
 
     def refuse_left_out(self, ignore: Sequence[str]) -> None:
-        """Refuse a drawing with entities that are no contours, unless their kind is ignored.
-
-        Raises
-        ------
-        GeometryError
-            Names the entities, their layers, and what to write.
-        """
-        known = {kind.upper() for kind in ignore}
-        met = Counter((item.kind, item.layer, item.why) for item in self.left_out if item.kind.upper() not in known)
-        if not met:
+        """Raise a GeometryError for entities without a contour, unless their kind is in `ignore`."""
+        ignored = {kind.upper() for kind in ignore}
+        counts = Counter((item.kind, item.layer, item.why) for item in self.left_out if item.kind.upper() not in ignored)
+        if not counts:
             return
-        listed = [f"{n} {kind}{f' on layer {layer}' if layer else ''}{f' ({why})' if why else ''}" for (kind, layer, why), n in met.items()]
-        kinds = ", ".join(f'"{kind}"' for kind in dict.fromkeys(kind for kind, _, _ in met))
+        listed = [
+            f"{n} {kind}{f' on layer {layer}' if layer else ''}{f' ({why})' if why else ''}" for (kind, layer, why), n in counts.items()
+        ]
+        kinds = ", ".join(f'"{kind}"' for kind in dict.fromkeys(kind for kind, _, _ in counts))
         choice = "choose a layer without them, or " if self.layers else ""
         raise GeometryError(f"{self.file}: holds {_some(listed)}, which are no contours: {choice}write ignore = [{kinds}]")
 
     def chosen(self, chain: int | None = None) -> Chain:
-        """Return the one chain, or that of a number, counted from 1.
+        """Return the only chain, or the one with a number, counted from 1.
 
         Raises
         ------
         GeometryError
-            If there is none of that number, or there are several and none is chosen; lists what there is.
+            If the number does not exist, or there are several chains and none is chosen; lists them.
         """
         if not self.chains:
-            aside = f"; left aside: {_some(self.notes)}" if self.notes else ""
-            raise GeometryError(f"{self.file}: holds no contour{self._layers_listed()}{aside}")
+            layers = f"; its layers are {', '.join(self.layers)}" if self.layers else ""
+            omitted = f"; omitted: {_some(self.notes)}" if self.notes else ""
+            raise GeometryError(f"{self.file}: holds no contour{layers}{omitted}")
         if chain is None and len(self.chains) == 1:
             return self.chains[0]
         if chain is not None and 1 <= chain <= len(self.chains):
             return self.chains[chain - 1]
         if chain is not None:
             raise GeometryError(f"{self.file}: chain = {chain}: {self._listed()}")
-        how = "write chain = 1" + (' or the like, or layer = "..."' if len(self.layers) > 1 else " or the like")
-        raise GeometryError(f"{self.file}: {self._listed()}; {how}, or a larger tolerance where gaps part them")
-
-    def _layers_listed(self) -> str:
-        return f"; its layers are {', '.join(self.layers)}" if self.layers else ""
+        layer = ', layer = "..."' if len(self.layers) > 1 else ""
+        raise GeometryError(f"{self.file}: {self._listed()}; write for example chain = 1{layer}, or a tolerance above the gaps")
 
     def _listed(self) -> str:
         rows = []
@@ -124,7 +118,7 @@ def strand_of(shapes: Iterable[Shape], file: File, what: str, layer: str = "") -
     Raises
     ------
     GeometryError
-        If its data make no curve, or reach too far; names the entity.
+        If its data do not define curves, or reach too far; names the entity.
     """
     try:
         shapes = list(shapes)
@@ -144,17 +138,17 @@ def drawing_of(
     notes: Sequence[str],
     layers: Sequence[str] = (),
 ) -> Drawing:
-    """Return the drawing that strands make.
+    """Create a drawing from strands.
 
     Raises
     ------
     GeometryError
         If the tolerance is out of range.
     """
-    reach = TOLERANCE if tolerance is None else tolerance
-    if not (0.0 < reach < math.inf):
+    gap = TOLERANCE if tolerance is None else tolerance
+    if not (0.0 < gap < math.inf):
         raise GeometryError(f"tolerance = {tolerance!r} m: must be > 0 and finite")
-    chains, dropped = chains_of(strands, reach)
+    chains, dropped = chains_of(strands, gap)
     return Drawing(file, tuple(chains), tuple(left_out), (*notes, *dropped), tuple(layers))
 
 
@@ -164,7 +158,7 @@ def unit_size(unit: str) -> float:
     Raises
     ------
     UnitError
-        If it is none.
+        If it is not a unit of length.
 
     >>> unit_size("inch")
     0.0254
@@ -175,7 +169,7 @@ def unit_size(unit: str) -> float:
             size = to_si(f"1 {unit}", "m")
         except UnitError as error:
             raise UnitError(f'unit = "{unit}": {error}') from error
-        except Exception:  # the unit parser passes on whatever its tokenizer raises
+        except Exception:  # the unit parser may raise anything
             size = 0.0
     if not (size > 0.0 and math.isfinite(size)):
         raise UnitError(f'{unit!r} is not a unit of length: write for example "mm" or "inch"')

@@ -1,4 +1,4 @@
-"""Contours from DXF drawings."""
+"""Read contours from DXF drawings."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from contourlab.extras import extra_module
 
 Array = NDArray[np.float64]
 FLAT = 1e-9
-"""Heights [m] that differ by less lie in one plane."""
+"""Largest difference of heights [m] in one plane."""
 UNITS = {
     1: 0.0254, 2: 0.3048, 3: 1609.344, 4: 1e-3, 5: 1e-2, 6: 1.0, 7: 1e3, 8: 2.54e-8, 9: 2.54e-5, 10: 0.9144, 11: 1e-10, 12: 1e-9, 13: 1e-6,
     14: 0.1, 15: 10.0, 16: 100.0, 21: 1200.0 / 3937.0,
 }  # fmt: skip
 """Size [m] of the units that ``$INSUNITS`` numbers."""
 SPLINE_FRAME = 16
-"""Flag of a vertex that is a control point of a fitted polyline and not on it."""
+"""Flag of a vertex that is a control point, not a point, of a fitted polyline."""
 
 
 def read_dxf(
@@ -43,11 +43,11 @@ def read_dxf(
     ----------
     file : str or Path
     unit : str, optional
-        Of its numbers; by default that of ``$INSUNITS``.
+        Of the numbers in the file; by default ``$INSUNITS``.
     tolerance : float [m], > 0
         Largest gap between ends that meet, 1 um by default.
     layer : str, optional
-        Only this one, whichever case its letters have.
+        The only layer to read; case-insensitive.
     scale : float, > 0
         Factor on all coordinates.
     axes : {2, 3}
@@ -56,14 +56,14 @@ def read_dxf(
     Returns
     -------
     Drawing
-        LINE, ARC, CIRCLE, ELLIPSE, SPLINE, LWPOLYLINE and POLYLINE as analytic curves; all else in `left_out`.
+        LINE, ARC, CIRCLE, ELLIPSE, SPLINE, LWPOLYLINE and POLYLINE as analytic curves; others in `left_out`.
 
     Raises
     ------
     GeometryError
-        If the file cannot be read, states no unit, lacks the layer, or leaves its plane although `axes` is 2.
+        If the file cannot be read, states no unit, lacks the layer, or is not flat although `axes` is 2.
     UnitError
-        If `unit` is no unit of length.
+        If `unit` is not a unit of length.
 
     References
     ----------
@@ -72,22 +72,22 @@ def read_dxf(
     path = File(file)
     document = _opened(path)
     size = _unit_of(document, path, unit) * scale
-    found = _Entities(path, layer.casefold() if layer is not None else None)
+    entities = _Entities(path, layer.casefold() if layer is not None else None)
     try:
-        found.add(document.modelspace())
+        entities.add(document.modelspace())
     except ContourlabError:
         raise
-    except Exception as error:  # entities that refer to what is not there
+    except Exception as error:  # dangling references
         raise _damaged(path, error) from error
-    if layer is not None and found.folded not in {name.casefold() for name in found.layers}:
-        raise GeometryError(f"{path}: nothing on layer {layer!r}: there are {', '.join(found.layers) or 'none'}")
+    if layer is not None and entities.layer not in {name.casefold() for name in entities.layers}:
+        raise GeometryError(f"{path}: nothing on layer {layer!r}: there are {', '.join(entities.layers) or 'none'}")
     matrix = size * np.eye(3)[:axes]
     if axes == 2:
-        _check_flat(path, found.shapes, size)
-    strands = []
-    for shapes, what, on in found.shapes:
-        strands.append(strand_of([shape.mapped(matrix, np.zeros(axes)) for shape in shapes], path, what, on))
-    return drawing_of(path, strands, tolerance, found.left_out, found.notes, tuple(found.layers))
+        _check_flat(path, entities.shapes, size)
+    strands = [
+        strand_of([shape.mapped(matrix, np.zeros(axes)) for shape in shapes], path, what, on) for shapes, what, on in entities.shapes
+    ]
+    return drawing_of(path, strands, tolerance, entities.left_out, entities.notes, tuple(entities.layers))
 
 
 def _opened(path: File) -> Any:
@@ -98,19 +98,19 @@ def _opened(path: File) -> Any:
             stream.seek(max(0, path.stat().st_size - 64))
             end = stream.read()
     except OSError as error:
-        # ezdxf raises an OSError for files of another kind too.
+        # ezdxf raises an OSError for other kinds of files too.
         reason = error.strerror or "it is not a DXF drawing"
         raise GeometryError(f"{path}: cannot be read: {reason}") from error
-    except Exception as error:  # ezdxf passes on any exception from a damaged file, StopIteration included
+    except Exception as error:  # ezdxf may raise anything for a damaged file
         raise _damaged(path, error) from error
     if not end.rstrip(b"\x00\x1a \t\r\n").endswith(b"EOF"):
-        # A file cut off between two entities reads well, but incompletely.
-        raise GeometryError(f"{path}: stops before its EOF, as where copying was broken off: export it again")
+        # A file truncated between two entities can be read, but is incomplete.
+        raise GeometryError(f"{path}: is truncated (no EOF): export it again")
     return document
 
 
 def _damaged(path: File, error: Exception) -> GeometryError:
-    why = str(error).strip() or "it breaks off, or contradicts itself"
+    why = str(error).strip() or "it is truncated or inconsistent"
     return GeometryError(f"{path}: is not a readable DXF drawing, or is damaged: {why}: export it again")
 
 
@@ -138,44 +138,43 @@ def _check_flat(path: File, entities: list[tuple[list[Shape], str, str]], size: 
 
 @dataclass
 class _Entities:
-    """Collects the shapes of entities."""
+    """Collects the shapes of entities, of all layers or one (case-folded)."""
 
     file: File
-    folded: str | None
+    layer: str | None
     shapes: list[tuple[list[Shape], str, str]] = field(default_factory=list)
     left_out: list[LeftOut] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     layers: dict[str, None] = field(default_factory=dict)
 
     def add(self, entities: Iterable[Any], inherited: str | None = None) -> None:
-        """Take entities in; those of a block that lie on layer 0 lie on the layer of the block's reference."""
+        """Add entities; those on layer 0 of a block are on the layer of the block reference."""
         for entity in entities:
             kind, layer = entity.dxftype(), entity.dxf.get("layer", "0")
             if layer == "0" and inherited is not None:
                 layer = inherited
             if kind == "INSERT":
                 self._add_block(entity, layer)
-                continue
-            if self._is_chosen(layer):
-                self._add_one(entity, kind, layer)
+            elif self._is_chosen(layer):
+                self._add_shapes(entity, kind, layer)
 
     def _is_chosen(self, layer: str) -> bool:
         self.layers[layer] = None
-        return self.folded is None or layer.casefold() == self.folded
+        return self.layer is None or layer.casefold() == self.layer
 
     def _add_block(self, insert: Any, layer: str) -> None:
         def skipped(entity: Any, reason: str) -> None:
-            own = entity.dxf.get("layer", "0")
-            if self._is_chosen(layer if own == "0" else own):
-                self.left_out.append(LeftOut(entity.dxftype(), own, reason))
+            on = entity.dxf.get("layer", "0")
+            if self._is_chosen(layer if on == "0" else on):
+                self.left_out.append(LeftOut(entity.dxftype(), on, reason))
 
-        for one in insert.multi_insert() if insert.mcount > 1 else [insert]:
-            self.add(one.virtual_entities(skipped_entity_callback=skipped), layer)
+        for reference in insert.multi_insert() if insert.mcount > 1 else [insert]:
+            self.add(reference.virtual_entities(skipped_entity_callback=skipped), layer)
         for attribute in insert.attribs:
             if self._is_chosen(attribute.dxf.get("layer", "0")):
                 self.left_out.append(LeftOut("ATTRIB", attribute.dxf.get("layer", "0")))
 
-    def _add_one(self, entity: Any, kind: str, layer: str) -> None:
+    def _add_shapes(self, entity: Any, kind: str, layer: str) -> None:
         read = READERS.get(kind)
         if read is None or (kind == "POLYLINE" and not (entity.is_2d_polyline or entity.is_3d_polyline)):
             self.left_out.append(LeftOut(kind, layer))
@@ -209,7 +208,7 @@ def _point(vector: Any) -> Array:
 
 
 def _axes(entity: Any) -> tuple[Array, Array, Array]:
-    """Return the axes of the entity's own coordinates, in those of the world."""
+    """Return the axes of the entity's coordinate system in world coordinates."""
     ocs = entity.ocs()
     return _point(ocs.ux), _point(ocs.uy), _point(ocs.uz)
 
@@ -234,7 +233,7 @@ def _circle(entity: Any) -> list[Shape]:
 def _ellipse(entity: Any) -> list[Shape]:
     start, end = entity.dxf.start_param, entity.dxf.end_param
     sweep = (end - start) % (2.0 * math.pi)
-    if sweep < 1e-9:  # a full turn is written as 0 to 2 pi, with as many digits as the writer has
+    if sweep < 1e-9:  # a full turn, 0 to 2 pi, rounded
         sweep = 2.0 * math.pi
     return [ConicShape(_point(entity.dxf.center), _point(entity.dxf.major_axis), _point(entity.minor_axis), start, start + sweep)]
 
@@ -244,9 +243,9 @@ def _spline(entity: Any) -> list[Shape]:
     if len(points):
         knots, weights = np.array(entity.knots, dtype=float), np.array(entity.weights, dtype=float)
         return [SplineShape(int(entity.dxf.degree), points, knots, weights if weights.size else None)]
-    made = entity.construction_tool()  # through fit points, as drawing programs draw them
-    points = np.array([(p.x, p.y, p.z) for p in made.control_points])
-    return [SplineShape(made.degree, points, np.array(made.knots()), None)]
+    spline = entity.construction_tool()  # through its fit points
+    points = np.array([(p.x, p.y, p.z) for p in spline.control_points])
+    return [SplineShape(spline.degree, points, np.array(spline.knots()), None)]
 
 
 def _lwpolyline(entity: Any) -> list[Shape]:
@@ -268,7 +267,7 @@ def _polyline(entity: Any) -> list[Shape]:
 
 
 def _through(rows: list[tuple[float, float, float, float]], closed: bool, axes: tuple[Array, Array, Array]) -> Iterator[Shape]:
-    """Yield lines and arcs through vertices (x, y, z, bulge), given in the entity's own coordinates."""
+    """Yield lines and arcs through vertices (x, y, z, bulge) in the entity's coordinates."""
     frame = np.array(axes)
     pairs = zip(rows, rows[1:] + rows[:1] if closed else rows[1:], strict=False)
     for (*first, bulge), (*second, _) in pairs:
@@ -276,7 +275,7 @@ def _through(rows: list[tuple[float, float, float, float]], closed: bool, axes: 
         chord = float(np.linalg.norm(b - a))
         if chord == 0.0:
             continue
-        # A bulge is the tangent of a quarter of the arc's angle; an arc as flat as rounding is a line.
+        # A bulge is the tangent of a quarter of the arc's angle; nearly 0 means a line.
         if abs(bulge) <= 1e-11:
             yield LineShape(a, b)
             continue

@@ -1,4 +1,4 @@
-"""Curves through points and near points: splines, straight stretches, and corners where the points turn sharply."""
+"""Fit curves through or near points: splines, straight lines, and corners where the points turn sharply."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from contourlab.geometry.nurbs import split_at
 
 Array = NDArray[np.float64]
 SAME_PLACE = 1e-9
-"""Ends [m] that make a closed contour."""
+"""Largest distance [m] between the ends of a closed contour."""
 DOUBT = 0.3
-"""Where a quintic and a cubic spline through the points differ by this much of their bulge, neither is to be trusted."""
+"""Least difference of a quintic and a cubic spline, relative to their bulge, that makes both unreliable."""
 ROUNDS = 12
-"""How often splines are divided where they leave their polygon, before they are divided at each point."""
+"""Divisions of splines that leave their polygon, before they are divided at every point."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,16 +35,14 @@ class PointFit:
     n_point : int
     n_corner : int
     deviation : float [m]
-        Largest distance of a point from the curve, at the parameter that the point has; 0 but for rounding where the curve passes
-        through.
+        Largest distance of a point from the curve, at the parameter of the point; rounding only if the curve passes through the points.
     smoothed : bool
     bulge : float [m]
-        Largest distance of the curve, between two points, from the chord that joins them.
+        Largest distance of the curve from the chord between two points.
     n_straight : int
-        Straight stretches: chords much longer than the spacing next to them, kept as lines that the splines next to them are tangent to.
+        Straight stretches: chords much longer than their neighbours, kept as lines tangent to the splines beside them.
     n_divided : int
-        Points at which a spline was divided, with a common tangent but not a common curvature, as it would have left its polygon further
-        than the polygon's turns explain.
+        Points at which a spline was divided, with continuous tangent but not curvature, because it left its polygon too far.
     """
 
     path: Path
@@ -72,21 +70,20 @@ class PointFit:
 def fit_points(
     points: Array, tolerance: float | None, corner_angle: float, place: Callable[[int], str] = lambda i: f"point {i + 1}"
 ) -> PointFit:
-    """Return the path along points: quintic splines, C4 between corners and straight stretches, over their arc length.
+    """Fit a path to points: quintic splines, C4 between corners and straight stretches.
 
-    Between two points the curve leaves their chord by no more than the turns of the polygon at its ends explain; a spline that would do so
-    is divided.
+    A spline that leaves a chord further than the turns of the polygon explain is divided.
 
     Parameters
     ----------
-    points : ndarray (n, n_axis) [m]
-        Two or more, no two in a row alike; closed where the last is the first.
+    points : ndarray (n, n_axis) [m], n >= 2
+        Neighbours differ; closed if the last is the first.
     tolerance : float [m] or None
-        None to pass through them; else the largest distance of a point from a smoothing spline.
+        Largest distance of a point from a smoothing spline; None to pass through the points.
     corner_angle : float [rad], > 0, < pi
-        A turn of the polygon by more than this is a corner: the spline ends there and another begins.
+        Larger turns of the polygon are corners, at which splines end.
     place : callable
-        Names a point, by its number from 0, in messages.
+        Returns the name of a point, by its number from 0, for messages.
 
     Raises
     ------
@@ -123,7 +120,7 @@ def fit_points(
 
 
 def _marks(polygon: Polygon) -> tuple[dict[int, Array | None], int]:
-    """Return the points where splines end, with their tangents there, and how many straight stretches there are."""
+    """Return the points where splines end, with their tangents, and the number of straight stretches."""
     straights, jumps = _breaks(polygon)
     n = len(polygon.length)
     wrap = n if polygon.closed else n + 1
@@ -137,9 +134,9 @@ def _marks(polygon: Polygon) -> tuple[dict[int, Array | None], int]:
 
 
 def _breaks(polygon: Polygon) -> tuple[list[tuple[int, int]], list[int]]:
-    """Return the straight stretches, and the points where spacing jumps, except where a single spline is reliable.
+    """Return the straight stretches, and the points where the spacing jumps, except where a single spline is reliable.
 
-    Points of a smooth curve, however unevenly spaced, are better served by one spline.
+    A single spline fits points of a smooth curve better, however unevenly they are spaced.
     """
     straights, jumps = polygon.straights(), polygon.jumps()
     n, corners = len(polygon.length), polygon.corners
@@ -151,14 +148,14 @@ def _breaks(polygon: Polygon) -> tuple[list[tuple[int, int]], list[int]]:
         chords = np.arange(first, last) % n
         if doubtful[chords].any():
             doubt[chords] = disagreement(polygon.span(first, last), polygon.closed and not corners)
-    sound = [(a, b) for a, b in straights if (doubt[np.arange(a, b + 1 if b >= a else b + 1 + n) % n] > DOUBT).any()]
-    return sound, [point for point, chord in jumps if doubt[chord] > DOUBT]
+    confirmed = [(a, b) for a, b in straights if (doubt[np.arange(a, b + 1 if b >= a else b + 1 + n) % n] > DOUBT).any()]
+    return confirmed, [point for point, chord in jumps if doubt[chord] > DOUBT]
 
 
 class _Fitting:
-    """Splines between marks: points where a spline ends, with the tangent it has there, or None where it is free.
+    """Splines between marks: points where a spline ends, with its tangent there or None.
 
-    The splines begin at the first mark. Only splines that leave their polygon are divided and fitted again.
+    Only splines that leave their polygon are divided and fitted again.
     """
 
     def __init__(self, polygon: Polygon, tolerance: float | None, marks: dict[int, Array | None], place: Callable[[int], str]) -> None:
@@ -186,41 +183,39 @@ class _Fitting:
         self.bulge = max(self.kept[span][1] for span in self.spans)
 
     def _spans(self) -> list[tuple[int, int]]:
-        """Return first and last point of each spline; past the start of a closed polygon the numbers go on."""
+        """Return first and last point of each spline; past the start of a closed polygon the numbers continue."""
         order = sorted(self.marks)
         if not order:
             return [(0, self.n)]
         return list(pairwise([*order, order[0] + self.n] if self.polygon.closed else order))
 
     def _fit_span(self, span: tuple[int, int], everywhere: bool) -> list[int]:
-        """Fit the spline of a span and keep it if it is good; else return the points at which to divide it."""
+        """Fit the spline of a span and store it if it is good; else return the points at which to divide it."""
         first, last = span
         points = self.polygon.span(first, last)
         periodic = not self.marks
         ends = (None, None) if periodic else (self.marks[first], self.marks[last % self.n if self.polygon.closed else last])
-        found = smoothed(points, self.tolerance, ends, periodic) if self.tolerance is not None and last - first > 1 else None
-        if found is not None and self._stray_chords(found, points, first)[0].size:
-            found = None
-        if found is None:
-            found = interpolated(points, ends, periodic)
-        loose, bulge = self._stray_chords(found, points, first)
+        spline = smoothed(points, self.tolerance, ends, periodic) if self.tolerance is not None and last - first > 1 else None
+        if spline is None or self._stray_chords(spline, points, first)[0].size:
+            spline = interpolated(points, ends, periodic)
+        loose, bulge = self._stray_chords(spline, points, first)
         try:
-            if not loose.size and found.curve:
-                self.kept[span] = found, bulge
+            if not loose.size and spline.curve:
+                self.kept[span] = spline, bulge
                 return []
-        except GeometryError:  # a cusp: splines stray from all points
+        except GeometryError:  # a cusp: divide everywhere
             loose = np.arange(first, last)
         if last - first == 1:
             raise GeometryError(self._refusal(first, last, bulge))
         inner = range(first + 1, last) if everywhere else sorted({*loose.tolist(), *(loose + 1).tolist()})
         if periodic:
             return [i % self.n for i in inner]
-        # A span of two chords or more has a point inside at one end of each of its chords.
+        # In a span of two chords or more, each chord has an inner point.
         return [i % self.n if self.polygon.closed else i for i in inner if first < i < last]
 
-    def _stray_chords(self, found: FittedSpline, points: Array, first: int) -> tuple[NDArray[np.int64], float]:
-        """Return the chords that a curve leaves too far, by the numbers of their first points, and the farthest it leaves any."""
-        away, against = found.strays(points)
+    def _stray_chords(self, spline: FittedSpline, points: Array, first: int) -> tuple[NDArray[np.int64], float]:
+        """Return the chords that a spline leaves too far, by their first points, and its largest distance from any."""
+        away, against = spline.strays(points)
         chord = (first + np.arange(len(away))) % self.n
         bad = away > self.bounds[chord] + 2.0 * (self.tolerance or 0.0)
         if self.tolerance is None:
@@ -231,14 +226,14 @@ class _Fitting:
         a, b = self.place(first % self.n), self.place(last % self.n if self.polygon.closed else last)
         return (
             f"between {a} and {b} no curve keeps to the points: it would leave their chord by {1e6 * bulge:.3g} um. "
-            "Denser points, a smaller corner_angle, or a larger tolerance for points that are noisy would help"
+            "Denser points, a smaller corner_angle, or a larger tolerance for noisy points may help"
         )
 
     def curves(self) -> list[Curve]:
-        """Return the curves in their order from the first point."""
+        """Return the curves in order from the first point."""
         if not self.polygon.closed or self.spans[0][0] == 0:
             return [spline.curve for spline in self.splines]
-        # The path starts within the last span, which is cut there.
+        # The path starts within the last span: cut it there.
         *others, last = self.splines
         start = self.n - self.spans[-1][0]
         if start == len(last.at) - 1:

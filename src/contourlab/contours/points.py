@@ -1,4 +1,4 @@
-"""Contours through or near points, from text files of numbers."""
+"""Read contours from text files of points."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from contourlab.errors import GeometryError, UnitError
 
 Array = NDArray[np.float64]
 CORNER_ANGLE = math.radians(30.0)
-"""Default turn of the polygon that is a corner."""
+"""Default of the least turn at a corner."""
 OUTERMOST = 1e6
-"""Coordinates [m] beyond this are mistakes, or in the wrong unit."""
+"""Larger coordinates [m] are mistakes, or in the wrong unit."""
 _HEAD = re.compile(r"\s*\"?\s*([A-Za-z_]\w*)\s*(?:[\[(]\s*([^\])]*?)\s*[\])])?\s*\"?\s*\Z")
 
 
@@ -30,13 +30,13 @@ def read_points(
     scale: float = 1.0,
     reverse: bool = False,
 ) -> PointFit:
-    """Read points and fit a curve through them, or near them.
+    """Read points and fit a curve through or near them.
 
     Parameters
     ----------
     file : str or Path
-        A row for each point, its coordinates parted by commas, semicolons, tabs or blanks; beside semicolons a decimal comma is read. The
-        first row may name the axes, with units: ``x [mm],y [mm]``. Empty rows and what follows a # are passed over.
+        One row per point, separated by commas, semicolons (then with decimal points or commas), tabs or blanks. The first row may name the
+        axes, with units: ``x [mm],y [mm]``. Empty rows and comments after # are ignored.
     unit : str, optional
         Of columns without a unit in the file.
     tolerance, corner_angle
@@ -44,14 +44,14 @@ def read_points(
     scale : float, > 0
         Factor on all coordinates.
     reverse : bool
-        Take the points from the last to the first.
+        Reverse the order of the points.
 
     Raises
     ------
     GeometryError
         If a row is not a point or repeats the one before, or there are fewer than two; names file and line.
     UnitError
-        If `unit` is no unit of length.
+        If `unit` is not a unit of length.
     """
     path = File(file)
     rows = _rows(path)
@@ -90,15 +90,15 @@ def _rows(path: File) -> list[tuple[int, list[str]]]:
     lines = [(number, line) for number, line in lines if line]
     first = lines[0][1] if lines else ""
     mark = next((mark for mark in (";", ",", "\t") if mark in first), None)
-    found = []
+    rows = []
     for number, line in lines:
         cells = [cell.strip() for cell in (line.split(mark) if mark else line.split())]
-        # A header of names and units parted by blanks alone: "x [mm] y [mm]".
+        # A header separated by blanks: "x [mm] y [mm]".
         if mark is None and line is first and "[" in line:
             cells = re.findall(r"\w+\s*\[[^\]]*\]|\w+", line)
         cells = [cell[1:-1].strip() if len(cell) > 1 and cell[0] == cell[-1] == '"' else cell for cell in cells]
-        found.append((number, [cell.replace(",", ".") for cell in cells] if mark == ";" else cells))
-    return found
+        rows.append((number, [cell.replace(",", ".") for cell in cells] if mark == ";" else cells))
+    return rows
 
 
 def _head(rows: list[tuple[int, list[str]]], path: File, unit: str | None) -> tuple[list[str], list[float], list[tuple[int, list[str]]]]:
@@ -141,14 +141,14 @@ def _factor(name: str, own: str | None, unit: str | None, path: File, line: int)
 
 
 def _order(names: list[str]) -> list[int]:
-    """Return the columns in the order of the axes: x, y and z by name, others as they stand."""
+    """Return the columns in the order of the axes: x, y and z by name, others as in the file."""
     return sorted(range(len(names)), key=lambda i: names[i]) if set(names) <= {"x", "y", "z"} else list(range(len(names)))
 
 
 def _numbers(cells: list[str], n: int, path: File, line: int) -> list[float]:
     if len(cells) != n:
         raise GeometryError(f"{path}:{line}: has {len(cells)} columns instead of {n}")
-    found = []
+    numbers = []
     for cell in cells:
         try:
             number = float(cell)
@@ -156,5 +156,5 @@ def _numbers(cells: list[str], n: int, path: File, line: int) -> list[float]:
             raise GeometryError(f"{path}:{line}: {cell!r} is not a number") from None
         if not math.isfinite(number):
             raise GeometryError(f"{path}:{line}: {cell} is not finite")
-        found.append(number)
-    return found
+        numbers.append(number)
+    return numbers

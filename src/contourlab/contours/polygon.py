@@ -12,20 +12,20 @@ from contourlab.geometry.curve import Array, angle_between
 
 Kind = TypeVar("Kind", np.float64, np.bool_)
 LONG = 4.0
-"""A chord this many times as long as its neighbour is long beside it."""
+"""Least ratio of a long chord to its neighbour."""
 LONGER = 2.0
-"""A chord this many times as long may be straight, if the bend beside it clearly ends with it."""
+"""Least ratio of a chord that may be straight because the bend beside it clearly ends there."""
 INLINE = 1e-3
 """Largest turn [rad] within a straight stretch of several chords."""
 NOISE = 50.0
-"""Chords shorter than so many tolerances may be noise, and are never straight stretches."""
+"""Least length of a straight stretch, in tolerances; shorter chords may be noise."""
 TINY = 1e-300
-LOOKED_AT = 4
-"""Points on the finer side whose turns say how strongly the curve bends there."""
+NEIGHBOURS = 4
+"""Points on the finer side whose turns give the bend there."""
 MARGIN = 1.5
-"""How far a curve may bulge, in multiples of the arc that turns at its ends as the polygon does."""
+"""Largest bulge of a curve, relative to the arc with the same turns at its ends."""
 STEEP = math.radians(45.0)
-"""Where the polygon turns less than this the curve must nowhere run against its chord."""
+"""Where the polygon turns by less, the curve must not run against its chord."""
 
 
 class Polygon:
@@ -34,17 +34,17 @@ class Polygon:
     Parameters
     ----------
     points : ndarray (n, n_axis) [m]
-        No two in a row alike; of a closed polygon the last is the first.
+        Neighbours differ; in a closed polygon the last is the first.
     closed : bool
     corner_angle : float [rad]
-        A turn by more than this is a corner: its two sides are independent.
+        Larger turns are corners, whose two sides are independent.
     tolerance : float [m]
-        How far the points may lie off their curve, 0 where they are exact.
+        Error of the points.
 
     Attributes
     ----------
     length, direction : ndarray (n - 1,), (n - 1, n_axis)
-        Of the chords, chord i from point i to i + 1.
+        Of the chords; chord i runs from point i to i + 1.
     turn : ndarray (n,) [rad]
         Of the polygon at each point; 0 at the ends of an open one and at corners.
     corners : list of int
@@ -69,24 +69,20 @@ class Polygon:
         self._look()
 
     def _sides(self, of_chords: Array) -> tuple[Array, Array]:
-        """Return what the chords before and after each point have; at the ends of an open polygon, that of the other end."""
+        """Return values of the chords before and after each point; at the ends of an open polygon, that of the other end."""
         return np.concatenate([of_chords[-1:], of_chords]), np.concatenate([of_chords, of_chords[:1]])
 
     def _shifted(self, of_points: NDArray[Kind], by: int) -> NDArray[Kind]:
-        """Return, for each point, what the one `by` places on has: around a closed polygon; 0 or False past the ends of an open one."""
+        """Return the values of the points `by` places on, around a closed polygon; 0 or False past the ends of an open one."""
         if self.closed:
             rolled = np.roll(of_points[:-1], -by, axis=0)
             return np.asarray(np.concatenate([rolled, rolled[:1]]))
-        found = np.zeros_like(of_points)
-        if abs(by) < len(of_points):
-            if by >= 0:
-                found[: len(of_points) - by] = of_points[by:]
-            else:
-                found[-by:] = of_points[:by]
-        return found
+        n, shifted = len(of_points), np.zeros_like(of_points)
+        shifted[max(-by, 0) : max(n - by, 0)] = of_points[max(by, 0) : max(n + by, 0)]
+        return shifted
 
     def _look(self) -> None:
-        """Work out the tangents at each point as the three points before it, or after it, have them, and how strongly these turn."""
+        """Set the tangents at each point from the three points before it, and after it, and the bends of both sides."""
         before, after = self._sides(self.direction)
         h_before, h_after = self._sides(self.length)
         n, least = len(self.points), np.minimum(h_before, h_after)
@@ -99,28 +95,28 @@ class Polygon:
             share = np.divide(h, h + h_far, out=np.zeros(n), where=known)
             self._tangents.append(_turned_on(far, near, np.where(known, angle, 0.0), share))
             bend, open_ = np.where(known, 0.0, self.turn), np.ones(n, dtype=bool)
-            for k in range(1, LOOKED_AT + 1):
+            for k in range(1, NEIGHBOURS + 1):
                 open_ &= ~self._shifted(self._shut, k * by)
                 turn = self._shifted(self.turn, k * by) * np.minimum(1.0, h / np.maximum(self._shifted(least, k * by), TINY))
                 bend = np.where(open_, np.maximum(bend, turn), bend)
             self._bends.append(bend)
-        # The angle between a chord and the tangent that the finer side has at its start, and at its end.
+        # Angles between a chord and the tangents of the finer side at its start and end.
         self._off_start = angle_between(self._tangents[0][:-1], self.direction)
         self._off_end = angle_between(self._tangents[1][1:], self.direction)
 
     def _finer(self) -> tuple[Array, Array]:
-        """Return how many times a chord is as long as the one before it, and as the one after it; 0 over corners and ends."""
+        """Return the ratios of each chord to the ones before and after it; 0 across corners and ends."""
         before, after = self._sides(self.length)
         low = np.where(self._shut[:-1], 0.0, self.length / before[:-1])
         high = np.where(self._shut[1:], 0.0, self.length / after[1:])
         return low, high
 
     def straights(self) -> list[tuple[int, int]]:
-        """Return the straight stretches as pairs of chords (first, last); over the start of a closed polygon last < first.
+        """Return the straight stretches as pairs of chords (first, last); across the start of a closed polygon last < first.
 
-        A stretch is of one long chord, or of several in line, with much shorter chords next to it whose bend ends where it begins: the
-        tangent that they have there is the stretch's, but for as much as the bend itself is uncertain by. Were their arc to go on along the
-        long chord, the tangent would be off by half the ratio of lengths times the turn from one of their points to the next.
+        A stretch is one long chord, or several in line, beside much shorter chords whose bend ends where it starts: their tangent there is
+        that of the stretch, within the uncertainty of the bend. If their arc continued along the long chord, the tangent would differ by
+        half the ratio of lengths times the turn between their points.
         """
         low, high = self._finer()
         start = (low >= LONGER) & (self._off_start <= _leeway(low) * self._bends[0][:-1] + 1e-6)
@@ -130,9 +126,9 @@ class Polygon:
         inline = (self.turn <= INLINE + 4.0 * noisy) & (noisy * NOISE <= 1.0) & ~self._shut
         n = len(self.length)
         inline[1:] &= ~end
-        # A stretch runs from a beginning over points in line to the first that is not, or at which it ends.
+        # A stretch runs from its start over points in line to the first that is not, or where it ends.
         halts = np.flatnonzero(~inline)
-        found: list[tuple[int, int]] = []
+        stretches: list[tuple[int, int]] = []
         reached = 0
         for i in np.flatnonzero((start | self._shut[:-1]) & long).tolist():
             k = int(np.searchsorted(halts, i + 1))
@@ -141,25 +137,25 @@ class Polygon:
             last = int(halts[k]) if k < halts.size else int(halts[0]) + n
             chord = (last - 1) % n
             if (end[chord] or self._shut[chord + 1]) and (start[i] or end[chord]) and long[chord] and last - i <= n:
-                found.append((i, chord))
+                stretches.append((i, chord))
                 reached = last
-        return found
+        return stretches
 
     def jumps(self) -> list[tuple[int, int]]:
-        """Return where a chord is much longer than the one next to it, as pairs (point, number of the long chord)."""
+        """Return where a chord is much longer than its neighbour, as pairs (point, number of the long chord)."""
         low, high = self._finer()
         before, after = self._sides(self.length)
         sure = NOISE * self.tolerance
-        found = [(int(i), int(i)) for i in np.flatnonzero((low >= LONG) & (before[:-1] >= sure))]
-        return found + [(int(i) + 1, int(i)) for i in np.flatnonzero((high >= LONG) & (after[1:] >= sure))]
+        starts = [(int(i), int(i)) for i in np.flatnonzero((low >= LONG) & (before[:-1] >= sure))]
+        return starts + [(int(i) + 1, int(i)) for i in np.flatnonzero((high >= LONG) & (after[1:] >= sure))]
 
     def span(self, first: int, last: int) -> Array:
-        """Return the points from one to another; past the start of a closed polygon the numbers go on."""
+        """Return the points from `first` to `last`; past the start of a closed polygon the numbers continue."""
         points, n = self.points, len(self.length)
         return points[first : last + 1] if last <= n else np.concatenate([points[first:-1], points[: last - n + 1]])
 
     def tangent(self, i: int) -> Array:
-        """Return the tangent at a point, between its chords: that of the much finer side if there is one, else of the arc through three."""
+        """Return the tangent at a point between chords: of a much finer side if there is one, else of an arc through three points."""
         n = len(self.length)
         before, after = (i - 1) % n, i % n
         ratio = self.length[after] / self.length[before]
@@ -171,10 +167,10 @@ class Polygon:
         return np.asarray(mean / np.linalg.norm(mean))
 
     def bulges(self) -> tuple[Array, NDArray[np.bool_]]:
-        """Return how far a curve may leave each chord [m] (n - 1,), and where it must keep to the chord's direction.
+        """Return the largest distance [m] of a curve from each chord (n - 1,), and where it must not run against the chord.
 
-        An arc that turns by a over a chord of length c leaves it by c a / 8, and half of a turn at a point is the chord's if its
-        neighbour is as long, all of it if it is much longer. Turns further away count half as much with each point between.
+        An arc that turns by a over a chord of length c leaves it by c a / 8. Half of a turn at a point belongs to the chord if its
+        neighbour is equally long, all of it if the chord is much longer. The weight of turns halves with each point in between.
         """
         low, high = self._finer()
         start = np.where(low >= LONG, np.minimum(self.turn[:-1], self._off_start + 0.25 * self._bends[0][:-1]), self.turn[:-1])
@@ -184,25 +180,25 @@ class Polygon:
         turn = self._spread(self.turn)
         size = self._spread(self.turn * np.maximum(before, after))
         far = np.minimum(self.length * np.maximum(turn[:-1], turn[1:]), np.maximum(size[:-1], size[1:])) * 0.5
-        # The turns at the ends of a long chord are in `own`; from there they reach others, and not the chord itself.
+        # For a long chord `own` already holds the turns at its ends.
         far = np.where((low >= LONG) | (high >= LONG), 0.0, far)
         return 0.25 * MARGIN * np.maximum(own, far) + 1e-6 * self.length + 1e-10, np.maximum(turn[:-1], turn[1:]) < STEEP
 
     def _spread(self, of_points: Array) -> Array:
-        found = of_points
+        """Return the largest value near each point; its weight halves with each point in between."""
+        spread = of_points
         for step in (1, 2, 4, 8, 16):
-            weight = 0.5**step
-            found = np.maximum(found, weight * np.maximum(self._shifted(found, step), self._shifted(found, -step)))
-        return found
+            spread = np.maximum(spread, 0.5**step * np.maximum(self._shifted(spread, step), self._shifted(spread, -step)))
+        return spread
 
 
 def _leeway(ratio: Array) -> Array:
-    """Return by how many turns of the finer side a straight stretch may be off the tangent that this side has."""
+    """Return the permitted angle between a straight stretch and the tangent of the finer side, in turns of that side."""
     return np.where(ratio < LONG, 0.15 * ratio, np.minimum(ratio / 3.0, 3.0))
 
 
 def _turned_on(a: Array, b: Array, angle: Array, share: Array) -> Array:
-    """Return b turned on from a, in their plane, by a share of the angle between them."""
+    """Return b rotated further from a, in their plane, by a fraction of the angle between them."""
     small = np.sin(angle) < 1e-9
     size = np.where(small, 1.0, np.sin(angle))
     back = np.where(small, 0.0, np.sin(share * angle) / size)

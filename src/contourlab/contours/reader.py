@@ -1,4 +1,4 @@
-"""Read contours from files, chosen by their suffix."""
+"""Read contours from files; the suffix selects the reader."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SUFFIXES = {
     ".csv": ("unit", "tolerance", "scale", "corner_angle", "reverse"),
     ".txt": ("unit", "tolerance", "scale", "corner_angle", "reverse"),
 }
-"""Suffixes of files, and the options of each kind."""
+"""Options for each suffix."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class ContourReading:
     ----------
     path : Path
     notes : tuple of str
-        What was left out; how far a smoothed curve strays from its points.
+        Omitted entities, and the accuracy of fitted curves.
     """
 
     path: Path
@@ -58,31 +58,31 @@ def read_contour(
     ----------
     file : str or Path
     unit : str, optional
-        Of the file's numbers, such as ``"mm"`` or ``"inch"``; overrides the unit that a drawing states.
+        Of the numbers in the file, such as ``"mm"`` or ``"inch"``; overrides the unit of a drawing.
     tolerance : float [m], optional
-        In drawings the largest gap between ends that meet, 1 um by default. Of points the largest distance at which a smoothing spline
-        passes them; by default it passes through them.
+        Drawings: largest gap between ends that meet, 1 um by default. Points: largest distance from a smoothing spline; by default the
+        curve passes through them.
     layer : str, optional
         Layer of a DXF drawing.
     chain : int, optional
-        Which of several separate chains, counted from 1 in the order of the file.
+        Number of the chain, if there are several, counted from 1 in the order of the file.
     scale : float, > 0
         Factor on all coordinates.
     axes : {2, 3}, optional
-        Of a DXF drawing: 3 for a contour in space.
+        DXF drawings: 3 for a contour in space.
     ignore : sequence of str
-        Kinds of entities to leave out, such as ``"TEXT"``.
+        Kinds of entities to omit, such as ``"TEXT"``.
     corner_angle : float [rad], optional
-        Points: a turn of their polygon by more than this is a corner, 30 degrees by default.
+        Points: larger turns of their polygon are corners, 30 degrees by default.
     reverse : bool
-        Run it from its end to its start.
+        Whether to reverse the direction.
 
     Raises
     ------
     GeometryError
         If the file cannot be read, or lacks the layer or chain; names file and place.
     UnitError
-        If `unit` is no unit of length.
+        If `unit` is not a unit of length.
     """
     return study_contour(
         file, unit=unit, tolerance=tolerance, layer=layer, chain=chain, scale=scale, axes=axes, ignore=ignore, corner_angle=corner_angle,
@@ -103,7 +103,7 @@ def study_contour(
     corner_angle: float | None = None,
     reverse: bool = False,
 ) -> ContourReading:
-    """Read a contour as `read_contour` does, and note how it was read."""
+    """Read a contour like `read_contour`, and return it with notes."""
     path = File(file)
     _check_choices(chain, ignore)
     given = {"layer": layer, "chain": chain, "axes": axes, "ignore": tuple(ignore) or None, "corner_angle": corner_angle}
@@ -150,11 +150,11 @@ def _checked(path: File, given: Sequence[str], scale: float) -> str:
 
 def _of_drawing(drawing: Drawing, chain: int | None, ignore: Sequence[str], reverse: bool) -> ContourReading:
     drawing.refuse_left_out(ignore)
-    found = drawing.chosen(chain)
+    contour = drawing.chosen(chain)
     if reverse:
-        found = found.backwards()
+        contour = contour.backwards()
     left_out = dict.fromkeys(f"left out: {item.kind}" for item in drawing.left_out)
     try:
-        return ContourReading(found.path, (*left_out, *drawing.notes))
+        return ContourReading(contour.path, (*left_out, *drawing.notes))
     except GeometryError as error:
         raise GeometryError(f"{drawing.file}: {error}") from error

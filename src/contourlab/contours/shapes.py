@@ -1,4 +1,4 @@
-"""Shapes of drawings, before they become curves: an affine map of a shape is a shape of the same kind."""
+"""Shapes of drawings: an affine map turns each into one of the same kind, then they become curves."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from contourlab.geometry.nurbs import cut_where_curvature_jumps, inner_knots, sp
 
 Array = NDArray[np.float64]
 ROUND = 1e-12
-"""Half-diameters that differ by less than this part of themselves are those of a circle."""
+"""Largest relative difference of the half-diameters of a circle."""
 SAME_KNOT = 1e-10
-"""Knots closer than this part of their range are one knot that was rounded in writing."""
+"""Knots closer than this, relative to their range, are one rounded knot."""
 CORNER = 1e-6
-"""Jump of the tangent [rad] that a single curve cannot have."""
+"""Jump of the tangent [rad] that divides a curve."""
 STRAIGHT = 1e-10
-"""A spline whose control points stray less than this part of its length from a line is a line."""
+"""Largest distance of the control points of a line from it, relative to its length."""
 NUDGE = 1e-6
-"""How far [m], at most, a control point is moved that lies on the end of its curve."""
+"""Largest shift [m] of a control point that coincides with the end of its curve."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +76,7 @@ class ConicShape:
 
     def _arc(self, radius: float) -> Arc:
         sweep = self.end - self.start
-        if self.centre.size == 2:  # in the axes of the plane, as everyone writes it
+        if self.centre.size == 2:  # in the axes of the plane
             spoke = self.p * math.cos(self.start) + self.q * math.sin(self.start)
             sense = math.copysign(1.0, self.p[0] * self.q[1] - self.p[1] * self.q[0])
             return Arc(self.centre, radius, math.atan2(spoke[1], spoke[0]), sense * sweep)
@@ -94,7 +94,7 @@ class SplineShape:
 
     @classmethod
     def bezier(cls, *points: Array) -> SplineShape:
-        """Return a Bezier curve of two control points or more."""
+        """Return a Bezier curve from two or more control points."""
         n = len(points)
         return cls(n - 1, np.array(points), np.repeat([0.0, 1.0], n))
 
@@ -107,14 +107,14 @@ class SplineShape:
         return self.points.min(axis=0), self.points.max(axis=0)
 
     def curves(self) -> list[Curve]:
-        """Return the curves, end to end: the spline is cut where it has corners."""
+        """Return the curves, cut at corners."""
         return spline_curves(self.degree, self.points, self.knots, self.weights)
 
 
 Shape: TypeAlias = LineShape | ConicShape | SplineShape
 
 
-# --- splines as files have them: knots in order, cut at corners, straight ones as lines ------------------------------------------------
+# --- splines of files: merge rounded knots, cut at corners, replace straight ones by lines ---------------------------------------------
 
 
 def spline_curves(degree: int, points: Array, knots: Array, weights: Array | None) -> list[Curve]:
@@ -126,7 +126,7 @@ def spline_curves(degree: int, points: Array, knots: Array, weights: Array | Non
     points : ndarray (n, n_axis) [m]
     knots : ndarray (n + degree + 1,)
     weights : ndarray (n,) or None
-        None, or all alike, for a polynomial spline.
+        None or all equal for a polynomial spline.
 
     Raises
     ------
@@ -147,12 +147,12 @@ def spline_curves(degree: int, points: Array, knots: Array, weights: Array | Non
     inner, count = inner_knots(degree, t)
     # At a knot of multiplicity `degree` or more the tangent may jump.
     pieces = split_at(degree, lifted, t, inner[count >= degree])
-    found = [_curve(degree, c, k, weights is not None) for c, k in _smoothly_joined(degree, pieces, weights is not None)]
-    return [piece for curve in found for piece in (cut_where_curvature_jumps(curve) if isinstance(curve, BSpline | Nurbs) else [curve])]
+    curves = [_curve(degree, c, k, weights is not None) for c, k in _smoothly_joined(degree, pieces, weights is not None)]
+    return [piece for curve in curves for piece in (cut_where_curvature_jumps(curve) if isinstance(curve, BSpline | Nurbs) else [curve])]
 
 
 def _settled(knots: Array) -> Array:
-    """Return the knots with those made equal that differ by rounding alone."""
+    """Return the knots, equal where they differ by rounding alone."""
     t = np.array(knots, dtype=float)
     if not np.isfinite(t).all() or np.any(np.diff(t) < -SAME_KNOT * max(np.ptp(t), 1e-300)):
         raise GeometryError("knots must be finite and must not fall")
@@ -174,7 +174,7 @@ def _without_gaps(degree: int, points: Array, t: Array) -> tuple[Array, Array]:
 
 
 def _is_straight(points: Array) -> bool:
-    """Tell whether all control points lie on one line, in order."""
+    """Return whether all control points lie on one line, in order."""
     chord = points[-1] - points[0]
     size = float(np.linalg.norm(chord))
     if size == 0.0:
@@ -195,16 +195,16 @@ def _line(degree: int, points: Array, t: Array, weights: Array | None) -> Line:
 
 
 def _smoothly_joined(degree: int, pieces: list[tuple[Array, Array]], rational: bool) -> list[tuple[Array, Array]]:
-    """Put pieces together again that meet without a corner."""
-    found = pieces[:1]
+    """Rejoin pieces that meet without a corner."""
+    joined = pieces[:1]
     for points, t in pieces[1:]:
-        before, knots = found[-1]
+        before, knots = joined[-1]
         turn = _direction(points[:2], rational) - _direction(before[-2:], rational)
         if np.linalg.norm(turn) > CORNER:
-            found.append((points, t))
+            joined.append((points, t))
         else:
-            found[-1] = np.concatenate([before, points[1:]]), np.concatenate([knots[:-1], t[degree + 1 :]])
-    return found
+            joined[-1] = np.concatenate([before, points[1:]]), np.concatenate([knots[:-1], t[degree + 1 :]])
+    return joined
 
 
 def _direction(pair: Array, rational: bool) -> Array:
@@ -218,23 +218,20 @@ def _curve(degree: int, points: Array, t: Array, rational: bool) -> Curve:
     if _is_straight(plain) and _starts_and_ends_at_points(degree, t):
         return Line(plain[0], plain[-1])
     if degree > 1 and _starts_and_ends_at_points(degree, t):
-        plain = _moving(_moving(plain)[::-1])[::-1]
+        plain = _without_cusp(_without_cusp(plain)[::-1])[::-1]
     return BSpline(degree, plain, t) if weights is None else Nurbs(degree, plain, t, weights)
 
 
-def _moving(points: Array) -> Array:
-    """Move the second control point off the first, where the curve would have a cusp.
+def _without_cusp(points: Array) -> Array:
+    """Move a second control point that coincides with the first towards the third, by up to a micrometre.
 
-    It is moved towards the third by up to a micrometre, which moves the curve by less than half of that; drawing programs leave such
-    points where a handle was not pulled out.
+    The curve moves by less than half of that. Drawing programs write such points for unused handles.
     """
     size = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
-    if len(points) < 3 or float(np.linalg.norm(points[1] - points[0])) > 1e-6 * size:
-        return points
-    way = points[2] - points[0]
-    reach = float(np.linalg.norm(way))
-    if reach == 0.0:
+    leg = points[2] - points[0] if len(points) > 2 else np.zeros(1)
+    length = float(np.linalg.norm(leg))
+    if length == 0.0 or float(np.linalg.norm(points[1] - points[0])) > 1e-6 * size:
         return points
     moved = points.copy()
-    moved[1] = points[0] + way * (min(NUDGE, 0.5 * reach) / reach)
+    moved[1] = points[0] + leg * (min(NUDGE, 0.5 * length) / length)
     return moved

@@ -1,4 +1,4 @@
-"""Splines along points: through them, or as smooth as a tolerance allows; free at their ends or with a tangent there."""
+"""Fit splines through points, or smoothing splines within a tolerance, with or without given end tangents."""
 
 from __future__ import annotations
 
@@ -16,23 +16,23 @@ Array = NDArray[np.float64]
 Ends = tuple[Array | None, Array | None]
 DEGREE = 5
 ALONG = 2e-7
-"""A tangent [rad] this near to a chord is the chord's."""
+"""Largest angle [rad] between a chord and a tangent that permits a line."""
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 BLOCK = 4096
-"""Chords per pass: enough to be quick, few enough to need little memory."""
+"""Chords per pass, which limits the memory."""
 _INSIDE = np.linspace(0.0, 1.0, 9)[1:-1]
 
 
 @dataclass(frozen=True, eq=False)
 class FittedSpline:
-    """A spline along points, or a line from one to the next.
+    """A spline along points, or a line between two.
 
     Attributes
     ----------
     points, knots : ndarray
-        Control points and knots; of a line its ends, and none.
+        Control points and knots; for a line its ends, and no knots.
     at : ndarray (n,)
-        The parameter that each point has.
+        Parameter of each point.
     deviation : float [m]
         Largest distance of a point from the curve at that parameter.
     """
@@ -45,13 +45,13 @@ class FittedSpline:
 
     @cached_property
     def curve(self) -> Curve:
-        """The curve by its arc length; a GeometryError if it has a cusp."""
+        """The curve by arc length; raises a GeometryError for a cusp."""
         if not self.knots.size:
             return Line(self.points[0], self.points[1])
         return BSpline(self.degree, self.points, self.knots)
 
     def values(self, chords: slice, parts: Array, order: int = 0) -> Array:
-        """Return places, or derivatives by the parameter, at parts of the intervals between points (n_chord, n_part, n_axis)."""
+        """Return positions, or derivatives by the parameter, at fractions of the chords' intervals (n_chord, n_part, n_axis)."""
         from scipy.interpolate import BSpline as ScipySpline
 
         at = self.at[chords.start : chords.stop + 1]
@@ -60,7 +60,7 @@ class FittedSpline:
         return np.asarray(spline(u, nu=order))
 
     def strays(self, points: Array) -> tuple[Array, NDArray[np.bool_]]:
-        """Return how far the curve leaves each chord of the points [m], and whether it somewhere runs against it: (n - 1,) each."""
+        """Return the largest distance of the curve from each chord (n - 1,) [m], and whether it runs against the chord anywhere."""
         n = len(points) - 1
         away, against = np.zeros(n), np.zeros(n, dtype=bool)
         if not self.knots.size:
@@ -69,29 +69,31 @@ class FittedSpline:
             part = slice(first, min(first + BLOCK, n))
             ends = points[first : first + BLOCK + 1, None]
             chords = np.diff(ends, axis=0)
-            seen = self.values(part, _INSIDE) - ends[:-1]
-            along = np.clip((seen * chords).sum(axis=2) / (chords * chords).sum(axis=2), 0.0, 1.0)
-            away[part] = np.linalg.norm(seen - along[:, :, None] * chords, axis=2).max(axis=1)
+            inside = self.values(part, _INSIDE) - ends[:-1]
+            along = np.clip((inside * chords).sum(axis=2) / (chords * chords).sum(axis=2), 0.0, 1.0)
+            away[part] = np.linalg.norm(inside - along[:, :, None] * chords, axis=2).max(axis=1)
             against[part] = ((self.values(part, _INSIDE, 1) * chords).sum(axis=2) <= 0.0).any(axis=1)
         return away, against
 
 
 def interpolated(points: Array, ends: Ends, periodic: bool = False) -> FittedSpline:
-    """Fit a curve through points.
+    """Fit a spline through points.
 
     Parameters
     ----------
     points : ndarray (n, n_axis) [m]
     ends : pair of ndarray (n_axis,) or None
-        Unit tangents at the first and last point; None leaves an end free.
+        Unit tangents at the first and last point; None for a free end.
     periodic : bool
-        The last point is the first, and the curve is as smooth there as elsewhere.
+        Whether the curve closes smoothly; the last point is the first.
 
     Notes
     -----
-    Chord length as a parameter would hold a quintic to fourth order; the arc lengths of a first cubic spline are its parameter here, which
-    gives the sixth. M. S. Floater and T. Surazhsky, "Parameterization for curve interpolation", Studies in Computational Mathematics 12,
-    2006.
+    Chord length as parameter limits a quintic to fourth order; the arc lengths of a preliminary cubic spline give sixth order.
+
+    References
+    ----------
+    M. S. Floater and T. Surazhsky, "Parameterization for curve interpolation", Studies in Computational Mathematics 12, 2006.
     """
     if len(points) == 2:
         chord = points[1] - points[0]
@@ -103,9 +105,9 @@ def interpolated(points: Array, ends: Ends, periodic: bool = False) -> FittedSpl
 
 
 def disagreement(points: Array, periodic: bool) -> Array:
-    """Return, for each chord (n - 1,), by how much a quintic and a cubic spline through the points differ there, in terms of their bulge.
+    """Return the difference of a quintic and a cubic spline through the points at each chord (n - 1,), relative to their bulge.
 
-    Where the points are dense enough for their curve the two agree; where one swings, the other swings otherwise.
+    Both agree if the points are dense enough for their curve; where they oscillate, they do so differently.
     """
     from scipy.interpolate import CubicSpline
 
@@ -120,7 +122,7 @@ def disagreement(points: Array, periodic: bool) -> Array:
     for part in (0.25, 0.5, 0.75):
         sharp = quintic.values(slice(0, len(direction)), np.array([part]))[:, 0]
         soft = cubic(by_chord[:-1] + part * np.diff(by_chord))
-        a, b = (_across(one - points[:-1], direction) for one in (sharp, soft))
+        a, b = (_across(spline - points[:-1], direction) for spline in (sharp, soft))
         gap = np.maximum(gap, np.linalg.norm(a - b, axis=1))
         bulge = np.maximum(bulge, np.linalg.norm(a, axis=1))
     return np.divide(gap, bulge, out=np.ones_like(gap), where=bulge > 0.0)
@@ -146,20 +148,20 @@ def _spline(points: Array, at: Array, ends: Ends, periodic: bool) -> tuple[int, 
 
     if periodic:
         degree = DEGREE if len(points) > DEGREE + 1 else 3
-        made = make_interp_spline(at, points, k=degree, bc_type="periodic")
-        return degree, made.c, made.t
+        spline = make_interp_spline(at, points, k=degree, bc_type="periodic")
+        return degree, spline.c, spline.t
     low, high = (() if end is None else [(1, end)] for end in ends)
     degree = min(DEGREE, len(points) + len(low) + len(high) - 1)
     knots = _knots(at, degree, len(low), len(high))
     conditions: Any = (low or None, high or None)
-    made = make_interp_spline(at, points, k=degree, t=knots, bc_type=conditions)
-    # The linear system leaves rounding in the ends, which other curves join.
-    coefficients = np.concatenate([points[:1], made.c[1:-1], points[-1:]])
+    spline = make_interp_spline(at, points, k=degree, t=knots, bc_type=conditions)
+    # Remove rounding at the ends, which other curves join.
+    coefficients = np.concatenate([points[:1], spline.c[1:-1], points[-1:]])
     return degree, _pinned(coefficients, ends), knots
 
 
 def _knots(at: Array, degree: int, low: int, high: int) -> Array:
-    """Return knots at the points but for those next to the ends, as many as the conditions at the ends leave ("not a knot")."""
+    """Return knots at the points, except next to the ends ("not a knot"), in the number that the end conditions require."""
     edge = [np.full(degree + 1, at[0]), np.full(degree + 1, at[-1])]
     inner = len(at) + low + high - degree - 1
     first = (degree + 1) // 2 - low
@@ -167,7 +169,7 @@ def _knots(at: Array, degree: int, low: int, high: int) -> Array:
 
 
 def _pinned(coefficients: Array, ends: Ends) -> Array:
-    """Turn the first and last leg of the control polygon into the tangents at the ends."""
+    """Align the first and last leg of the control polygon with the end tangents."""
     for end, root, leg in ((ends[0], 0, 1), (ends[1], -1, -2)):
         if end is not None and len(coefficients) > 3:
             size = np.dot(coefficients[leg] - coefficients[root], end)
@@ -190,25 +192,25 @@ def _arc_lengths(points: Array, ends: Ends, periodic: bool) -> Array:
 
 
 def smoothed(points: Array, tolerance: float, ends: Ends, periodic: bool) -> FittedSpline | None:
-    """Return the smoothest of a row of splines that stays within the tolerance [m] of the points; None where none does."""
-    from scipy.interpolate import splprep  # make_splprep, its successor, knows closed curves only in the newest versions
+    """Return the smoothest spline within the tolerance [m] of the points among several trials; None if there is none."""
+    from scipy.interpolate import splprep  # its successor make_splprep supports closed curves only in the newest versions
 
     if len(points) <= DEGREE + 1:
         return None
     at = _chords(points)
     weights = np.ones(len(points))
     if not periodic:
-        weights[[0, -1]] = 100.0  # the ends are points of the path: what is left of their distance is taken out below
+        weights[[0, -1]] = 100.0  # the ends are corrected below
     budget = len(points) * tolerance**2
     for halving in range(24):
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # it warns of a distance that is measured here
+            warnings.simplefilter("ignore")  # the distance is checked below
             (knots, rows, _), _ = splprep(list(points.T), w=weights, u=at, k=DEGREE, s=budget * 0.5**halving, per=periodic)
         coefficients, knots = np.array(rows).T, np.asarray(knots)
         if not periodic:
             coefficients[[0, -1]] = points[[0, -1]]
             coefficients = _pinned(coefficients, ends)
-        found = _measured(DEGREE, coefficients, knots, points, at)
-        if found.deviation <= tolerance:
-            return found
+        spline = _measured(DEGREE, coefficients, knots, points, at)
+        if spline.deviation <= tolerance:
+            return spline
     return None

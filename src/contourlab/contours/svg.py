@@ -1,10 +1,10 @@
-"""Contours out of SVG drawings.
+"""Read contours from SVG drawings.
 
-SVG's y axis points down, a machine's up: the drawing is flipped about the middle of its viewBox, so that the part is what one sees and the
-viewBox keeps its place. Without viewBox and height, y becomes -y.
+SVG's y axis points down, a machine's up: the drawing is flipped about the middle of its viewBox, so that the part looks like the drawing
+and the viewBox keeps its place. Without viewBox and height, y becomes -y.
 
-`svgelements` reads transforms, fits viewports and knows the basic shapes. The walk over the tree, style sheets (`svg_style`) and path data
-(`svg_path`) are our own: the library passes attributes on that SVG does not inherit, drops what is hidden, and misreads some path data.
+`svgelements` handles transforms, viewports and basic shapes. The tree, style sheets (`svg_style`) and path data (`svg_path`) are handled
+here, because the library inherits attributes that SVG does not, drops hidden elements, and misreads some path data.
 """
 
 from __future__ import annotations
@@ -32,22 +32,22 @@ from contourlab.extras import extra_module
 Array = NDArray[np.float64]
 Viewport = tuple[float | None, float | None]
 PIXEL = 0.0254 / 96.0
-"""A user unit [m] where the drawing states none; CSS Values 3, section 5.2."""
+"""Default user unit [m]; CSS Values 3, section 5.2."""
 PIXELS = {"": 1.0, "px": 1.0, "in": 96.0, "cm": 96.0 / 2.54, "mm": 96.0 / 25.4, "q": 96.0 / 101.6, "pt": 96.0 / 72.0, "pc": 16.0}
 """Pixels of 1/96 inch in each unit of length."""
 DEEPEST = 200
-"""Largest depth of nesting; drawing programs need a tenth of it."""
+"""Largest depth of nesting; drawing programs need a tenth."""
 LENGTH = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([a-zA-Z%]*)\s*\Z")
 ACROSS, DOWN = ("x", "width", "cx", "x1", "x2", "rx"), ("y", "height", "cy", "y1", "y2", "ry")
 STYLED = ("x", "y", "cx", "cy", "r", "rx", "ry", "width", "height")
-"""Lengths that a style can set too."""
+"""Lengths that a style may set."""
 SHAPES = {"path": "Path", "rect": "Rect", "circle": "Circle", "ellipse": "Ellipse", "line": "SimpleLine", "polyline": "Polyline",
           "polygon": "Polygon"}  # fmt: skip
 """Tags of shapes, and their classes in svgelements."""
 OTHERS = {"text": "text", "tspan": "text", "image": "image"}
 FOREIGN = ("foreignObject", "video", "audio", "iframe", "canvas")
 UNNAMED = ("clipPath", "mask", "marker", "pattern", "metadata", "linearGradient", "radialGradient", "filter")
-"""Elements that are not drawn, nor is what a use refers to inside them."""
+"""Elements that are never drawn, not even through a use."""
 UNDRAWN = (*UNNAMED, "defs", "symbol", "style")
 HREFS = ("href", "{http://www.w3.org/1999/xlink}href")
 
@@ -59,7 +59,7 @@ def read_svg(file: str | File, *, unit: str | None = None, tolerance: float | No
     ----------
     file : str or Path
     unit : str, optional
-        Of the user units; by default width, height and viewBox give it, else 1/96 inch.
+        Of the user units; by default from width, height and viewBox, else 1/96 inch.
     tolerance : float [m], > 0
         Largest gap between ends that meet, 1 um by default.
     scale : float, > 0
@@ -69,14 +69,14 @@ def read_svg(file: str | File, *, unit: str | None = None, tolerance: float | No
     -------
     Drawing
         Paths, rectangles, circles, ellipses, lines, polylines and polygons as analytic curves, with transforms applied. `left_out` holds
-        texts, images and hidden elements. Path data are drawn up to their first error, as the standard demands; `notes` says where.
+        texts, images and hidden elements. Path data are drawn up to their first error, as in the standard; `notes` gives its place.
 
     Raises
     ------
     GeometryError
         If the file cannot be read.
     UnitError
-        If `unit` is no unit of length.
+        If `unit` is not a unit of length.
 
     References
     ----------
@@ -93,7 +93,7 @@ def read_svg(file: str | File, *, unit: str | None = None, tolerance: float | No
         raise
     except RecursionError as error:
         raise GeometryError(f"{path}: has a use that draws itself, or uses nested too deep") from error
-    except Exception as error:  # svgelements passes on whatever its arithmetic raises
+    except Exception as error:  # svgelements may raise anything
         raise GeometryError(f"{path}: is no readable SVG drawing: {error}") from error
     left_out = [*painter.hidden, *(LeftOut(tag) for tag in painter.foreign), *painter.left_out]
     return drawing_of(path, painter.strands, tolerance, left_out, painter.notes)
@@ -122,7 +122,7 @@ def _parsed(path: File) -> Element:
 
 
 def _pixels(root: Element, name: str, path: File) -> float | None:
-    """Return a length of the root in pixels of 1/96 inch; None where there is none, or a percentage of the unknown."""
+    """Return a length of the root in pixels of 1/96 inch; None if it is missing or a percentage."""
     text = root.get(name, "auto")
     if text.strip() in ("", "auto"):
         return None
@@ -135,7 +135,7 @@ def _pixels(root: Element, name: str, path: File) -> float | None:
 
 
 def _frame(root: Element, path: File, stated: float | None, scale: float) -> tuple[Array, Array, Viewport]:
-    """Return the map from user units to metres, and the root's size in user units."""
+    """Return the map from user units to metres, and the size of the root in user units."""
     width, height = (None if stated else _pixels(root, name, path) for name in ("width", "height"))
     box = _root_box(root, path)
     sx = sy = PIXEL
@@ -175,7 +175,7 @@ def _root_box(root: Element, path: File) -> list[float] | None:
 
 @dataclass(frozen=True)
 class _Context:
-    """What an element inherits."""
+    """Properties that an element inherits."""
 
     viewport: Viewport
     transform: str = ""
@@ -184,7 +184,7 @@ class _Context:
 
 
 class _Painter:
-    """Walks over a drawing and keeps what it draws."""
+    """Walks over a drawing and collects its strands."""
 
     def __init__(self, root: Element, file: File, matrix: Array, offset: Array) -> None:
         self.library, self.root, self.file, self.matrix, self.offset = extra_module("svgelements"), root, file, matrix, offset
@@ -207,7 +207,7 @@ class _Painter:
                 self._index(child)
 
     def _tag(self, element: Element) -> str:
-        """Return the tag of an element in the root's namespace; "" for any other."""
+        """Return the tag of an element; "" outside the root's namespace."""
         return element.tag.removeprefix(self.namespace) if isinstance(element.tag, str) else ""
 
     def draw_root(self, viewport: Viewport) -> None:
@@ -239,7 +239,7 @@ class _Painter:
         return self.sheet.of(self._tag(element), element.attrib)
 
     def _inside(self, element: Element, style: Mapping[str, str], around: _Context) -> _Context:
-        """Return what an element hands down."""
+        """Return the context inside an element."""
         transform = style.get("transform") or element.get("transform", "")
         visibility = style.get("visibility", "").lower()
         return replace(
@@ -250,7 +250,7 @@ class _Painter:
         )
 
     def _lengths(self, element: Element, style: Mapping[str, str], viewport: Viewport) -> dict[str, str]:
-        """Return the attributes of an element, lengths as plain numbers of user units."""
+        """Return the attributes of an element, with lengths in user units."""
         values = dict(element.attrib)
         for name in STYLED:
             match = LENGTH.match(style.get(name, ""))
@@ -265,7 +265,7 @@ class _Painter:
         return values
 
     def _whole(self, element: Element, name: str, text: str, viewport: Viewport) -> float:
-        """Return the length that a percentage refers to; SVG 2, section 8.9."""
+        """Return the length for 100 %; SVG 2, section 8.9."""
         width, height = viewport
         diagonal = None if width is None or height is None else math.sqrt(0.5 * (width**2 + height**2))
         whole = width if name in ACROSS else height if name in DOWN else diagonal
@@ -275,7 +275,7 @@ class _Painter:
         return whole
 
     def _nested(self, element: Element, values: Mapping[str, str], context: _Context) -> None:
-        """Draw a viewport inside another: that of an svg, or of a symbol that is used."""
+        """Draw a nested viewport, of an svg or a used symbol."""
         sizes = [_number(values, name, whole) for name, whole in zip(("width", "height"), context.viewport, strict=True)]
         filled = [1.0 if size is None else size for size in sizes]
         box = _box(element)
@@ -300,13 +300,13 @@ class _Painter:
         if self._tag(target) != "symbol":
             self._draw(target, context)
             return
-        # A symbol stands for an svg of the size that its use states; SVG 2, section 5.6.
+        # A symbol acts as an svg with the size of its use; SVG 2, section 5.6.
         inside = self._inside(target, {**self._style(target), "display": "inline"}, context)
         sizes = {name: values[name] for name in ("width", "height") if name in values}
         self._nested(target, self._lengths(target, {}, context.viewport) | sizes, inside)
 
     def _leaf(self, tag: str, values: Mapping[str, str], context: _Context) -> None:
-        """Keep what a shape, a text or an image draws."""
+        """Record a shape, a text or an image."""
         shape = None
         if tag in SHAPES and tag != "path":
             shape = self._shape(tag, values)
@@ -333,7 +333,7 @@ class _Painter:
         self.strands += [strand_of([shape.mapped(matrix, shift) for shape in shapes], self.file, what) for shapes in parts]
 
     def _shape(self, tag: str, values: Mapping[str, str]) -> Any:
-        """Return a basic shape as svgelements has it; None where it draws nothing."""
+        """Return a basic shape of svgelements; None if it is empty."""
         known = {"width": "0", "height": "0"} | {name: values[name] for name in (*ACROSS, *DOWN, "r", "points") if name in values}
         try:
             shape = getattr(self.library, SHAPES[tag])(known)
@@ -352,7 +352,7 @@ def _number(values: Mapping[str, str], name: str, default: Any) -> Any:
 
 
 def _subpaths(tag: str, shape: Any) -> Iterator[list[Shape]]:
-    """Yield the shapes of each part of a basic shape, in its own coordinates."""
+    """Yield the shapes of each subpath of a basic shape, in its coordinates."""
     if tag in ("circle", "ellipse"):
         rx, ry = float(shape.rx), float(shape.ry)
         if rx > 0.0 and ry > 0.0:

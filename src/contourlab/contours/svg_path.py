@@ -1,4 +1,4 @@
-"""SVG path data, drawn up to the first error, as the standard demands."""
+"""Read SVG path data up to the first error, as the standard requires."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
 
 Array = NDArray[np.float64]
 LARGEST = 1e12
-"""Numbers beyond this [user units] are errors of writing; their squares would be lost."""
-_BLANKS = re.compile(r"[ \t\n\f\r]*")
+"""Larger numbers [user units] are errors; their squares would overflow."""
+_BLANKS = " \t\n\f\r"
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _COUNT = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
-"""Numbers that each command takes."""
+"""Number of arguments of each command."""
 
 
 class _DataError(Exception):
-    """Where and why path data stop."""
+    """Place and cause of an error in path data."""
 
     def __init__(self, at: int, why: str) -> None:
         super().__init__(f"stops at character {at + 1}: {why}")
 
 
 def path_shapes(data: str) -> tuple[list[list[Shape]], str | None]:
-    """Return the shapes of each subpath in user units, and where and why the data stop short.
+    """Return the shapes of each subpath in user units, and the first error.
 
     Parameters
     ----------
@@ -38,9 +38,9 @@ def path_shapes(data: str) -> tuple[list[list[Shape]], str | None]:
     Returns
     -------
     list of list of Shape
-        Of subpaths that have a length, up to the first error, as the standard draws them.
+        Subpaths with a length, up to the first error.
     str or None
-        ``stops at character 14: expected a number``, counted from 1; None where all of it was read.
+        ``stops at character 14: expected a number``, counted from 1; None without an error.
 
     References
     ----------
@@ -50,16 +50,16 @@ def path_shapes(data: str) -> tuple[list[list[Shape]], str | None]:
     try:
         for command, numbers in _segments(data):
             pen.draw(command, numbers)
-    except _DataError as stop:
-        return pen.found(), str(stop)
-    return pen.found(), None
+    except _DataError as error:
+        return pen.subpaths(), str(error)
+    return pen.subpaths(), None
 
 
 # --- grammar -------------------------------------------------------------------------------------------------------------------------
 
 
 def _segments(data: str) -> Iterator[tuple[str, list[float]]]:
-    """Yield commands with their numbers, one of each for every repetition."""
+    """Yield each command with its numbers, once per repetition."""
     at, first = _after_blanks(data, 0), True
     while at < len(data):
         command = data[at]
@@ -77,7 +77,7 @@ def _segments(data: str) -> Iterator[tuple[str, list[float]]]:
         while True:
             numbers, at = _numbers(data, at, command.upper(), again)
             yield command, numbers
-            # What follows a move without a letter is a line.
+            # Further pairs of a move are lines.
             command, again = {"M": "L", "m": "l"}.get(command, command), True
             after = _after_blanks(data, at)
             if after == len(data) or data[after] not in "+-.,0123456789":
@@ -86,7 +86,7 @@ def _segments(data: str) -> Iterator[tuple[str, list[float]]]:
 
 
 def _numbers(data: str, at: int, command: str, again: bool) -> tuple[list[float], int]:
-    found: list[float] = []
+    numbers: list[float] = []
     for i in range(_COUNT[command]):
         at = _after_blanks(data, at)
         if (i or again) and data[at : at + 1] == ",":
@@ -94,40 +94,39 @@ def _numbers(data: str, at: int, command: str, again: bool) -> tuple[list[float]
         if command == "A" and i in (3, 4):
             if data[at : at + 1] not in ("0", "1"):
                 raise _DataError(at, "expected a flag, 0 or 1")
-            found.append(float(data[at]))
+            numbers.append(float(data[at]))
             at += 1
             continue
-        met = _NUMBER.match(data, at)
-        if met is None:
+        match = _NUMBER.match(data, at)
+        if match is None:
             raise _DataError(at, "expected a number")
-        number = float(met[0])
-        if abs(number) > LARGEST:
-            raise _DataError(at, f"{met[0]} is too large")
-        found.append(number)
-        at = met.end()
-    return found, at
+        numbers.append(float(match[0]))
+        if abs(numbers[-1]) > LARGEST:
+            raise _DataError(at, f"{match[0]} is too large")
+        at = match.end()
+    return numbers, at
 
 
 def _after_blanks(data: str, at: int) -> int:
-    met = _BLANKS.match(data, at)
-    assert met is not None  # it matches nothing too
-    return met.end()
+    while at < len(data) and data[at] in _BLANKS:
+        at += 1
+    return at
 
 
 # --- drawing -------------------------------------------------------------------------------------------------------------------------
 
 
 class _Pen:
-    """Draws commands one after another."""
+    """Draws commands."""
 
     def __init__(self) -> None:
         self.here = self.start = np.zeros(2)
-        self.control = np.zeros(2)  # the last one
+        self.control = np.zeros(2)  # point of the last curve
         self.family = ""  # of the last command: C, Q or none
         self.done: list[list[Shape]] = []
         self.open: list[Shape] = []
 
-    def found(self) -> list[list[Shape]]:
+    def subpaths(self) -> list[list[Shape]]:
         return [shapes for shapes in (*self.done, self.open) if shapes]
 
     def draw(self, command: str, numbers: list[float]) -> None:
@@ -145,7 +144,7 @@ class _Pen:
         elif kind in "CSQT":
             points = [origin + pair for pair in np.array(numbers).reshape(-1, 2)]
             if kind in "ST":
-                # Reflected only after a command of its own family; else the first control point is the current point.
+                # The control point is reflected only after a command of the same family.
                 points.insert(0, 2.0 * self.here - self.control if family == self.family else self.here)
             self._bezier(points)
         else:
@@ -168,7 +167,7 @@ class _Pen:
 
     def _arc(self, end: Array, rx: float, ry: float, turn: float, large: float, sweep: float) -> None:
         rx, ry = abs(rx), abs(ry)
-        # A chord within the rounding of the radii determines no centre.
+        # A chord below the rounding of the radii does not determine a centre.
         if rx == 0.0 or ry == 0.0 or float(np.abs(end - self.here).max()) <= 1e-14 * max(rx, ry):
             self._line_to(end)
             return
@@ -177,14 +176,14 @@ class _Pen:
 
 
 def _arc_shape(start: Array, end: Array, radii: tuple[float, float], turn: float, large: bool, sweep: bool) -> ConicShape:
-    """Return the arc between two points; radii that do not reach are scaled up (B.2.5)."""
+    """Return the arc between two points; radii that are too small are scaled up (B.2.5)."""
     c, s = math.cos(turn), math.sin(turn)
     axes = np.array([[c, s], [-s, c]])
-    half = axes @ (0.5 * (start - end)) / np.array(radii)  # on the unit circle that the ellipse is the image of
+    half = axes @ (0.5 * (start - end)) / np.array(radii)  # mapped to the unit circle
     reach = float(np.hypot(*half))
     if reach > 1.0:
         radii, half, reach = (radii[0] * reach, radii[1] * reach), half / reach, 1.0
-    # The centre lies on the perpendicular through the middle of the chord, on the side that the flags choose.
+    # The centre lies on the perpendicular bisector of the chord, on the side given by the flags.
     height = math.sqrt(max(0.0, 1.0 - reach**2)) / reach * (1.0 if large != sweep else -1.0)
     centre = height * np.array([half[1], -half[0]])
     first = math.atan2(half[1] - centre[1], half[0] - centre[0])

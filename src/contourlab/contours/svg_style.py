@@ -1,4 +1,4 @@
-"""The part of CSS that decides whether an element is visible, and its size."""
+"""The part of CSS that determines visibility and size of an element."""
 
 from __future__ import annotations
 
@@ -18,40 +18,40 @@ class StyleSheet:
     Attributes
     ----------
     notes : list of str
-        Rules about what is seen that are passed over, as their selectors are others.
+        Ignored rules on visibility, with other selectors.
     """
 
     def __init__(self, text: str = "") -> None:
         self.notes: list[str] = []
         self._rules: list[tuple[tuple[int, int, int], str, tuple[str, ...], dict[str, str]]] = []
         text = _COMMENT.sub("", text).replace("<!--", "").replace("-->", "")
-        for met in _AT_RULE.finditer(text):
-            if any(word in met[0] for word in _SEEN):
-                self.notes.append(f"style sheet: {met[0].split('{')[0].strip()!r} is passed over")
-        for met in _RULE.finditer(_AT_RULE.sub("", text)):
-            self._add(met[1], _declarations(met[2]))
+        for rule in _AT_RULE.finditer(text):
+            if any(word in rule[0] for word in _SEEN):
+                self.notes.append(f"style sheet: {rule[0].split('{')[0].strip()!r} is passed over")
+        for rule in _RULE.finditer(_AT_RULE.sub("", text)):
+            self._add(rule[1], _declarations(rule[2]))
 
     def _add(self, selectors: str, declared: dict[str, str]) -> None:
         for selector in (word.strip() for word in selectors.split(",")):
-            met = _SELECTOR.match(selector)
-            if not met or not selector:
+            match = _SELECTOR.match(selector)
+            if not match or not selector:
                 self.notes += [f"style sheet: {name} of {selector!r} is passed over" for name in _SEEN if name in declared]
                 continue
-            parts = tuple(re.findall(r"[#.][\w-]+", met[2]))
+            parts = tuple(re.findall(r"[#.][\w-]+", match[2]))
             ids = sum(part.startswith("#") for part in parts)
-            name = met[1] or "*"
+            name = match[1] or "*"
             self._rules.append(((ids, len(parts) - ids, int(name != "*")), name, parts, declared))
 
     def of(self, tag: str, attributes: Mapping[str, str]) -> dict[str, str]:
-        """Return what is declared about an element: by attributes, then by rules, the more special the later, then by its own style."""
-        found = {name: attributes[name].strip() for name in _SEEN if name in attributes}
-        own = {f".{word}" for word in attributes.get("class", "").split()} | {f"#{attributes.get('id', '')}"}
-        met = [rule for rule in self._rules if rule[1] in ("*", tag) and own.issuperset(rule[2])]
-        layers = [rule[3] for rule in sorted(met, key=lambda rule: rule[0])] + [_declarations(attributes.get("style", ""))]
-        for wanted in (False, True):  # what is !important goes last
+        """Return the declarations for an element: its attributes, overridden by rules in order of specificity, then by its style."""
+        declarations = {name: attributes[name].strip() for name in _SEEN if name in attributes}
+        selectors = {f".{word}" for word in attributes.get("class", "").split()} | {f"#{attributes.get('id', '')}"}
+        matching = [rule for rule in self._rules if rule[1] in ("*", tag) and selectors.issuperset(rule[2])]
+        layers = [rule[3] for rule in sorted(matching, key=lambda rule: rule[0])] + [_declarations(attributes.get("style", ""))]
+        for wanted in (False, True):  # !important last
             for declared in layers:
-                found.update({k: v.partition("!")[0].strip() for k, v in declared.items() if ("!" in v) is wanted})
-        return found
+                declarations.update({k: v.partition("!")[0].strip() for k, v in declared.items() if ("!" in v) is wanted})
+        return declarations
 
 
 def _declarations(text: str) -> dict[str, str]:

@@ -161,28 +161,28 @@ def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:
     curvature_step : float, >= 0
         Largest step of an axis acceleration where the curvature jumps, as a fraction of its limit.
     """
-    found = junctions(route)
+    junction = junctions(route)
     kind = np.array([_kind(curve) for curve in route.path.curves], dtype=np.int8)
-    ceiling = junction_speed(found, limits, curvature_step)
+    ceiling = junction_speed(junction, limits, curvature_step)
     # Slowing down for a kink without stopping gains nothing.
-    slow = np.any(found.kink != 0.0, axis=1) & (ceiling < WORTH * np.minimum(route.feedrate, np.roll(route.feedrate, -1)))
-    found = found._replace(stop=found.stop | slow, kink=np.where(slow[:, None], 0.0, found.kink))
-    return Survey(found, kind, ceiling)
+    slow = np.any(junction.kink != 0.0, axis=1) & (ceiling < WORTH * np.minimum(route.feedrate, np.roll(route.feedrate, -1)))
+    junction = junction._replace(stop=junction.stop | slow, kink=np.where(slow[:, None], 0.0, junction.kink))
+    return Survey(junction, kind, ceiling)
 
 
-def cut(route: Route, seen: Survey, limits: AxisLimits, wanted: Flags) -> Pieces:
+def cut(route: Route, surveyed: Survey, limits: AxisLimits, wanted: Flags) -> Pieces:
     """Cut curves of a route into pieces and find the limits of each.
 
     Parameters
     ----------
     route : Route
-    seen : Survey
+    surveyed : Survey
     limits : AxisLimits
         For the path's number of axes.
     wanted : ndarray (n_curve,) of bool
         Curves to cut: from one stop to the next all of them, or none.
     """
-    junction, kind = seen.junctions, seen.kind
+    junction, kind = surveyed.junctions, surveyed.kind
     nodes = sample_nodes(route, kind, limits, np.flatnonzero(wanted))
     samples = _samples(route, nodes)
     line = kind == LINE
@@ -204,4 +204,4 @@ def cut(route: Route, seen: Survey, limits: AxisLimits, wanted: Flags) -> Pieces
     stop_ends[0, 0] = stop_ends[-1, 1] = True
     length = end - start
     bounds = piece_bounds(Samples(*(part[rows] for part in samples)), begins, length, stop_ends, limits)
-    return Pieces(start, length, bounds, stop, np.where(within, np.inf, seen.junction_speed[curve]), curve)
+    return Pieces(start, length, bounds, stop, np.where(within, np.inf, surveyed.junction_speed[curve]), curve)

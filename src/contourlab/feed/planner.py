@@ -64,12 +64,12 @@ def _border_speeds(pieces: Pieces) -> tuple[Array, Array]:
     return np.array(speed[:-1]), np.array(speed[1:])
 
 
-def _closed_form(route: Route, seen: Survey, limits: AxisLimits, segments: Segments, chosen: Index) -> _Moves:
+def _closed_form(route: Route, surveyed: Survey, limits: AxisLimits, segments: Segments, chosen: Index) -> _Moves:
     """Plan segments as moves from border to border of their pieces."""
     laps = int(segments.after[-1]) // route.n_curve
     in_lap = np.zeros((laps, route.n_curve), dtype=bool)
     in_lap.reshape(-1)[ranges(segments.first[chosen], segments.after[chosen] - segments.first[chosen])] = True
-    pieces = _repeated(cut(route, seen, limits, np.asarray(in_lap.any(axis=0))), laps, route)
+    pieces = _repeated(cut(route, surveyed, limits, np.asarray(in_lap.any(axis=0))), laps, route)
     start_speed, end_speed = _border_speeds(pieces)
     ceiling, *shape = pieces.bounds
     peak = peak_speed(pieces.length, start_speed, end_speed, ceiling, *shape)
@@ -114,13 +114,13 @@ def _with_rests(moves: _Moves, route: Route, segments: Segments) -> Array:
     return np.insert(moves.spans, np.searchsorted(moves.segment, dwell, side="right"), rows, axis=0)
 
 
-def _motions(route: Route, seen: Survey, limits: AxisLimits, laps: int) -> Array:
+def _motions(route: Route, surveyed: Survey, limits: AxisLimits, laps: int) -> Array:
     """Return the spans of the whole route as rows (duration, s0, v0, a0, j)."""
-    segments = split_at_stops(seen, laps)
+    segments = split_at_stops(surveyed, laps)
     bent = np.flatnonzero(~segments.straight)
     moves = []
     if bent.size:
-        samples = sample_segments(route, seen, limits, segments, bent)
+        samples = sample_segments(route, surveyed, limits, segments, bent)
         for motion in smooth_motions(route.path, samples, limits):
             of_segment = np.repeat(np.arange(bent.size), np.diff(motion.begin))
             moves.append(_Moves(motion.spans, bent[of_segment]).only(motion.good[of_segment]))
@@ -131,7 +131,7 @@ def _motions(route: Route, seen: Survey, limits: AxisLimits, laps: int) -> Array
         missing[move.segment] = False
     closed = np.flatnonzero(segments.straight | missing | (segments.after - segments.first <= N_SHORT))
     if closed.size:
-        moves.append(_closed_form(route, seen, limits, segments, closed))
+        moves.append(_closed_form(route, surveyed, limits, segments, closed))
     return _with_rests(_fastest(segments.first.size, moves), route, segments)
 
 

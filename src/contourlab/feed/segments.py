@@ -80,14 +80,14 @@ class SegmentSamples(NamedTuple):
         return ceiling
 
 
-def split_at_stops(seen: Survey, laps: int) -> Segments:
+def split_at_stops(surveyed: Survey, laps: int) -> Segments:
     """Divide the laps of a route at its stops."""
     # The closing point may be passed between laps; the end of the last lap is a stop.
-    stop = np.tile(seen.stop, laps)
+    stop = np.tile(surveyed.stop, laps)
     stop[-1] = True
     after = np.flatnonzero(stop) + 1
     first = np.append(0, after[:-1])
-    turns = (seen.kind != LINE) | np.any(seen.junctions.kink != 0.0, axis=1)
+    turns = (surveyed.kind != LINE) | np.any(surveyed.junctions.kink != 0.0, axis=1)
     bent = np.add.reduceat(np.tile(turns, laps).astype(np.intp), first)
     return Segments(first, after, bent == 0)
 
@@ -97,7 +97,7 @@ def ranges(first: Index, count: Index) -> Index:
     return np.repeat(first - (np.cumsum(count) - count), count) + np.arange(int(count.sum()))
 
 
-def _longest_intervals(route: Route, seen: Survey, limits: AxisLimits) -> Array:
+def _longest_intervals(route: Route, surveyed: Survey, limits: AxisLimits) -> Array:
     """Return the longest interval between samples of each curve [m].
 
     It depends on the way to full speed. Next to a stop the acceleration alone gives this way, since time lost at low speed counts;
@@ -108,7 +108,7 @@ def _longest_intervals(route: Route, seen: Survey, limits: AxisLimits) -> Array:
     a, j = float(np.min(limits.acceleration)), float(np.min(limits.jerk))
     by_acceleration = speed**2 / (2.0 * a)
     by_jerk = np.where(speed * j > a**2, by_acceleration + 0.5 * speed * a / j, speed * np.sqrt(speed / j))
-    stop = seen.stop
+    stop = surveyed.stop
     stop[-1] = True
     ramp = np.maximum(np.where(stop | np.roll(stop, 1), by_acceleration, by_jerk), REST)
     return np.asarray(np.minimum(lengths / N_CURVE, np.maximum(ramp / N_RAMP, lengths / N_LONG)))
@@ -141,13 +141,13 @@ def _on_lines(route: Route, nodes: Nodes, longest: Array) -> Nodes:
     return Nodes(curve[rows], place, nodes.tangent[::2][rows], zero, zero)
 
 
-def sample_segments(route: Route, seen: Survey, limits: AxisLimits, segments: Segments, chosen: Index) -> SegmentSamples:
+def sample_segments(route: Route, surveyed: Survey, limits: AxisLimits, segments: Segments, chosen: Index) -> SegmentSamples:
     """Sample some segments (rising numbers)."""
     n_curve, n_chosen = route.n_curve, segments.after[chosen] - segments.first[chosen]
     lap, curve = np.divmod(ranges(segments.first[chosen], n_chosen), n_curve)
     once = np.unique(curve)
-    longest = _longest_intervals(route, seen, limits)
-    windows = [_window(route, seen, limits, longest, once[i : i + WINDOW]) for i in range(0, once.size, WINDOW)]
+    longest = _longest_intervals(route, surveyed, limits)
+    windows = [_window(route, surveyed, limits, longest, once[i : i + WINDOW]) for i in range(0, once.size, WINDOW)]
     count_once, arc_length, ceiling, *derivatives = _joined(windows)
     of_curve = np.zeros(n_curve, dtype=np.intp)
     of_curve[once] = count_once
@@ -166,20 +166,20 @@ def sample_segments(route: Route, seen: Survey, limits: AxisLimits, segments: Se
     return SegmentSamples(arc_length, tangent, second, third, ceiling, begin)
 
 
-def _window(route: Route, seen: Survey, limits: AxisLimits, longest: Array, curves: Index) -> list[NDArray[Any]]:
+def _window(route: Route, surveyed: Survey, limits: AxisLimits, longest: Array, curves: Index) -> list[NDArray[Any]]:
     """Return the number of samples of each curve; then of the samples arc length, ceiling, and three derivatives."""
-    first = sample_nodes(route, seen.kind, limits, curves)
+    first = sample_nodes(route, surveyed.kind, limits, curves)
     sets = []
     for line in (True, False):
-        here = (seen.kind[first.curve] == LINE) == line
+        here = (surveyed.kind[first.curve] == LINE) == line
         if np.any(here):
             sets.append((_on_lines if line else _refined)(route, Nodes(*(part[here] for part in first)), longest))
     order = np.argsort(np.concatenate([part.curve for part in sets]), kind="stable")
     curve, place, tangent, second, third = (np.concatenate(part)[order] for part in zip(*sets, strict=True))
     ceiling = route.feedrate[curve]
     for end, junction in ((1.0, curve), (0.0, curve - 1)):
-        passed = (place == end) & ~seen.junctions.stop[junction]
-        ceiling = np.where(passed, np.minimum(ceiling, seen.junction_speed[junction]), ceiling)
+        passed = (place == end) & ~surveyed.junctions.stop[junction]
+        ceiling = np.where(passed, np.minimum(ceiling, surveyed.junction_speed[junction]), ceiling)
     arc_length = np.asarray(route.path.breaks)[curve] + place * _lengths(route, curve)
     count = np.bincount(curve - curves[0])[curves - curves[0]]
     return [count, arc_length, ceiling, tangent, without_rounding(second), without_rounding(third)]

@@ -78,10 +78,10 @@ def _searched(path: CurveSequence, points: Array, begin: Index, end: Index) -> t
     ends, depths = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((_DEPTH, 3))
     points = np.ascontiguousarray(points)
     while state[0] < n:
-        before, found, bound = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty(room)
-        _kernel()(junctions, along, int(path.closed), points, begin, end, found, bound, state, ends, depths)
-        samples.append(found[: state[1], 0])
-        numbers.append(found[: state[1], 1])
+        before, pairs, bound = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty(room)
+        _kernel()(junctions, along, int(path.closed), points, begin, end, pairs, bound, state, ends, depths)
+        samples.append(pairs[: state[1], 0])
+        numbers.append(pairs[: state[1], 1])
         # A sample may have more curves at the same distance than fit.
         room = 2 * room if state[0] == before else room
     return np.concatenate(samples), np.concatenate(numbers)
@@ -117,23 +117,23 @@ def _least(along, closed, a, b, from_a, from_b):
     return 0.5 * (from_a + from_b - (_up_to(along, closed, b) - _up_to(along, closed, a)))
 
 
-def _keep(i, found, bound, start, count, best):
+def _keep(i, pairs, bound, start, count, best):
     """Keep the curves of a sample that may be the nearest, in the order of the path; return the number of pairs."""
     kept = start
     for k in range(start, count):
         if bound[k] > best:
             continue
-        number, least, at = found[k, 1], bound[k], kept
-        while at > start and found[at - 1, 1] > number:
-            found[at, 0], found[at, 1], bound[at] = i, found[at - 1, 1], bound[at - 1]
+        number, least, at = pairs[k, 1], bound[k], kept
+        while at > start and pairs[at - 1, 1] > number:
+            pairs[at, 0], pairs[at, 1], bound[at] = i, pairs[at - 1, 1], bound[at - 1]
             at -= 1
-        found[at, 0], found[at, 1], bound[at] = i, number, least
+        pairs[at, 0], pairs[at, 1], bound[at] = i, number, least
         kept += 1
     return kept
 
 
-def search(junctions, along, closed, points, begin, end, found, bound, state, ends, depths):
-    """Fill `found` with pairs of sample and curve, from sample state[0] on; set `state` to the next sample and the number of pairs."""
+def search(junctions, along, closed, points, begin, end, pairs, bound, state, ends, depths):
+    """Fill `pairs` with pairs of sample and curve, from sample state[0] on; set `state` to the next sample and the number of pairs."""
     count, i = 0, state[0]
     while i < points.shape[0]:
         start, best, top = count, np.inf, 1
@@ -148,10 +148,10 @@ def search(junctions, along, closed, points, begin, end, found, bound, state, en
             if least > best:
                 continue
             if b - a == 1:
-                if count == found.shape[0]:
+                if count == pairs.shape[0]:
                     state[0], state[1] = i, start
                     return
-                found[count, 0], found[count, 1], bound[count] = i, a, least
+                pairs[count, 0], pairs[count, 1], bound[count] = i, a, least
                 count += 1
                 continue
             middle = (a + b) // 2
@@ -167,6 +167,6 @@ def search(junctions, along, closed, points, begin, end, found, bound, state, en
             ends[later, 0], ends[later, 1] = middle, b
             depths[later, 0], depths[later, 1], depths[later, 2] = away, from_b, right
             top += 2
-        count = _keep(i, found, bound, start, count, best)
+        count = _keep(i, pairs, bound, start, count, best)
         i += 1
     state[0], state[1] = i, count

@@ -123,8 +123,8 @@ def lost_motion_from_pair(
         if stiffness is None or force is not None:
             raise ParameterError("friction", friction, "given with stiffness, and without force")
     cells, middle, passes = _cells(motor, motor - load, push, bins)
-    found = np.unique(cells.bin)
-    design = np.column_stack([0.5 * cells.side, cells.bin[:, None] == found]).astype(float)
+    bins_used = np.unique(cells.bin)
+    design = np.column_stack([0.5 * cells.side, cells.bin[:, None] == bins_used]).astype(float)
     values, deviation = _least_squares(design, cells.apart)
     if friction is not None and stiffness is not None:
         gap, gap_deviation, k = values[0] - 2.0 * friction / stiffness, deviation[0], stiffness
@@ -132,7 +132,7 @@ def lost_motion_from_pair(
         gap, gap_deviation, k = math.nan, math.nan, math.nan if stiffness is None else stiffness
     else:
         gap, gap_deviation, k = _gap_and_stiffness(cells, design, stiffness)
-    lost_at, deviation_at = _by_place(cells, found)
+    lost_at, deviation_at = _by_place(cells, bins_used)
     return LostMotion(
         lost_motion=values[0],
         lost_motion_deviation=deviation[0],
@@ -143,7 +143,7 @@ def lost_motion_from_pair(
         offset=float(np.mean(values[1:])),
         passes_forward=passes[0],
         passes_backward=passes[1],
-        place=middle[found],
+        place=middle[bins_used],
         lost_motion_at=lost_at,
         deviation_at=deviation_at,
     )
