@@ -10,8 +10,6 @@ from typing import TYPE_CHECKING, Any, Protocol
 from contourlab.app.json_values import json_values
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from contourlab.features.run.command import RunOutcome
 
 
@@ -20,11 +18,7 @@ class HasText(Protocol):
 
     @property
     def text(self) -> str:
-        """It for the terminal."""
-
-
-PIPE_WIDTH = 200
-"""Columns of a table that goes to a file or a pipe, where nothing says how wide the reader is."""
+        """What the terminal shows."""
 
 
 def silence() -> None:
@@ -79,18 +73,6 @@ def conclude(outcome: RunOutcome, as_json: bool) -> int:
     if outcome.runaway is not None:
         raise outcome.runaway
     return 0 if outcome.passed else 1
-
-
-def show(*parts: RenderableType) -> None:
-    """Print tables and styled text: as wide as the terminal, or wide and without colour into a file or a pipe."""
-    from rich.console import Console
-
-    width = None if sys.stdout.isatty() else PIPE_WIDTH
-    console = Console(file=sys.stdout, width=width, highlight=False)
-    with console.capture() as captured:
-        for part in parts:
-            console.print(part)
-    say("\n".join(line.rstrip() for line in captured.get().splitlines()))
 
 
 def wants_progress(as_json: bool) -> bool:
