@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 from once import once
+from schemas import check_results
 
 from contourlab.__main__ import LINEAR_ALGEBRA
 
@@ -63,3 +64,9 @@ def reproduction(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> tu
 
     code, out, err = once(tmp_path_factory, worker_id, "ghaffari", run)
     return code, out, err
+
+
+@pytest.fixture(autouse=True)
+def results_follow_their_schemas(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever a command of a test prints with --json has the keys of its schema, and no others."""
+    check_results(monkeypatch)

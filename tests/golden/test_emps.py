@@ -49,7 +49,7 @@ def log(shared: Path) -> Path:
 @pytest.fixture(scope="module")
 def table(log: Path) -> Table:
     found = run_parts(parts_of(log))
-    by_name = {(row["name"], row["case"]): row for row in found}
+    by_name = {(row.name, row.case): row for row in found}
     assert len(by_name) == len(found), "two rows share name and case"
     return by_name
 
@@ -58,36 +58,36 @@ def table(log: Path) -> Table:
 def test_identification_agrees_to_the_last_printed_digit(table: Table, line: str) -> None:
     name, printed = line.split()
     (row,) = (row for (held, _), row in table.items() if held == name.replace("_", " "))
-    assert row["paper"] == float(printed)
-    assert f"{row['here']:.4f}" == printed
-    assert row["verdict"] == "agrees"
+    assert row.paper == float(printed)
+    assert f"{row.here:.4f}" == printed
+    assert row.verdict == "agrees"
 
 
 @pytest.mark.parametrize(("case", "printed"), [(ALIKE, DEVIATIONS), (DIRECTED, DEVIATIONS_DIRECTED)])
 def test_deviations_agree_to_the_last_printed_digit(table: Table, case: str, printed: dict[str, float]) -> None:
     for name, paper in printed.items():
         row = table["standard deviation", f"{name}, {case}"]
-        assert (row["paper"], f"{row['here']:.4f}", row["verdict"]) == (paper, f"{paper:.4f}", "agrees")
+        assert (row.paper, f"{row.here:.4f}", row.verdict) == (paper, f"{paper:.4f}", "agrees")
 
 
 def test_relative_deviations_are_those_of_the_published_listing(table: Table) -> None:
     for name, paper in {"M": "0.1141", "Fv": "0.5631", "Fc": "0.4964", "offset": "1.4021"}.items():
-        assert f"{table['relative standard deviation', f'{name}, {ALIKE}']['here']:.4f}" == paper
+        assert f"{table['relative standard deviation', f'{name}, {ALIKE}'].here:.4f}" == paper
 
 
 def test_the_residual_is_told_to_be_coloured(table: Table) -> None:
     """What friction by direction explains is in it, so that plain deviations are too small by a factor of two and more."""
     for name, plain in DEVIATIONS.items():
-        assert 2.0 < table["standard deviation, residual as it is", f"{name}, {ALIKE}"]["here"] / plain < 3.0
-    assert "white" in table["M", ALIKE]["note"]
+        assert 2.0 < table["standard deviation, residual as it is", f"{name}, {ALIKE}"].here / plain < 3.0
+    assert "white" in table["M", ALIKE].note
 
 
 def test_the_published_simulation_comes_out_with_its_clock_and_solver(table: Table) -> None:
     for name, paper in {"position": 0.013752, "velocity": 0.22911, "acceleration": 8.6036, "force": 5.848}.items():
         row = table[f"simulated {name}", "the published clock, delay and solver"]
-        assert row["paper"] == paper
-        assert row["here"] == pytest.approx(paper, rel=2e-3)
-        assert row["verdict"] == "agrees"
+        assert row.paper == paper
+        assert row.here == pytest.approx(paper, rel=2e-3)
+        assert row.verdict == "agrees"
 
 
 @pytest.mark.parametrize(
@@ -100,7 +100,7 @@ def test_the_published_simulation_comes_out_with_its_clock_and_solver(table: Tab
 )
 def test_the_simulated_loop_follows_the_log(table: Table, case: str, percent: dict[str, float]) -> None:
     for name, bound in percent.items():
-        assert 0.9 * bound < table[f"simulated {name}", case]["here"] < 1.01 * bound
+        assert 0.9 * bound < table[f"simulated {name}", case].here < 1.01 * bound
 
 
 @pytest.mark.parametrize("delay", [0, 1])
@@ -117,48 +117,48 @@ def test_the_engine_runs_the_same_loop(log: Path, delay: int) -> None:
 def test_the_engine_follows_the_log_as_closely(table: Table) -> None:
     for case in ("one tick of control delay", "no control delay"):
         for name in ("position", "velocity", "acceleration", "force"):
-            here = table[f"simulated {name}", f"contourlab's engine, {case}"]["here"]
-            assert here == pytest.approx(table[f"simulated {name}", case]["here"], rel=0.02)
+            here = table[f"simulated {name}", f"contourlab's engine, {case}"].here
+            assert here == pytest.approx(table[f"simulated {name}", case].here, rel=0.02)
 
 
 def test_the_measured_loop_has_no_delay_of_a_tick(table: Table) -> None:
-    assert table["controller law", "no control delay"]["here"] == pytest.approx(3.7, abs=0.05)
-    assert table["controller law", "one tick of control delay"]["here"] > 50.0
+    assert table["controller law", "no control delay"].here == pytest.approx(3.7, abs=0.05)
+    assert table["controller law", "one tick of control delay"].here > 50.0
 
 
 def test_tracking_error_as_measured_and_simulated(table: Table) -> None:
     for name, measured, apart in (("tracking error rms", 0.578, 5e-4), ("tracking error peak", 0.852, 2.5e-3)):
-        assert table[name, "measured"]["here"] == pytest.approx(measured, abs=5e-4)
+        assert table[name, "measured"].here == pytest.approx(measured, abs=5e-4)
         for case in ("simulated, no control delay", "simulated, one tick of control delay"):
-            assert table[name, case]["here"] == pytest.approx(measured, abs=apart)
+            assert table[name, case].here == pytest.approx(measured, abs=apart)
 
 
 def test_what_differs_says_why(table: Table) -> None:
-    assert not [row for row in table.values() if row["verdict"] == "fails"]
-    assert all(len(row["note"]) > 60 for row in table.values() if row["verdict"] == "differs")
+    assert not [row for row in table.values() if row.verdict == "fails"]
+    assert all(len(row.note) > 60 for row in table.values() if row.verdict == "differs")
 
 
 def test_a_second_log_is_held_against_the_parameters_of_the_first(log: Path) -> None:
     """The same log: its own error again. The published second log is not among the shared data."""
-    rows = {(row["name"], row["case"]): row for row in run_parts(parts_of(log, log))}
-    assert rows["cross-validation relative error", ALIKE]["here"] == pytest.approx(rows["relative error", ALIKE]["here"], rel=1e-12)
-    assert rows["cross-validation relative error", ALIKE]["paper"] == 5.9824
-    assert rows["cross-validation relative error", DIRECTED]["here"] == pytest.approx(3.1117, abs=5e-5)
+    rows = {(row.name, row.case): row for row in run_parts(parts_of(log, log))}
+    assert rows["cross-validation relative error", ALIKE].here == pytest.approx(rows["relative error", ALIKE].here, rel=1e-12)
+    assert rows["cross-validation relative error", ALIKE].paper == 5.9824
+    assert rows["cross-validation relative error", DIRECTED].here == pytest.approx(3.1117, abs=5e-5)
     own, again = (rows["simulated force", f"{prefix}no control delay"] for prefix in ("", "validation: "))
-    assert (own["here"], own["paper"], again["paper"]) == (again["here"], 5.848, 8.9409)
+    assert (own.here, own.paper, again.paper) == (again.here, 5.848, 8.9409)
 
 
 def test_the_published_validation_agrees_where_its_log_is_there(log: Path) -> None:
     pulses = log.with_name("DATA_EMPS_PULSES.mat")
     if not pulses.is_file():
         pytest.skip("the EMPS log with pulses, DATA_EMPS_PULSES.mat, is not among the shared reference data")
-    rows = {(row["name"], row["case"]): row for row in run_parts(parts_of(log, pulses))}
+    rows = {(row.name, row.case): row for row in run_parts(parts_of(log, pulses))}
     for name, printed in {"condition number": "26.0217", "residual norm": "169.4876", "residual deviation": "3.4039"}.items():
-        assert f"{rows[f'cross-validation {name}', ALIKE]['here']:.4f}" == printed
-    assert rows["cross-validation relative error", ALIKE]["here"] == pytest.approx(5.9824, abs=5e-5)
+        assert f"{rows[f'cross-validation {name}', ALIKE].here:.4f}" == printed
+    assert rows["cross-validation relative error", ALIKE].here == pytest.approx(5.9824, abs=5e-5)
     for name, paper in {"position": 0.0080248, "velocity": 0.47888, "acceleration": 19.8152, "force": 8.9409}.items():
         row = rows[f"simulated {name}", "validation: the published clock, delay and solver"]
-        assert row["here"] == pytest.approx(paper, rel=5e-3) and row["verdict"] == "agrees"
+        assert row.here == pytest.approx(paper, rel=5e-3) and row.verdict == "agrees"
 
 
 def test_the_command_prints_json_and_draws(log: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

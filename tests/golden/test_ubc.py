@@ -27,7 +27,7 @@ def folder(shared: Path) -> Path:
 @pytest.fixture(scope="module")
 def table(folder: Path) -> Table:
     rows = run_parts(parts_of(folder, with_unseen=False))
-    found = {(row["name"], row["case"]): row for row in rows}
+    found = {(row.name, row.case): row for row in rows}
     assert len(found) == len(rows), "two rows share name and case"
     return found
 
@@ -36,40 +36,40 @@ def test_measured_runs_are_as_known_within_a_hundredth(table: Table) -> None:
     names = ("measured tracking rms, x", "measured tracking rms, y", "measured contour rms", "measured contour maximum")
     for run, known in MEASURED.items():
         for name, value in zip(names, known, strict=True):
-            assert table[name, run]["here"] == pytest.approx(value, rel=0.01)
+            assert table[name, run].here == pytest.approx(value, rel=0.01)
 
 
 def test_the_machine_explains_the_tracking_errors(table: Table) -> None:
     for run, least in (("lead-lag", 80.0), ("pole-placement", 99.0)):
         for axis in "xy":
             row = table["variance explained", f"{run}, {axis}"]
-            assert least < row["here"] < 100.0 and row["pass"]
+            assert least < row.here < 100.0 and row.passed
 
 
 def test_its_contour_errors_are_those_measured(table: Table) -> None:
     for run, share in (("lead-lag", 0.25), ("pole-placement", 0.15)):
         for name in ("simulated contour rms", "simulated contour maximum"):
             row = table[name, run]
-            assert row["here"] == pytest.approx(row["paper"], rel=share)
-            assert row["paper"] == pytest.approx(MEASURED[run][2 if "rms" in name else 3], rel=0.01)
+            assert row.here == pytest.approx(row.paper, rel=share)
+            assert row.paper == pytest.approx(MEASURED[run][2 if "rms" in name else 3], rel=0.01)
 
 
 def test_the_library_keeps_the_figures_that_it_was_given(table: Table) -> None:
     """As documented in docs/refinement.md; a change of the engine or the files shows here."""
     kept = {("lead-lag", "x"): 98.70, ("lead-lag", "y"): 98.29, ("pole-placement", "x"): 99.998, ("pole-placement", "y"): 99.995}
     for (run, axis), value in kept.items():
-        assert table["variance explained", f"{run}, {axis}"]["here"] == pytest.approx(value, abs=0.02)
-    assert table["simulated contour rms", "lead-lag"]["here"] == pytest.approx(84.6, abs=0.3)
-    assert table["simulated contour rms", "pole-placement"]["here"] == pytest.approx(46.1, abs=0.3)
+        assert table["variance explained", f"{run}, {axis}"].here == pytest.approx(value, abs=0.02)
+    assert table["simulated contour rms", "lead-lag"].here == pytest.approx(84.6, abs=0.3)
+    assert table["simulated contour rms", "pole-placement"].here == pytest.approx(46.1, abs=0.3)
 
 
 @pytest.mark.slow
 def test_what_was_left_out_is_met_too(folder: Path) -> None:
-    rows = [row for row in run_parts(parts_of(folder)) if row["name"].startswith("unseen")]
-    explained = [row["here"] for row in rows if row["name"] == "unseen: variance explained"]
+    rows = [row for row in run_parts(parts_of(folder)) if row.name.startswith("unseen")]
+    explained = [row.here for row in rows if row.name == "unseen: variance explained"]
     assert len(explained) == 12
-    contour = [row for row in rows if row["name"] == "unseen: contour rms"]
-    assert len(contour) == 6 and all(row["paper"] > 0.0 and row["here"] > 0.0 for row in contour)
+    contour = [row for row in rows if row.name == "unseen: contour rms"]
+    assert len(contour) == 6 and all(row.paper > 0.0 and row.here > 0.0 for row in contour)
 
 
 def test_the_command_prints_json_and_draws(folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -39,7 +39,7 @@ def test_known_figures_are_found_and_make_an_axis(tmp_path: Path, capsys: pytest
     for name, true in (("M", MASS), ("Fv", VISCOUS), ("Fc", COULOMB), ("offset", OFFSET)):
         figure = found["parameters"][name]
         assert figure["value"] == pytest.approx(true, abs=4.0 * figure["robust_deviation"] + 0.01 * abs(true))
-    assert found["validation"]["fit_percent"] == pytest.approx(found["fit_percent"], abs=1.0) and found["fit_percent"] > 95.0
+    assert found["details"]["validation"]["fit_percent"] == pytest.approx(found["fit_percent"], abs=1.0) and found["fit_percent"] > 95.0
     axis = load_axis(out)
     assert axis.plant.values()["mass"] == pytest.approx(found["parameters"]["M"]["value"], rel=1e-5)
     assert axis.friction.values()["coulomb"] == pytest.approx(found["parameters"]["Fc"]["value"], rel=1e-5)

@@ -21,7 +21,7 @@ def test_stiction_over_ramps(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     found = found_by([log, "--column", "command.x=cmd", "--model", "stiction", "--out", str(out)], capsys)
     assert found["parameters"]["breakaway+"]["value"] == pytest.approx(0.06, rel=0.02)
     assert found["parameters"]["breakaway-"]["value"] == pytest.approx(0.05, rel=0.02)
-    assert len(found["ramps"]) == 4 and "spread over 4 slow ramps" in out.read_text()
+    assert len(found["details"]["ramps"]) == 4 and "spread over 4 slow ramps" in out.read_text()
 
 
 def test_an_axis_that_slows_down_without_stopping_has_no_friction_of_its_own_there(
@@ -33,7 +33,7 @@ def test_an_axis_that_slows_down_without_stopping_has_no_friction_of_its_own_the
     u = 10.0 * np.sign(v) + 100.0 * v + 90.0 * np.gradient(v, PERIOD) + 0.2 * np.random.default_rng(2).standard_normal(v.size)
     log = written(tmp_path / "jog.csv", "time [s],push [N],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
     found = found_by([log, "--column", "force.x=push", "--model", "friction"], capsys)
-    assert len(found["points"]) >= 6 and max(point["scatter"] for point in found["points"]) < 3.0
+    assert len(found["details"]["points"]) >= 6 and max(point["scatter"] for point in found["details"]["points"]) < 3.0
     assert found["fit_percent"] > 97.0 and "CL512" in codes(found)
 
 
@@ -46,9 +46,9 @@ def test_friction_of_the_measured_table(
     words = [*logs, "--column", "reference.x=CH1in [mm]", *UBC, "--full-scale", "10 V"]
     words += ["--model", "friction", "--plots", "png", "--out", "friction.toml"]
     found = found_by(words, capsys)
-    assert len(found["points"]) == 16 and found["fit_percent"] > 97.0
-    assert [round(1e3 * point["speed"]) for point in found["points"][:4]] == [10, -10, 120, -121]
-    line = next(curve for curve in found["tried"] if curve["model"] == "Coulomb and viscous")["parameters"]
+    assert len(found["details"]["points"]) == 16 and found["fit_percent"] > 97.0
+    assert [round(1e3 * point["speed"]) for point in found["details"]["points"][:4]] == [10, -10, 120, -121]
+    line = next(curve for curve in found["details"]["tried"] if curve["model"] == "Coulomb and viscous")["parameters"]
     # The table's own fit: 0.335 V and 5.3 V s/m forwards, 0.340 and 5.2 backwards.
     assert 10.0 * line["Fc"] == pytest.approx(0.34, abs=0.02) and 10.0 * line["Fv"] == pytest.approx(5.2, rel=0.12)
     assert "CL546" in codes(found)
@@ -96,11 +96,11 @@ def test_levels_of_force_at_random_tell_no_friction(tmp_path: Path, capsys: pyte
 def test_friction_that_rises_is_not_called_stribeck(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = jogged(tmp_path, lambda v: np.sign(v) * (0.6 - 0.3 * np.exp(-((v / 0.06) ** 2))) + 3.0 * v)
     found = found_by([log, "--column", "command.x=cmd", "--model", "friction"], capsys)
-    assert "Stribeck" not in found["friction_model"]
+    assert "Stribeck" not in found["details"]["friction_model"]
     assert "CL546" in codes(found)
     log = jogged(tmp_path, lambda v: np.sign(v) * (0.3 + 0.3 * np.exp(-((v / 0.03) ** 2))) + 3.0 * v)
     found = found_by([log, "--column", "command.x=cmd", "--model", "friction"], capsys)
-    assert "Stribeck" in found["friction_model"] and "CL546" not in codes(found)
+    assert "Stribeck" in found["details"]["friction_model"] and "CL546" not in codes(found)
 
 
 def test_friction_that_rises_from_rest_keeps_its_rise_in_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -66,7 +66,7 @@ def test_sines_of_the_measured_table(shared: Path, tmp_path: Path, capsys: pytes
     logs = [str(shared / "data" / "ubc-xy-table" / f"sine_{f}Hz.mat") for f in (1, 4, 10, 30, 50, 70)]
     out = tmp_path / "axis.toml"
     found = found_by([*logs, *UBC, "--model", "linear-motor", "--out", str(out)], capsys)
-    assert [point["frequency"] for point in found["points"]] == pytest.approx([4.0, 10.0, 30.0, 50.0, 70.0], rel=2e-3)
+    assert [point["frequency"] for point in found["details"]["points"]] == pytest.approx([4.0, 10.0, 30.0, 50.0, 70.0], rel=2e-3)
     places = {(one["code"], one["place"]) for one in found["findings"]}
     assert {("CL519", "sine_1Hz.mat"), ("CL524", "sine_4Hz.mat")} <= places and "CL506" not in codes(found)
     assert found["parameters"]["M"]["value"] == pytest.approx(0.347, rel=0.02) and found["fit_percent"] > 95.0
@@ -245,7 +245,7 @@ def test_logs_of_one_name_are_told_apart_by_their_folders(tmp_path: Path, capsys
     words = [*logs, "--column", "force.x=cmd", "--model", "friction", "--out", str(out)]
     found = found_by(words, capsys)
     assert found["logs"] == ["slow/jog.csv", "fast/jog.csv"]
-    assert {point["source"] for point in found["points"]} == {"slow/jog.csv", "fast/jog.csv"}
+    assert {point["source"] for point in found["details"]["points"]} == {"slow/jog.csv", "fast/jog.csv"}
     assert 'from = "slow/jog.csv and 1 more"' in out.read_text() and str(tmp_path) not in out.read_text()
     assert main(["identify", *words]) == 0
     assert "slow/jog.csv, fast/jog.csv, " in capsys.readouterr().out

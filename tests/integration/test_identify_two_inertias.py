@@ -136,5 +136,5 @@ def test_two_inertias_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture
     assert axis.plant.values()["load_inertia"] == pytest.approx(3.0 * turn**2, rel=5e-3)
     assert axis.plant.values()["stiffness"] == pytest.approx(2.4e5 * turn**2, rel=5e-3)
     assert axis.limits.acceleration > 0.0
-    points = found_by([*words[:-2], "--model", "frequency-response"], capsys)["points"]
+    points = found_by([*words[:-2], "--model", "frequency-response"], capsys)["details"]["points"]
     assert len(points) > 400 and min(point["coherence"] for point in points[:300]) > 0.99

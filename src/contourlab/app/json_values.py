@@ -6,7 +6,8 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
-from typing import Any
+from functools import cache
+from typing import Any, get_type_hints
 
 from contourlab.findings import Finding
 
@@ -14,8 +15,7 @@ from contourlab.findings import Finding
 def json_values(value: Any) -> Any:
     """Return a value that JSON can hold.
 
-    Dataclasses become objects with their fields as keys, without those marked ``field(metadata={"json": False})`` and with the properties
-    that the class names in ``json_derived``. Findings become their code, name, severity, place, values and text; numbers of NumPy become
+    Dataclasses become objects, see `json_keys`. Findings become their code, name, severity, place, values and text; numbers of NumPy become
     Python's; nan and infinities become null.
 
     >>> json_values({"gain": float("inf"), "axes": ("x", "y")})
@@ -32,8 +32,8 @@ def json_values(value: Any) -> Any:
             "text": value.text,
         }
     if is_dataclass(value) and not isinstance(value, type):
-        names = [part.name for part in fields(value) if part.metadata.get("json", True)]
-        return {name: json_values(getattr(value, name)) for name in (*names, *getattr(value, "json_derived", ()))}
+        names = _names(type(value))
+        return {key: json_values(getattr(value, name)) for key, name in names.items()}
     if isinstance(value, Mapping):
         return {str(key): json_values(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
@@ -49,3 +49,23 @@ def json_values(value: Any) -> Any:
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     raise TypeError(f"{type(value).__name__} has no form in JSON: {value!r}")
+
+
+@cache
+def _names(kind: type) -> dict[str, str]:
+    """Return the keys of a dataclass, and the attribute that each holds."""
+    derived = getattr(kind, "json_derived", {})
+    derived = derived if isinstance(derived, dict) else {name: name for name in derived}
+    keys = {part.name: part.metadata.get("json", part.name) for part in fields(kind)}
+    return {key: name for name, key in keys.items() if key} | derived
+
+
+def json_keys(kind: type) -> dict[str, tuple[str, Any]]:
+    """Return for each key that a dataclass has in JSON the attribute and its type.
+
+    Keys are the names of the fields, without those marked ``field(metadata={"json": False})``; the metadata may give another name. The
+    properties in the class variable ``json_derived`` follow: their names, or a mapping of keys to names.
+    """
+    hints = get_type_hints(kind)
+    types = {key: hints.get(name) or get_type_hints(getattr(kind, name).fget)["return"] for key, name in _names(kind).items()}
+    return {key: (name, types[key]) for key, name in _names(kind).items()}

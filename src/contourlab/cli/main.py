@@ -32,6 +32,7 @@ from contourlab.cli.commands.new import new
 from contourlab.cli.commands.refine import refine
 from contourlab.cli.commands.reproduce import reproduce
 from contourlab.cli.commands.run import run as run_command
+from contourlab.cli.commands.schema import schema
 from contourlab.cli.commands.sensitivity import sensitivity
 from contourlab.cli.commands.swap import swap
 from contourlab.cli.commands.tune import tune
@@ -65,6 +66,7 @@ app.command("canon")(canon)
 app.command("interpolate")(interpolate)
 app.add_typer(reproduce, name="reproduce")
 app.command("explain")(explain)
+app.command("schema")(schema)
 app.command("components")(components)
 app.command("machines")(machines)
 app.add_typer(new, name="new")

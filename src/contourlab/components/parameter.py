@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -50,8 +50,8 @@ class Parameter:
     choices: tuple[str, ...]
     whole: bool
     structural: bool
-    vector: bool
-    display: str
+    vector: bool = field(metadata={"json": "list"})
+    display: str = field(metadata={"json": "display_unit"})
     doc: str
     source: str
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,6 +48,8 @@ class ClockReport:
     resampled : bool
         Whether values were interpolated.
     """
+
+    json_derived: ClassVar = ("missing",)
 
     period: float
     n_sample: int

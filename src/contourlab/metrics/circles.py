@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,24 +55,18 @@ class CircleFigures:
     name: str
     clockwise: bool
     radius: float
-    angle: Array
-    deviation: Array
-    circular_deviation: float
-    circular_deviation_least_squares: float
-    radial_max: float
-    radial_min: float
-    mean_radial: float
-    samples: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
+    angle: Array = field(metadata={"json": False})
+    deviation: Array = field(metadata={"json": False})
+    circular_deviation: float = field(metadata={"json": "circular deviation G, minimum zone"})
+    circular_deviation_least_squares: float = field(metadata={"json": "circular deviation G, least squares"})
+    radial_max: float = field(metadata={"json": "radial deviation F_max"})
+    radial_min: float = field(metadata={"json": "radial deviation F_min"})
+    mean_radial: float = field(metadata={"json": "mean radial deviation"})
+    samples: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, dtype=np.int64), metadata={"json": False})
 
     def figures(self) -> dict[str, float]:
         """Return the figures [m] by their names in the standard."""
-        return {
-            "circular deviation G, minimum zone": self.circular_deviation,
-            "circular deviation G, least squares": self.circular_deviation_least_squares,
-            "radial deviation F_max": self.radial_max,
-            "radial deviation F_min": self.radial_min,
-            "mean radial deviation": self.mean_radial,
-        }
+        return {part.metadata["json"]: getattr(self, part.name) for part in fields(self) if part.metadata.get("json")}
 
 
 @dataclass(frozen=True, slots=True)

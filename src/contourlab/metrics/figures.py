@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -98,19 +97,6 @@ class Metrics:
     feedrate_mean: float
     feedrate_ripple: float
     cycle_time: float
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return the figures as plain values in SI units; a non-finite figure becomes None."""
-        values: dict[str, Any] = _plain(asdict(self))
-        return values
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {name: _plain(item) for name, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def evaluation_window(reference: Reference, n_sample: int, first: int = 0) -> tuple[tuple[int, int], str]:

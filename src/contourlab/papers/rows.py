@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, dataclass
-from typing import Any
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import ClassVar
 
 PRINTED, DERIVED, MEASURED, ASKED, OURS = "printed", "derived", "measured", "asked", "ours"
 KINDS = {
@@ -44,6 +43,8 @@ class Row:
         "agrees"; "differs" for a reason given in the note; "fails" without a reason; empty if nothing is compared.
     """
 
+    json_derived: ClassVar = {"pass": "passed"}
+
     name: str
     case: str
     paper: float | None
@@ -54,13 +55,10 @@ class Row:
     source: str
     verdict: str
 
-    def as_dict(self) -> dict[str, Any]:
-        """Return the row for JSON, with the key ``pass``: true, false for a row that fails, null if agreement is not claimed."""
-        values = asdict(self)
-        values["pass"] = {AGREES: True, FAILS: False}.get(self.verdict)
-        values["here"] = self.here if math.isfinite(self.here) else None
-        order = ("name", "case", "paper", "here", "unit", "tolerance", "pass", "note", "source", "verdict")
-        return {key: values[key] for key in order}
+    @property
+    def passed(self) -> bool | None:
+        """True for a row that agrees, false for one that fails, null if agreement is not claimed."""
+        return {AGREES: True, FAILS: False}.get(self.verdict)
 
 
 def printed(
@@ -115,9 +113,9 @@ def ours(name: str, case: str, here: float, unit: str, note: str = "") -> Row:
     return Row(name, case, None, float(here), unit, None, note, OURS, "")
 
 
-def tally(rows: Iterable[Mapping[str, Any]]) -> str:
+def tally(rows: Iterable[Row]) -> str:
     """Return in words how many figures agree, by kind of source."""
-    known = [(row["source"], row["verdict"]) for row in rows]
+    known = [(row.source, row.verdict) for row in rows]
     parts = []
     for source, (_, agreement) in KINDS.items():
         verdicts = [verdict for its, verdict in known if its == source and verdict]

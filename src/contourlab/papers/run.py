@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import groupby
 from pathlib import Path
-from typing import Any
 
-from contourlab.papers.rows import KINDS, Part, tally
+from contourlab.papers.rows import KINDS, Part, Row, tally
 from contourlab.report.table import Column, Table, paragraphs
 
 
-def run_parts(parts: Iterable[Part], stage: Callable[[str], object] | None = None) -> list[dict[str, Any]]:
-    """Compute the rows of all parts, with the keys of `contourlab.papers.rows.Row.as_dict`.
+def run_parts(parts: Iterable[Part], stage: Callable[[str], object] | None = None) -> list[Row]:
+    """Compute the rows of all parts.
 
     Parameters
     ----------
@@ -20,11 +19,11 @@ def run_parts(parts: Iterable[Part], stage: Callable[[str], object] | None = Non
     stage : callable, optional
         Receives the name of each part that begins.
     """
-    rows = []
+    rows: list[Row] = []
     for name, rows_of in parts:
         if stage is not None:
             stage(name)
-        rows += [row.as_dict() for row in rows_of()]
+        rows += rows_of()
     return rows
 
 
@@ -46,12 +45,12 @@ def check_pictures(folder: str | Path, formats: Sequence[str]) -> None:
         pass
 
 
-def text_of(rows: Sequence[Mapping[str, Any]]) -> str:
+def text_of(rows: Sequence[Row]) -> str:
     """Return the rows by name, one line for each case, and how many figures agree."""
     blocks = []
-    for (name, unit), members in groupby(sorted(rows, key=_first_place(rows)), key=lambda row: (row["name"], row["unit"])):
+    for (name, unit), members in groupby(sorted(rows, key=_first_place(rows)), key=lambda row: (row.name, row.unit)):
         group = list(members)
-        notes = dict.fromkeys(row["note"] for row in group)
+        notes = dict.fromkeys(row.note for row in group)
         title = f"{name} [{unit}]" if unit else name
         if len(notes) == 1:
             blocks.append("\n".join([paragraphs([title, *filter(None, notes)]), _table(group).text()]))
@@ -60,17 +59,17 @@ def text_of(rows: Sequence[Mapping[str, Any]]) -> str:
     return "\n\n".join([*blocks, tally(rows)])
 
 
-def _first_place(rows: Sequence[Mapping[str, Any]]) -> Callable[[Mapping[str, Any]], int]:
+def _first_place(rows: Sequence[Row]) -> Callable[[Row], int]:
     """Return a key that sorts rows of one name and unit to where the first of them is."""
     places: dict[tuple[str, str], int] = {}
     for row in rows:
-        places.setdefault((row["name"], row["unit"]), len(places))
-    return lambda row: places[row["name"], row["unit"]]
+        places.setdefault((row.name, row.unit), len(places))
+    return lambda row: places[row.name, row.unit]
 
 
-def _table(rows: Sequence[Mapping[str, Any]], *, with_notes: bool = False) -> Table:
-    compared = any(row["paper"] is not None for row in rows)
-    origins = dict.fromkeys(KINDS[row["source"]][0] for row in rows if row["source"] in KINDS and row["paper"] is not None)
+def _table(rows: Sequence[Row], *, with_notes: bool = False) -> Table:
+    compared = any(row.paper is not None for row in rows)
+    origins = dict.fromkeys(KINDS[row.source][0] for row in rows if row.source in KINDS and row.paper is not None)
     columns = [Column("case", left=True)]
     if compared:
         columns += [Column(" or ".join(origins)), Column("here"), Column("difference"), Column("source", left=True)]
@@ -79,15 +78,15 @@ def _table(rows: Sequence[Mapping[str, Any]], *, with_notes: bool = False) -> Ta
         columns.append(Column("here"))
     table = Table([*columns, *([Column("note", prose=True)] if with_notes else [])])
     for row in rows:
-        table.add(row["case"], *_figures(row, compared=compared), *([row["note"]] if with_notes else []))
+        table.add(row.case, *_figures(row, compared=compared), *([row.note] if with_notes else []))
     return table
 
 
-def _figures(row: Mapping[str, Any], *, compared: bool) -> list[str]:
+def _figures(row: Row, *, compared: bool) -> list[str]:
     """Return the cells of a row between its case and its note."""
-    paper, here = row["paper"], row["here"]
+    paper, here = row.paper, row.here
     ours = "" if here is None else f"{here:.6g}"
     if not compared:
         return [ours]
     difference = "" if paper is None or here is None else f"{here - paper:+.3g}"
-    return ["" if paper is None else f"{paper:.6g}", ours, difference, row["source"], row["verdict"]]
+    return ["" if paper is None else f"{paper:.6g}", ours, difference, row.source, row.verdict]

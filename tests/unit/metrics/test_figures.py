@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from made_runs import PERIOD, Array, circle_laps, made_run, samples_on, with_error
 
+from contourlab.app.json_values import json_values
 from contourlab.errors import ResultError
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import Line, Path, contour
@@ -191,6 +192,6 @@ def test_figures_as_json() -> None:
     """JSON knows no NaN: a ripple that cannot be told is null."""
     reference = uniform(contour("circle"), 500.0, 1, 1e-3)
     result = with_error(made_run(reference, reference.block(0, 2).position), np.array([1e-6, -1e-6]))
-    plain = summarise(result, reference).as_dict()
+    plain = json_values(summarise(result, reference))
     assert plain["feedrate_ripple"] is None
     assert json.loads(json.dumps(plain, allow_nan=False))["contour_error"]["max"] == 1e-6

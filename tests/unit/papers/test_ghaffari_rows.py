@@ -9,6 +9,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from contourlab.app.json_values import json_values
 from contourlab.cli.main import main
 from contourlab.components.contract import Component, LinearModel
 from contourlab.components.controller.position import PositionController
@@ -27,7 +28,7 @@ OURS = ours("gain", "axis 4", 2.0, "1/s", "nobody else")
 
 
 def test_a_row_agrees_differs_or_fails() -> None:
-    found = [(row.source, row.verdict, row.as_dict()["pass"], row.note) for row in (AGREES, DIFFERS, FAILS, OURS)]
+    found = [(row.source, row.verdict, row.passed, row.note) for row in (AGREES, DIFFERS, FAILS, OURS)]
     assert found == [
         ("printed", "agrees", True, "as printed"),
         ("printed", "differs", None, "other parameters"),
@@ -44,7 +45,7 @@ def test_a_lower_limit_is_not_met_from_below() -> None:
 def test_what_is_no_number_never_agrees_and_is_null_in_json() -> None:
     row = printed("gain", "", 2.0, float("nan"), "1/s", 0.1)
     assert row.verdict == "fails"
-    assert row.as_dict()["here"] is None
+    assert json_values(row)["here"] is None
 
 
 def figures(text: str) -> list[int]:
@@ -52,7 +53,7 @@ def figures(text: str) -> list[int]:
 
 
 def test_the_tally_keeps_the_kinds_apart() -> None:
-    printed_ones, rest = tally(row.as_dict() for row in (AGREES, DIFFERS, FAILS, OURS)).split(";")
+    printed_ones, rest = tally((AGREES, DIFFERS, FAILS, OURS)).split(";")
     assert figures(printed_ones) == [1, 2, 1]
     assert figures(rest) == [0, 1, 1, 1]
 
@@ -81,10 +82,10 @@ def test_only_a_failure_without_a_reason_changes_the_exit_code(
     assert main(["reproduce", "ghaffari", *words]) == code
     shown = capsys.readouterr().out
     if words:
-        assert json.loads(shown) == [row.as_dict() for row in rows]
+        assert json.loads(shown) == json_values(rows)
     else:
         lines = shown.splitlines()
-        assert lines[-1] == tally(row.as_dict() for row in rows)
+        assert lines[-1] == tally(rows)
         for row in rows:  # each case has its verdict and its own note in its line
             (line,) = (line for line in lines if line.strip().startswith(row.case))
             assert row.verdict in line

@@ -35,20 +35,20 @@ def machines(
             raise typer.BadParameter("name the file to copy", param_hint="--copy")
         written = copy_shipped(name, copy, force=force)
         if as_json:
-            emit_json([str(file) for file in written])
+            emit_json(written)
         else:
             say("\n".join(f"wrote {file}" for file in written))
         return 0
     if name is None:
         files = shipped()
         if as_json:
-            emit_json([file.as_dict() for file in files])
+            emit_json(files)
         else:
             _list(files)
         return 0
     file = shipped_one(name)
     if as_json:
-        emit_json(file.as_dict() | {"text": file.file.read_text(encoding="utf-8")})
+        emit_json(file)
     else:
         _details(file)
     return 0
@@ -70,7 +70,7 @@ def _details(file: Shipped) -> None:
     axes = f" with the axes {', '.join(file.axes)}" if file.axes else ""
     head = [f"builtin:{file.name}, {file.kind}{axes}", f"file: {file.file}"]
     if not file.numbers:
-        say("\n".join([*head, "", file.file.read_text(encoding="utf-8").rstrip()]))
+        say("\n".join([*head, "", file.text.rstrip()]))
         return
     sources = ", ".join(f"{count} {source}" for source, count in file.sources.items())
     plain = (Column("value"), *(Column(name, left=True) for name in ("unit", "source", "deviation")))

@@ -14,7 +14,7 @@ from contourlab.cli.scheme_options import Json
 Plots = Annotated[list[str] | None, typer.Option(help="Also draw the pictures of the paper or log as png, svg or pdf; may be given again.")]
 Out = Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")]
 RESULTS = Path("results")
-Rows = list[dict[str, Any]]
+Rows = list[Any]
 Parts = Callable[[Callable[[str], None]], Sequence[tuple[str, Callable[[], Any]]]]
 """Returns the parts of a reproduction; may use a callable that shows progress."""
 Draw = Callable[[Rows, Path, tuple[str, ...]], Any]
@@ -93,4 +93,4 @@ def _compared(parts_of: Parts, draw: Draw, as_json: bool, plots: Sequence[str] |
         emit_json(rows)
     else:
         say(text_of(rows))
-    return 1 if any(row["pass"] is False for row in rows) else 0
+    return 1 if any(row.passed is False for row in rows) else 0

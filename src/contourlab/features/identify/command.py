@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -86,7 +86,7 @@ def identify_log(
     elif out is not None:
         why = f"model {identified.model} gives none from these logs" if identified.usable else "the figures cannot be used"
         lines.append(f"{out} is not written: {why}")
-    summary = json_values(identified) | json_values({**identified.details, "axis_file": str(out) if written else None})
+    summary = json_values(replace(identified, axis_file=Path(out) if out is not None and written else None))
     return Identification(identified.usable and (written or out is None), summary, "\n".join(lines))
 
 

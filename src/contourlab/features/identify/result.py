@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -83,7 +84,7 @@ class Identified:
         Whether the figures can be used; if not, no axis file is written.
     findings : tuple of Finding
     details : mapping
-        Further keys of the JSON.
+        Further results of the model.
     lines : tuple of str
         Further lines of text.
     points : Table or None
@@ -93,6 +94,8 @@ class Identified:
     correlations : tuple of (str, str, float)
         Between numbers of the axis file, such as ``"plant.mass"``.
     pictures : tuple of Picture
+    axis_file : Path or None
+        As written; None if it was not.
     """
 
     model: str
@@ -102,12 +105,13 @@ class Identified:
     fit_percent: float | None
     usable: bool
     findings: tuple[Finding, ...] = ()
-    details: Mapping[str, Any] = field(default_factory=dict, metadata=_PRINTED)
+    details: Mapping[str, Any] = field(default_factory=dict)
     lines: tuple[str, ...] = field(default=(), metadata=_PRINTED)
     points: Table | None = field(default=None, metadata=_PRINTED)
     tables: Tables = field(default_factory=dict, metadata=_PRINTED)
     correlations: tuple[tuple[str, str, float], ...] = field(default=(), metadata=_PRINTED)
     pictures: tuple[Picture, ...] = field(default=(), metadata=_PRINTED)
+    axis_file: Path | None = None
 
 
 def figures(names: Sequence[str], values: Array, deviations: Array, robust: Array, units: Callable[[str], str]) -> dict[str, Figure]:

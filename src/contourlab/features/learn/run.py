@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,9 @@ from contourlab.loop.trials import Trial, Trials, feedforward_command
 
 Array = NDArray[np.float64]
 Part = Literal["ends", "all", "none"]
+
+
+_HIDDEN = {"json": False}
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,20 +59,22 @@ class LearningRun:
         Time taken by all, by the runs of the machine, and by the judge.
     """
 
+    json_derived: ClassVar = ("reason", "gain")
+
     status: str
-    findings: tuple[Finding, ...]
+    findings: tuple[Finding, ...] = field(metadata=_HIDDEN)
     trials: tuple[TrialFigures, ...]
-    best: int
-    table: LearnedTable
+    best: int = field(metadata={"json": "best_trial"})
+    table: LearnedTable = field(metadata=_HIDDEN)
     split: Split | None
-    growth: Growth | None
-    first_position: Array
-    best_position: Array
-    first_contour: Array
-    best_contour: Array
-    seconds: float = field(default=0.0)
-    engine_seconds: float = field(default=0.0)
-    judge_seconds: float = field(default=0.0)
+    growth: Growth | None = field(metadata=_HIDDEN)
+    first_position: Array = field(metadata=_HIDDEN)
+    best_position: Array = field(metadata=_HIDDEN)
+    first_contour: Array = field(metadata=_HIDDEN)
+    best_contour: Array = field(metadata=_HIDDEN)
+    seconds: float = field(default=0.0, metadata=_HIDDEN)
+    engine_seconds: float = field(default=0.0, metadata=_HIDDEN)
+    judge_seconds: float = field(default=0.0, metadata=_HIDDEN)
 
     @property
     def reason(self) -> str:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from contourlab.errors import OutputError
 from contourlab.features.run.trust.provenance import numbers_of_axis, numbers_of_machine, stated
@@ -39,12 +39,14 @@ class Shipped:
         Of a machine or an axis, with their sources.
     """
 
+    json_derived: ClassVar = ("sources", "references", "provenance", "text")
+
     name: str
     kind: str
     axes: tuple[str, ...]
     about: str
     file: Path
-    numbers: tuple[Number, ...] = ()
+    numbers: tuple[Number, ...] = field(default=(), metadata={"json": False})
 
     @property
     def sources(self) -> dict[str, int]:
@@ -60,10 +62,15 @@ class Shipped:
         named = (name for number in self.numbers if number.is_stated for name in _names(number.reference))
         return tuple(dict.fromkeys(named))
 
-    def as_dict(self) -> dict[str, Any]:
-        """Return it for JSON."""
-        told = {"name": self.name, "kind": self.kind, "axes": list(self.axes), "about": self.about, "file": str(self.file)}
-        return told | {"sources": self.sources, "references": list(self.references), "provenance": stated(self.numbers)}
+    @property
+    def provenance(self) -> tuple[Number, ...]:
+        """The numbers whose source is stated."""
+        return stated(self.numbers)
+
+    @property
+    def text(self) -> str:
+        """The whole file."""
+        return self.file.read_text(encoding="utf-8")
 
 
 def shipped() -> list[Shipped]:

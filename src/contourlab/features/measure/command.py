@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import platform
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -26,8 +26,8 @@ from contourlab.features.measure.log_choice import (
     reference_columns,
 )
 from contourlab.features.measure.study import Measured, gap_findings, measure
+from contourlab.features.measure.summary import MeasuredScheme, MeasuredSummary
 from contourlab.features.run.command import RunOutcome, check_plots, file_names
-from contourlab.features.run.summary import SCHEMA
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
@@ -175,38 +175,30 @@ def _written(runs: Sequence[_Run], title: str, out: str | Path, limit: float | N
     with staged(out, *outputs, inputs=[file for run in runs for file in run.inputs]) as folder:
         for run in runs:
             run.measured.result.save(folder / "signals" / f"{files[run.name]}.nc")
-        summary: dict[str, Any] = json_values({
-            "schema": SCHEMA,
-            "version": __version__,
-            "name": title,
-            "command": command,
-            "tolerance": limit,
-            "passed": passed,
-            "schemes": {run.name: _scheme(run) for run in runs},
-        })  # fmt: skip
+        summary: dict[str, Any] = json_values(MeasuredSummary(title, command, limit, passed, {run.name: _scheme(run) for run in runs}))
         write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
         table = _report(runs, title, limit, folder, command, plots)
     return RunOutcome(passed is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}")
 
 
-def _scheme(run: _Run) -> dict[str, Any]:
+def _scheme(run: _Run) -> MeasuredScheme:
     log, measured = run.log, run.measured
-    return {
-        "file": log.record.file,
-        "format": log.record.format,
-        "axes": measured.result.axes,
-        "servo_period": measured.result.servo_period,
-        "n_sample": measured.result.n_sample,
-        "shift": measured.shift,
-        "metrics": measured.metrics.as_dict(),
-        "circles": [{"name": c.name, "clockwise": c.clockwise, "radius": c.radius, **c.figures()} for c in measured.circles],
-        "reversal_figures": reversal_figures(measured.spikes),
-        "reversals": measured.spikes,
-        "clock": {name: {**asdict(report), "missing": report.missing} for name, report in log.clocks.items()},
-        "columns": log.columns,
-        "notes": [note.text for note in run.findings],
-        "findings": run.findings,
-    }
+    return MeasuredScheme(
+        file=log.record.file,
+        format=log.record.format,
+        axes=measured.result.axes,
+        servo_period=measured.result.servo_period,
+        n_sample=measured.result.n_sample,
+        shift=measured.shift,
+        metrics=measured.metrics,
+        circles=measured.circles,
+        reversals=measured.spikes,
+        reversal_figures=reversal_figures(measured.spikes),
+        clock=log.clocks,
+        columns=log.columns,
+        notes=tuple(note.text for note in run.findings),
+        findings=run.findings,
+    )
 
 
 def _report(runs: Sequence[_Run], title: str, limit: float | None, folder: Path, command: str, plots: Sequence[str]) -> str:

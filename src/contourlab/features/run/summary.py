@@ -1,29 +1,231 @@
-"""summary.json: one object per scheme, in SI; docs/summary-schema.md describes it."""
+"""The results of ``run``, ``compare``, ``learn`` and ``demo`` as summary.json: one object for each scheme, in SI."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 from contourlab import __version__
+from contourlab.analysis.linear.margins import Margins
 from contourlab.app.json_values import json_values
 from contourlab.errors import DivergenceError
+from contourlab.features.learn import LearningRun
 from contourlab.features.run.outcome import Outcome
-from contourlab.feed.verify import LimitReport
+from contourlab.feed import LimitReport
+from contourlab.feed.verify import Worst
+from contourlab.findings import Finding
 from contourlab.loop.switches import Switches
-from contourlab.metrics import reversal_figures
-from contourlab.metrics.circles import pairs
+from contourlab.metrics import CircleFigures, Metrics, ReversalFigures, Spike, reversal_figures
+from contourlab.metrics.circles import Bidirectional, pairs
+from contourlab.report.judgement import Trust, Verdict
 from contourlab.report.page_tables import nearest
+from contourlab.result import Status
 
 SCHEMA = "contourlab-summary/1"
 LISTED = 100
 """Switches that are listed one by one."""
 
 
+@dataclass(frozen=True)
+class SwitchCount:
+    """Switches of one kind: controllers before and after, reason, and how many."""
+
+    before: str = field(metadata={"json": "from"})
+    after: str = field(metadata={"json": "to"})
+    reason: str
+    count: int
+
+
+@dataclass(frozen=True)
+class AxisSwitches:
+    """The switches of one axis.
+
+    Attributes
+    ----------
+    count : int
+    first : str
+        The controller that was active at the start.
+    active : mapping of str to float [s]
+        Time for which each controller was active.
+    kinds : tuple of SwitchCount
+        The most frequent first.
+    """
+
+    count: int
+    first: str
+    active: Mapping[str, float]
+    kinds: tuple[SwitchCount, ...]
+
+
+@dataclass(frozen=True)
+class ListedSwitch:
+    """One switch: time [s], sample, axis, controllers before and after, reason, arc length [m], program line (0 if none)."""
+
+    time: float
+    sample: int
+    axis: str
+    before: str = field(metadata={"json": "from"})
+    after: str = field(metadata={"json": "to"})
+    reason: str
+    arc_length: float
+    line: int
+
+
+@dataclass(frozen=True)
+class SwitchSummary:
+    """Switches between the controllers of an axis.
+
+    Attributes
+    ----------
+    axes : mapping of str to AxisSwitches
+    listed : tuple of ListedSwitch
+        The first 100.
+    left_out : int
+        Switches that are not listed; ``switches/NAME.csv`` has them all.
+    """
+
+    axes: Mapping[str, AxisSwitches]
+    listed: tuple[ListedSwitch, ...]
+    left_out: int
+
+
+@dataclass(frozen=True)
+class NearestLimit:
+    """The axis nearest to its limit, or furthest beyond.
+
+    Attributes
+    ----------
+    axis : str
+    value, limit : float [m/s, m/s^2 or m/s^3]
+        The limit is null if there is none.
+    ratio : float
+        Value over limit, without what rounding and, at a step of curvature, the permitted jerk explain; above 1 the limit is violated.
+    time : float [s]
+    line : int
+        Program line; 0 for none.
+    """
+
+    axis: str
+    value: float
+    limit: float
+    ratio: float
+    time: float
+    line: int
+
+
+@dataclass(frozen=True)
+class LimitSummary:
+    """The planned motion against the limits of the axes, checked from its samples alone; null for a kind that does not occur.
+
+    Attributes
+    ----------
+    curvature_step : NearestLimit or None
+        Steps of acceleration where the curvature jumps.
+    kink : NearestLimit or None
+        Steps of velocity where the direction jumps slightly.
+    """
+
+    velocity: NearestLimit | None
+    acceleration: NearestLimit | None
+    jerk: NearestLimit | None
+    curvature_step: NearestLimit | None
+    kink: NearestLimit | None
+
+
+@dataclass(frozen=True)
+class SchemeSummary:
+    """One scheme.
+
+    Attributes
+    ----------
+    servo_period : float [s]
+    path_digest : str
+        Hash of the planned path's geometry.
+    verdict : Verdict or None
+        Null without a tolerance.
+    circles : tuple of CircleFigures
+        Each full circle of the path, with the figures of ISO 230-4.
+    circles_both_ways : mapping of str to Bidirectional
+        Circles that run in both directions.
+    switches : SwitchSummary or None
+        Null if no axis has several controllers.
+    margins : mapping of str to Margins
+        Of the sampled loop of each axis; all but `stable` are null if it is unstable.
+    limits : LimitSummary or None
+        Null under the uniform law.
+    learning : LearningRun or None
+        All other figures are those of its best trial.
+    warnings : tuple of str
+        Texts of the findings of severity "warning".
+    tick : float or None [s]
+        Time that one servo tick takes to compute, under `compare`.
+    trust : Trust or None
+        Sources of the numbers, and the interval of the contour error, where asked for.
+    """
+
+    machine: str
+    axes: tuple[str, ...]
+    servo_period: float
+    seed: int
+    n_sample: int
+    path_digest: str
+    status: Status
+    metrics: Metrics
+    verdict: Verdict | None
+    circles: tuple[CircleFigures, ...]
+    circles_both_ways: Mapping[str, Bidirectional]
+    reversals: tuple[Spike, ...]
+    reversal_figures: tuple[ReversalFigures, ...]
+    switches: SwitchSummary | None
+    margins: Mapping[str, Margins]
+    limits: LimitSummary | None
+    learning: LearningRun | None
+    warnings: tuple[str, ...]
+    findings: tuple[Finding, ...]
+    tick: float | None
+    trust: Trust | None
+
+
+@dataclass(frozen=True)
+class DivergedScheme:
+    """A scheme that diverged."""
+
+    status: Status
+
+
+@dataclass(frozen=True)
+class Summary:
+    """The results of a command that runs schemes.
+
+    Attributes
+    ----------
+    name : str
+        Of the scenario.
+    command : str
+        What was run.
+    passed : bool or None
+        Whether all verdicts passed; null without a tolerance.
+    schemes : mapping of str to SchemeSummary or DivergedScheme
+    notes : tuple of str
+        On the motion: leniency of the program's reader, scaling, contours from files.
+    version : str
+        Of contourlab.
+    """
+
+    name: str
+    command: str
+    notes: tuple[str, ...]
+    passed: bool | None
+    schemes: Mapping[str, SchemeSummary | DivergedScheme]
+    schema: str = SCHEMA
+    version: str = __version__
+
+
 def summary_of(
     name: str, outcomes: Sequence[Outcome], command: str, diverged: Mapping[str, DivergenceError] | None = None
 ) -> dict[str, Any]:
-    """Return the summary of a session as JSON values.
+    """Return the summary of a command as JSON values.
 
     Parameters
     ----------
@@ -37,86 +239,70 @@ def summary_of(
     """
     lost = diverged or {}
     verdicts = [outcome.verdict for outcome in outcomes if outcome.verdict is not None]
-    summary: dict[str, Any] = json_values({
-        "schema": SCHEMA,
-        "version": __version__,
-        "name": name,
-        "command": command,
-        "notes": outcomes[0].case.notes if outcomes else (),
-        "passed": False if lost else all(v.passed for v in verdicts) if verdicts else None,
-        "schemes": {outcome.name: _scheme(outcome) for outcome in outcomes}
-        | {name: {"status": {"ok": False, "sample": e.sample, "axis": e.axis, "reason": str(e)}} for name, e in lost.items()},
-    })  # fmt: skip
-    return summary
+    passed = False if lost else all(verdict.passed for verdict in verdicts) if verdicts else None
+    schemes: dict[str, Any] = {outcome.name: _scheme(outcome) for outcome in outcomes}
+    schemes |= {name: DivergedScheme(Status(False, error.sample, error.axis, str(error))) for name, error in lost.items()}
+    values: dict[str, Any] = json_values(Summary(name, command, outcomes[0].case.notes if outcomes else (), passed, schemes))
+    return values
 
 
-def _scheme(outcome: Outcome) -> dict[str, Any]:
-    result, case, learning = outcome.result, outcome.case, outcome.learning
-    return {
-        "machine": case.machine.name,
-        "axes": result.axes,
-        "servo_period": result.servo_period,
-        "seed": case.seed,
-        "n_sample": result.n_sample,
-        "path_digest": outcome.reference.path.digest,
-        "status": result.status,
-        "metrics": outcome.metrics.as_dict(),
-        "verdict": outcome.verdict,
-        "circles": [{"name": c.name, "clockwise": c.clockwise, "radius": c.radius, **c.figures()} for c in outcome.circles],
-        "circles_both_ways": pairs(outcome.circles),
-        "reversals": outcome.spikes,
-        "reversal_figures": reversal_figures(outcome.spikes),
-        "switches": _switches(outcome.switches) if outcome.switches is not None else None,
-        "margins": {axis: bode.margins for axis, bode in outcome.bode.items()},
-        "limits": _limits(outcome.limits, result.axes) if outcome.limits else None,
-        "learning": learning
-        and {
-            "status": learning.status,
-            "reason": learning.reason,
-            "best_trial": learning.best,
-            "gain": learning.gain,
-            "trials": learning.trials,
-            "split": learning.split,
-        },
-        "warnings": [finding.text for finding in outcome.findings if finding.entry.severity == "warning"],
-        "findings": outcome.findings,
-        "tick": outcome.tick,
-        "trust": outcome.trust,
-    }
+def _scheme(outcome: Outcome) -> SchemeSummary:
+    result, case = outcome.result, outcome.case
+    return SchemeSummary(
+        machine=case.machine.name,
+        axes=result.axes,
+        servo_period=result.servo_period,
+        seed=case.seed,
+        n_sample=result.n_sample,
+        path_digest=outcome.reference.path.digest,
+        status=result.status,
+        metrics=outcome.metrics,
+        verdict=outcome.verdict,
+        circles=outcome.circles,
+        circles_both_ways=pairs(outcome.circles),
+        reversals=outcome.spikes,
+        reversal_figures=reversal_figures(outcome.spikes),
+        switches=None if outcome.switches is None else _switches(outcome.switches),
+        margins={axis: bode.margins for axis, bode in outcome.bode.items()},
+        limits=_limits(outcome.limits, result.axes) if outcome.limits else None,
+        learning=outcome.learning,
+        warnings=tuple(finding.text for finding in outcome.findings if finding.entry.severity == "warning"),
+        findings=tuple(outcome.findings),
+        tick=outcome.tick,
+        trust=outcome.trust,
+    )
 
 
-def _switches(switches: Switches) -> dict[str, Any]:
+def _switches(switches: Switches) -> SwitchSummary:
     """Return how often and why controllers were switched, and the first switches one by one."""
-    kinds = [{"axis": kind.axis, "from": kind.before, "to": kind.after, "reason": kind.reason} for kind in switches.kinds]
-    counts = {axis: [] for axis in switches.axes}  # type: dict[str, list[dict[str, Any]]]
+    counts: dict[str, list[SwitchCount]] = {axis: [] for axis in switches.axes}
     for kind, count in switches.counts().items():
-        counts[kind.axis].append({"from": kind.before, "to": kind.after, "reason": kind.reason, "count": count})
+        counts[kind.axis].append(SwitchCount(kind.before, kind.after, kind.reason, count))
     columns = (switches.kind, switches.time, switches.sample, switches.arc_length, switches.line)
-    first = zip(*(column[:LISTED].tolist() for column in columns), strict=True)
-    return {
-        "axes": {
-            axis: {
-                "count": sum(kind["count"] for kind in counts[axis]),
-                "first": switches.first[axis],
-                "active": {name: held * switches.servo_period for name, held in switches.active[axis].items()},
-                "kinds": counts[axis],
-            }
-            for axis in switches.axes
-        },
-        "listed": [
-            {"time": time, "sample": sample, **kinds[kind], "arc_length": along, "line": line} for kind, time, sample, along, line in first
-        ],
-        "left_out": max(len(switches) - LISTED, 0),
+    numbers = zip(*(column[:LISTED].tolist() for column in columns), strict=True)
+    axes = {
+        axis: AxisSwitches(
+            sum(kind.count for kind in counts[axis]),
+            switches.first[axis],
+            {name: held * switches.servo_period for name, held in switches.active[axis].items()},
+            tuple(counts[axis]),
+        )
+        for axis in switches.axes
     }
+    listed = []
+    for number, time, sample, arc_length, line in numbers:
+        kind = switches.kinds[number]
+        listed.append(ListedSwitch(time, sample, kind.axis, kind.before, kind.after, kind.reason, arc_length, line))
+    return SwitchSummary(axes, tuple(listed), max(len(switches) - LISTED, 0))
 
 
-def _limits(report: LimitReport, axes: Sequence[str]) -> dict[str, Any]:
+def _limits(report: LimitReport, axes: Sequence[str]) -> LimitSummary:
     """Return for each kind of limit the axis that comes nearest to it; None where the motion has nothing of the kind."""
-    limits: dict[str, Any] = {}
-    for kind in ("velocity", "acceleration", "jerk", "curvature_step", "kink"):
-        worst = nearest(getattr(report, kind))
-        if worst is not None:
-            values = {name: getattr(worst, name) for name in ("value", "limit", "ratio", "time")}
-            worst_values = {"axis": axes[worst.axis], **values, "line": worst.source_line}
-        limits[kind] = None if worst is None else worst_values
-    return limits
+
+    def summary(worst: Worst | None) -> NearestLimit | None:
+        if worst is None:
+            return None
+        return NearestLimit(axes[worst.axis], worst.value, worst.limit, worst.ratio, worst.time, worst.source_line)
+
+    kinds = (report.velocity, report.acceleration, report.jerk, report.curvature_step, report.kink)
+    return LimitSummary(*(summary(nearest(entries)) for entries in kinds))

@@ -5,10 +5,10 @@ import math
 
 import pytest
 
-from contourlab.cli.commands.components import _default, _range, _unit
 from contourlab.cli.main import main
 from contourlab.components.registry import component
 from contourlab.components.registry import components as known
+from contourlab.features.components.description import _default, _range, _unit
 
 
 def listed(capsys, *arguments):

@@ -1,0 +1,66 @@
+"""``contourlab schema``: the JSON Schema of what a command prints with ``--json``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+
+def results() -> dict[str, Any]:
+    """Return the type of the result of each command that has ``--json``."""
+    from contourlab.features.analyse.command import Analysis
+    from contourlab.features.backlash.command import BacklashOutcome
+    from contourlab.features.check.program_check import Checked
+    from contourlab.features.components.description import ComponentDescription
+    from contourlab.features.identify.result import Identified
+    from contourlab.features.interpolate.study import Interpolated
+    from contourlab.features.link.result import LinkResult
+    from contourlab.features.machines.command import Shipped
+    from contourlab.features.measure.summary import MeasuredSummary
+    from contourlab.features.refine.command import Refinement
+    from contourlab.features.run.summary import Summary
+    from contourlab.features.sensitivity.command import Sensitivity
+    from contourlab.features.swap.result import SwapResult
+    from contourlab.features.tune.command import Calibration
+    from contourlab.findings import Entry
+    from contourlab.papers.rows import Row
+
+    return {
+        "analyse": Analysis,
+        "backlash": BacklashOutcome,
+        "check": Checked,
+        "compare": Summary | MeasuredSummary,
+        "components": tuple[ComponentDescription, ...],
+        "demo": Summary,
+        "explain": tuple[Entry, ...],
+        "identify": Identified,
+        "interpolate": Interpolated,
+        "learn": Summary,
+        "link": LinkResult,
+        "machines": Shipped | tuple[Shipped, ...] | tuple[Path, ...],
+        "measure": MeasuredSummary,
+        "refine": Refinement,
+        "reproduce": tuple[Row, ...],
+        "run": Summary,
+        "sensitivity": Sensitivity,
+        "swap": SwapResult,
+        "tune": Calibration,
+    }
+
+
+def schema(
+    command: Annotated[str, typer.Argument(metavar="COMMAND", help="A command that has --json, such as run.", show_default=False)],
+) -> None:
+    """Print the JSON Schema of what a command prints with --json."""
+    import json
+
+    from contourlab.app.json_schema import json_schema
+    from contourlab.cli.output import say
+    from contourlab.errors import ParameterError
+
+    known = results()
+    if command not in known:
+        raise ParameterError("COMMAND", repr(command), f"one of {', '.join(known)}")
+    say(json.dumps(json_schema(known[command], f"contourlab {command} --json"), indent=2))

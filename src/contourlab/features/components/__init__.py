@@ -1,0 +1,1 @@
+"""What can a machine and its controller be made of?"""

@@ -1,0 +1,49 @@
+"""Results held against the JSON Schemas of the commands that print them."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import pytest
+from jsonschema import Draft202012Validator
+
+import contourlab.cli.main as main
+from contourlab.app.json_schema import json_schema
+from contourlab.app.json_values import json_values
+from contourlab.cli.commands.schema import results
+
+
+@cache
+def validator(command: str) -> Draft202012Validator:
+    """Return what checks the result of a command; keys that the schema lacks are errors, which the published schema permits."""
+    schema = _closed(json_schema(results()[command]))
+    Draft202012Validator.check_schema(schema)
+    return Draft202012Validator(schema)
+
+
+def check_results(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Hold whatever a command prints with --json against its schema."""
+    call, commands = main._call, [""]
+
+    def named_call(words: list[str]) -> int:
+        commands[:] = words[:1]
+        return call(words)
+
+    def checked(result: Any) -> Any:
+        values = json_values(result)
+        problems = [f"{error.json_path}: {error.message[:300]}" for error in validator(commands[0]).iter_errors(values)]
+        assert not problems, problems
+        return values
+
+    monkeypatch.setattr(main, "_call", named_call)
+    monkeypatch.setattr("contourlab.cli.output.json_values", checked)
+
+
+def _closed(schema: Any) -> Any:
+    if isinstance(schema, list):
+        return [_closed(item) for item in schema]
+    if not isinstance(schema, dict):
+        return schema
+    closed = {key: _closed(value) for key, value in schema.items()}
+    return closed | {"additionalProperties": False} if isinstance(schema.get("properties"), dict) and "type" in schema else closed
