@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import typer
+from generate import PAGES
 
 import contourlab
 from contourlab.cli.main import app
@@ -118,6 +119,8 @@ def faults() -> Iterator[str]:
         found = [*broken_links(file, text), *unknown_modules(text)]
         found += [fault for words in command_lines(text) for fault in unknown_words(words)]
         yield from (f"{file.relative_to(ROOT)}: {fault}" for fault in found)
+    stale = (file for file, page in PAGES.items() if file.read_text("utf-8") != page())
+    yield from (f"{file.relative_to(ROOT)}: out of date; run docs/generate.py" for file in stale)
     yield from undocumented()
 
 

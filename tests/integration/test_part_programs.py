@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from schemas import validator
 from typed_commands import ON_XYZ, Run
 
 from contourlab.result import Result
@@ -43,6 +44,7 @@ def write(folder: Path, text: str, name: str = "part.ngc") -> str:
 
 def test_canonical_moves_as_json(contourlab: Run, tmp_path: Path) -> None:
     said = contourlab("canon", write(tmp_path, PROGRAM), "--json")
+    assert validator("canon").is_valid(json.loads(said.out))
     assert (said.code, said.err) == (0, "")
     rapid, feed, arc, dwell, home = json.loads(said.out)["moves"]
     # G55 stands at (10, 20) and is turned by 90 degrees: its X is the machine's Y.

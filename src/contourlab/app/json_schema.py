@@ -8,7 +8,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import is_dataclass
 from pathlib import Path
 from types import NoneType, UnionType
-from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
+from typing import Any, Literal, Union, get_args, get_origin, get_type_hints, is_typeddict
 
 import numpy as np
 
@@ -44,7 +44,7 @@ def json_schema(result: Any, title: str = "") -> dict[str, Any]:
     Parameters
     ----------
     result : type
-        A dataclass, or a union or collection of such.
+        A dataclass or TypedDict, or a union or collection of such.
     title : str
 
     Raises
@@ -68,7 +68,7 @@ def _schema(kind: Any, definitions: _Definitions) -> dict[str, Any]:
         return _union([_schema(item, definitions) for item in arguments])
     if origin in _SIMPLE:
         return {"type": _SIMPLE[origin]}
-    if isinstance(origin, type) and is_dataclass(origin):
+    if is_typeddict(origin) or (isinstance(origin, type) and is_dataclass(origin)):
         return {"$ref": f"#/$defs/{_define(origin, definitions)}"}
     if not isinstance(origin, type) or not issubclass(origin, Collection):
         raise TypeError(f"{kind} has no form in JSON")
@@ -109,7 +109,8 @@ def _object(kind: type, definitions: _Definitions) -> dict[str, Any]:
         unit = re.search(r"\[[^\]]*\]", form)
         about.update(dict.fromkeys(names.split(", "), " ".join([*lines.split(), *([unit[0]] if unit else [])])))
     properties = {}
-    for key, (name, hint) in json_keys(kind).items():
+    keys = {name: (name, hint) for name, hint in get_type_hints(kind).items()} if is_typeddict(kind) else json_keys(kind)
+    for key, (name, hint) in keys.items():
         description = about.get(name) or _derived(kind, name)
         properties[key] = _schema(hint, definitions) | ({"description": description} if description else {})
     summary = " ".join(text.split("\n\n")[0].split())

@@ -12,6 +12,7 @@ def results() -> dict[str, Any]:
     """Return the type of the result of each command that has ``--json``."""
     from contourlab.features.analyse.command import Analysis
     from contourlab.features.backlash.command import BacklashOutcome
+    from contourlab.features.check.canon import Canon
     from contourlab.features.check.program_check import Checked
     from contourlab.features.components.description import ComponentDescription
     from contourlab.features.identify.result import Identified
@@ -30,6 +31,7 @@ def results() -> dict[str, Any]:
     return {
         "analyse": Analysis,
         "backlash": BacklashOutcome,
+        "canon": Canon,
         "check": Checked,
         "compare": Summary | MeasuredSummary,
         "components": tuple[ComponentDescription, ...],

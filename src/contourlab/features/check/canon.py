@@ -6,7 +6,7 @@ import json
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any, Literal, TextIO, TypedDict
 
 from contourlab.program import Arc, Dwell, Feed, Move, Plane, Point, Reader, Reading, Spline, Traverse, open_program
 
@@ -15,6 +15,81 @@ _CONTROLS = {None: "exact_path", "exact_path": "exact_path", "exact_stop": "exac
 _PLANES: dict[Plane, str] = {"XY": "XY", "YZ": "YZ", "ZX": "XZ"}
 IN_MEMORY = 16_000_000
 """Characters of output held in memory; more go to a temporary file until the whole program is read."""
+
+
+class CanonDwell(TypedDict):
+    """A dwell.
+
+    Attributes
+    ----------
+    seconds : float
+    line : int
+        Of the program.
+    """
+
+    kind: Literal["dwell"]
+    seconds: float
+    line: int
+
+
+class CanonMove(TypedDict):
+    """A straight move of the tool tip, in machine coordinates.
+
+    Attributes
+    ----------
+    start, end : (float, float, float) [mm]
+    abc : (float, float, float)
+        Always 0: there are no rotary axes.
+    feed : float [mm/min]
+        A traverse lists the feed in force, which it does not use.
+    line : int
+        Of the program.
+    blend_tol : float or None [mm]
+        Null in exact path and exact stop; 0 for G64 without P.
+    tlo : (float, float, float) [mm]
+        Tool offset, not in the positions.
+    """
+
+    kind: Literal["traverse", "feed", "arc", "nurbs"]
+    start: list[float]
+    end: list[float]
+    abc: list[float]
+    feed: float
+    line: int
+    path_mode: Literal["exact_path", "exact_stop", "continuous"]
+    blend_tol: float | None
+    tlo: list[float]
+
+
+class CanonArc(CanonMove):
+    """An arc or helix.
+
+    Attributes
+    ----------
+    centre : (float, float, float) [mm]
+        At the height of the end.
+    turns : int
+        Positive counterclockwise.
+    """
+
+    plane: Literal["XY", "YZ", "XZ"]
+    centre: list[float]
+    turns: int
+
+
+class CanonSpline(CanonMove):
+    """A NURBS curve; control points in mm."""
+
+    degree: int
+    points: list[list[float]]
+    weights: list[float]
+    knots: list[float]
+
+
+class Canon(TypedDict):
+    """The moves of a part program, in its order."""
+
+    moves: list[CanonDwell | CanonMove | CanonArc | CanonSpline]
 
 
 def _shown(point: Point, tool: Point) -> list[float]:
@@ -39,10 +114,7 @@ def canonical(move: Move, feedrate: float) -> dict[str, Any]:
     Returns
     -------
     dict
-        Lengths in mm, feed in mm/min, positions of the tool tip in machine coordinates. Keys: kind, start, end, abc (always 0: there are
-        no rotary axes), feed, line, path_mode, blend_tol (None in exact path and stop; 0 for G64 without P), tlo (tool offset, not in
-        the positions). Arcs add plane, centre (at the height of the end) and turns (> 0 counterclockwise); splines degree, points,
-        weights and knots. Dwells have kind, seconds and line.
+        A `CanonDwell`, `CanonMove`, `CanonArc` or `CanonSpline`.
     """
     if isinstance(move, Dwell):
         return {"kind": "dwell", "seconds": move.seconds, "line": move.source_line}
