@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from contourlab.errors import UnitError
 
 if TYPE_CHECKING:
-    import numpy as np
     import pint
-    from numpy.typing import NDArray
 
-Numbers = TypeVar("Numbers", float, "NDArray[np.float64]")
+    from contourlab.arrays import Array
+
+Numbers = TypeVar("Numbers", float, "Array")
 
 _CLOSE = re.compile(r"(?P<number>[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)(?P<unit>[A-Za-zµμ°%Ω].*)\Z")
 """A number and a unit without a space between them; digits behind an e are the number's exponent."""

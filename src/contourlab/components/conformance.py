@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.contract import FAMILIES, Component, Parameter
 from contourlab.components.learning_check import learning_fault
 from contourlab.components.linear_check import linear_fault
@@ -18,7 +18,6 @@ from contourlab.engine.step import Bank, Step, rows
 from contourlab.errors import ComponentError, ContourlabError, EngineError
 from contourlab.primitives import Table
 
-Array = NDArray[np.float64]
 PERIOD = 1e-3
 TICKS = 160
 SCALES = (1.0, 1e-3)

@@ -22,9 +22,7 @@ from functools import cache, lru_cache
 from types import SimpleNamespace
 from typing import Any, ClassVar, dataclass_transform
 
-import numpy as np
-from numpy.typing import NDArray
-
+from contourlab.arrays import Array
 from contourlab.components.origin import Traced
 from contourlab.components.parameter import NOISE_STREAM as NOISE_STREAM
 from contourlab.components.parameter import Parameter as Parameter
@@ -67,10 +65,10 @@ BOTH_SIDES = ports("motor_position", "motor_velocity", "load_position", "load_ve
 class LinearModel:
     """A linear model x' = A x + B u, y = C x + D u with named inputs and outputs, in continuous time."""
 
-    a: NDArray[np.float64]
-    b: NDArray[np.float64]
-    c: NDArray[np.float64]
-    d: NDArray[np.float64]
+    a: Array
+    b: Array
+    c: Array
+    d: Array
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
 
@@ -193,7 +191,7 @@ class Component(Traced):
         """
         return ()
 
-    def table_values(self) -> dict[str, NDArray[np.float64]]:
+    def table_values(self) -> dict[str, Array]:
         """Return the read-only tables by name."""
         return {}
 
@@ -242,7 +240,7 @@ class Component(Traced):
         block = self.block(1.0)
         return record(tuple(block))(*block.values())
 
-    def block(self, dt: float, overrides: Mapping[str, NDArray[np.float64]] | None = None) -> dict[str, Any]:
+    def block(self, dt: float, overrides: Mapping[str, Array] | None = None) -> dict[str, Any]:
         """Return the value of every parameter row, derived ones included; overrides are arrays (n_variant,)."""
         rows: dict[str, Any] = {**{name: getattr(self, name) for name in self.numeric()}, **(overrides or {})}
         derived = self.derive(SimpleNamespace(**rows), dt)

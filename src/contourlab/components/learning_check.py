@@ -5,12 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.contract import Parameter
 from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
 
-Array = NDArray[np.float64]
 PERIOD = 1e-3
 SAMPLES = 400
 AXES = (1, 2, 3)

@@ -6,14 +6,11 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Complex
 from contourlab.components.contract import LinearModel
 from contourlab.engine.step import Step, record
 from contourlab.primitives import Clock
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 NUDGE = 1e-9
 """Small enough to stay where a step is linear around rest; what is compared is a ratio."""

@@ -16,8 +16,8 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.engine.step import Port
 from contourlab.primitives import clip, copysign, dot, fabs, lincomb, lookup, maximum, minimum, rint, select, sqrt
 
@@ -43,7 +43,7 @@ TABLES = ("arctangent",)
 """What a step that calls `followed` has as states, derived constants, parameters and tables."""
 
 
-def arctangents() -> NDArray[np.float64]:
+def arctangents() -> Array:
     """Return the table that `in_turns` reads: arctan(i/1024) [rad], i = 0 .. 1024."""
     return np.arctan(np.arange(INTERVALS + 1.0) / INTERVALS)
 

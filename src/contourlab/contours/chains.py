@@ -8,12 +8,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError
 from contourlab.geometry import Curve, Line, Path, backwards, with_ends
 
-Array = NDArray[np.float64]
 CLOSE = 2e-10
 """Gap [m] that stays; a path accepts 1e-9 m."""
 FURTHEST = 5.0
@@ -150,7 +149,7 @@ def chains_of(strands: Sequence[Strand], tolerance: float) -> tuple[list[Chain],
     return chains, left_out
 
 
-def _follow(i: int, end: int, node: NDArray[np.int64], meet: dict[int, list[tuple[int, int]]], used: set[int]) -> list[tuple[int, int]]:
+def _follow(i: int, end: int, node: Index, meet: dict[int, list[tuple[int, int]]], used: set[int]) -> list[tuple[int, int]]:
     """Return the strands that follow one end of strand i, each with the end at which it is entered."""
     run: list[tuple[int, int]] = []
     while len(here := meet[int(node[i, end])]) == 2:
@@ -163,7 +162,7 @@ def _follow(i: int, end: int, node: NDArray[np.int64], meet: dict[int, list[tupl
     return run
 
 
-def _nodes(points: Array, tolerance: float) -> NDArray[np.int64]:
+def _nodes(points: Array, tolerance: float) -> Index:
     """Return a number for each point, equal for points that meet."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
@@ -175,7 +174,7 @@ def _nodes(points: Array, tolerance: float) -> NDArray[np.int64]:
     return np.asarray(connected_components(graph, directed=False)[1][which.ravel()])
 
 
-def _without_doubles(strands: Sequence[Strand], node: NDArray[np.int64], tolerance: float) -> tuple[list[int], list[str]]:
+def _without_doubles(strands: Sequence[Strand], node: Index, tolerance: float) -> tuple[list[int], list[str]]:
     kept: list[int] = []
     left_out: list[str] = []
     seen: defaultdict[tuple[int, int], list[int]] = defaultdict(list)

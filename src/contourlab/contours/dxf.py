@@ -9,14 +9,13 @@ from pathlib import Path as File
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.contours.drawing import Drawing, LeftOut, drawing_of, strand_of, unit_size
 from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
 from contourlab.errors import ContourlabError, GeometryError
 from contourlab.extras import extra_module
 
-Array = NDArray[np.float64]
 FLAT = 1e-9
 """Largest difference of heights [m] in one plane."""
 UNITS = {

@@ -8,15 +8,14 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Index
 from contourlab.contours.polygon import Polygon
 from contourlab.contours.spline_fit import FittedSpline, disagreement, interpolated, smoothed
 from contourlab.errors import GeometryError
 from contourlab.geometry import BSpline, Curve, Path
 from contourlab.geometry.nurbs import split_at
 
-Array = NDArray[np.float64]
 SAME_PLACE = 1e-9
 """Largest distance [m] between the ends of a closed contour."""
 DOUBT = 0.3
@@ -213,7 +212,7 @@ class _Fitting:
         # In a span of two chords or more, each chord has an inner point.
         return [i % self.n if self.polygon.closed else i for i in inner if first < i < last]
 
-    def _stray_chords(self, spline: FittedSpline, points: Array, first: int) -> tuple[NDArray[np.int64], float]:
+    def _stray_chords(self, spline: FittedSpline, points: Array, first: int) -> tuple[Index, float]:
         """Return the chords that a spline leaves too far, by their first points, and its largest distance from any."""
         away, against = spline.strays(points)
         chord = (first + np.arange(len(away))) % self.n

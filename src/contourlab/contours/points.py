@@ -7,13 +7,11 @@ import re
 from pathlib import Path as File
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.contours.drawing import unit_size
 from contourlab.contours.fit import PointFit, fit_points
 from contourlab.errors import GeometryError, UnitError
 
-Array = NDArray[np.float64]
 CORNER_ANGLE = math.radians(30.0)
 """Default of the least turn at a corner."""
 OUTERMOST = 1e6

@@ -8,7 +8,8 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.geometry.curve import Array, angle_between
+from contourlab.arrays import Array, Flags
+from contourlab.geometry.curve import angle_between
 
 Kind = TypeVar("Kind", np.float64, np.bool_)
 LONG = 4.0
@@ -166,7 +167,7 @@ class Polygon:
         mean = self.length[after] * self.direction[before] + self.length[before] * self.direction[after]
         return np.asarray(mean / np.linalg.norm(mean))
 
-    def bulges(self) -> tuple[Array, NDArray[np.bool_]]:
+    def bulges(self) -> tuple[Array, Flags]:
         """Return the largest distance [m] of a curve from each chord (n - 1,), and where it must not run against the chord.
 
         An arc that turns by a over a chord of length c leaves it by c a / 8. Half of a turn at a point belongs to the chord if its

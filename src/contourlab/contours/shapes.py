@@ -7,13 +7,12 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import GeometryError
 from contourlab.geometry import Arc, BSpline, Curve, EllipticalArc, Line, Nurbs
 from contourlab.geometry.nurbs import cut_where_curvature_jumps, inner_knots, split_at
 
-Array = NDArray[np.float64]
 ROUND = 1e-12
 """Largest relative difference of the half-diameters of a circle."""
 SAME_KNOT = 1e-10

@@ -8,11 +8,10 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags
 from contourlab.geometry import BSpline, Curve, Line
 
-Array = NDArray[np.float64]
 Ends = tuple[Array | None, Array | None]
 DEGREE = 5
 ALONG = 2e-7
@@ -59,7 +58,7 @@ class FittedSpline:
         spline = ScipySpline.construct_fast(self.knots, self.points, self.degree)
         return np.asarray(spline(u, nu=order))
 
-    def strays(self, points: Array) -> tuple[Array, NDArray[np.bool_]]:
+    def strays(self, points: Array) -> tuple[Array, Flags]:
         """Return the largest distance of the curve from each chord (n - 1,) [m], and whether it runs against the chord anywhere."""
         n = len(points) - 1
         away, against = np.zeros(n), np.zeros(n, dtype=bool)

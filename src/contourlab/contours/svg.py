@@ -19,8 +19,8 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.contours.chains import Strand
 from contourlab.contours.drawing import Drawing, LeftOut, drawing_of, strand_of, unit_size
 from contourlab.contours.shapes import ConicShape, LineShape, Shape
@@ -29,7 +29,6 @@ from contourlab.contours.svg_style import StyleSheet
 from contourlab.errors import GeometryError
 from contourlab.extras import extra_module
 
-Array = NDArray[np.float64]
 Viewport = tuple[float | None, float | None]
 PIXEL = 0.0254 / 96.0
 """Default user unit [m]; CSS Values 3, section 5.2."""

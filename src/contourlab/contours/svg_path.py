@@ -7,11 +7,10 @@ import re
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
 
-Array = NDArray[np.float64]
 LARGEST = 1e12
 """Larger numbers [user units] are errors; their squares would overflow."""
 _BLANKS = " \t\n\f\r"

@@ -6,13 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop import Controller, Machine, simulate_batch
 
-Array = NDArray[np.float64]
 CHUNK = 1024
 """Candidates in memory at once."""
 

@@ -7,18 +7,17 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.linear.contour_transfer import internal_stability
 from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, rough_margins, sampled_loops, unstable_by
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
+from contourlab.arrays import Array
 from contourlab.design.values import axes_of, with_values
 from contourlab.design.variables import ROUNDING
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Controller, Machine
 
-Array = NDArray[np.float64]
 SLACK = (0.02, 0.05)
 """A search reads margins off a grid and asks for this much more: dB, degrees."""
 

@@ -9,11 +9,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 
-Array = NDArray[np.float64]
 Objective = Callable[[Array], Array]
 SPREAD = 0.2
 """First standard deviation, as a part of the box."""

@@ -10,8 +10,9 @@ from fnmatch import fnmatchcase
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.design.values import calibration_order
 from contourlab.errors import ParameterError, UnitError
@@ -19,7 +20,6 @@ from contourlab.loop import Controller, Machine, parameter_names
 from contourlab.scenario.quantities import read_number
 from contourlab.units import from_si, in_si
 
-Array = NDArray[np.float64]
 WIDTH = 4.0
 """Bounds without a text: the value divided and multiplied by this."""
 NEAR = 0.005

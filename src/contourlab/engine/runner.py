@@ -7,13 +7,12 @@ from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Bank, Port, pack, record, rows, unpack
 from contourlab.primitives import Clock
 
-Array = NDArray[np.float64]
 _NUMBER = (float, int)
 _CACHE_LINE = 64
 
@@ -87,7 +86,7 @@ class Group:
         self.tick = saved[0]
         self.memory[:] = saved[1]
 
-    def finite(self) -> NDArray[np.bool_]:
+    def finite(self) -> Flags:
         """Return for each lane whether all its states and signals are finite."""
         return np.asarray(np.isfinite(self.memory[: self._n_live]).all(axis=0))
 

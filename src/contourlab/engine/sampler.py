@@ -7,14 +7,13 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.engine import intrinsics, memory
 from contourlab.engine.intrinsics import OPTIONS, maximum, minimum, poly_cos, poly_sin
 from contourlab.engine.memory import load_input, load_parameter, store_output, truncate
 from contourlab.native.compile import compiled
 
-Array = NDArray[np.float64]
 SPAN_FIELDS = ("first", "last", "t0", "s0", "v0", "a0", "j", "end")
 """Samples [first, last); start of the span: time, progress, speed, acceleration; its jerk; progress that it does not pass."""
 CURVE_FIELDS = ("first", "last", "offset", "angle", "rate")

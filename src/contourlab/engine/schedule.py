@@ -11,13 +11,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from contourlab.arrays import Array
 from contourlab.engine.step import Port, Step
 from contourlab.errors import EngineError
 
-Array = NDArray[np.float64]
 _NUMBER = (float, int)
 
 

@@ -7,12 +7,11 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.arrays import Array
 from contourlab.feed.junctions import junction_speed, junctions
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.profile import Profile
 from contourlab.feed.route import Route
-
-Array = NDArray[np.float64]
 
 NEAR_FEED = 0.98  # of the programmed feedrate: from here on the feedrate counts as the limit
 NEAR = 0.9  # of any other limit

@@ -6,8 +6,8 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.corner_blend import MOST_TURN, Corners, control_points, largest_reach, quicker_blended
 from contourlab.feed.correspondence import Correspondence
 from contourlab.feed.limits import AxisLimits
@@ -17,9 +17,6 @@ from contourlab.geometry import Arc, Curve, Line, Path
 from contourlab.geometry.blend import blends, halves, quintic_bezier
 from contourlab.geometry.curve import angle_between
 from contourlab.geometry.path import CORNER_ANGLE
-
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 
 _NEARLY_ALL = 0.99
 """Usable fraction of a curve with a blend at one end only."""
@@ -124,7 +121,7 @@ def _assembled(route: Route, corners: Corners, reach: Array, points: Array) -> R
     )
 
 
-def _halved(coefficients: Array, wanted: NDArray[np.bool_]) -> tuple[Array, Index, NDArray[np.bool_]]:
+def _halved(coefficients: Array, wanted: Flags) -> tuple[Array, Index, Flags]:
     """Halve the wanted curves (n, 6, n_axis); return all curves, the number of each one's original, and whether it is a second half."""
     corner = np.repeat(np.arange(len(wanted)), np.where(wanted, 2, 1))
     second = np.append(False, corner[1:] == corner[:-1])

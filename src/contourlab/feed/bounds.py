@@ -23,12 +23,10 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.scurve import peak_speed, ramps
-
-Array = NDArray[np.float64]
 
 
 class Samples(NamedTuple):
@@ -109,7 +107,7 @@ def _taper(samples: Samples, speed: Array, acceleration: Array, limits: AxisLimi
     return np.asarray(np.where(free, np.inf, taper).min(axis=1))
 
 
-def _bounds(samples: Samples, starts: NDArray[np.intp], limits: AxisLimits, share: Share) -> Bounds:
+def _bounds(samples: Samples, starts: Index, limits: AxisLimits, share: Share) -> Bounds:
     """Return the bounds of pieces whose samples start at `starts`."""
     counts = np.diff(np.append(starts, samples.feedrate.size))
 
@@ -130,7 +128,7 @@ def _bounds(samples: Samples, starts: NDArray[np.intp], limits: AxisLimits, shar
     return Bounds(speed, acceleration, rise, np.minimum(rise, taper))
 
 
-def _time(bounds: Bounds, length: Array, stops: NDArray[np.bool_]) -> Array:
+def _time(bounds: Bounds, length: Array, stops: Flags) -> Array:
     """Estimate the duration of each piece: from rest at a stop, else from 80 % of its speed."""
     start, end = (np.where(stop, 0.0, 0.8 * bounds.speed) for stop in stops.T)
     peak = peak_speed(length, start, end, *bounds)
@@ -143,7 +141,7 @@ def _time(bounds: Bounds, length: Array, stops: NDArray[np.bool_]) -> Array:
     return time + np.maximum(length - covered, 0.0) / peak
 
 
-def piece_bounds(samples: Samples, starts: NDArray[np.intp], length: Array, stops: NDArray[np.bool_], limits: AxisLimits) -> Bounds:
+def piece_bounds(samples: Samples, starts: Index, length: Array, stops: Flags, limits: AxisLimits) -> Bounds:
     """Return the limits along the path of each piece.
 
     Parameters
@@ -171,7 +169,7 @@ def piece_bounds(samples: Samples, starts: NDArray[np.intp], length: Array, stop
 
 
 def _best(
-    samples: Samples, starts: NDArray[np.intp], length: Array, stops: NDArray[np.bool_], limits: AxisLimits, shares: tuple[Share, ...]
+    samples: Samples, starts: Index, length: Array, stops: Flags, limits: AxisLimits, shares: tuple[Share, ...]
 ) -> Bounds:
     """Return for each piece the bounds of the quickest share."""
     trials = [_bounds(samples, starts, limits, share) for share in shares]

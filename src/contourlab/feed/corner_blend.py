@@ -25,17 +25,14 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.bounds import Samples, Share, speed_limit
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.route import Route
 from contourlab.feed.scurve import peak_speed, ramps
 from contourlab.geometry import Path
 from contourlab.geometry.blend import quintic_bezier, shapes
-
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 
 MOST_TURN = np.radians(175.0)
 """Corners that turn by more stay: their blend would almost stop at its tip."""
@@ -157,7 +154,7 @@ def _distances(path: Path, points: Array, u: Array, corner: Array, reach: Array)
 # --- blend or stop -------------------------------------------------------------------------------------------------------------------
 
 
-def quicker_blended(route: Route, corners: Corners, reach: Array, points: Array, limits: AxisLimits) -> NDArray[np.bool_]:
+def quicker_blended(route: Route, corners: Corners, reach: Array, points: Array, limits: AxisLimits) -> Flags:
     """Return at which corners the blend takes less time than a stop (n,).
 
     Parameters

@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array
 from contourlab.errors import FeedError
 from contourlab.geometry import Path
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,15 +5,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags
 from contourlab.errors import FeedError
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.route import Route
 from contourlab.geometry import Path
 from contourlab.geometry.path import CORNER_ANGLE
-
-Array = NDArray[np.float64]
 
 NUDGE = 1e-7  # of a curve's length: evaluate the ends this far inside
 MOST_KINK = 0.1
@@ -35,7 +33,7 @@ class Junctions(NamedTuple):
         Length of the shorter of the two curves.
     """
 
-    stop: NDArray[np.bool_]
+    stop: Flags
     jump: Array
     kink: Array
     room: Array

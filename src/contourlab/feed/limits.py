@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Flags
 from contourlab.errors import FeedError, ParameterError
-
-Array = NDArray[np.float64]
 
 
 def _checked(name: str, value: ArrayLike, unit: str, *, finite: bool) -> Array:
@@ -66,7 +65,7 @@ class AxisLimits:
         return int(self.velocity.size)
 
     @property
-    def unbounded(self) -> NDArray[np.bool_]:
+    def unbounded(self) -> Flags:
         """Which axes have neither an acceleration nor a jerk limit (n_axis,)."""
         return np.isinf(self.acceleration) & np.isinf(self.jerk)
 

@@ -14,16 +14,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.correspondence import Correspondence
 from contourlab.feed.route import Route
 from contourlab.geometry import Line, Path
 from contourlab.geometry.curve import angle_between
-
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
-Flags = NDArray[np.bool_]
 
 LONGEST_RUN = 2048
 """Most lines in a run."""

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.bounds import SHARES, Bounds, Samples, piece_bounds, speed_limit
 from contourlab.feed.junctions import NUDGE, Junctions, junction_speed, junctions
 from contourlab.feed.limits import AxisLimits
@@ -20,9 +21,6 @@ from contourlab.feed.route import Route
 from contourlab.geometry import Arc, Curve, Line
 from contourlab.geometry.blend import Blend
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
-Index = NDArray[np.intp]
 Kinds = NDArray[np.int8]
 
 GROUP = 1.15  # largest factor between permitted speeds within a piece of a general curve

@@ -11,8 +11,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import FeedError
 from contourlab.feed.bounds import Bounds
 from contourlab.feed.limits import AxisLimits
@@ -24,9 +24,6 @@ from contourlab.feed.scurve import N_SPAN, move_spans, peak_speed, reachable_spe
 from contourlab.feed.segments import Segments, ranges, sample_segments, split_at_stops
 from contourlab.feed.smooth import smooth_motions
 
-Array = NDArray[np.float64]
-Index = NDArray[np.intp]
-
 N_SHORT = 24  # segments of up to this many curves are planned in closed form as well
 
 
@@ -36,7 +33,7 @@ class _Moves(NamedTuple):
     spans: Array
     segment: Index
 
-    def only(self, rows: NDArray[np.bool_] | Index) -> _Moves:
+    def only(self, rows: Flags | Index) -> _Moves:
         """Return some of the spans."""
         return _Moves(self.spans[rows], self.segment[rows])
 

@@ -7,9 +7,8 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from contourlab.arrays import Array, Index
 
 
 class Motion(NamedTuple):
@@ -79,7 +78,7 @@ class Profile:
                 part[still] = 0.0
         return Motion(arc_length, speed, acceleration, jerk)
 
-    def reached(self, arc_length: Array) -> tuple[NDArray[np.intp], Array]:
+    def reached(self, arc_length: Array) -> tuple[Index, Array]:
         """Return in which span each place (n,) [m] is reached, and the time since the start of that span (n,) [s]."""
         span = np.clip(np.searchsorted(self.s0, arc_length, side="right") - 1, 0, self.n_span - 1)
         s0, v0, a0, j = self.s0[span], self.v0[span], self.a0[span], self.j[span]

@@ -9,14 +9,14 @@ from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import FeedError
 from contourlab.feed.correspondence import Correspondence, place_on_programmed
 from contourlab.feed.profile import Profile
 from contourlab.geometry import Path
 
-Array = NDArray[np.float64]
 CHUNK = 4096
 """Samples computed at once, so that they stay in the processor's cache."""
 KEPT_BLOCKS = 4
@@ -120,7 +120,7 @@ class Reference:
     path: Path
     programmed: Path
     profile: Profile | None
-    source_lines: NDArray[np.int64]
+    source_lines: Index
     laps: tuple[tuple[int, int], ...] = ()
     recorded: Recorded | None = None
     correspondence: Correspondence | None = None
@@ -191,7 +191,7 @@ class Reference:
         rows[-2], rows[-1] = motion.arc_length, motion.speed
         along_path(self.path, motion.arc_length, motion.speed, motion.acceleration, rows[:-2])
 
-    def source_line(self, arc_length: ArrayLike) -> NDArray[np.int64]:
+    def source_line(self, arc_length: ArrayLike) -> Index:
         """Return the program line (n,), from 1, at some progress (n,) [m]; 0 where there is no program."""
         return np.asarray(self.source_lines[self.path.curve_index(arc_length)], dtype=np.int64)
 

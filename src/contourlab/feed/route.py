@@ -9,6 +9,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import FeedError, ProgramError
 from contourlab.feed.correspondence import Correspondence, place_on_programmed
 from contourlab.geometry import Arc, BSpline, Curve, Line, Nurbs, Path
@@ -16,7 +17,6 @@ from contourlab.geometry.nurbs import cut_where_curvature_jumps
 from contourlab.program import Arc as ArcMove
 from contourlab.program import Dwell, Program, Spline, Traverse
 
-Array = NDArray[np.float64]
 PathControl: TypeAlias = Literal["program", "exact_path", "exact_stop", "blend"]
 _PER_CURVE: dict[str, Any] = {
     "feedrate": float,
@@ -75,14 +75,14 @@ class Route:
 
     path: Path
     feedrate: Array
-    rapid: NDArray[np.bool_]
+    rapid: Flags
     dwell: Array
-    source_line: NDArray[np.int64]
+    source_line: Index
     programmed: Path = None  # type: ignore[assignment]  # set in __post_init__
     dwell_before: float = 0.0
     corner_tolerance: Array = 0.0  # type: ignore[assignment]  # one value per curve after __post_init__
     merge_tolerance: Array = 0.0  # type: ignore[assignment]
-    exact_stop: NDArray[np.bool_] = False  # type: ignore[assignment]
+    exact_stop: Flags = False  # type: ignore[assignment]
     correspondence: Correspondence | None = None
 
     def __post_init__(self) -> None:

@@ -17,9 +17,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from contourlab.arrays import Array, Flags
 
 N_BISECTION = 80  # enough for the last bit of any speed above 1e-8 of the bracket
 N_SPAN = 7  # of a move
@@ -92,7 +91,7 @@ def reachable_speed(low: float, ceiling: float, room: float, acceleration: float
 def peak_speed(length: Array, start: Array, end: Array, ceiling: Array, acceleration: Array, rise: Array, taper: Array) -> Array:
     """Return the highest cruise speed (n,) [m/s] of moves over `length` from speed `start` to `end`, each reachable from the other."""
 
-    def fits(speed: Array) -> NDArray[np.bool_]:
+    def fits(speed: Array) -> Flags:
         up = ramps(start, speed, acceleration, rise, taper).distance
         down = ramps(end, speed, acceleration, rise, taper).distance
         return up + down <= length

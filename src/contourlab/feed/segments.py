@@ -7,12 +7,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.pieces import LINE, Nodes, Survey, evaluate_nodes, sample_nodes, without_rounding
 from contourlab.feed.route import Route
-
-Array = NDArray[np.float64]
-Index = NDArray[np.intp]
 
 N_CURVE = 4  # least number of intervals of a curve
 N_LONG = 96  # most intervals that length alone requires
@@ -33,7 +31,7 @@ class Segments(NamedTuple):
 
     first: Index
     after: Index
-    straight: NDArray[np.bool_]
+    straight: Flags
 
 
 class SegmentSamples(NamedTuple):

@@ -23,16 +23,12 @@ from types import SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.kernels import LOWERED, MOVED
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.segments import SegmentSamples
 from contourlab.geometry import Path
-
-Array = NDArray[np.float64]
-Index = NDArray[np.intp]
-Numbers = NDArray[np.int64]
 
 PERIODS = (1.0, 0.7, 0.5, 0.35, 0.25)  # T tried, in units of A/J: at 1 the acceleration may rise to its limit within T
 STEPS = 4  # time steps in T
@@ -62,7 +58,7 @@ class SmoothMotion(NamedTuple):
 
     spans: Array
     begin: Index
-    good: NDArray[np.bool_]
+    good: Flags
 
 
 @cache
@@ -87,9 +83,9 @@ def _kernels() -> SimpleNamespace:
 class _Blocks(NamedTuple):
     """First and last sample of each block, and whether it may end within a step (n_block,)."""
 
-    first: Numbers
-    last: Numbers
-    free: Numbers
+    first: Index
+    last: Index
+    free: Index
 
 
 class _Grid(NamedTuple):
@@ -105,8 +101,8 @@ class _Grid(NamedTuple):
 
     time: Array
     duration: Array
-    n_step: Numbers
-    first: Numbers
+    n_step: Index
+    first: Index
     begin: Index
 
 
@@ -172,7 +168,7 @@ class _Planner:
         limits = self.acceleration, self.jerk, self.period
         self.run.reach(*self.place, self.parts[0], self.parts[1], reference, ceiling, *limits, *memory, self.flags)
 
-    def check(self, spans: Array, begin: Index, watched: Numbers) -> tuple[Array, Array]:
+    def check(self, spans: Array, begin: Index, watched: Index) -> tuple[Array, Array]:
         """Return the largest fraction of a limit that each segment needs, and the violations; see the kernel `demand`."""
         peak, faults = np.empty(begin.size - 1), np.empty((len(spans), 7))
         here, worst = np.empty((3, 1, self.velocity.size)), np.empty(4)
@@ -181,7 +177,7 @@ class _Planner:
         self.run.demand(*motion, *self.inverse, PER_SPAN, 1.0 + ROUNDING, watched, here, worst, peak, faults, count)
         return peak, faults[: int(count[0])]
 
-    def changed(self, faults: Array) -> Numbers:
+    def changed(self, faults: Array) -> Index:
         """Return 1 for the samples to check: blocks that have changed or had violations, and their neighbours; else 0."""
         different = self.flags & MOVED != 0
         different[faults[:, 0].astype(np.intp)] = True
@@ -230,7 +226,7 @@ class _Planner:
         self.blocks = _Blocks(starts, np.where(free, ends - 1, ends), free.astype(np.int64))
         self.divided = True
 
-    def _clock(self, square: Array) -> tuple[Array, Array, Numbers]:
+    def _clock(self, square: Array) -> tuple[Array, Array, Index]:
         n_block = self.blocks.first.size
         time, duration, count = np.empty_like(square), np.empty(n_block), np.zeros(n_block, dtype=np.int64)
         self.run.clock(self.place[0], square, *self.blocks, self.period / STEPS, time, duration, count)

@@ -10,15 +10,12 @@ from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.junctions import KINK_TIME, MOST_KINK, curvature_jump, direction_jump
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.reference import Reference
 from contourlab.geometry import Path
-
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 
 BLOCK = 65536  # samples per pass
 
@@ -112,7 +109,7 @@ class _Jumps(NamedTuple):
         return np.asarray(np.maximum.reduceat(self.size[which % self.place.size], first))
 
 
-def _jumps(path: Path, step: Array, counted: NDArray[np.bool_]) -> _Jumps:
+def _jumps(path: Path, step: Array, counted: Flags) -> _Jumps:
     """Return the counted jumps among those at the ends of the curves (n_curve, n_axis)."""
     at_start = np.roll(counted, 1)
     place = np.asarray(path.breaks, dtype=np.float64)[:-1][at_start]
@@ -226,7 +223,7 @@ def _check_block(
     index, n_kink = np.arange(low, high), kinks.passed(block.arc_length)
     n_jump = n_kink + bends.passed(block.arc_length)
 
-    def clear(passed: Index, order: int) -> NDArray[np.bool_]:
+    def clear(passed: Index, order: int) -> Flags:
         """Return which differences of an order span no jump."""
         first = np.arange(index.size - order)
         return np.asarray(passed[np.clip(first - wide, 0, None)] == passed[np.clip(first + order + wide, None, index.size - 1)])

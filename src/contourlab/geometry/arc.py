@@ -8,8 +8,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, CurveBatch, Index, of_each, positive, rows, vector
+from contourlab.geometry.curve import Curve, CurveBatch, of_each, positive, rows, vector
 
 
 class Arc(Curve):

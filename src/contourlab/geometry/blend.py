@@ -6,10 +6,11 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, CurveBatch, Index, by_arc_length, clenshaw, rows
+from contourlab.geometry.curve import Curve, CurveBatch, by_arc_length, clenshaw, rows
 
 ACCURACY = 1e-12
 """Largest error of an arc length, relative to the length of the blend; a less accurate blend is divided."""
@@ -93,7 +94,7 @@ def _speeds(c: Array, u: Array) -> Array:
     return np.asarray(np.sqrt(square))
 
 
-def _measured(c: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+def _measured(c: Array) -> tuple[Array, Array, Flags]:
     """Return the lengths (n,) of quarters c (6, n_axis, n), the series (terms, n) of u over arc length, and which are accurate.
 
     The Chebyshev series of the speed is integrated term by term; Newton steps find the parameters of the Chebyshev points of arc length. A
@@ -134,7 +135,7 @@ def halves(c: Array) -> Array:
     return np.stack([left, np.einsum("ij,njk->nik", pascal, left)], axis=1).reshape(-1, *c.shape[1:])
 
 
-def _inverted(c: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+def _inverted(c: Array) -> tuple[Array, Array, Flags]:
     """Return the borders of the quarters (n, 5) [m] of quintics c (n, 6, n_axis), the series (n, 4, terms), and which are accurate."""
     n = len(c)
     quarters = np.moveaxis(halves(halves(c)), 0, 2)

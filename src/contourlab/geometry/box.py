@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from contourlab.arrays import Array
 from contourlab.geometry.arc import Arc
-from contourlab.geometry.curve import Array, Curve
+from contourlab.geometry.curve import Curve
 from contourlab.geometry.line import Line
 from contourlab.geometry.path import Path
 

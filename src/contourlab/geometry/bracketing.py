@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from contourlab.geometry.curve import Array, Index
+from contourlab.arrays import Array, Index
 from contourlab.geometry.table import PathTable
 
 Near = Callable[[Index, Array, int], Array]

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.geometry.curve import Array, Index
+from contourlab.arrays import Array, Index
 from contourlab.geometry.curve_sequence import CurveSequence
 
 _FEW = 4

@@ -7,8 +7,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, positive, vector
+from contourlab.geometry.curve import positive, vector
 from contourlab.geometry.parametric import Parametric
 
 

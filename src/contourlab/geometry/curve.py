@@ -7,12 +7,10 @@ from collections.abc import Sequence
 from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError
-
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 
 
 class Curve(ABC):

@@ -8,8 +8,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, CurveBatch, Index
+from contourlab.geometry.curve import Curve, CurveBatch
 
 
 class CurveSequence:

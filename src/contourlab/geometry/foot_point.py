@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError
 from contourlab.geometry.bracketing import Bends, brackets
 from contourlab.geometry.broad_phase import curves_in_reach
-from contourlab.geometry.curve import Array, Index
 from contourlab.geometry.curve_sequence import CurveSequence
 from contourlab.geometry.table import PathTable, path_table
 

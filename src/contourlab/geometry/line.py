@@ -7,8 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, CurveBatch, Index, of_each, rows, vector
+from contourlab.geometry.curve import Curve, CurveBatch, of_each, rows, vector
 
 
 class Line(Curve):

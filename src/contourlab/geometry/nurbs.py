@@ -11,8 +11,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, Index, by_arc_length
+from contourlab.geometry.curve import Curve, by_arc_length
 from contourlab.geometry.parametric import Parametric
 
 JUMP = 1e-7

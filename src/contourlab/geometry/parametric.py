@@ -7,12 +7,12 @@ from abc import abstractmethod
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, Index, by_arc_length, clenshaw
+from contourlab.geometry.curve import Curve, by_arc_length, clenshaw
 
-Flags = NDArray[np.bool_]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 _TERMS = 12
 _CHEBYSHEV = np.cos(np.pi * (np.arange(_TERMS) + 0.5) / _TERMS)

@@ -8,11 +8,12 @@ from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import GeometryError
 from contourlab.geometry.arc import Arcs
-from contourlab.geometry.curve import Array, Curve, Index
+from contourlab.geometry.curve import Curve
 from contourlab.geometry.curve_sequence import CurveSequence
 from contourlab.geometry.foot_point import FootPoint, foot_point
 from contourlab.geometry.line import Lines
@@ -63,7 +64,7 @@ class Path(CurveSequence):
             corners = np.concatenate([[0.0], corners])
         return np.asarray(corners)
 
-    def coefficients(self, index: Index) -> tuple[Array, NDArray[np.bool_]]:
+    def coefficients(self, index: Index) -> tuple[Array, Flags]:
         """Return lines and arcs in a common form for the engine: position = base + d s + u cos(a + b s) + v sin(a + b s).
 
         Parameters

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, CurveBatch, Index
+from contourlab.geometry.curve import CurveBatch
 from contourlab.geometry.curve_sequence import CurveSequence
 
 MOST_CELLS = 8_000_000

@@ -7,12 +7,12 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError
 
 
-def polygon_corners(points: NDArray[np.float64], tolerance: float) -> NDArray[np.int64]:
+def polygon_corners(points: Array, tolerance: float) -> Index:
     """Return the numbers (m,), rising, of points to keep so that all others lie within a tolerance of the polygon, in their order.
 
     Parameters

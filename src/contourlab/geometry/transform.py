@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array
 from contourlab.errors import GeometryError
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.conics import EllipticalArc
-from contourlab.geometry.curve import Array, Curve, vector
+from contourlab.geometry.curve import Curve, vector
 from contourlab.geometry.line import Line
 from contourlab.geometry.nurbs import BSpline, Nurbs
 

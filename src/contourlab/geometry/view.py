@@ -12,8 +12,8 @@ from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.path import Path
 from contourlab.primitives import clip, cos, floor, lookup, maximum, select, sin
@@ -28,7 +28,7 @@ class PathView:
 
     evaluate: Callable[[Any, float], Any]
     parameters: Mapping[str, float]
-    tables: Mapping[str, NDArray[np.float64]]
+    tables: Mapping[str, Array]
 
 
 @lru_cache(maxsize=4)

@@ -7,12 +7,11 @@ from pathlib import Path
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags
 from contourlab.errors import LogError
 from contourlab.units import show
 
-Array = NDArray[np.float64]
 GAP = 1.5
 """Longest step without missing samples, in periods."""
 MOST_MISSING = 0.05
@@ -94,7 +93,7 @@ class ClockReport:
         return f"in 1 gap of {longest}" if len(self.gaps) == 1 else f"in {len(self.gaps)} gaps; the longest of {longest}"
 
 
-def look_at_clock(time: Array, name: str, file: Path, period: float | None = None) -> tuple[ClockReport, NDArray[np.bool_]]:
+def look_at_clock(time: Array, name: str, file: Path, period: float | None = None) -> tuple[ClockReport, Flags]:
     """Return the clock report of a channel, and a mask of the samples to keep.
 
     Parameters
@@ -135,7 +134,7 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     return report, kept
 
 
-def _kept(time: Array, name: str, file: Path) -> NDArray[np.bool_]:
+def _kept(time: Array, name: str, file: Path) -> Flags:
     """Return a mask of the samples later than the one before; refuse times that go back, stand still or are not finite."""
     if not np.isfinite(time).all():
         raise LogError(f"the time of {name!r} is not finite at sample {int(np.argmin(np.isfinite(time)))}", file=file)

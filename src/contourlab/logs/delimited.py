@@ -8,13 +8,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import LogError
 from contourlab.logs.reading import CUT, called, cells_of, is_empty, is_unit, name_and_unit, number, numbers, shown, text_of
 from contourlab.logs.record import Channel, Record
 
-Array = NDArray[np.float64]
 MARKS = (";", "\t", ",")
 ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".log")
 NO_UNIT = ("", "-", "1")
@@ -274,7 +273,7 @@ def timestamp_channel(name: str, texts: Sequence[str], lines: Sequence[int], fil
     return Channel(name, seconds, "s", is_timestamp=True, notes=notes)
 
 
-def _ticks(texts: list[str], name: str, lines: Sequence[int], file: Path) -> tuple[NDArray[np.int64], bool]:
+def _ticks(texts: list[str], name: str, lines: Sequence[int], file: Path) -> tuple[Index, bool]:
     """Return timestamps in nanoseconds, and whether they are times of day."""
     import pandas
 

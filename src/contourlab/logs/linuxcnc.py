@@ -10,13 +10,12 @@ import re
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.logs.reading import lines_of, numbers
 from contourlab.logs.record import Channel, Record
 
-Array = NDArray[np.float64]
 OVERRUN = "overrun"
 MOSTLY = 0.9
 """Share of steps by one above which a first column counts samples, restarts included."""

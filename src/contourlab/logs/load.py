@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import FeedError, GeometryError, LogError, ParameterError, ResultError, UnitError
 from contourlab.logs.clock import EVEN, ClockReport, common_clock, look_at_clock, repeats_too_often, resampled
 from contourlab.logs.delimited import CURE
@@ -20,7 +20,6 @@ from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
 
-Array = NDArray[np.float64]
 FARTHEST, FASTEST = 50.0, 50.0
 """Largest plausible position [m] and speed [m/s]; beyond, the unit is wrong or a position jumps."""
 

@@ -7,13 +7,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.logs.reading import name_and_unit
 from contourlab.logs.record import Channel, Record
 
-Array = NDArray[np.float64]
 HDF = b"\x89HDF\r\n\x1a\n"
 SHORTEST = 2
 """Least numbers of a channel; a single one is a constant."""

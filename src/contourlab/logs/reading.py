@@ -10,12 +10,11 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import LogError, UnitError
 from contourlab.units import same_dimension
 
-Array = NDArray[np.float64]
 HEAD = 1 << 16
 """Bytes of a file that identify its format."""
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")

@@ -8,12 +8,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
+from contourlab.arrays import Array
 from contourlab.errors import LogError
 
-Array = NDArray[np.float64]
 AXIS_LETTERS = "xyzabcuvw"
 """Axes in the order of their joints."""
 

@@ -13,13 +13,12 @@ from pathlib import Path
 from xml.parsers import expat
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.logs.reading import is_unit, number, readable, shown
 from contourlab.logs.record import Channel, Record
 
-Array = NDArray[np.float64]
 NOTHING = 9.2e18
 """Larger numbers are the bits of NaN, written as an integer."""
 ON_GRID = 0.02

@@ -7,13 +7,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.logs.reading import cell_number, cells_of, lines_of, number
 from contourlab.logs.record import Channel, Record
 
-Array = NDArray[np.float64]
 MARKS = "\t;:, "
 TICK = 1e-7
 """Unit of file times [s], which count from 1601."""

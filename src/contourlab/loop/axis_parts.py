@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealLink
 from contourlab.components.origin import Origin
@@ -66,8 +66,8 @@ class AxisError:
         Source of each number, by name.
     """
 
-    position: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
-    lead_error: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+    position: Array = field(default_factory=lambda: np.zeros(0))
+    lead_error: Array = field(default_factory=lambda: np.zeros(0))
     repeatability: float = 0.0
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
 

@@ -10,8 +10,9 @@ from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Index
 from contourlab.components.contract import Component
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.runner import Group, make_group
@@ -27,7 +28,6 @@ from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.metrics.streaming import SUMS
 
-Array = NDArray[np.float64]
 LANES = 32
 
 
@@ -54,7 +54,7 @@ class BatchResult:
     """
 
     figures: Mapping[str, Array]
-    failed_at: NDArray[np.int64]
+    failed_at: Index
     unsure: Array
     signals: Mapping[str, Array]
     log: Array = field(repr=False)
@@ -153,7 +153,7 @@ def simulate_batch(
 
 def _advance_all(
     groups: list[Group], feed: Feed, rows: list[int], log: Array, threads: int, progress: Callable[[int], None] | None
-) -> NDArray[np.int64]:
+) -> Index:
     """Run every group through the reference, a long block at a time; return the sample at which each lane failed, or -1."""
     broken = np.full((len(groups), LANES), -1.0)
 

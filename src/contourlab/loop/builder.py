@@ -9,8 +9,8 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Late, Node
 from contourlab.engine.step import Port, Step
@@ -19,7 +19,6 @@ from contourlab.geometry import Path
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.tool import stream_of
 
-Array = NDArray[np.float64]
 Overrides = Mapping[str, Array]
 Signals = Mapping[str, tuple[str, ...]]
 """Where the signals of a result are: name -> one for each axis, or one for the machine."""

@@ -6,13 +6,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.loop.machine import Controller, Machine
-
-Array = NDArray[np.float64]
 
 LEARNED_COMMAND, LEARNED_REFERENCE, AHEAD = "learned_command", "learned_reference", "reference_ahead"
 SOURCE_LINE = "source_line"

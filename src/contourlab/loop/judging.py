@@ -11,8 +11,8 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Index
 from contourlab.components.estimator.newton import Newton
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Late, Node, Schedule
@@ -26,7 +26,6 @@ from contourlab.metrics.streaming import SUMS, corner_parts, judge_step
 from contourlab.primitives import fabs, select
 from contourlab.result import Status
 
-Array = NDArray[np.float64]
 Window = tuple[int, int]
 
 
@@ -75,7 +74,7 @@ def sums_of(groups: list[Group], node: str, n: int) -> Array:
     return np.concatenate([group.state_of(node) for group in groups], axis=1)[:, :n]
 
 
-def error_figures(sums: Array, failed: NDArray[np.int64], period: float) -> dict[str, Array]:
+def error_figures(sums: Array, failed: Index, period: float) -> dict[str, Array]:
     """Return the figures of the judge's sums (rows as of `SUMS`); NaN for a lane that failed."""
     total = dict(zip(SUMS, sums, strict=True))
     count = np.maximum(total["count"], 1.0)
@@ -92,7 +91,7 @@ def error_figures(sums: Array, failed: NDArray[np.int64], period: float) -> dict
     return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
 
 
-def effort_figures(sums: Array, failed: NDArray[np.int64], period: float) -> dict[str, Array]:
+def effort_figures(sums: Array, failed: Index, period: float) -> dict[str, Array]:
     """Return the figures of the drives' sums (rows as of `EFFORT_SUMS`); NaN for a lane that failed."""
     total = dict(zip(EFFORT_SUMS, sums, strict=True))
     figures = {
@@ -217,7 +216,7 @@ class TrialJudge:
         # The machine code runs without the interpreter's lock; plain Python would only wait for it.
         self._workers = min(os.cpu_count() or 1, count) if compiled else 1
 
-    def __call__(self, position: Array, measured: Array) -> tuple[Array, NDArray[np.intp], Array | None]:
+    def __call__(self, position: Array, measured: Array) -> tuple[Array, Index, Array | None]:
         """Judge a trial.
 
         Parameters

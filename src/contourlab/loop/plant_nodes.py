@@ -8,16 +8,14 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.mechanics.core import MOTOR_FRICTION, friction_prefix, link
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.schedule import Late, Node
 from contourlab.engine.step import Port, Step
 from contourlab.loop.builder import Builder
 from contourlab.loop.machine import Axis
-
-Array = NDArray[np.float64]
 
 
 def add_plants(builder: Builder) -> None:

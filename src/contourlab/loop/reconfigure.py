@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Node
 from contourlab.engine.step import record
@@ -139,7 +139,7 @@ def _accepted(running: Group, node: str) -> float:
     return float(running.signals[known.get(f"{drive}.accepted", known[f"{drive}.applied"]), 0])
 
 
-def _carry(before: Node, old: NDArray[np.float64], node: Node, new: NDArray[np.float64], accepted: float) -> None:
+def _carry(before: Node, old: Array, node: Node, new: Array, accepted: float) -> None:
     """Copy the states that two controllers share by name; scale the integral to give the same command."""
     rows = {port.name: row for row, port in enumerate(before.step.states) if not port.size}
     for row, port in enumerate(node.step.states):

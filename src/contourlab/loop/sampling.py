@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Index
 from contourlab.engine.sampler import CURVE_FIELDS, along_curves, along_spans
 from contourlab.feed import Reference
 from contourlab.feed.profile import Profile
 from contourlab.feed.reference import along_path
 from contourlab.geometry import Path
-
-Array = NDArray[np.float64]
 
 
 def sample_compiled(reference: Reference, start: int, stop: int, rows: Array) -> None:
@@ -40,7 +38,7 @@ def sample_compiled(reference: Reference, start: int, stop: int, rows: Array) ->
         rows[:-2, cut] = kinematics
 
 
-def _in_reach(path: Path, progress: Array) -> tuple[NDArray[np.int64], Array]:
+def _in_reach(path: Path, progress: Array) -> tuple[Index, Array]:
     """Return the curves that samples of rising progress may lie on, one more at each side, and the progress at which each begins."""
     m, ends = len(path.curves), progress[[0, -1]]
     lap = np.floor(ends / path.length).astype(np.int64) if path.closed else np.zeros(2, dtype=np.int64)

@@ -9,8 +9,8 @@ from itertools import pairwise
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.engine.runner import Group, make_group
 from contourlab.errors import DivergenceError, ParameterError
 from contourlab.feed import Reference, ReferenceBlock
@@ -23,7 +23,6 @@ from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
 from contourlab.result import Result, Signal, Status
 
-Array = NDArray[np.float64]
 BLOCK = 1 << 16
 """Samples of a block: a whole number of the blocks in which a batch looks for what runs away."""
 

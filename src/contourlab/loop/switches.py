@@ -12,15 +12,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Index
 from contourlab.feed import Reference
 from contourlab.loop.machine import AxisController, Controller
 from contourlab.loop.reconfigure import Change
 from contourlab.result import Result
 
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 RECORDED = ("active_controller", "switch_reason")
 """Signals that say what supervisors did."""
 _MOST = 1 << 15  # numbers of controllers and reasons are below this

@@ -26,9 +26,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Port
@@ -43,9 +41,6 @@ from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.plant_nodes import add_plants
 from contourlab.loop.sensing import Sensing
 from contourlab.loop.supervision import ACCEPTED, conditioned, handover_parameters, handover_step
-
-Array = NDArray[np.float64]
-
 
 NOTHING = "none.value"
 """Signal of an axis that has not got what others have: zero."""

@@ -5,12 +5,10 @@ from __future__ import annotations
 import hashlib
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.loop.machine import Machine
 from contourlab.primitives import normal
-
-Array = NDArray[np.float64]
 
 
 def stream_of(seed: int, *words: object) -> float:

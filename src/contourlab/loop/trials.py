@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.ideal import IdealSensor
@@ -29,7 +29,6 @@ from contourlab.loop.tool import ToolPosition
 from contourlab.metrics.judge import reach
 from contourlab.result import Status
 
-Array = NDArray[np.float64]
 MOST_DOUBTFUL = 0.002
 """Part of the samples in doubt beyond which a trial is judged again as a whole."""
 

@@ -28,13 +28,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError, ResultError
 from contourlab.metrics.circles import CircleFigures
 from contourlab.metrics.records import check_positive
-
-Array = NDArray[np.float64]
 
 X, Y, DIAGONAL = 4, 6, 8
 """Columns of the design: radius, centre (x, y), scale; backlash of x and its slope, of y and its slope; squareness and servo mismatch."""
@@ -265,7 +264,7 @@ def _past(run: CircleFigures, angle: float) -> Array:
     return np.asarray(past - 2.0 * math.pi * np.rint(past / (2.0 * math.pi)))
 
 
-def _outside(run: CircleFigures, before: float, after: float) -> NDArray[np.bool_]:
+def _outside(run: CircleFigures, before: float, after: float) -> Flags:
     """Return which samples are away from all reversals."""
     use = np.ones(run.angle.shape, dtype=bool)
     for i in range(4):
@@ -275,7 +274,7 @@ def _outside(run: CircleFigures, before: float, after: float) -> NDArray[np.bool
     return use
 
 
-def _check_cover(run: CircleFigures, use: NDArray[np.bool_], left_out: float) -> None:
+def _check_cover(run: CircleFigures, use: Flags, left_out: float) -> None:
     """Raise an error for a run that omits a part of the circle."""
     angles = np.sort(np.mod(run.angle[use], 2.0 * math.pi))
     if len(angles) < LEAST_SAMPLES // 2:

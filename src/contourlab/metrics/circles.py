@@ -16,15 +16,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.geometry import Arc
 from contourlab.metrics.figures import evaluation_window
 from contourlab.result import Result
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +60,7 @@ class CircleFigures:
     radial_max: float = field(metadata={"json": "radial deviation F_max"})
     radial_min: float = field(metadata={"json": "radial deviation F_min"})
     mean_radial: float = field(metadata={"json": "mean radial deviation"})
-    samples: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, dtype=np.int64), metadata={"json": False})
+    samples: Index = field(default_factory=lambda: np.zeros(0, dtype=np.int64), metadata={"json": False})
 
     def figures(self) -> dict[str, float]:
         """Return the figures [m] by their names in the standard."""
@@ -202,7 +200,7 @@ def circles_of(result: Result, reference: Reference) -> tuple[CircleFigures, ...
     return tuple(runs)
 
 
-def _pass(result: Result, reference: Reference, low: float, high: float) -> NDArray[np.int64]:
+def _pass(result: Result, reference: Reference, low: float, high: float) -> Index:
     along = reference.programmed_arc_length(result["arc_length"])
     (start, stop), _ = evaluation_window(reference, result.n_sample, result.start)
     counted = np.arange(start, stop)
@@ -212,7 +210,7 @@ def _pass(result: Result, reference: Reference, low: float, high: float) -> NDAr
     return np.asarray(counted[(inside >= low) & (inside <= high) & moving])
 
 
-def _run_of(result: Result, samples: NDArray[np.int64], curve: Arc, n_axis: int) -> CircleFigures:
+def _run_of(result: Result, samples: Index, curve: Arc, n_axis: int) -> CircleFigures:
     frame = np.array([curve.u, curve.v])
     flat = (result["tool_position"][samples] - curve.centre) @ frame.T
     main = [int(np.argmax(np.abs(axis))) for axis in frame]

@@ -6,13 +6,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Flags
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.result import Result
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,7 +163,7 @@ def _error_figures(result: Result, reference: Reference, name: str, start: int, 
     )
 
 
-def _saturated(result: Result, cut: slice) -> NDArray[np.bool_]:
+def _saturated(result: Result, cut: slice) -> Flags:
     """Return where each drive was at the limit that the run recorded."""
     saturated = np.zeros((cut.stop - cut.start, len(result.axes)), dtype=bool)
     if "applied_command" in result:

@@ -11,14 +11,13 @@ In the plane it is signed, positive to the left of the direction of travel; in s
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.result import Result, Signal
 
-Array = NDArray[np.float64]
 _MARGIN = 1e-4
 
 

@@ -12,12 +12,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import ParameterError, ResultError
 from contourlab.metrics.records import check_positive, records
-
-Array = NDArray[np.float64]
 
 MARGIN = 1.2
 """Travel since the last turn that ensures contact, as a multiple of the range of motor less load."""
@@ -69,7 +68,7 @@ class _Cells(NamedTuple):
 
     apart: Array
     side: Array
-    bin: NDArray[np.int64]
+    bin: Index
     force: Array
 
 
@@ -243,7 +242,7 @@ def _gap_and_stiffness(cells: _Cells, design: Array, stiffness: float | None) ->
     return values[0], deviation[0], 1.0 / values[-1]
 
 
-def _by_place(cells: _Cells, bins: NDArray[np.int64]) -> tuple[Array, Array]:
+def _by_place(cells: _Cells, bins: Index) -> tuple[Array, Array]:
     """Return the lost motion in each bin, and its deviation from the scatter between passes, pooled over all bins."""
     groups = [[cells.apart[(cells.bin == i) & (cells.side == side)] for side in (1.0, -1.0)] for i in bins]
     free = sum(len(passes) - 1 for pair in groups for passes in pair)

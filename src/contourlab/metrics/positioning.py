@@ -16,12 +16,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import ParameterError, ResultError
 from contourlab.metrics.records import check_positive, records
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,8 +55,8 @@ class ReversalTest:
     backward: Array
     forward_scatter: Array
     backward_scatter: Array
-    forward_count: NDArray[np.int64]
-    backward_count: NDArray[np.int64]
+    forward_count: Index
+    backward_count: Index
     reversal_value: Array
     mean_reversal_value: float
     largest_reversal_value: float

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
-
-Array = NDArray[np.float64]
 
 
 def records(**values: ArrayLike) -> list[Array]:

@@ -7,14 +7,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Index
 from contourlab.feed import Reference
 from contourlab.geometry import Arc, Curve
 from contourlab.metrics.judge import reach
 from contourlab.result import Result
 
-Array = NDArray[np.float64]
 _BEFORE = 5
 
 
@@ -127,7 +126,7 @@ class _Errors:
     """The signed contour error (n, 1); in space the vector (n, n_axis) from the path to the tool, in some ranges of samples."""
 
     def __init__(self, result: Result, reference: Reference | None, ranges: Sequence[tuple[int, int]]) -> None:
-        self.samples: NDArray[np.int64] | None = None
+        self.samples: Index | None = None
         self.values = result["contour_error"][:, None]
         if reference is None or reference.path.is_planar or not ranges:
             return

@@ -9,8 +9,8 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.engine.step import Port, Step
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView
@@ -24,7 +24,7 @@ MOST_CELLS = 1 << 16
 _ITERATIONS = 3
 
 
-def corner_parts(path: Path) -> tuple[dict[str, float], dict[str, NDArray[np.float64]]]:
+def corner_parts(path: Path) -> tuple[dict[str, float], dict[str, Array]]:
     """Return parameters and tables for finding the corner, or end of an open path, nearest to any place; empty if there is none.
 
     The path is cut into cells of equal length; each stores the corner nearest to its middle.

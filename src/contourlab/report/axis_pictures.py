@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.figures import figure, number, shown_unit
 from contourlab.report.charts import Chart, Curve, Level, Panel
 from contourlab.report.data import ReportData, SchemeReport
@@ -15,7 +15,6 @@ from contourlab.report.samples import axis_column, keep_extremes, largest_magnit
 from contourlab.report.style import LIMIT, REFERENCE, scheme_style
 from contourlab.result import Result
 
-Array = NDArray[np.float64]
 UM = 1e6
 OFF_SCALE = 4.0
 """Peaks this many times beyond the limit are outside the picture, or they would flatten the rest."""

@@ -7,11 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags
 from contourlab.report.style import round_down, scheme_style
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -303,4 +301,4 @@ class Matrix:
     label: str
     names: tuple[str, ...]
     values: Array
-    doubtful: NDArray[np.bool_]
+    doubtful: Flags

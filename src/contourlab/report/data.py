@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-import numpy as np
-from numpy.typing import NDArray
-
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.feed.verify import LimitReport
 from contourlab.findings import Finding
@@ -19,7 +17,6 @@ from contourlab.report.judgement import Trust, Verdict
 from contourlab.report.run_data import AxisBounds, FeedRun, FrequencyResponse, TrialCourse
 from contourlab.result import Result
 
-Array = NDArray[np.float64]
 NANOMETRE = 1e-9
 """Paths closer than this are one path: curves may be that far apart at a junction."""
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.figures import figure, number
 from contourlab.report.charts import Chart, Curve, Panel, PolarChart, Tick, ring_spacing
 from contourlab.report.data import ReportData
@@ -14,7 +14,6 @@ from contourlab.report.style import scheme_style
 UM = 1e6
 MARKS = 400
 """Most marks of a picture."""
-Array = NDArray[np.float64]
 
 
 def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:

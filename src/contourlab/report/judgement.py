@@ -5,13 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-import numpy as np
-from numpy.typing import NDArray
-
+from contourlab.arrays import Array
 from contourlab.findings import Finding
 from contourlab.units import from_si
 
-Array = NDArray[np.float64]
 NOT_STATED = "not stated"
 MOST_ITEMS = 4
 """Items of a list that are printed."""

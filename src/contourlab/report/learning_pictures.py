@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis
+from contourlab.arrays import Array
 from contourlab.figures import figure
 from contourlab.report.charts import Chart, Curve, Level, Panel, Tick
 from contourlab.report.data import ReportData
 from contourlab.report.run_data import TrialCourse
 from contourlab.report.style import scheme_style
-
-Array = NDArray[np.float64]
 
 
 def trial_charts(data: ReportData) -> tuple[Chart, ...]:

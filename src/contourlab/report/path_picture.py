@@ -5,8 +5,8 @@ from __future__ import annotations
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.figures import figure, number
 from contourlab.geometry import Path
 from contourlab.report.charts import Curve, Magnified, PathChart
@@ -14,7 +14,6 @@ from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.samples import keep_extremes, largest_magnitude, signal
 from contourlab.report.style import BAND, INK, REFERENCE, magnification, scheme_style
 
-Array = NDArray[np.float64]
 MM, UM = 1e3, 1e6
 FLAT = 1e-3
 """An axis with an extent below this share of the largest gets no view."""

@@ -7,13 +7,12 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.report.charts import Chart, Curve, Magnified, Panel, PathChart, PolarChart
 from contourlab.report.style import BAND, FONT, GRID, INK, LIMIT, MUTED, round_down
 
 Figure = dict[str, Any]
-Array = NDArray[np.float64]
 
 SINGLE = 64.0
 """float32 rounds to 2^-24 of the value: up to 64 spreads from zero, to 2^-18 of the spread, far below a pixel."""

@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Complex
 from contourlab.errors import ParameterError
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +59,7 @@ class FrequencyResponse:
     """
 
     frequency: Array
-    response: NDArray[np.complex128]
+    response: Complex
     notes: Mapping[str, str] = field(default_factory=dict)
     stable: bool = True
     meant: str = ""

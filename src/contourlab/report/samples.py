@@ -15,14 +15,12 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import ParameterError, ResultError
 from contourlab.report.data import ReportData
 from contourlab.result import Result
-
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 
 KEPT = 4
 """Samples kept of an interval: first, lowest, highest, last."""
@@ -98,7 +96,7 @@ def keep_extremes(values: ArrayLike, budget: int) -> Index:
     return np.unique(np.concatenate([_of_column(columns[:, i], n_interval) for i in range(n_column)]))
 
 
-def _of_column(column: NDArray[np.float64], n_interval: int) -> Index:
+def _of_column(column: Array, n_interval: int) -> Index:
     """Return first, last, lowest and highest of each interval, unsorted."""
     column = np.ascontiguousarray(column)
     width = -(-column.size // n_interval)
@@ -109,14 +107,14 @@ def _of_column(column: NDArray[np.float64], n_interval: int) -> Index:
     return np.concatenate(kept)
 
 
-def _of_rows(rows: NDArray[np.float64], offset: int) -> Index:
+def _of_rows(rows: Array, offset: int) -> Index:
     """Return first, last, lowest and highest of each row; the first row starts at sample `offset`."""
     start = offset + np.arange(rows.shape[0], dtype=np.int64) * rows.shape[1]
     low, high = start + _place(rows, np.argmin, np.inf), start + _place(rows, np.argmax, -np.inf)
     return np.concatenate([start, low, high, start + rows.shape[1] - 1])
 
 
-def _place(rows: NDArray[np.float64], pick: Callable[..., Any], filler: float) -> Index:
+def _place(rows: Array, pick: Callable[..., Any], filler: float) -> Index:
     """Return the index of each row's extreme, ignoring nan."""
     place: Index = pick(rows, axis=1)
     # numpy returns the index of nan where a row holds one: only those rows are done again.

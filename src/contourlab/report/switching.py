@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from itertools import groupby
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.figures import figure
 from contourlab.loop.switches import Switches, SwitchKind
 from contourlab.report.charts import Chart, Curve, Panel
@@ -15,7 +15,6 @@ from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.samples import signal
 from contourlab.report.style import REFERENCE, scheme_style
 
-Array = NDArray[np.float64]
 LISTED = 100
 """Switches that a report lists."""
 KINDS = 6

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from contourlab.arrays import Array
 from contourlab.errors import ResultError
 from contourlab.result.netcdf import ResultWriter, read_netcdf
-from contourlab.result.signals import Array, Signal, Status
+from contourlab.result.signals import Signal, Status
 
 if TYPE_CHECKING:
     import xarray

@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import ResultError
 
-Array = NDArray[np.float64]
 DIMENSIONS = (("sample",), ("sample", "axis"))
 
 

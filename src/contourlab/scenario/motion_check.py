@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.feed import Reference
 from contourlab.feed.reference import ReferenceBlock
 from contourlab.loop import Machine
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 
-Array = NDArray[np.float64]
 MOST_SAMPLES = 100_000_000
 """More than a day at 1 kHz; all of a run's signals then take some 30 GB."""
 

@@ -7,8 +7,9 @@ from dataclasses import replace
 from functools import singledispatch
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array
 from contourlab.feed import route_from_program
 from contourlab.geometry import Path
 from contourlab.geometry.arc import Arc
@@ -21,7 +22,6 @@ from contourlab.loop import Machine
 from contourlab.program import Arc as ProgramArc
 from contourlab.program import Dwell, Move, Point, Program, Spline
 
-Array = NDArray[np.float64]
 MARGIN = 0.01
 """Share of the travel left free at either end of a fitted program."""
 

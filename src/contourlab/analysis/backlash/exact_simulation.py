@@ -9,13 +9,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.analysis.backlash.mode_flow import ABOVE, BELOW, GAP, Flow
+from contourlab.arrays import Array, Index
 from contourlab.errors import ParameterError
-
-Array = NDArray[np.float64]
 
 RUNAWAY = 1e9
 """Largest state, over its start or the gap; beyond it a run has diverged."""
@@ -78,12 +77,12 @@ class ExactRun:
     loop: BacklashLoop
     duration: float
     times: Array
-    modes: NDArray[np.int64]
+    modes: Index
     diverged: bool
     flow: Flow = field(repr=False)
     spans: tuple[Span, ...] = field(repr=False)
 
-    def _lengthened(self, time: ArrayLike) -> tuple[Array, NDArray[np.int64]]:
+    def _lengthened(self, time: ArrayLike) -> tuple[Array, Index]:
         t = np.clip(np.atleast_1d(np.asarray(time, dtype=float)), 0.0, self.duration)
         index = np.searchsorted(self.times, t, side="right") - 1
         lengthened = np.empty((t.size, self.flow.size))

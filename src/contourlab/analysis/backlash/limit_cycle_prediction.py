@@ -11,13 +11,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.backlash.lure import BacklashLoop
+from contourlab.arrays import Array, Complex, Flags
 from contourlab.errors import ParameterError
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 
 def inverse_dead_zone_gain(gain: float) -> float:
@@ -258,7 +256,7 @@ def _frequencies(loop: BacklashLoop) -> Array:
     return np.asarray(w[w > 1e-3 * sizes.min()])
 
 
-def _may_vanish(values: Array) -> NDArray[np.bool_]:
+def _may_vanish(values: Array) -> Flags:
     """Return the cells whose four corners differ in sign."""
     corners = np.stack([values[:-1, :-1], values[1:, :-1], values[:-1, 1:], values[1:, 1:]])
     return np.asarray((corners.min(axis=0) <= 0.0) & (corners.max(axis=0) >= 0.0))

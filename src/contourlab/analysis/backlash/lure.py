@@ -20,8 +20,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Complex
 from contourlab.components.contract import Component, LinearModel
 from contourlab.components.ideal import TrueVelocity
 from contourlab.components.mechanics.discretise import low_pass_weight
@@ -29,9 +30,6 @@ from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Axis, AxisController
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 N_REFERENCE = 3
 """Reference, its velocity and its acceleration."""

@@ -11,12 +11,10 @@ from __future__ import annotations
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.backlash.lure import BacklashLoop, dead_zone
-
-Array = NDArray[np.float64]
-
+from contourlab.arrays import Array
 
 DEGREE = 18
 """Degree of the Taylor polynomial, used up to a norm of 1: the remainder is 1/19! = 8e-18."""

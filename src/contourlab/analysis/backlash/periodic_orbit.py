@@ -11,16 +11,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.backlash.exact_simulation import ExactRun, Span, simulate_exact, spans
 from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles, quasi_linear
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.analysis.backlash.mode_flow import GAP, Flow
+from contourlab.arrays import Array, Complex
 from contourlab.errors import ParameterError
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 STEPS = 40
 CLOSED = 1e-10

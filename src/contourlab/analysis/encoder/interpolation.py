@@ -11,12 +11,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError
 
-Array = NDArray[np.float64]
-Whole = NDArray[np.int64]
 ENTRIES = 64
 """Table entries for each order: the interpolated sinusoids have an error of 1/(8 ENTRIES^2) = 3e-5."""
 HIGHEST = 100_000
@@ -65,8 +64,8 @@ class Counts:
         Samples at which whole pitches may be lost.
     """
 
-    counts: Whole
-    missed: NDArray[np.bool_]
+    counts: Index
+    missed: Flags
 
 
 class SinusoidTable:
@@ -115,7 +114,7 @@ class SinusoidTable:
         c, s = np.where(behind, half * c, c), np.where(behind, -half * s, s)
         return c, np.where(second < 0.0, -s, s)
 
-    def in_period(self, u1: ArrayLike, u2: ArrayLike) -> Whole:
+    def in_period(self, u1: ArrayLike, u2: ArrayLike) -> Index:
         """Return the count (n,) within the period, -2 n to 2 n: round(4 n phi/(2 pi)) for phi from -pi to pi.
 
         The table gives the count to within one. The signs of the sinusoids of higher order, whose sum and difference cross zero half-way
@@ -144,20 +143,20 @@ class SinusoidTable:
         periods, missed = period_count(self.turns(u1, u2))
         return Counts(self.in_period(u1, u2) + 4 * self.order * periods, missed)
 
-    def _place(self, first: Array, second: Array) -> tuple[Whole, Array, NDArray[np.bool_]]:
+    def _place(self, first: Array, second: Array) -> tuple[Index, Array, Flags]:
         along, across = np.abs(first), np.abs(second)
         ratio = self.entries * np.minimum(along, across) / np.maximum(np.maximum(along, across), np.finfo(float).tiny)
         i = ratio.astype(np.int64)
         return i, ratio - i, across > along
 
 
-def quadrant(cosine: Array, sine: Array) -> Whole:
+def quadrant(cosine: Array, sine: Array) -> Index:
     """Return 0 to 3: the quarter, centred on its axis, in which the sinusoids stand."""
     up, right = sine + cosine > 0.0, cosine - sine > 0.0
     return np.where(up, np.where(right, 0, 1), np.where(right, 3, 2)).astype(np.int64)
 
 
-def period_count(turns: ArrayLike) -> tuple[Whole, NDArray[np.bool_]]:
+def period_count(turns: ArrayLike) -> tuple[Index, Flags]:
     """Count whole periods, taking the shorter way round from one sample to the next.
 
     Parameters

@@ -17,17 +17,15 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.components.quadrature import DERIVED, LEAST_COVARIANCE, STATES, TABLES, TUNING, arctangents, ellipse, followed
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
 from contourlab.loop.simulate import jit_enabled
-
-Array = NDArray[np.float64]
-Whole = NDArray[np.int64]
 
 FEWEST = 16
 """Fewest samples of a fit, and number of sectors that each need one."""
@@ -300,10 +298,10 @@ class Tracked:
 
     u1: Array
     u2: Array
-    sample: Whole
+    sample: Index
     coefficients: Array
     amplitude: float
-    updated: NDArray[np.bool_]
+    updated: Flags
 
     def constants(self, index: int = -1) -> QuadratureConstants:
         """Return the constants at one of the kept samples, the last by default, in the unit of the signals."""

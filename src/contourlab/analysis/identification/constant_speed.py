@@ -9,11 +9,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.identification.filtered_motion import require_finite, true_spans
+from contourlab.arrays import Array, Index
 
-Array = NDArray[np.float64]
 BATCHES = 8
 """Parts of a stretch; the scatter of their means gives the deviation of its mean, ripple included."""
 TURN = 0.08
@@ -152,7 +151,7 @@ def _without_turns(position: Array, start: int, stop: int) -> tuple[int, int]:
     return int(edges[first]), int(edges[even[-1] + 1]) + 1
 
 
-def _part_speeds(position: Array, start: int, stop: int) -> tuple[NDArray[np.int64], Array]:
+def _part_speeds(position: Array, start: int, stop: int) -> tuple[Index, Array]:
     """Return the samples between which the parts of a span lie, and their speeds [m per sample]."""
     edges = np.linspace(start, stop - 1, BATCHES + 1).astype(np.int64)
     return edges, np.diff(position[edges]) / np.diff(edges)

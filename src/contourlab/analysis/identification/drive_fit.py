@@ -17,15 +17,13 @@ from dataclasses import dataclass, field, replace
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.identification.frequency_response import MeasuredResponse
 from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output, fit_percent
+from contourlab.arrays import Array, Complex
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Parameters = Mapping[str, float]
 
 ALIASES = 4

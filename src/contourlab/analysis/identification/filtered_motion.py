@@ -12,11 +12,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
-
-Array = NDArray[np.float64]
 
 ANTI_ALIAS_ORDER, ANTI_ALIAS_RIPPLE, ANTI_ALIAS_BAND = 8, 0.05, 0.8
 """Chebyshev filter ahead of decimation: its order, its ripple [dB], and its edge as a share of the new Nyquist frequency."""
@@ -129,7 +128,7 @@ def require_finite(name: str, values: Array) -> None:
         raise ParameterError(name, f"{values[bad[0]]} at sample {bad[0]}", "finite")
 
 
-def true_spans(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
+def true_spans(mask: Flags) -> list[tuple[int, int]]:
     """Return the spans [start, stop) of samples at which a mask (n,) is true."""
     edges = np.flatnonzero(np.diff(np.r_[False, mask, False].astype(np.int8)))
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))

@@ -20,15 +20,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.identification.filtered_motion import even_record
 from contourlab.analysis.identification.first_order_motion import delayed, first_order_motion
 from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
-
-Array = NDArray[np.float64]
 
 WELL_KNOWN = 10.0
 """Relative deviation [percent] up to which a or b counts as identified."""

@@ -13,9 +13,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from contourlab.arrays import Array
+
 FIRST_PIECE = 64
 """Samples of the first piece; doubled each time that it has no stop."""
 

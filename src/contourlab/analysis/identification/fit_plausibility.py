@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
-
-Array = NDArray[np.float64]
 
 WELL_KNOWN = 10.0
 """Relative deviation [percent] up to which a parameter counts as identified: the usual limit for robots (Gautier)."""

@@ -20,14 +20,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.identification.filtered_motion import require_finite
+from contourlab.arrays import Array, Complex
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 SEGMENTS = 8
 """Segments of a record, before their overlap, over which spectra are averaged."""
@@ -342,7 +340,7 @@ def response_findings(measured: MeasuredResponse) -> list[Finding]:
     return [finding("CL509")] if _goes_against(f, h, measured.period) else []
 
 
-def _goes_against(f: Array, h: NDArray[np.complex128], period: float) -> bool:
+def _goes_against(f: Array, h: Complex, period: float) -> bool:
     """Return whether the largest part of the force per velocity is below zero, over the lower half of the points."""
     low = slice(None) if f.size < 2 * FEWEST else slice(f.size // 2)
     w = 2.0 * np.pi * f[low]

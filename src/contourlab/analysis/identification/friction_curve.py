@@ -16,13 +16,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.identification.output_error import fit_percent
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
 
-Array = NDArray[np.float64]
 FEWEST = 3
 """Fewest points of a curve."""
 WITHIN = 2.0

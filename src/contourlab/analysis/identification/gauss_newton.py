@@ -7,12 +7,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.identification.output_error import bartlett, flat_top, long_run, memory, usual_lags
+from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
-
-Array = NDArray[np.float64]
 
 Residuals = Callable[[Array], Array]
 """Points (k, p) to residuals (k, n): all points in one call; a row that is not finite is a point that failed."""
@@ -65,7 +64,7 @@ class Descent:
     residual: Array
     cost: float
     jacobian: Array
-    at_bound: NDArray[np.bool_]
+    at_bound: Flags
     iterations: int
     converged: bool
 
@@ -136,13 +135,13 @@ def _widths(slopes: Array, chosen: DescentSettings, size: Array) -> Array:
     return np.clip(np.where(seen > 0.0, wanted, chosen.difference * size), 1e-3 * size, 0.2 * size)
 
 
-def _held(x: Array, gradient: Array, low: Array, high: Array) -> NDArray[np.bool_]:
+def _held(x: Array, gradient: Array, low: Array, high: Array) -> Flags:
     """Return which parameters the gradient holds at a bound."""
-    held: NDArray[np.bool_] = ((x <= low) & (gradient >= 0.0)) | ((x >= high) & (gradient <= 0.0))
+    held: Flags = ((x <= low) & (gradient >= 0.0)) | ((x >= high) & (gradient <= 0.0))
     return held
 
 
-def _trial(x: Array, r: Array, slopes: Array, free: NDArray[np.bool_], low: Array, high: Array, damping: float) -> Array:
+def _trial(x: Array, r: Array, slopes: Array, free: Flags, low: Array, high: Array, damping: float) -> Array:
     """Return the end of a damped step, clipped to the bounds."""
     j = slopes[:, free]
     lengths = np.linalg.norm(j, axis=0)
@@ -241,7 +240,7 @@ class FitCovariance:
     deviations: Array
     white_deviations: Array
     correlation: Array
-    untold: NDArray[np.bool_]
+    untold: Flags
 
 
 def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor: float = 0.0) -> FitCovariance:
@@ -278,7 +277,7 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     size = np.where(lengths > 0.0, lengths, 1.0)
     values, vectors = np.linalg.eigh(normal / np.outer(size, size))
     lost = values <= UNTOLD * max(float(values[-1]), 1e-300)
-    untold: NDArray[np.bool_] = (lengths == 0.0) | (np.abs(vectors[:, lost]) > 0.2).any(axis=1)
+    untold: Flags = (lengths == 0.0) | (np.abs(vectors[:, lost]) > 0.2).any(axis=1)
     inverse = (vectors[:, ~lost] / values[~lost]) @ vectors[:, ~lost].T / np.outer(size, size)
     spare = max(left.size - p, 1)
     white = np.sqrt(np.maximum(np.diag(inverse), 0.0) * (float(left @ left) + floor**2 * left.size) / spare)

@@ -18,15 +18,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.identification.filtered_motion import decimate, even_record, filtered_motion, kept_samples
 from contourlab.analysis.identification.fit_plausibility import check_signs, fit_findings
 from contourlab.analysis.identification.output_error import bartlett, coloured_deviations, usual_lags
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding
-
-Array = NDArray[np.float64]
 
 PARAMETERS = {"symmetric": ("M", "Fv", "Fc", "offset"), "asymmetric": ("M", "Fv+", "Fc+", "Fv-", "Fc-")}
 """Parameters by friction model; in the asymmetric one the offset is part of the Coulomb forces: (Fc+ - Fc-)/2."""

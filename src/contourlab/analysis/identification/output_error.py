@@ -22,9 +22,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
-
-Array = NDArray[np.float64]
 
 NEAR_BOUND = 1e-6
 """Share of a parameter's scale within which it counts as lying at its bound."""

@@ -11,15 +11,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.identification.filtered_motion import true_spans
 from contourlab.analysis.identification.frequency_response import Measured, MeasuredResponse
 from contourlab.analysis.identification.output_error import coloured_deviations, lasting_window
+from contourlab.arrays import Array, Complex, Flags
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
 
-Array = NDArray[np.float64]
 PURE = 0.03
 """Largest residual of an excitation that counts as a sine, over the size of the sine."""
 HARMONICS = 5
@@ -153,7 +152,7 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
     )
 
 
-def _still(steps: Array) -> NDArray[np.bool_]:
+def _still(steps: Array) -> Flags:
     """Return the samples of stretches of ten or more in which the axis rests, compared with the median step."""
     usual = float(np.median(np.abs(steps)))
     count = min(10, steps.size)
@@ -161,7 +160,7 @@ def _still(steps: Array) -> NDArray[np.bool_]:
     return np.asarray(np.abs(average) < 0.02 * max(usual, float(np.abs(average).max())))
 
 
-def _harmonics(values: Array, t: Array, w: float, most: int, trend: int) -> tuple[NDArray[np.complex128], float, Array]:
+def _harmonics(values: Array, t: Array, w: float, most: int, trend: int) -> tuple[Complex, float, Array]:
     """Return complex amplitudes of the harmonics, the deviation of the first, and the residual."""
     middle = t - t.mean()
     polynomial = [(middle / (abs(middle[0]) or 1.0)) ** k for k in range(trend + 1)]

@@ -19,14 +19,14 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.identification.filtered_motion import even_record
 from contourlab.analysis.identification.output_error import fit_percent
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
 
-Array = NDArray[np.float64]
 PLAINLY = 0.1
 """Share of the largest speed on a ramp at which the axis clearly moves."""
 SHORTEST = 40

@@ -7,19 +7,16 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.learning.learning_frequency import FrequencyLearning, averaging, frequency_learning, peak, zero_phase_factor
 from contourlab.analysis.learning.learning_lifted import LiftedLearning, lifted_learning
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, coupled_loop
+from contourlab.arrays import Array, Complex
 from contourlab.components.learning.error_law import ZeroPhase
 from contourlab.components.learning.law import LearningLaw
 from contourlab.errors import ComponentError
 from contourlab.feed import Reference
 from contourlab.loop.machine import Controller, Machine
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 Closed = Callable[[Array], Complex]
 GROWTH = 1e-6
@@ -250,7 +247,7 @@ def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw
 def design_for(loop: CoupledLoop, law: ZeroPhase) -> LearningDesign | None:
     """Return zero-phase learning by rule for the axis with the most lag, wide enough for the coupling; None if there is none."""
 
-    def closed(w: Array) -> NDArray[np.complex128]:
+    def closed(w: Array) -> Complex:
         forms = [axis.form(w) for axis in loop.axes]
         if law.target == "command":
             answers = np.stack([1.0 - form[:, 1, 0] for form in forms], axis=1)

@@ -18,16 +18,14 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, impulse_responses
+from contourlab.arrays import Array, Complex
 from contourlab.components.learning.filters import q_response
 from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
 from contourlab.components.learning.least_squares import NormOptimal, PlantInversion
 from contourlab.errors import ComponentError
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 HEARD = ("table", "tracking_error", "contour_error", "feedback_command")
 SHORTEST, LONGEST = 1 << 9, 1 << 15

@@ -13,15 +13,14 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.learning.learning_frequency import LawKernels, law_kernels, law_model, lifted_problem
 from contourlab.analysis.linear.coupled_loop import CoupledLoop
 from contourlab.analysis.linear.trial_map import TrialMap
+from contourlab.arrays import Array
 from contourlab.components.learning.law import LearningLaw, TrialRecord
 from contourlab.errors import ComponentError
-
-Array = NDArray[np.float64]
 
 WIDEST = 400
 """Longest reach of a law, in samples, whose behaviour at the ends is exact; a wider law sees zeros beyond the ends."""

@@ -18,18 +18,16 @@ from functools import cached_property
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, coupled_loop, normal_basis
 from contourlab.analysis.linear.margins import HullMargin, edge_margins, frequency_grid, hull_modulus, nearest_approach
 from contourlab.analysis.linear.tick_map import poles_of
 from contourlab.analysis.linear.trial_map import TrialMap
+from contourlab.arrays import Array, Complex
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.feed import Reference
 from contourlab.loop.machine import Controller, Machine
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 LEFT_STANDING = 1e-7
 """Distance from 1 of a pole that neither grows nor decays."""

@@ -12,18 +12,16 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.sampled_loop import SampledLoop, checked_frequency, sampled_loop
 from contourlab.analysis.linear.tick_map import DelayForm, live_states, poles_of
+from contourlab.arrays import Array, Complex, Index
 from contourlab.components.contract import Component
 from contourlab.engine.step import pack, record, unpack
 from contourlab.errors import ComponentError
 from contourlab.loop.machine import Controller, Machine
 from contourlab.primitives import Clock
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 NEGLIGIBLE = 1e-13
 """Part of the largest value at which an impulse response has decayed."""
@@ -266,7 +264,7 @@ def _impulse_response(axis: AxisLink, n_sample: int, target: str) -> Array:
     return response
 
 
-def _live(a: Array, b: Array, c: Array) -> NDArray[np.intp]:
+def _live(a: Array, b: Array, c: Array) -> Index:
     """Return the states that inputs reach and outputs see; a state that only keeps itself is none of them."""
     return live_states((a != 0.0) & ~np.eye(len(a), dtype=bool), (b != 0.0).any(axis=1), (c != 0.0).any(axis=0))
 

@@ -14,10 +14,11 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.sampled_loop import linear_axis, without_limits
 from contourlab.analysis.linear.tick_map import poles_of, tick_map
+from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.estimator.local import Tangent
 from contourlab.components.ideal import IdealLink
@@ -30,8 +31,6 @@ from contourlab.loop.axis_parts import Division
 from contourlab.loop.judging import WATCH
 from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.template import build
-
-Array = NDArray[np.float64]
 
 LONGEST = 20_000
 """Longest repetition of the links [ticks]."""

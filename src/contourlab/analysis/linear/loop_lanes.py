@@ -11,17 +11,16 @@ import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import INPUTS, SampledLoop, bare_axis, loop_of, opened_schedule
 from contourlab.analysis.linear.tick_map import TickMap, lane_matrices, live_states
+from contourlab.arrays import Array, Complex, Flags
 from contourlab.engine.schedule import Schedule
 from contourlab.loop.batch import LANES
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine, parameter_names
 from contourlab.loop.simulate import jit_enabled
 
-Array = NDArray[np.float64]
 GRID = 200
 """Frequencies of `rough_margins`."""
 
@@ -104,8 +103,8 @@ def lane_loops(
     if controller.observer is not None:
         c[1, base + schedule.row(f"{axis.name}.observer.disturbance_estimate")] = 1.0
     moved = np.asarray((a != np.eye(a.shape[1])).any(axis=0))
-    driven: NDArray[np.bool_] = np.asarray((b != 0.0).any(axis=(0, 2)))
-    read: NDArray[np.bool_] = np.asarray(c.any(axis=0))
+    driven: Flags = np.asarray((b != 0.0).any(axis=(0, 2)))
+    read: Flags = np.asarray(c.any(axis=0))
     kept = np.flatnonzero((moved.any(axis=1) | driven) & (moved.any(axis=0) | read))
     # What is cut enters at the tick in which it leaves: a command that no past state moves is kept as well.
     kept = kept[live_states((a[:, kept][:, :, kept] != 0.0).any(axis=0), driven[kept], read[kept])]
@@ -164,7 +163,7 @@ def rough_margins(loop: SampledLoop) -> Margins:
     return Margins(factor, phase, crossover, float(np.abs(1.0 + gain).min()), True, phase_crossover)
 
 
-def _phase(w: Array, gain: NDArray[np.complex128]) -> tuple[float, float]:
+def _phase(w: Array, gain: Complex) -> tuple[float, float]:
     with np.errstate(divide="ignore"):
         size = np.log(np.abs(gain))
     at = np.flatnonzero(np.isfinite(size[:-1]) & np.isfinite(size[1:]) & (size[:-1] * size[1:] <= 0.0) & (size[:-1] != size[1:]))
@@ -177,7 +176,7 @@ def _phase(w: Array, gain: NDArray[np.complex128]) -> tuple[float, float]:
     return float(angle[best]), float(w[at[best]] * (w[at[best] + 1] / w[at[best]]) ** part[best])
 
 
-def _factor(w: Array, gain: NDArray[np.complex128]) -> tuple[float, float]:
+def _factor(w: Array, gain: Complex) -> tuple[float, float]:
     at = np.flatnonzero(gain.imag[:-1] * gain.imag[1:] < 0.0)
     part = gain.imag[at] / (gain.imag[at] - gain.imag[at + 1])
     real, where = gain.real[at] + part * (gain.real[at + 1] - gain.real[at]), w[at] * (w[at + 1] / w[at]) ** part

@@ -10,10 +10,9 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+from contourlab.arrays import Array, Complex
 
 LoopGain = Callable[[Array], Complex]
 """Loop gain (n,), or loop gains (n, n_loop), at frequencies (n,) [rad/s]."""

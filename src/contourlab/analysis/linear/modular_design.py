@@ -12,13 +12,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Complex, Flags
 from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 GAINS = ("integral", "position", "velocity")
 """Entries of K."""
@@ -162,7 +159,7 @@ def direct_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), weights
     return judged("direct", local, gains(optimum_gains.x), axes, weights)
 
 
-def checked_local(local: Sequence[str]) -> NDArray[np.bool_]:
+def checked_local(local: Sequence[str]) -> Flags:
     """Return which entries of K are local.
 
     Raises
@@ -175,7 +172,7 @@ def checked_local(local: Sequence[str]) -> NDArray[np.bool_]:
     return np.array([name in local for name in GAINS])
 
 
-def assembled(z: Array, mask: NDArray[np.bool_], n_axis: int) -> Array:
+def assembled(z: Array, mask: Flags, n_axis: int) -> Array:
     """Return the gains (n_axis, 3) from a vector: base entries, then the local ones axis by axis."""
     n_base = int((~mask).sum())
     gains = np.empty((n_axis, mask.size))

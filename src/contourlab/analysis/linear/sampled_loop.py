@@ -14,10 +14,11 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.margins import Margins, frequency_grid, margins
 from contourlab.analysis.linear.tick_map import DelayForm, TickMap, poles_of, tick_map
+from contourlab.arrays import Array, Complex
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Port
@@ -26,9 +27,6 @@ from contourlab.geometry import Line, Path
 from contourlab.loop.judging import WATCH
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.template import EXTERNALS, build
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, eq=False)

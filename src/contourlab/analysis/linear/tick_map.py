@@ -9,16 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Complex, Flags, Index
 from contourlab.engine.runner import make_group
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import rows
 from contourlab.errors import ComponentError
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,7 +153,7 @@ def spectral_radius(schedule: Schedule) -> float:
     return float(np.abs(poles_of(tick_matrix(schedule))).max(initial=0.0))
 
 
-def poles_of(matrix: Array) -> NDArray[np.complex128]:
+def poles_of(matrix: Array) -> Complex:
     """Return the eigenvalues of a tick matrix that are part of the loop; some of those at zero, which end at once, are left out."""
     moved = matrix != np.eye(len(matrix))
     kept = np.flatnonzero(moved.any(axis=1) & moved.any(axis=0))
@@ -167,7 +163,7 @@ def poles_of(matrix: Array) -> NDArray[np.complex128]:
     return np.asarray(np.linalg.eigvals(part[np.ix_(live, live)]), dtype=complex)
 
 
-def live_states(links: Mask, driven: Mask | bool = False, read: Mask | bool = False) -> NDArray[np.intp]:
+def live_states(links: Flags, driven: Flags | bool = False, read: Flags | bool = False) -> Index:
     """Return the states that something moves and something reads.
 
     Parameters
@@ -219,7 +215,7 @@ class DelayForm:
         return np.asarray(_sum(self._c, z) @ np.linalg.solve(matrix, np.broadcast_to(self._b, (z.size, *self._b.shape))))
 
 
-def _read(a: Array, c: Array) -> NDArray[np.intp]:
+def _read(a: Array, c: Array) -> Index:
     """Return the states that reach an output; all remaining ones if none does."""
     kept = np.arange(len(a))
     while True:
@@ -229,7 +225,7 @@ def _read(a: Array, c: Array) -> NDArray[np.intp]:
         kept = kept[seen]
 
 
-def _chains(a: Array, b: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+def _chains(a: Array, b: Array) -> tuple[Index, Index]:
     """Return for each state the one that it copies, and how many ticks late; itself and 0 for all others."""
     n = len(a)
     before = np.argmax(a != 0.0, axis=1)
@@ -245,7 +241,7 @@ def _chains(a: Array, b: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     return root, lag
 
 
-def _terms(rows: Array, place: NDArray[np.intp], lag: NDArray[np.intp], n: int) -> _Terms:
+def _terms(rows: Array, place: Index, lag: Index, n: int) -> _Terms:
     """Sort columns by their lag: rows x = sum of term_d z^-d x_heads."""
     terms = []
     for ticks in np.unique(lag):

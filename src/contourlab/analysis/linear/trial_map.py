@@ -10,12 +10,11 @@ import math
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, normal_basis
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
-
-Array = NDArray[np.float64]
 
 
 def normal_frames(tangents: ArrayLike) -> Array:

@@ -14,16 +14,15 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Complex
 from contourlab.components.feedforward.zpetc import MAX_ORDER, ZPETC
 from contourlab.errors import ComponentError
 
 if TYPE_CHECKING:
     from contourlab.analysis.linear.sampled_loop import SampledLoop
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 RESIDUAL = 1e-6
 """Largest relative error of the polynomials of a loop."""

@@ -7,8 +7,8 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.contract import Component, param, text_param
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
@@ -117,5 +117,5 @@ class TableLoad(Disturbance):
         origin, step = (par.start_time, par.time_step) if self.over == "time" else (par.start_position, par.position_step)
         return origin, 1.0 / step, float(len(self.forces) - 1)
 
-    def table_values(self) -> dict[str, NDArray[np.float64]]:
+    def table_values(self) -> dict[str, Array]:
         return {"values_table": np.array(self.forces)}

@@ -7,8 +7,8 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.contract import NOISE_STREAM, param
 from contourlab.components.disturbance.loads import Disturbance
 from contourlab.engine.step import Port
@@ -118,7 +118,7 @@ class ForceRipple(Disturbance):
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return 1.0 / par.pitch, np.exp(-par.noise_bandwidth * dt)
 
-    def table_values(self) -> dict[str, NDArray[np.float64]]:
+    def table_values(self) -> dict[str, Array]:
         amplitude, phase = np.array(self.amplitudes), np.array(self.phases)
         return {"in_phase": amplitude * np.cos(phase), "quadrature": amplitude * np.sin(phase)}
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.contract import Component, param
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
@@ -58,7 +58,7 @@ class ZPETC(Component):
             raise ParameterError("numerator", f"a list of sum {n.sum():.9g}", f"of the denominator's sum, {d.sum():.9g}: F is 1 at rest")
 
     @property
-    def taps(self) -> NDArray[np.float64]:
+    def taps(self) -> Array:
         """What acts on the reference L ticks ahead, L - 1 ahead, ... to give the shift: numerator less denominator, over d_0."""
         lead = int(self.lead)
         found = np.zeros(max(len(self.numerator), lead + len(self.denominator)))
@@ -71,7 +71,7 @@ class ZPETC(Component):
         back[: len(self.denominator) - 1] = np.array(self.denominator[1:]) / self.denominator[0]
         return self.lead, float(self.taps.size), *back.tolist()
 
-    def table_values(self) -> dict[str, NDArray[np.float64]]:
+    def table_values(self) -> dict[str, Array]:
         return {"taps_table": self.taps}
 
     def ring_length(self, dt: float) -> int:

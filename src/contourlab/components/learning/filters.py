@@ -11,9 +11,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from contourlab.arrays import Array
 
 
 def moving_average(signal: Array, half_width: int, passes: int = 1) -> Array:

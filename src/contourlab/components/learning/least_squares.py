@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from contourlab.arrays import Array
 from contourlab.components.contract import param
 from contourlab.components.learning.error_law import FilteredLaw
-from contourlab.components.learning.law import Array, InputModel, LearningLaw, LearningProblem, TrialRecord
+from contourlab.components.learning.law import InputModel, LearningLaw, LearningProblem, TrialRecord
 
 
 class Equation(NamedTuple):

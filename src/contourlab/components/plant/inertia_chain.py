@@ -6,8 +6,8 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.contract import LinearModel, param
 from contourlab.components.mechanics.chain_mechanics import JOINT, chain_step
 from contourlab.components.plant.plant import Plant
@@ -15,7 +15,6 @@ from contourlab.components.plant.two_inertia import COARSEST, CONTACT_MODEL, Two
 from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ParameterError
 
-Array = NDArray[np.float64]
 JOINT_LISTS = ("stiffnesses", "shaft_dampings", "backlash_gaps", "backlash_angles")
 
 

@@ -7,8 +7,8 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.contract import LinearModel, param, text_param
 from contourlab.components.mechanics.two_mass_bristle import two_mass_bristle_step
 from contourlab.components.mechanics.two_mass_mechanics import two_mass_step
@@ -17,7 +17,6 @@ from contourlab.engine.step import Port, ports
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.primitives import clip, floor, lookup, select
 
-Array = NDArray[np.float64]
 COARSEST = 0.5
 """Radians of the shaft's oscillation in a sub-step: fourth order damps it by 1e-4 in each at that."""
 

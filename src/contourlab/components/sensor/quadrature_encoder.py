@@ -7,8 +7,8 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components import quadrature
 from contourlab.components.contract import NOISE_STREAM, Component, param, text_param
 from contourlab.components.quadrature import IDENTITY, constants, corrected, followed, in_turns
@@ -161,5 +161,5 @@ class QuadratureEncoder(Component):
         lsb = par.converter_range * 2.0 ** (1.0 - np.asarray(par.bits, dtype=float))
         return np.sin(par.phase_error), np.cos(par.phase_error), lsb, np.rint(par.pitch / par.resolution), *start
 
-    def table_values(self) -> dict[str, NDArray[np.float64]]:
+    def table_values(self) -> dict[str, Array]:
         return {"arctangent": quadrature.arctangents()}

@@ -6,8 +6,8 @@ from functools import cache
 from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.contract import param, text_param
 from contourlab.components.supervisor.switching import Supervisor, settled
 from contourlab.engine.step import Port
@@ -52,7 +52,7 @@ class PreRouted(Supervisor):
     def _route(self) -> tuple[float, ...]:
         return self.lines if self.by == "line" else self.places
 
-    def table_values(self) -> dict[str, NDArray[np.float64]]:
+    def table_values(self) -> dict[str, Array]:
         return {"routes": np.array([*self._route, *self.numbers])}
 
     def step_function(self) -> Any:

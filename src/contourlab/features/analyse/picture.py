@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.linear.contour_transfer import ContourTransfer
+from contourlab.arrays import Array, Complex
 from contourlab.report.charts import Chart, Curve, Level, Panel
 from contourlab.report.style import scheme_style
 
-Array = NDArray[np.float64]
 FAR = 3.0  # beyond this a loop gain is told by its direction, not its size
 
 
@@ -61,7 +60,7 @@ def contour_transfer_charts(transfer: ContourTransfer, points: int = 600) -> tup
     )
 
 
-def _near(gain: NDArray[np.complex128]) -> tuple[Array, Array]:
+def _near(gain: Complex) -> tuple[Array, Array]:
     """Return real and imaginary part, with a gap where the curve is far off."""
     far = np.abs(gain) > FAR
     return np.where(far, np.nan, gain.real), np.where(far, np.nan, gain.imag)

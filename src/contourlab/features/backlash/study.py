@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles
 from contourlab.analysis.backlash.lure import axis_backlash_loop
 from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit, find_orbits
+from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ComponentError, DivergenceError, ParameterError, ResultError
@@ -269,7 +269,7 @@ def _axis_gap(machine: Machine, controller: Controller, axis: Axis, result: Resu
     return AxisGap(gap, lost_motion_of(axis), pair, alone, predicted, exact, loop.feedback)
 
 
-def _friction_of(axis: Axis, plant: TwoInertia, velocity: NDArray[np.float64]) -> tuple[float, float]:
+def _friction_of(axis: Axis, plant: TwoInertia, velocity: Array) -> tuple[float, float]:
     """Return the friction [N] at the mean speed of the axis, and the stiffness [N/m] of its drive."""
     values, friction = plant.constants(), axis.friction.values()
     moving = np.abs(velocity)
@@ -278,7 +278,7 @@ def _friction_of(axis: Axis, plant: TwoInertia, velocity: NDArray[np.float64]) -
     return float(friction.get("coulomb", 0.0)) + viscous * speed, float(values.stiffness_value)
 
 
-def _gap_where_it_turns(plant: TwoInertia, velocity: NDArray[np.float64], position: NDArray[np.float64]) -> float:
+def _gap_where_it_turns(plant: TwoInertia, velocity: Array, position: Array) -> float:
     """Return the free travel [m] of the machine file, averaged over the reversals; the widest where the axis never reverses."""
     forward = velocity[velocity != 0.0] > 0.0
     turns = position[velocity != 0.0][1:][forward[1:] != forward[:-1]]

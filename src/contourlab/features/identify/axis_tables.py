@@ -11,14 +11,13 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.origin import Origin
 from contourlab.features.identify.records import AxisRecord, reference_name
 from contourlab.features.identify.result import Row, Tables, assumed
 from contourlab.features.measure.plausibility import fastest
 
-Array = NDArray[np.float64]
 OriginOf = Callable[..., Origin]
 """From the name of a number, such as "plant.mass", and a note to its origin."""
 ROOM = 0.2

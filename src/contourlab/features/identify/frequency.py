@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.identification.drive_fit import (
     DriveFit,
@@ -34,6 +33,7 @@ from contourlab.analysis.identification.frequency_response import (
     swept_response,
 )
 from contourlab.analysis.identification.sine_response import sine_responses, sine_stretch
+from contourlab.arrays import Array, Complex
 from contourlab.components.origin import Origin
 from contourlab.errors import ParameterError
 from contourlab.features.identify.axis_tables import (
@@ -52,8 +52,6 @@ from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
 from contourlab.report.table import Column, Table
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 PRINTED = 24
 """Most points printed; all are in the JSON."""
 FEW = 40

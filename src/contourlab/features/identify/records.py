@@ -8,15 +8,14 @@ from hashlib import sha256
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import ResultError
 from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
 from contourlab.result import Result
 
-Array = NDArray[np.float64]
 POSITIONS = ("position", "motor_position", "axis_position")
 LARGEST = {"N": 1e5, "V": 1e3, "A": 1e3, "full_scale": 1.01}
 """Largest plausible command of a feed drive, by unit."""

@@ -10,13 +10,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.origin import Origin
 from contourlab.findings import Finding
 from contourlab.report.table import Table
 
-Array = NDArray[np.float64]
 Row = tuple[float | str, str, Origin | None]
 """A value in SI, its unit, and its origin; None for a word."""
 Tables = Mapping[str, Mapping[str, Row]]

@@ -6,11 +6,10 @@ import io
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.report.style import scheme_style
 
-Array = NDArray[np.float64]
 POINTS = 6000
 
 

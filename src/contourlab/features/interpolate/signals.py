@@ -6,14 +6,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import LogError, UnitError
 from contourlab.logs import Channel, Record, read_record
 from contourlab.logs.reading import CUT, text_of
 from contourlab.units import to_si
 
-Array = NDArray[np.float64]
 PAIRS = (("u1", "u2"), ("cos", "sin"), ("a", "b"))
 """Names of signals that need no option, the cosine first."""
 TIMES = ("t", "time")

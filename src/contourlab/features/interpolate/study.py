@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.encoder.interpolation import SinusoidTable, period_count
 from contourlab.analysis.encoder.quadrature import (
@@ -18,11 +17,11 @@ from contourlab.analysis.encoder.quadrature import (
     subdivisional_error,
     track_ellipse,
 )
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.interpolate.signals import QuadratureRecord, line_of
 from contourlab.findings import Finding, finding
 
-Array = NDArray[np.float64]
 WEAK = 0.5
 """Share of the amplitude below which a signal is weak."""
 SCALE = 0.01

@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-import numpy as np
-from numpy.typing import NDArray
-
+from contourlab.arrays import Array, Index
 from contourlab.features.interpolate.study import Interpolated
 from contourlab.report.table import paragraphs
 
@@ -43,7 +41,7 @@ def _rows(r: Interpolated) -> Iterator[tuple[str, str]]:
         yield "", paragraphs(map(str, r.findings))
 
 
-def counts_csv(r: Interpolated, time: NDArray[np.float64] | None, counts: NDArray[np.int64], position: NDArray[np.float64]) -> bytes:
+def counts_csv(r: Interpolated, time: Array | None, counts: Index, position: Array) -> bytes:
     """Return the table of counts and positions, with pitch and constants above it."""
     constants = ", ".join(f"{name} {value!r}" for name, value in r.constants.items() if name != "unit")
     unit = f" ({r.constants['unit']})" if r.constants["unit"] else ""

@@ -10,8 +10,8 @@ from functools import partial
 from typing import ClassVar, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.learning.law import LearningLaw, LearningProblem
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.learn.split import Growth, Memory, Split, growth_of
@@ -24,7 +24,6 @@ from contourlab.geometry.view import PathView
 from contourlab.loop import Controller, Machine
 from contourlab.loop.trials import Trial, Trials, feedforward_command
 
-Array = NDArray[np.float64]
 Part = Literal["ends", "all", "none"]
 
 

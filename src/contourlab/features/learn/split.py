@@ -6,12 +6,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.learning.law import LearningLaw, LearningProblem
 from contourlab.errors import ComponentError
 
-Array = NDArray[np.float64]
 FEWEST = 4
 """Trials from which a steady course can be told from chance."""
 LAST = 6

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.learning.law import LearningLaw
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
@@ -22,7 +22,6 @@ from contourlab.scenario.dump import component_table
 from contourlab.scenario.provenance import unstated
 from contourlab.scenario.toml_text import toml
 
-Array = NDArray[np.float64]
 FORMAT = "contourlab-learned/1"
 _TEXTS = ("format", "target", "path", "reference", "machine", "controller", "law", "scheme", "content")
 

@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.linear.coupled_loop import axis_link, impulse_responses
+from contourlab.arrays import Array
 from contourlab.components.learning.law import LearningProblem, TrialRecord
 from contourlab.errors import ComponentError
 from contourlab.feed import Reference
@@ -16,8 +16,6 @@ from contourlab.loop import Controller, Machine
 from contourlab.loop.trials import Trial, Trials
 from contourlab.metrics.judge import judge
 from contourlab.result import Result, Signal
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -5,12 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
 
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 LOSSES = np.linspace(0.0, 0.98, 50)
 EACH = 128
 """Servo periods up to which each is tested."""
@@ -47,7 +45,7 @@ def times(quantity: str, period: float, longest: float) -> Array:
     return np.asarray(period * (ticks[1:] if quantity == "message_period" else ticks))
 
 
-def passed_over(values: Array, bad: Mask, unknown: Mask, period: float, most: int) -> Array:
+def passed_over(values: Array, bad: Flags, unknown: Flags, period: float, most: int) -> Array:
     """Return multiples of the servo period, evenly spaced, between the last good value and the first bad one.
 
     Parameters

@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.linear.divided_loop import DividedLoop, LinkTiming, divided_loop, timing_of
+from contourlab.arrays import Array, Flags
 from contourlab.components.contract import Component
 from contourlab.components.link.network import Network
 from contourlab.errors import ComponentError, ParameterError
@@ -19,8 +19,6 @@ from contourlab.features.run.causes.idealise import perfect_sensing, undisturbed
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Division, Machine, simulate_batch
 from contourlab.loop.tool import stream_of
-
-Array = NDArray[np.float64]
 
 QUANTITIES = ("message_period", "delay", "jitter", "loss")
 """What can be swept."""
@@ -74,7 +72,7 @@ class LinkSweep:
     json_derived: ClassVar = ("most", "rate", "limited", "limited_by", "ended_early", "stable_linear", "stable_simulated")
 
     @property
-    def holds(self) -> NDArray[np.bool_]:
+    def holds(self) -> Flags:
         """Whether the error is allowed and the linear model is not unstable (n,)."""
         return np.asarray((self.error <= self.allowed) & ~(self.growth >= 1.0))
 
@@ -117,12 +115,12 @@ class LinkSweep:
         return _limit(self.values, self.repeats > 1.0 + GROWN, np.isnan(self.repeats))
 
 
-def _last_before(values: Array, bad: NDArray[np.bool_]) -> float:
+def _last_before(values: Array, bad: Flags) -> float:
     first = int(np.argmax(bad)) if bad.any() else len(values)
     return float(values[first - 1]) if first else math.nan
 
 
-def _limit(values: Array, bad: NDArray[np.bool_], unknown: NDArray[np.bool_]) -> float:
+def _limit(values: Array, bad: Flags, unknown: Flags) -> float:
     """Return the last known good value before the first bad one; infinite if all are good to the end, nan if unknown."""
     known = ~unknown
     if bad.any() or not known.any():

@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab import __version__
 from contourlab.app.json_values import json_values
 from contourlab.app.results import staged
+from contourlab.arrays import Array
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.features.measure.log_choice import (
     LogChoice,
@@ -134,7 +134,7 @@ def _judged(choice: LogChoice, reference: str | None = None, shift: str | None =
     return _Run(log.result.scheme, log, measured, findings, (*choice.files, *([program] if program else [])))
 
 
-def _shift(text: str | None, axes: tuple[str, ...]) -> NDArray[np.float64] | Literal["fit"] | None:
+def _shift(text: str | None, axes: tuple[str, ...]) -> Array | Literal["fit"] | None:
     """Read ``--shift``."""
     if text is None or text == "fit":
         return text  # type: ignore[return-value]  # the literal

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.geometry import Path
 
-Array = NDArray[np.float64]
 PLACES = 8000
 """Places that a path is compared with itself at."""
 APART = 2.0

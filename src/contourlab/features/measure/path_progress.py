@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Index
 from contourlab.errors import ResultError
 from contourlab.geometry import Path
 
-Array = NDArray[np.float64]
 PLACES = 200_000
 """Places at which a path is looked at, at most."""
 FINEST = 20e-6
@@ -68,7 +67,7 @@ def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
     picked = np.unique(np.searchsorted(way, np.arange(0.0, way[-1] + spacing, 2.0 * spacing)).clip(0, len(way) - 1))
     tool, ahead = positions[picked], (2.0 * np.diff(way[picked], prepend=0.0) / spacing).astype(int) + 3
     first = np.linalg.norm(places - positions[0], axis=1)
-    ways: list[tuple[float, NDArray[np.int_]]] = []
+    ways: list[tuple[float, Index]] = []
     strays, most = np.inf, np.inf
     for start in _starts(first, limit):
         found, total, far = _followed(places, tool, ahead, start, limit, most)
@@ -103,8 +102,8 @@ def _starts(distance: Array, limit: float) -> list[int]:
 
 
 def _followed(
-    places: Array, tool: Array, ahead: NDArray[np.int_], start: int, limit: float, most: float
-) -> tuple[NDArray[np.int_], float, float]:
+    places: Array, tool: Array, ahead: Index, start: int, limit: float, most: float
+) -> tuple[Index, float, float]:
     """Return the place (index) of each position from a beginning on, the sum of their squared distances [m^2] and the largest distance [m].
 
     It gives up where one is beyond the limit, or the sum beyond what is the most.

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.findings import Finding, finding
 
-Array = NDArray[np.float64]
 SHORT, SLOW = 1e-3, 1e-3
 """Travel [m] and top speed [m/s] of a whole run; a run of a machine exceeds at least one."""
 LONG, FAST = 10.0, 5.0

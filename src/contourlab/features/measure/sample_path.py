@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import ResultError
 from contourlab.geometry import Line, Path
 from contourlab.geometry.thinning import polygon_corners
 
-Array = NDArray[np.float64]
 STRAIGHT = 10e-9
 """Largest distance [m] of a sample from the path: far below any encoder's resolution."""
 

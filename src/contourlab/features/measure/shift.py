@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import ResultError
 from contourlab.features.measure.path_progress import progress_along
 from contourlab.geometry import Path
 
-Array = NDArray[np.float64]
 SAMPLES, ITERATIONS = 5000, 50
 """Samples used, evenly spaced along the tool's travel, and largest number of steps."""
 SETTLED = 1e-9

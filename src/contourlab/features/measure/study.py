@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import ResultError
 from contourlab.features.measure.laps import last_lap
 from contourlab.features.measure.path_progress import farthest, progress_along, size_of
@@ -23,7 +23,6 @@ from contourlab.metrics import AxisFigures, CircleFigures, Metrics, Spike, circl
 from contourlab.result import Result, Signal
 from contourlab.scenario.placing import placed
 
-Array = NDArray[np.float64]
 ACTUAL = ("tool_position", "position", "axis_position")
 """Signals of the tool's position, the best first; a measured log has encoder positions only."""
 STILL = 1e-9

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Flags
 from contourlab.errors import ResultError
 from contourlab.features.measure.sample_path import moving
 from contourlab.features.measure.study import Measured, measure
@@ -16,8 +17,6 @@ from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, simulate_batch
 from contourlab.result import Result, Signal
-
-Array = NDArray[np.float64]
 
 LEAD = 50
 """Samples at rest that are simulated before the first move."""
@@ -113,7 +112,7 @@ class LogRun:
         """Return the times of the samples (n_sample,) [s], on the log's clock."""
         return self.start + self.machine.servo_period * np.arange(self.reference.n_sample, dtype=np.float64)
 
-    def simulated(self, variants: Mapping[str, ArrayLike], rows: slice | NDArray[np.bool_] = slice(None)) -> Array:
+    def simulated(self, variants: Mapping[str, ArrayLike], rows: slice | Flags = slice(None)) -> Array:
         """Return the simulated signals (n_row, n_channel, n_variant) as in `measured`; all nan where a variant diverges.
 
         Parameters
@@ -145,7 +144,7 @@ class LogRun:
             raise ResultError(f"{self.label}: the simulated run diverges along the log's reference")
         return signals
 
-    def agreement(self, simulated: Array, rows: slice | NDArray[np.bool_] | None = None) -> tuple[Agreement, ...]:
+    def agreement(self, simulated: Array, rows: slice | Flags | None = None) -> tuple[Agreement, ...]:
         """Return how well simulated signals (n_sample, n_channel) follow the measured ones.
 
         Parameters

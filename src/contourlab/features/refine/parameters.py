@@ -6,9 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from contourlab.arrays import Array
 from contourlab.design.variables import DesignVariable, Space
 from contourlab.errors import ParameterError
 from contourlab.features.refine.log_run import LogRun
@@ -137,6 +135,6 @@ def _sought(runs: Sequence[LogRun], variables: Sequence[DesignVariable], held: t
     return sought
 
 
-def columns_of(sought: Sequence[Sought], run: int, points: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+def columns_of(sought: Sequence[Sought], run: int, points: Array) -> dict[str, Array]:
     """Return the columns of points (k, p) that belong to a run, by parameter name."""
     return {parameter.name: points[:, j] for j, parameter in enumerate(sought) if run in parameter.runs}

@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.identification.gauss_newton import Descent, DescentSettings, descend, fit_covariance, spread_starts
+from contourlab.arrays import Array, Flags
 from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
 from contourlab.features.refine.findings import fit_findings, unseen_findings
@@ -17,8 +17,6 @@ from contourlab.features.refine.log_run import Agreement, LogRun
 from contourlab.features.refine.parameters import RefinedParameter, Sought, columns_of, seek
 from contourlab.findings import Finding
 
-Array = NDArray[np.float64]
-Rows = NDArray[np.bool_]
 Window = tuple[float, float]
 """From, until [s] on a log's clock."""
 
@@ -150,7 +148,7 @@ def refine(
 class _Problem:
     """Residuals of all runs at points (k, p), weighted."""
 
-    def __init__(self, runs: Sequence[LogRun], sought: Sequence[Sought], kept: Sequence[Rows]) -> None:
+    def __init__(self, runs: Sequence[LogRun], sought: Sequence[Sought], kept: Sequence[Flags]) -> None:
         self.runs, self.sought, self.kept = runs, sought, kept
         self.sizes = [np.ones(run.measured.shape[1]) for run in runs]
         self.start = np.array([parameter.variable.value for parameter in sought])
@@ -221,13 +219,13 @@ def _descended(problem: _Problem, settings: RefineSettings, progress: Callable[[
     return best, agreeing, len(ends)
 
 
-def rows_within(run: LogRun, window: Window | None) -> Rows:
+def rows_within(run: LogRun, window: Window | None) -> Flags:
     """Return which samples of a run lie within a window of times (n_sample,)."""
     times = run.times()
     return np.ones(times.size, dtype=bool) if window is None else (times >= window[0]) & (times < window[1])
 
 
-def _rows(run: LogRun, window: Window | None, row_period: float) -> Rows:
+def _rows(run: LogRun, window: Window | None, row_period: float) -> Flags:
     """Return the samples of a run that make residuals."""
     stride = max(round(row_period / run.machine.servo_period), 1)
     kept = np.zeros(run.reference.n_sample, dtype=bool)

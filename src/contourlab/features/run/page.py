@@ -7,9 +7,9 @@ import platform
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab import __version__
+from contourlab.arrays import Array
 from contourlab.features.run.margin_words import gain_words, phase_words
 from contourlab.features.run.outcome import AxisBode, Outcome
 from contourlab.feed.binding import Binding, limiting
@@ -103,7 +103,7 @@ def _marked(circle: CircleFigures, outcome: Outcome) -> list[int]:
     return [int(i) for i in np.flatnonzero(np.isin(circle.samples, highest))]
 
 
-def _gaps(outcome: Outcome) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
+def _gaps(outcome: Outcome) -> dict[str, tuple[Array, Array]]:
     """Return the free travel of each axis with a motor and a load, over the part of its travel that was used."""
     gaps = {}
     for i, axis in enumerate(outcome.case.machine.axes):

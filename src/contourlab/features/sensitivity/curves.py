@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from contourlab.arrays import Array
 from contourlab.design import DesignVariable, Space
-from contourlab.features.sensitivity.runs import Array, Columns, Judge
+from contourlab.features.sensitivity.runs import Columns, Judge
 
 CHANGE = 0.05
 """The figure changes by less than this share over a flat interval."""

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.arrays import Array
 from contourlab.design import DesignVariable, Space
 from contourlab.errors import ParameterError, UnitError
-from contourlab.features.sensitivity.runs import Array
 from contourlab.scenario.quantities import read_number
 
 UNIFORM, LOG_UNIFORM, NORMAL = KINDS = ("uniform", "log-uniform", "normal")

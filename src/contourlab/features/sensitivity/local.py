@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags
 from contourlab.design import DesignVariable, Space
-from contourlab.features.sensitivity.runs import Array, Judge
+from contourlab.features.sensitivity.runs import Judge
 from contourlab.findings import Finding, finding
 
 LARGEST, STEPS = 0.04, 5
@@ -73,7 +73,7 @@ class Local:
     interaction_steps: Array
 
     @property
-    def doubtful(self) -> NDArray[np.bool_]:
+    def doubtful(self) -> Flags:
         """Which interactions (n, n) differ by half or more with half the step, and are not negligible."""
         size = np.abs(self.interactions)
         return (self.interaction_differences >= 0.5 * size) & (size > NOTICED)

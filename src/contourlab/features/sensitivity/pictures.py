@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags
 from contourlab.features.sensitivity.curves import Curve
-from contourlab.features.sensitivity.runs import Array
 from contourlab.features.sensitivity.study import Study
 from contourlab.report.charts import Bars, Matrix, Multiples, Series, Tile
 from contourlab.report.charts import Curve as Line
@@ -70,7 +69,7 @@ def indices_chart(key: str, title: str, x_label: str, names: Sequence[str], seri
     return Bars(key, title, "", x_label, tuple(names[j] for j in order), bars)
 
 
-def interactions_chart(title: str, names: Sequence[str], values: Array, doubtful: NDArray[np.bool_]) -> Matrix:
+def interactions_chart(title: str, names: Sequence[str], values: Array, doubtful: Flags) -> Matrix:
     """Return the matrix of interactions without its diagonal; doubtful ones get a question mark."""
     shown = values.copy()
     np.fill_diagonal(shown, np.nan)

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.app.checkpoint import Checkpoint
+from contourlab.arrays import Array
 
-Array: TypeAlias = NDArray[np.float64]
+Array: TypeAlias = Array
 Columns: TypeAlias = Mapping[str, Array]
 """Values [SI] by parameter name, each (n,)."""
 Model: TypeAlias = Callable[[Columns], Mapping[str, Array]]

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from contourlab.arrays import Array
 from contourlab.design import Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.curves import Curve, curves
@@ -24,7 +25,7 @@ from contourlab.features.sensitivity.indices import (
     sobol_indices,
 )
 from contourlab.features.sensitivity.local import Local, local
-from contourlab.features.sensitivity.runs import FIGURES, Array, Figure, Runs
+from contourlab.features.sensitivity.runs import FIGURES, Figure, Runs
 
 PARTS = ("curves", "local", "morris", "sobol")
 TRANSFORMS = ("log", "none")

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from contourlab.arrays import Array
 from contourlab.design import DesignVariable
 from contourlab.features.sensitivity.curves import CHANGE, Interval
 from contourlab.features.sensitivity.indices import Distribution, Sample
-from contourlab.features.sensitivity.runs import Array
 from contourlab.features.sensitivity.study import Study
 from contourlab.figures import figure
 from contourlab.report.table import Column, Table

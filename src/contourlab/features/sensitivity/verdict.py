@@ -8,10 +8,9 @@ from itertools import combinations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags
 from contourlab.features.sensitivity.curves import CHANGE, Curve
-from contourlab.features.sensitivity.runs import Array
 from contourlab.features.sensitivity.study import Study
 from contourlab.findings import Finding, finding
 
@@ -63,7 +62,7 @@ def ranking(study: Study) -> Ranking:
 def _ranking(study: Study, measure: str, strength: Array, interval: Array, bound: float) -> Ranking:
     order = np.argsort(-strength, kind="stable")
 
-    def named(which: NDArray[np.bool_]) -> dict[str, float]:
+    def named(which: Flags) -> dict[str, float]:
         return {study.space.numbers[j].short: float(strength[j]) for j in order if which[j]}
 
     matter, negligible = strength - interval > bound, strength + interval < bound

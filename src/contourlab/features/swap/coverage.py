@@ -7,15 +7,14 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.design import Space
 from contourlab.design.values import machine_with
 from contourlab.errors import ParameterError
 from contourlab.features.swap.search import restarted
 from contourlab.features.swap.variants import Variant, Variants, losses
 
-Array = NDArray[np.float64]
 SAMPLES = 128
 """Plants that are judged against a tolerance."""
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.linear.modular_design import (
     GAINS,
@@ -20,12 +19,12 @@ from contourlab.analysis.linear.modular_design import (
     three_step_design,
 )
 from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.features.swap.variants import Variant
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller
 
-Array = NDArray[np.float64]
 METHODS = ("direct", "three-step", "lmi")
 SEEN = 5e-4
 """Difference of the sum of J/J* that is visible in print."""

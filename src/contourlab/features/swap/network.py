@@ -7,15 +7,14 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.link.network import Network
 from contourlab.features.link.cost import WAYS, allowed_error, divided, division_cost, undivided_error
 from contourlab.features.link.sweep import SEEDS, LinkSetting, LinkSweep
 from contourlab.features.swap.variants import Variants, losses
 from contourlab.loop import DIVISIONS, Division
 
-Array = NDArray[np.float64]
 PERIOD = "message_period"
 
 

@@ -10,8 +10,8 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags
 from contourlab.features.swap.study import Choice, SwapStudy
 from contourlab.figures import figure
 from contourlab.report.style import INK, MUTED
@@ -19,7 +19,6 @@ from contourlab.report.style import INK, MUTED
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Array = NDArray[np.float64]
 ROW_WIDTH = 44
 """Characters of a line of a row's name."""
 
@@ -44,7 +43,7 @@ class LossMatrix:
     columns: tuple[str, ...]
     losses: Array
     texts: tuple[tuple[str, ...], ...]
-    uncertain: NDArray[np.bool_]
+    uncertain: Flags
 
 
 def matrices(study: SwapStudy) -> list[LossMatrix]:

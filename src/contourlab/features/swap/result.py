@@ -6,10 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-import numpy as np
-from numpy.typing import NDArray
-
 from contourlab.analysis.linear.margins import Margins
+from contourlab.arrays import Array
 from contourlab.design import DesignVariable
 from contourlab.design.guards import Bounds
 from contourlab.features.run.margin_words import decibel, degrees
@@ -22,8 +20,6 @@ from contourlab.features.swap.variants import Variants
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.report.table import Column, Table, paragraphs
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

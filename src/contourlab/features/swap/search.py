@@ -8,14 +8,13 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.app.checkpoint import Checkpoint
+from contourlab.arrays import Array, Flags, Index
 from contourlab.design import Found, Space, search
 from contourlab.errors import ParameterError
 from contourlab.features.swap.variants import BROKEN, Variant, Variants, losses
 
-Array = NDArray[np.float64]
 Objective = Callable[[Array], Array]
 WarmStart = tuple[Mapping[str, float], ...]
 """A design from elsewhere: values [SI] by dotted names for each variant, or once for all."""
@@ -152,7 +151,7 @@ class SharedSpace:
                 raise ParameterError("local", name, "a number of a swapped axis that is calibrated; those of other axes are base")
 
     @cached_property
-    def _columns(self) -> NDArray[np.int64]:
+    def _columns(self) -> Index:
         """Column of each parameter of each variant in a row (n_variant, n_parameter)."""
         known: dict[tuple[str, str], int] = {}
         return np.array(
@@ -179,7 +178,7 @@ class SharedSpace:
         return np.where(low == high, low, np.bincount(flat, points.ravel()) / np.bincount(flat))
 
 
-def merged(points: Array, columns: NDArray[np.bool_]) -> list[Array]:
+def merged(points: Array, columns: Flags) -> list[Array]:
     """Give the variants one value of some parameters: the average, values that lean to one variant, and those of one variant.
 
     Parameters

@@ -9,15 +9,13 @@ from itertools import combinations
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.app.checkpoint import Checkpoint
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.features.swap.search import Design, Optimum, SwapSearch, SwapSettings
 from contourlab.features.swap.variants import Variants
 from contourlab.findings import Finding, finding
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

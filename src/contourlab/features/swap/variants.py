@@ -9,8 +9,9 @@ from dataclasses import dataclass, field, replace
 from itertools import combinations, product
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from contourlab.arrays import Array, Flags
 from contourlab.design import Evaluator, Space
 from contourlab.design.guards import Bounds, Guards
 from contourlab.design.values import controller_with
@@ -19,8 +20,6 @@ from contourlab.feed import Reference
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS
 
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 OBJECTIVES = {
     "contour_error_integral": ("m*s", "um s", 2e-6),
     "contour_error_rms": ("m", "um", 1e-6),
@@ -203,7 +202,7 @@ class Variants:
         with ThreadPoolExecutor(sides) as pool:
             return list(pool.map(figures, range(len(which)), [-(-threads // sides)] * len(which)))
 
-    def _judged(self, i: int, points: Array, excess: Array, run: Mask, figures: dict[str, Array]) -> tuple[Array, Array]:
+    def _judged(self, i: int, points: Array, excess: Array, run: Flags, figures: dict[str, Array]) -> tuple[Array, Array]:
         """Return J, and by how much a guard is broken, of the points of a variant; keep the best."""
         values, limited = np.full(len(points), np.inf), np.zeros(len(points))
         if figures:

@@ -14,10 +14,11 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
 from contourlab.analysis.linear.tick_map import DelayForm
+from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.errors import ComponentError
 from contourlab.features.tune.pole_placement import model_of
@@ -26,7 +27,6 @@ from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.result import Result
 
-Array = NDArray[np.float64]
 GRID = 2000
 """Frequencies at which the velocity loop is evaluated."""
 

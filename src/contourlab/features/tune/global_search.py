@@ -6,13 +6,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.design import Found, Space, search
 from contourlab.design.guards import Guards
 from contourlab.features.tune.objective import Objective
 
-Array = NDArray[np.float64]
 POPULATION = 32
 KEPT = 8
 """Margins of a generation's best points are checked until so many keep them; these lead the search."""

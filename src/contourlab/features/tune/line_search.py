@@ -7,15 +7,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.linear.sampled_loop import SampledLoop
+from contourlab.arrays import Array, Flags
 from contourlab.design import DesignVariable, Space
 from contourlab.design.guards import Guards
 from contourlab.errors import ParameterError
 from contourlab.features.tune.objective import Objective
 
-Array = NDArray[np.float64]
 PLATEAUS = ("robust", "best", "largest")
 SETTLED = 1e-3
 """The sequential procedure ends after a pass that lowers the objective by less than this share."""
@@ -199,7 +198,7 @@ class _Line:
             self.known_margins[value] = self.guards.missing(self.loops[value])
         return self.known_margins[value]
 
-    def within_limits(self) -> NDArray[np.bool_]:
+    def within_limits(self) -> Flags:
         """Return which runs went well and keep the drive limits, at least as far as the present value does."""
         bounds, here = self.guards.bounds, self.present
         limited = self.limited <= max(bounds.limited, self.limited[here] if np.isfinite(self.limited[here]) else 0.0)

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.linear.margins import Margins
+from contourlab.arrays import Array
 from contourlab.design import Evaluator
 from contourlab.design.guards import Guards
 from contourlab.errors import DivergenceError, ParameterError
@@ -17,8 +17,6 @@ from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import judge, summarise
 from contourlab.result import Result
-
-Array = NDArray[np.float64]
 
 FIGURES = {
     "contour_error_integral": ("contour error, integral", "um s"),

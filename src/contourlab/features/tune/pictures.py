@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.features.tune.line_search import Step
 from contourlab.features.tune.objective import Goal
 from contourlab.features.tune.study import Tuned
 from contourlab.report.charts import Chart, Curve, Panel
 from contourlab.report.style import scheme_style
 
-Array = NDArray[np.float64]
 SMALLEST = 1e-12
 
 

@@ -7,12 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.logs import read_record
-
-Array = NDArray[np.float64]
 
 WANTED = (
     "give DATA_EMPS.mat of Janot, Gautier & Brunot, 'Data set and reference models of EMPS', 2019 nonlinear benchmark "

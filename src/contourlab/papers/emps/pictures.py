@@ -6,15 +6,14 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.identification.filtered_motion import decimate, filtered_motion, kept_samples
+from contourlab.arrays import Array
 from contourlab.papers.emps.simulation import axis_of, simulate_emps
 from contourlab.papers.emps.study import SETTINGS, Identified, identified
 from contourlab.report.charts import traces_chart
 from contourlab.report.plots import write_charts
 
-Array = NDArray[np.float64]
 Traces = dict[str, tuple[Array, Array]]
 PERIOD = 6.24
 """Period of the reference [s]; some pictures show one."""

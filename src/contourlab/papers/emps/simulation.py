@@ -12,10 +12,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.identification.filtered_motion import FilteredMotion
 from contourlab.analysis.identification.inverse_dynamics import InverseDynamicsFit
+from contourlab.arrays import Array
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.components.ideal import IdealSensor
 from contourlab.errors import ParameterError
@@ -25,7 +25,6 @@ from contourlab.loop import Axis, Learned, Machine, simulate
 from contourlab.papers.emps.log import EmpsLog
 from contourlab.scenario import load_axis, load_controller
 
-Array = NDArray[np.float64]
 Advance = Callable[["EmpsAxis", float, float, float, float, float], tuple[float, float]]
 
 LIMIT = 10.0

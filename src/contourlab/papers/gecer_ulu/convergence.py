@@ -6,13 +6,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.papers.gecer_ulu.setup import EXPERIMENT, KAPPA, SIMULATION, course, reference_of
 from contourlab.papers.gecer_ulu.tables import LONG, TRIALS
 from contourlab.papers.rows import Row, ours
 
-Array = NDArray[np.float64]
 SHOWN = (0, 1, 2, 5, 10, 15, 20, 25, 30)
 
 

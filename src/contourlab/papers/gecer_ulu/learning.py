@@ -8,10 +8,10 @@ from dataclasses import replace
 from itertools import chain, pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.learning.learning_frequency import FrequencyLearning, frequency_learning
 from contourlab.analysis.linear.coupled_loop import coupled_loop
+from contourlab.arrays import Array
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.features.learn import LearningRun, learn, learning_problem
 from contourlab.features.learn.trial import record_of
@@ -33,7 +33,6 @@ from contourlab.papers.gecer_ulu.setup import (
 from contourlab.papers.gecer_ulu.tables import LONG, TRIALS
 from contourlab.papers.rows import Row, ours
 
-Array = NDArray[np.float64]
 KAPPAS = (0.1, 0.2, KAPPA, 1.0, 3.0)
 SHOWN = (0, 10, TRIALS, 60, 100, LONG)
 TRIALS_OF = {SIMULATION: LONG, EXPERIMENT: LONG, COUNTING: 60, PERIOD_30MS: LONG}

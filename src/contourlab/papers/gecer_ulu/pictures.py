@@ -7,15 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.papers.gecer_ulu.convergence import convergence, turn
 from contourlab.papers.gecer_ulu.learning import RATIO
 from contourlab.papers.gecer_ulu.setup import EXPERIMENT, SIMULATION, TABLE_2
 from contourlab.report.charts import traces_chart
 from contourlab.report.plots import write_charts
-
-Array = NDArray[np.float64]
 
 
 def draw(rows: Sequence[Mapping[str, Any]], folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:

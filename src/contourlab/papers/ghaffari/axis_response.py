@@ -7,17 +7,15 @@ not approximated by a rational function. That is what a design on paper is held 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.sampled_loop import AxisResponse, sampled_loop
+from contourlab.arrays import Array, Complex
 from contourlab.components.conformance import SLOTS
 from contourlab.components.contract import Component, LinearModel
 from contourlab.components.ideal import TrueVelocity
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Axis, AxisController
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 
 def transfer(model: LinearModel, s: ArrayLike) -> Complex:

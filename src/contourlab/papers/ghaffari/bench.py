@@ -8,8 +8,8 @@ from dataclasses import replace
 from itertools import chain
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.disturbance.loads import TableLoad
@@ -24,7 +24,6 @@ from contourlab.loop.template import build
 from contourlab.papers.ghaffari.setup import AXES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller
 from contourlab.papers.rows import Row, derived, printed
 
-Array = NDArray[np.float64]
 PERIOD = Reading().servo_period
 _PER_MM = 1e3
 

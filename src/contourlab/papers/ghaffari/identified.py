@@ -11,16 +11,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.identification.first_order import identify_closed_loop
+from contourlab.arrays import Array
 from contourlab.components.controller.position import PositionController
 from contourlab.loop.axis_parts import Limits
 from contourlab.papers.ghaffari.bench import run_bench
 from contourlab.papers.ghaffari.setup import AXES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller
 from contourlab.papers.rows import Row, ours, printed
 
-Array = NDArray[np.float64]
 _MM = 1e-3
 POSITION_GAIN, VELOCITY_GAIN = 4.0, 0.1
 """K_P [full scale/mm] and K_V [full scale s/mm] of the identification, as printed below eq (18)."""

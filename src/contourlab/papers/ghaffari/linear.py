@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.linear.tick_map import spectral_radius
+from contourlab.arrays import Array, Complex
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.laws import NoFriction
@@ -24,7 +25,6 @@ from contourlab.papers.ghaffari.axis_response import axis_response
 from contourlab.papers.ghaffari.setup import PLACED_POLES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller
 from contourlab.papers.rows import Row, derived, ours, printed
 
-Complex = NDArray[np.complex128]
 _MM = 1e-3
 PARTS = ("real pole", "pair, real part", "pair, imaginary part")
 
@@ -125,14 +125,14 @@ def _fig_8() -> Iterator[Row]:
             yield derived(f"Fig 8 change of {name}", case, said, got, unit, 1e-6, note)
 
 
-def equation_16(gains: Gains, w: NDArray[np.float64]) -> Complex:
+def equation_16(gains: Gains, w: Array) -> Complex:
     """Return P/R' of eq (16)."""
     a, b, v, p, i = gains.model_gain, gains.model_damping, gains.velocity_gain, gains.position_gain, gains.integral_gain
     s = 1j * w
     return np.asarray(a * p * i / (s**3 + (b + a * v) * s**2 + a * p * s + a * p * i))
 
 
-def closed_loop(gains: Gains, w: NDArray[np.float64]) -> Complex:
+def closed_loop(gains: Gains, w: Array) -> Complex:
     """Return P/R' of our controller joined with the ideal axis, in continuous time."""
     plant, controller = ideal_loop(gains)
     return axis_response(Axis("ideal", plant), AxisController(controller), 0.0, w).modified

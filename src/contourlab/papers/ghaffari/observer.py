@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.linear.sampled_loop import AxisResponse
+from contourlab.arrays import Array, Complex
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
@@ -19,7 +20,6 @@ from contourlab.papers.ghaffari.axis_response import axis_response
 from contourlab.papers.ghaffari.setup import AXES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller
 from contourlab.papers.rows import Row, derived, ours, printed
 
-Complex = NDArray[np.complex128]
 _PER_MM = 1e3
 
 
@@ -84,7 +84,7 @@ def _reduction() -> Iterator[Row]:
         yield printed("fit of eq 14", case, 95.0, fit, "%", 5.0, note, at_least=True)
 
 
-def first_order_fit(w: NDArray[np.float64], response: Complex) -> tuple[float, float]:
+def first_order_fit(w: Array, response: Complex) -> tuple[float, float]:
     """Return a' and b' of the least squares on (s + b') V = a' U, which is linear in both."""
     rows = np.concatenate([np.column_stack([np.ones_like(w), -response.real]), np.column_stack([np.zeros_like(w), -response.imag])])
     right = np.concatenate([(1j * w * response).real, (1j * w * response).imag])

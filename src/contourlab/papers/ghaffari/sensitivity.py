@@ -12,7 +12,6 @@ from functools import cache
 from itertools import chain
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.design import Evaluator, Space
 from contourlab.features.sensitivity.curves import Curve, curves
@@ -21,7 +20,6 @@ from contourlab.features.sensitivity.runs import FIGURES, Runs
 from contourlab.papers.ghaffari.setup import TABLE_3, Gains, Reading, circle, controller, machine
 from contourlab.papers.rows import Row, ours, printed
 
-Array = NDArray[np.float64]
 BOUNDS = {
     "observer.model_gain": ("a_hat", "200 mm/s^2/full_scale..3000 mm/s^2/full_scale"),
     "observer.model_damping": ("b_hat", "7 1/s..75 1/s"),

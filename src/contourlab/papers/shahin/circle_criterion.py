@@ -11,12 +11,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.backlash.lure import BacklashLoop
+from contourlab.arrays import Array
 from contourlab.papers.shahin.common_lyapunov import characteristic, has_hurwitz_roots, kernel, rational, transpose
-
-Array = NDArray[np.float64]
 
 NEAR_END = 1e-3
 """At infinity the locus is 1/k from the line. Minima closer to that than this share are not resolved (ill-conditioned Hamiltonian)."""

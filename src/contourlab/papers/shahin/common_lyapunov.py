@@ -14,12 +14,11 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.linear.modular_design import solved
+from contourlab.arrays import Array
 from contourlab.extras import extra_module
 
-Array = NDArray[np.float64]
 Rational = tuple[tuple[Fraction, ...], ...]
 
 

@@ -11,12 +11,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.backlash.lure import BacklashLoop, dead_zone
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
-
-Array = NDArray[np.float64]
 
 ROUNDING = 1e-11
 """Relative residual up to which an equation of floats counts as satisfied."""

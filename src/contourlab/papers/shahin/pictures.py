@@ -6,16 +6,14 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.papers.shahin import setup
 from contourlab.papers.shahin.runs import third_lap
 from contourlab.papers.shahin.setup import Setting
 from contourlab.report.charts import Chart, Curve, PolarChart, ring_spacing, traces_chart
 from contourlab.report.plots import write_charts
 from contourlab.report.style import scheme_style
-
-Array = NDArray[np.float64]
 
 
 def draw(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:

@@ -11,15 +11,14 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.feed import AxisLimits, Reference, plan, route_from_path
 from contourlab.geometry import Line, Path
 from contourlab.loop import Controller, Machine, simulate, simulate_blocks
 from contourlab.papers.shahin import setup
 from contourlab.papers.shahin.setup import Setting
 
-Array = NDArray[np.float64]
 WINDOW = (1.0, 10.0)
 """Time that the paper evaluates [s]."""
 SIGNALS = ("axis_position", "axis_velocity", "reference", "reference_velocity")

@@ -8,12 +8,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.analysis.backlash.mode_flow import exponentials
+from contourlab.arrays import Array
 from contourlab.papers.shahin.two_inertia_loop import Feedback, TwoInertias
-
-Array = NDArray[np.float64]
 
 LONGEST = 0.1
 """Longest period tested [s]."""

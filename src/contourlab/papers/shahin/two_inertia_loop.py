@@ -13,12 +13,10 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.backlash.lure import N_REFERENCE, BacklashLoop
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
-
-Array = NDArray[np.float64]
 
 MECHANICAL = ("motor position", "motor velocity", "load position", "load velocity")
 

@@ -19,8 +19,8 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array
 from contourlab.features.run.causes import idealise
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, simulate
@@ -28,7 +28,6 @@ from contourlab.metrics import judge
 from contourlab.report.judgement import Cause
 from contourlab.result import Result, Signal
 
-Array = NDArray[np.float64]
 Step: TypeAlias = Callable[[Machine, Controller], tuple[Machine, Controller]]
 
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.arrays import Array, Flags
 from contourlab.components.contract import Component
 from contourlab.errors import ContourlabError
 from contourlab.features.run.trust.provenance import numbers_of
@@ -18,8 +18,6 @@ from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Learned, Machine, parameter_names, simulate_batch
 from contourlab.report.judgement import Interval, Number, Rank, Spread
-
-Array = NDArray[np.float64]
 
 SAMPLES = 64
 """Machines that are drawn: two groups of 32 lanes."""
@@ -142,7 +140,7 @@ def _spread(values: Array) -> Spread:
     return Spread(*np.where(np.isnan(levels), np.inf, levels).tolist())
 
 
-def _ranks(columns: Mapping[str, Array], figures: Mapping[str, Array], kept: NDArray[np.bool_]) -> tuple[Rank, ...]:
+def _ranks(columns: Mapping[str, Array], figures: Mapping[str, Array], kept: Flags) -> tuple[Rank, ...]:
     from scipy.stats import rankdata
 
     def correlation(one: Array, other: Array) -> float:
