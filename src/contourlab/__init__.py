@@ -57,7 +57,6 @@ _HOMES = {
         "judge",
         "lost_motion_from_pair",
         "reversal_spikes",
-        "reversal_test",
         "summarise",
     ),
     "contourlab.program": ("Program", "parse_program", "read_program"),

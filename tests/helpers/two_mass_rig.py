@@ -97,20 +97,3 @@ def random_command(rng: np.random.Generator, n: int, level: float) -> Array:
     held = rng.integers(1, 33, n)
     size = level * 10.0 ** rng.uniform(-2.0, 1.0, n) * rng.normal(size=n) * (rng.random(n) > 0.1)
     return np.repeat(size, held)[:n]
-
-
-def chain_energy(plant: Any, run: dict[str, Array]) -> Array:
-    """Return what the masses and joints of a chain hold [J], the twists that are left in gaps among it."""
-    masses, _, _ = plant.matrices()
-    n, d = len(masses), plant.constants()
-    inner = [
-        np.atleast_2d(run[f"inner_{what}_x"].T) if n > 2 else np.empty((0, len(run["position"]))) for what in ("positions", "velocities")
-    ]
-    places = np.vstack([run["motor_position"], inner[0], run["position"]])
-    speeds = np.vstack([run["motor_velocity"], inner[1], run["velocity"]])
-    sides, twists = np.atleast_2d(run["sides_x"].T), np.atleast_2d(run["twists_x"].T)
-    held = 0.5 * masses @ speeds**2
-    for j, gap in enumerate(plant.gaps):
-        twist = np.where(sides[j] == 0.0, twists[j], places[j] - places[j + 1] - 0.5 * sides[j] * gap)
-        held = held + 0.5 * getattr(d, f"stiffness_value_{j}") * twist**2
-    return np.asarray(held)

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 import synthetic
 
+from contourlab.report.comparison import compare
 from contourlab.report.html import write_html
-from contourlab.report.tables import comparison_markdown
 from contourlab.result import Result
 
 BROWSER = next((found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None)
@@ -96,6 +96,6 @@ def test_the_report_of_a_minute_at_ten_kilohertz_is_quick_and_small(tmp_path):
 
 def test_the_page_and_the_table_tell_the_same_figures(data, page):
     text = page.read_text(encoding="utf-8")
-    for row in comparison_markdown(data).splitlines()[2:14]:
-        for cell in row.strip("| ").split(" | "):
-            assert f">{cell.strip()}<" in text or cell.strip() in ("", "-"), cell
+    for row in compare(data).rows[:12]:
+        for cell in (row.label, row.unit, *(cell.text for cell in row.cells)):
+            assert f">{cell}<" in text or cell in ("", "-"), cell

@@ -12,7 +12,6 @@ from contourlab.metrics.circles import (
 from contourlab.metrics.figures import AxisFigures, ErrorFigures, Metrics, evaluation_window, summarise
 from contourlab.metrics.judge import judge
 from contourlab.metrics.lost_motion import LostMotion, lost_motion_from_pair
-from contourlab.metrics.positioning import ReversalTest, bidirectional_positioning, reversal_test
 from contourlab.metrics.reversals import ReversalFigures, Spike, reversal_figures, reversal_spikes
 
 __all__ = [
@@ -24,12 +23,10 @@ __all__ = [
     "LostMotion",
     "Metrics",
     "ReversalFigures",
-    "ReversalTest",
     "Spike",
     "backlash_from_circle",
     "backlash_of_runs",
     "bidirectional",
-    "bidirectional_positioning",
     "circle_figures",
     "circles_of",
     "evaluation_window",
@@ -38,6 +35,5 @@ __all__ = [
     "minimum_zone",
     "reversal_figures",
     "reversal_spikes",
-    "reversal_test",
     "summarise",
 ]

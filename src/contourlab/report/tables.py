@@ -1,4 +1,4 @@
-"""The tables of a report in the terminal and in Markdown."""
+"""The tables of a report in the terminal."""
 
 from __future__ import annotations
 
@@ -22,20 +22,6 @@ def comparison_text(data: ReportData, width: int | None = None) -> str:
     return f"{table.text(width)}\n\n{paragraphs(filter(None, notes), width)}"
 
 
-def comparison_markdown(data: ReportData) -> str:
-    """Return the comparison in GitHub's Markdown; text from outside cannot break its cells."""
-    comparison = compare(data)
-    heads = ["figure", "unit", *(head.name for head in comparison.heads)]
-    rules = ["---", "---"] + ["---:"] * len(comparison.heads)
-    rows = [[row.label, row.unit, *(cell.text for cell in row.cells)] for row in comparison.rows]
-    if comparison.has_change:
-        heads, rules = [*heads, "change"], [*rules, "---:"]
-        rows = [[*cells, row.change.text] for cells, row in zip(rows, comparison.rows, strict=True)]
-    table = "\n".join("| " + " | ".join(map(_escaped, row)) + " |" for row in (heads, rules, *rows))
-    notes = [comparison.note, *(f"Note: {note}" for note in comparison.notes)]
-    return "\n\n".join([table, *(_escaped(note) for note in notes if note)]) + "\n"
-
-
 def trials_text(data: ReportData) -> str:
     """Return the trials of each scheme that learns; empty where none does."""
     tables = []
@@ -46,10 +32,3 @@ def trials_text(data: ReportData) -> str:
                 table.add(str(trial), number(contour * 1e6, 4), number(tracking * 1e6, 4), "best" if trial == scheme.trials.best else "")
             tables.append(table.text())
     return "\n\n".join(tables)
-
-
-def _escaped(text: str) -> str:
-    """Return text that Markdown takes as it is."""
-    for sign in "\\|<>*_`[]":
-        text = text.replace(sign, {"<": "&lt;", ">": "&gt;"}.get(sign, "\\" + sign))
-    return " ".join(text.split())

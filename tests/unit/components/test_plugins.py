@@ -250,6 +250,6 @@ def test_an_entry_point_cannot_take_the_place_of_ours(monkeypatch: pytest.Monkey
 def test_unknown_families_and_kinds_are_answered_with_those_there_are() -> None:
     with pytest.raises(ComponentError, match=r"'gearbox'.* plant, friction"):
         registry.components("gearbox")
-    plants = "ball-screw, inertia-chain, linear-motor, mass-damper, rigid-axis, second-order-integrator, two-inertia"
+    plants = "ball-screw, linear-motor, mass-damper, rigid-axis, second-order-integrator, two-inertia"
     with pytest.raises(ComponentError, match=rf"'rigid axis'.* {plants}$"):
         registry.component("plant", "rigid axis")

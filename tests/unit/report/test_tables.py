@@ -10,7 +10,7 @@ import synthetic
 from contourlab.feed import AxisLimits, plan, route_from_path
 from contourlab.geometry import Line, Path
 from contourlab.report.comparison import compare
-from contourlab.report.tables import comparison_markdown, comparison_text
+from contourlab.report.tables import comparison_text
 from contourlab.result import Status
 
 
@@ -85,15 +85,6 @@ def test_the_part_that_errors_are_of_is_told_of_each_run_where_it_differs(circle
 def test_markup_in_names_is_printed_as_it_is(circle):
     odd = replace(circle, schemes=(replace(circle.schemes[0], name="[bold]a|b[/bold]"),))
     assert "[bold]a|b[/bold]" in comparison_text(odd)
-    table = [line for line in comparison_markdown(odd).splitlines() if line.startswith("|")]
-    assert "\\[bold\\]a\\|b\\[/bold\\]" in table[0]
-    assert {line.replace("\\|", "").count("|") for line in table} == {4}
-
-
-def test_markdown_has_one_column_per_scheme_and_the_change(circle):
-    lines = comparison_markdown(circle).splitlines()
-    assert lines[1] == "| --- | --- | ---: | ---: | ---: |"
-    assert all(line.count("|") == 6 for line in lines if line.startswith("|"))
 
 
 def test_a_measured_run_says_what_its_encoders_do_not(circle):
@@ -104,4 +95,3 @@ def test_a_measured_run_says_what_its_encoders_do_not(circle):
 def test_notes_stand_below_the_table_as_they_are(circle):
     noted = replace(circle, notes=("one: two?", "three *four*"))
     assert comparison_text(noted).splitlines()[-2:] == ["note: one: two?", "note: three *four*"]
-    assert comparison_markdown(noted).endswith("Note: one: two?\n\nNote: three \\*four\\*\n")

@@ -9,8 +9,8 @@ Three laws, each with its own way through time; the command and the load are hel
 - *bristle* friction is stiff: velocity and bristle are advanced together, implicitly, and extrapolated to second order.
 
 A plant whose drive's force lags behind its command has a third state; its laws are in `lagged_mechanics`. One whose
-motor can stand elsewhere than its load takes a friction on either, and joins them itself: `two_mass_mechanics`,
-`two_mass_bristle` and `chain_mechanics` beside it.
+motor can stand elsewhere than its load takes a friction on either, and joins them itself: `two_mass_mechanics` and
+`two_mass_bristle`.
 """
 
 from __future__ import annotations
