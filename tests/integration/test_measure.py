@@ -13,7 +13,7 @@ import pytest
 
 from contourlab.cli.main import main
 from contourlab.errors import ResultError
-from contourlab.features.measure.sample_path import path_of_samples
+from contourlab.features.measure.measured_path import path_of_samples
 from contourlab.features.measure.shift import fitted_shift
 from contourlab.features.measure.study import measure
 from contourlab.geometry import Line

@@ -1,6 +1,6 @@
 """Contours from files: DXF and SVG drawings, and lists of points.
 
-Readers: `dxf`, `svg` (with `svg_style` and `svg_path`) and `points`; `reader` picks one by the file's suffix. `shapes` makes the curves,
+Readers: `dxf`, `svg` (with `svg_syntax`) and `points`; `reader` picks one by the file's suffix. `shapes` makes the curves,
 `chains` joins those that meet, `drawing` is the result. `fit` fits a path to points, with `polygon` and `spline_fit`.
 """
 

@@ -3,7 +3,7 @@
 SVG's y axis points down, a machine's up: the drawing is flipped about the middle of its viewBox, so that the part looks like the drawing
 and the viewBox keeps its place. Without viewBox and height, y becomes -y.
 
-`svgelements` handles transforms, viewports and basic shapes. The tree, style sheets (`svg_style`) and path data (`svg_path`) are handled
+`svgelements` handles transforms, viewports and basic shapes. The tree, style sheets and path data (`svg_syntax`) are handled
 here, because the library inherits attributes that SVG does not, drops hidden elements, and misreads some path data.
 """
 
@@ -24,8 +24,7 @@ from contourlab.arrays import Array
 from contourlab.contours.chains import Strand
 from contourlab.contours.drawing import Drawing, LeftOut, drawing_of, strand_of, unit_size
 from contourlab.contours.shapes import ConicShape, LineShape, Shape
-from contourlab.contours.svg_path import path_shapes
-from contourlab.contours.svg_style import StyleSheet
+from contourlab.contours.svg_syntax import StyleSheet, path_shapes
 from contourlab.errors import GeometryError
 from contourlab.extras import extra_module
 

@@ -21,8 +21,7 @@ from contourlab.feed import Reference
 from contourlab.geometry.view import PathView
 from contourlab.loop.builder import accepted_output
 from contourlab.loop.machine import Axis, Machine
-from contourlab.metrics.effort import EFFORT_SUMS, effort_step
-from contourlab.metrics.streaming import SUMS, corner_parts, judge_step
+from contourlab.metrics.streaming import EFFORT_SUMS, SUMS, corner_parts, effort_step, judge_step
 from contourlab.primitives import fabs, select
 from contourlab.result import Status
 

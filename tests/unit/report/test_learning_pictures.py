@@ -15,7 +15,7 @@ from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.estimator.local import Tangent
 from contourlab.components.learning.error_law import ZeroPhase
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.features.analyse.picture import contour_transfer_charts
+from contourlab.features.analyse.command import contour_transfer_charts
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.report.learning_pictures import learning_charts, singular_value_chart
 from contourlab.report.matplotlib_view import drawing

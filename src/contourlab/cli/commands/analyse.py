@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
+from contourlab.cli.options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, listed
 from contourlab.cli.output import show_result
-from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, listed
 
 
 def analyse(

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from contourlab.cli.options import Json, Plugins, ScenarioFile, Schemes, listed
 from contourlab.cli.output import show_result, wants_progress
-from contourlab.cli.scheme_options import Json, Plugins, ScenarioFile, Schemes, listed
 
 
 def backlash(file: ScenarioFile, schemes: Schemes = None, as_json: Json = False, plugin: Plugins = None) -> int:

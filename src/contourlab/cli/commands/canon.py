@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
+from contourlab.cli.options import BlockDelete, Dialect, Part, ToolTable, reading_of
 from contourlab.cli.output import silence
-from contourlab.cli.program_options import BlockDelete, Dialect, Part, ToolTable, reading_of
 
 
 def canon(

@@ -6,8 +6,8 @@ from typing import Annotated
 
 import typer
 
+from contourlab.cli.options import BlockDelete, Dialect, Json, Part, ToolTable, reading_of
 from contourlab.cli.output import emit_json, say
-from contourlab.cli.program_options import BlockDelete, Dialect, Part, ToolTable, reading_of
 
 FAULTY = 2
 
@@ -22,7 +22,7 @@ def check(
             show_default=False,
         ),
     ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
+    as_json: Json = False,
     dialect: Dialect = "linuxcnc",
     block_delete: BlockDelete = False,
     tools: ToolTable = None,

@@ -8,8 +8,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.output import conclude
-from contourlab.cli.scheme_options import (
+from contourlab.cli.options import (
     Json,
     Out,
     Plots,
@@ -22,6 +21,7 @@ from contourlab.cli.scheme_options import (
     listed,
     options_of,
 )
+from contourlab.cli.output import conclude
 
 
 def compare(

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from contourlab.cli.options import Json
 from contourlab.cli.output import emit_json, say
 
 
@@ -15,7 +16,7 @@ def components(
         str | None,
         typer.Argument(metavar="KIND", help="A family (plant), a kind (rigid-axis) or both (plant/rigid-axis).", show_default=False),
     ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
+    as_json: Json = False,
     plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; may be given again.")] = None,
 ) -> int:
     """List the components; show a family or one component with all parameters."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from contourlab.cli.options import Json, Out, WithInterval
 from contourlab.cli.output import conclude, wants_progress
-from contourlab.cli.scheme_options import Json, Out, WithInterval
 
 
 def demo(

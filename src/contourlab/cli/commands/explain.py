@@ -6,10 +6,12 @@ from typing import Annotated
 
 import typer
 
+from contourlab.cli.options import Json
+
 
 def explain(
     code: Annotated[str | None, typer.Argument(metavar="[CODE]", help="Code of a finding, such as CL104. Without it, list all.")] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
+    as_json: Json = False,
 ) -> None:
     """Explain a finding: what it means, and what to do about it."""
     from contourlab.cli.output import emit_json, say

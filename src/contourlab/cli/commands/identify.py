@@ -7,9 +7,8 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.log_options import ColumnFile, ColumnTexts, LogFormat, SamplePeriod
+from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Plots, SamplePeriod
 from contourlab.cli.output import emit_json, say
-from contourlab.cli.scheme_options import Json, Plots
 
 MODEL = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor or two-inertia."
 

@@ -7,8 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.output import conclude
-from contourlab.cli.scheme_options import (
+from contourlab.cli.options import (
     Json,
     Out,
     Plots,
@@ -21,6 +20,7 @@ from contourlab.cli.scheme_options import (
     listed,
     options_of,
 )
+from contourlab.cli.output import conclude
 
 
 def learn(

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from contourlab.cli.options import Json
 from contourlab.cli.output import emit_json, say
-from contourlab.cli.scheme_options import Json
 
 if TYPE_CHECKING:
     from contourlab.features.machines.command import Shipped

@@ -8,9 +8,8 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.log_options import ColumnFile, ColumnTexts, LogFormat, SamplePeriod
+from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, Plots, SamplePeriod, listed
 from contourlab.cli.output import conclude
-from contourlab.cli.scheme_options import Json, Out, Plots, listed
 
 
 def measure(

@@ -8,9 +8,8 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.log_options import ColumnFile, ColumnTexts, LogFormat, SamplePeriod
+from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Plots, Plugins, SamplePeriod, ScenarioFile
 from contourlab.cli.output import emit_json, say
-from contourlab.cli.scheme_options import Json, Plots, Plugins, ScenarioFile
 
 
 def refine(

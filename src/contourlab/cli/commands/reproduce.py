@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 import typer
 
+from contourlab.cli.options import Json
 from contourlab.cli.output import emit_json, say, wants_progress
-from contourlab.cli.scheme_options import Json
 
 Plots = Annotated[list[str] | None, typer.Option(help="Also draw the pictures of the paper or log as png, svg or pdf; may be given again.")]
 Out = Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")]

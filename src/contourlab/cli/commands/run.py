@@ -7,8 +7,8 @@ from typing import Annotated, Any
 
 import typer
 
+from contourlab.cli.options import Json, Out, Plots, Plugins, Signals, WithInterval, options_of
 from contourlab.cli.output import conclude
-from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, Signals, WithInterval, options_of
 
 
 def run(

@@ -7,9 +7,8 @@ from typing import Annotated
 
 import typer
 
+from contourlab.cli.options import Json, Out, Parameters, Plots, Plugins, ScenarioFile, Seed, Threads, Width, listed
 from contourlab.cli.output import emit_json, say, wants_progress
-from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, listed
-from contourlab.cli.study_options import Parameters, Seed, Threads, Width
 
 
 def sensitivity(

@@ -7,9 +7,21 @@ from typing import Annotated
 
 import typer
 
+from contourlab.cli.options import (
+    GainMargin,
+    Json,
+    Out,
+    Parameters,
+    PhaseMargin,
+    Plots,
+    Plugins,
+    ScenarioFile,
+    Seed,
+    Threads,
+    Width,
+    listed,
+)
 from contourlab.cli.output import conclude, wants_progress
-from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, listed
-from contourlab.cli.study_options import GainMargin, Parameters, PhaseMargin, Seed, Threads, Width
 
 
 def swap(

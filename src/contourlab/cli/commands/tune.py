@@ -7,9 +7,8 @@ from typing import Annotated
 
 import typer
 
+from contourlab.cli.options import GainMargin, Json, Parameters, PhaseMargin, Plots, Plugins, Seed, Threads, Width
 from contourlab.cli.output import emit_json, say, wants_progress
-from contourlab.cli.scheme_options import Json, Plots, Plugins
-from contourlab.cli.study_options import GainMargin, Parameters, PhaseMargin, Seed, Threads, Width
 
 
 def tune(

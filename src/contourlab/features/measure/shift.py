@@ -6,7 +6,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import ResultError
-from contourlab.features.measure.path_progress import progress_along
+from contourlab.features.measure.measured_path import progress_along
 from contourlab.geometry import Path
 
 SAMPLES, ITERATIONS = 5000, 50

@@ -9,10 +9,8 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import ResultError
-from contourlab.features.measure.laps import last_lap
-from contourlab.features.measure.path_progress import farthest, progress_along, size_of
+from contourlab.features.measure.measured_path import farthest, last_lap, moving, path_of_samples, progress_along, size_of
 from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
-from contourlab.features.measure.sample_path import moving, path_of_samples
 from contourlab.features.measure.shift import fitted_shift
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,6 +21,8 @@ from contourlab.features.run.command import check_plots
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
+from contourlab.report import plots
+from contourlab.report.charts import traces_chart
 from contourlab.report.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.units import to_si
@@ -159,7 +161,7 @@ def refine_logs(
             if any(np.array_equal(held_out.measured, run.measured) for run in runs):
                 findings.append(finding("CL564", held_out.label))
         if stage is not None:
-            from contourlab.features.refine.pictures import draw
+            from contourlab.features.refine.command import draw
 
             drawn = [Path(folder) / file.relative_to(stage) for file in draw(result, stage / "plots", plots)]
     sources = tuple(distinct_names([choice.file for choice in choices]))
@@ -225,3 +227,23 @@ def _write(result: Refined, sources: Sequence[str], out: Path) -> tuple[Path, ..
     for file, text in files.items():
         write_text_atomic(file, text)
     return tuple(files)[1:]
+
+
+def draw(refined: Refined, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
+    """Draw each signal of each run, measured and simulated, and what is left, with the fitted window shaded; return the files."""
+    charts = []
+    for run, simulated, window in zip(refined.runs, refined.simulated, refined.windows, strict=True):
+        time = run.times()
+        # A window may reach beyond the log.
+        within = None if window is None else (max(window[0], float(time[0])), min(window[1], float(time[-1])))
+        marked: dict[str, Any] = {"span": within, "span_label": "fitted to what is shaded" if within else ""}
+        for j, (signal, axis) in enumerate(run.channels):
+            size, unit = (1e6, "um") if signal == "position" else (1.0, "")
+            name = f"{'tracking error' if signal == 'position' else signal} of {axis}"
+            labels = "time [s]", name + (f" [{unit}]" if unit else "")
+            key = f"{run.label}-{signal}-{axis}".replace(" ", "-")
+            both = {"measured": (time, size * run.measured[:, j]), "simulated": (time, size * simulated[:, j])}
+            left = {"measured less simulated": (time, size * (run.measured[:, j] - simulated[:, j]))}
+            charts.append(traces_chart(key, f"{run.label}: {name}", labels, both, **marked))
+            charts.append(traces_chart(f"{key}-left", f"{run.label}: what is left of it", labels, left, **marked))
+    return plots.write_charts(charts, folder, formats)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ResultError
-from contourlab.features.measure.sample_path import moving
+from contourlab.features.measure.measured_path import moving
 from contourlab.features.measure.study import Measured, measure
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from contourlab.features.measure.laps import last_lap
-from contourlab.features.measure.sample_path import path_of_samples
+from contourlab.features.measure.measured_path import last_lap, path_of_samples
 from contourlab.features.measure.study import measure
 from contourlab.result import Result, Signal
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from contourlab.errors import ResultError
-from contourlab.features.measure.path_progress import progress_along
+from contourlab.features.measure.measured_path import progress_along
 from contourlab.features.measure.shift import fitted_shift
 from contourlab.geometry import Arc, Line, Path
 

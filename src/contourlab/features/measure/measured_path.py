@@ -1,4 +1,4 @@
-"""How far along a path a measured tool was, sample by sample, where no reference says so."""
+"""The path of a measured run: through the samples of its reference, its last lap, and how far along it the tool was."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.errors import ResultError
-from contourlab.geometry import Path
+from contourlab.geometry import Line, Path
+from contourlab.geometry.thinning import polygon_corners
 
 PLACES = 200_000
 """Places at which a path is looked at, at most."""
@@ -120,3 +121,77 @@ def _followed(
         if worst > limit**2 or total > most:
             break
     return found, total, worst**0.5
+
+
+PLACES = 8000
+"""Places that a path is compared with itself at."""
+APART = 2.0
+"""Distances between two such places that the same place on two laps may be apart."""
+LARGE = 0.2
+"""Part of the path's size that a lap has at least: any path looks like itself a little further on."""
+
+
+def last_lap(path: Path, along: Array) -> int | None:
+    """Return the sample at which the last of two laps or more begins; None where the path does not repeat itself to its end.
+
+    Parameters
+    ----------
+    path : Path
+        All laps one after another.
+    along : ndarray (n,) [m]
+        Place of each sample on it, which never goes back.
+    """
+    places = path.position(np.linspace(0.0, path.length, PLACES + 1))
+    near = APART * path.length / PLACES
+    size = float(np.ptp(places, axis=0).max())
+    steps = np.arange(1, PLACES // 2 + 1)
+    for lap in steps[np.linalg.norm(places[-1 - steps] - places[-1], axis=1) < near].tolist():
+        this, before = places[-lap:], places[-2 * lap : -lap]
+        if np.ptp(this, axis=0).max() > LARGE * size and np.linalg.norm(this - before, axis=1).max() < near:
+            return int(np.searchsorted(along, (1.0 - lap / PLACES) * path.length))
+    return None
+
+
+STRAIGHT = 10e-9
+"""Largest distance [m] of a sample from the path: far below any encoder's resolution."""
+
+
+def moving(reference: Array) -> tuple[int, int]:
+    """Return the samples [start, stop) from the first to the last change of positions (n, n_axis).
+
+    Raises
+    ------
+    ResultError
+        If they never change.
+    """
+    changes = np.flatnonzero((np.diff(reference, axis=0) != 0.0).any(axis=1))
+    if not changes.size:
+        raise ResultError("nothing is asked to move: the reference is the same at all samples")
+    return int(changes[0]), int(changes[-1]) + 1
+
+
+def path_of_samples(positions: Array) -> tuple[Path, Array]:
+    """Return the polygon through positions (n, n_axis) [m], and the arc length [m] of each sample.
+
+    Samples within ten nanometres of a line between others are dropped.
+
+    Raises
+    ------
+    ResultError
+        If all positions are equal, or one is not finite.
+    """
+    if not np.isfinite(positions).all():
+        raise ResultError(f"the reference is not finite at sample {int(np.argmin(np.isfinite(positions).all(axis=1)))}")
+    moving(positions)
+    new = np.append(True, (np.diff(positions, axis=0) != 0.0).any(axis=1))
+    points = positions[new]
+    arc = _arc_length(points)
+    kept = polygon_corners(points, STRAIGHT)
+    path = Path(Line.many(points[kept][:-1], points[kept][1:]))
+    # Chords are a little shorter than the samples between them: use the arc length of the path.
+    along = np.interp(arc, arc[kept], _arc_length(points[kept]))
+    return path, along[np.cumsum(new) - 1]
+
+
+def _arc_length(points: Array) -> Array:
+    return np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))

@@ -1,0 +1,100 @@
+"""Options that several commands have."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, TypeAlias
+
+import typer
+
+from contourlab.cli.output import wants_progress
+
+if TYPE_CHECKING:
+    from contourlab.features.run.command import RunOptions
+    from contourlab.program import Reading
+
+ScenarioFile: TypeAlias = Annotated[
+    str, typer.Argument(metavar="SCENARIO", help="A scenario (.toml), or the name of a shipped one.", show_default=False)
+]
+Schemes: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        help="Schemes of the scenario, separated by commas; or fb, ccc, mr, me, ilc, joined by +, as in fb,ccc,ilc,ccc+ilc.",
+        show_default=False,
+    ),
+]
+Trials: TypeAlias = Annotated[int | None, typer.Option(help="Largest number of trials after the first [default: as in the scenario].")]
+Out: TypeAlias = Annotated[Path, typer.Option(help="Folder for the results; created if missing.")]
+Json: TypeAlias = Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")]
+Plots: TypeAlias = Annotated[list[str] | None, typer.Option(help="Also write plots as png, svg or pdf; repeatable.")]
+Signals: TypeAlias = Annotated[list[str] | None, typer.Option(help="Write this signal only; repeatable [default: all].")]
+Plugins: TypeAlias = Annotated[list[Path] | None, typer.Option("--plugin", help="Load components from a Python file; repeatable.")]
+
+WithInterval: TypeAlias = Annotated[
+    bool | None,
+    typer.Option(
+        "--interval/--no-interval",
+        help="Compute the interval of the contour error from the stated deviations [default: where it is quick].",
+        show_default=False,
+    ),
+]
+
+
+def options_of(
+    out: Path, as_json: bool, plugin: list[Path] | None, plots: list[str] | None, signals: list[str] | None, interval: bool | None
+) -> RunOptions:
+    """Return the options that run, compare and learn share."""
+    from contourlab.features.run.command import RunOptions
+
+    return RunOptions(out, tuple(plugin or ()), tuple(plots or ()), tuple(signals or ()), wants_progress(as_json), interval)
+
+
+def listed(schemes: str | None) -> tuple[str, ...]:
+    """Return the names in a list with commas."""
+    return tuple(name.strip() for name in schemes.split(",")) if schemes else ()
+
+
+Parameters: TypeAlias = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--parameter",
+        metavar="NAME[=LOW..HIGH]",
+        help='Parameter to vary, as "3.position_gain=2 full_scale/mm..8 full_scale/mm"; repeatable; by default all that is calibrated.',
+        show_default=False,
+    ),
+]
+Width: TypeAlias = Annotated[float, typer.Option(help="Range of a parameter without bounds: its value divided and multiplied by this.")]
+GainMargin: TypeAlias = Annotated[float, typer.Option(help="Least gain margin of an axis, in dB.")]
+PhaseMargin: TypeAlias = Annotated[float, typer.Option(help="Least phase margin of an axis, in degrees.")]
+Seed: TypeAlias = Annotated[int, typer.Option(help="Seed of sampling and search; the same seed gives the same result.")]
+Threads: TypeAlias = Annotated[
+    int | None, typer.Option(help="By default one per processor; results do not depend on it.", show_default=False)
+]
+
+ColumnTexts: TypeAlias = Annotated[
+    list[str] | None,
+    typer.Option("--column", help="Signal of a column, as position.x='NAME \\[mm]'; repeatable.", show_default=False),
+]
+ColumnFile: TypeAlias = Annotated[
+    Path | None, typer.Option("--columns", help="A TOML file with the signals of the columns.", show_default=False)
+]
+LogFormat: TypeAlias = Annotated[
+    str | None, typer.Option("--format", help="Format of the file, if it is not recognised.", show_default=False)
+]
+SamplePeriod: TypeAlias = Annotated[
+    str | None, typer.Option("--period", help='Time between samples, as "1 ms", if the log has no times.', show_default=False)
+]
+
+Part: TypeAlias = Annotated[Path, typer.Argument(metavar="PART", help="A part program in G-code.", show_default=False)]
+Dialect: TypeAlias = Annotated[str, typer.Option(help="linuxcnc, or the more lenient grbl, which reports each place.")]
+BlockDelete: TypeAlias = Annotated[bool, typer.Option("--block-delete", help="Skip lines that begin with /.")]
+ToolTable: TypeAlias = Annotated[Path | None, typer.Option(help="LinuxCNC tool table, for G43; tools without it have no length.")]
+
+
+def reading_of(file: Path, dialect: str, block_delete: bool, tools: Path | None) -> Reading:
+    """Return the options of the reader: a missing end is a notice only, a drawing is refused."""
+    from contourlab.features.run.command import refuse_drawing
+    from contourlab.program import Reading
+
+    refuse_drawing(file)
+    return Reading(dialect=dialect, require_end=False, block_delete=block_delete, tools=tools)  # type: ignore[arg-type]  # it checks
