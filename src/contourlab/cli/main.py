@@ -83,9 +83,9 @@ def _print_version(wanted: bool) -> None:
 @app.callback()
 def _options(
     version: Annotated[bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version.")] = False,
-    debug: Annotated[bool, typer.Option("--debug", help="Show the traceback of an error; may stand anywhere.")] = False,
+    debug: Annotated[bool, typer.Option("--debug", help="Show the traceback of an error; anywhere in the command line.")] = False,
 ) -> None:
-    """How far a multi-axis machine strays from its programmed path, and which controller keeps it there.
+    """Find how far a multi-axis machine strays from its programmed path, and which controller keeps it there.
 
     Start with: contourlab demo
     """

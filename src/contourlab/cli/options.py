@@ -23,18 +23,18 @@ Schemes: TypeAlias = Annotated[
         show_default=False,
     ),
 ]
-Trials: TypeAlias = Annotated[int | None, typer.Option(help="Largest number of trials after the first [default: as in the scenario].")]
+Trials: TypeAlias = Annotated[int | None, typer.Option(help="Largest number of trials after the first; by default as in the scenario.")]
 Out: TypeAlias = Annotated[Path, typer.Option(help="Folder for the results; created if missing.")]
 Json: TypeAlias = Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")]
 Plots: TypeAlias = Annotated[list[str] | None, typer.Option(help="Also write plots as png, svg or pdf; repeatable.")]
-Signals: TypeAlias = Annotated[list[str] | None, typer.Option(help="Write this signal only; repeatable [default: all].")]
+Signals: TypeAlias = Annotated[list[str] | None, typer.Option(help="Write this signal only; repeatable; by default all.")]
 Plugins: TypeAlias = Annotated[list[Path] | None, typer.Option("--plugin", help="Load components from a Python file; repeatable.")]
 
 WithInterval: TypeAlias = Annotated[
     bool | None,
     typer.Option(
         "--interval/--no-interval",
-        help="Compute the interval of the contour error from the stated deviations [default: where it is quick].",
+        help="Compute the interval of the contour error from the stated deviations; by default where it is quick.",
         show_default=False,
     ),
 ]

@@ -1,1 +1,1 @@
-"""The commands, one file each: arguments, one call, what is printed. Heavy imports stand inside the functions."""
+"""The commands, one file each: parse, call, print. Functions import heavy libraries where they use them."""

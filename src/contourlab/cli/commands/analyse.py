@@ -19,12 +19,12 @@ def analyse(
     plots: Plots = None,
     plugin: Plugins = None,
     whole: Annotated[
-        bool, typer.Option("--whole", help="Look at laps and trials as a whole too, on the very path: up to minutes.")
+        bool, typer.Option("--whole", help="Also analyse whole laps and trials on the exact path; takes up to minutes.")
     ] = False,
 ) -> int:
-    """Say before anything runs how far each loop and the coupling are from instability, and whether learning converges."""
+    """Print the margins of each loop and of the coupling, and whether learning converges; simulates nothing."""
     from contourlab.features.analyse.command import analyse_scenario
 
-    found = analyse_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), plots=tuple(plots or ()), out=out, whole=whole)
-    show_result(found, as_json)
-    return 0 if found.good else 1
+    analysis = analyse_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), plots=tuple(plots or ()), out=out, whole=whole)
+    show_result(analysis, as_json)
+    return 0 if analysis.good else 1

@@ -7,9 +7,9 @@ from contourlab.cli.output import show_result, wants_progress
 
 
 def backlash(file: ScenarioFile, schemes: Schemes = None, as_json: Json = False, plugin: Plugins = None) -> int:
-    """Estimate the backlash of each axis, predict limit cycles, and say what compensation is best."""
+    """Estimate the backlash of each axis, predict limit cycles, and find the best compensation."""
     from contourlab.features.backlash.command import backlash_scenario
 
-    found = backlash_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), progress=wants_progress(as_json))
-    show_result(found, as_json)
+    outcome = backlash_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), progress=wants_progress(as_json))
+    show_result(outcome, as_json)
     return 0

@@ -28,7 +28,7 @@ def compare(
     file: ScenarioFile,
     others: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[RUN]...", help="With these the first is a run too: a log, a result (.nc), a folder of results."),
+        typer.Argument(metavar="[RUN]...", help="To compare finished runs, name at least two: logs, results (.nc) or folders of results."),
     ] = None,
     schemes: Schemes = None,
     trials: Trials = None,
@@ -39,7 +39,7 @@ def compare(
     interval: WithInterval = None,
     plugin: Plugins = None,
 ) -> int:
-    """Run schemes of a scenario side by side, those that learn trial after trial; or tell what changed between runs from files."""
+    """Run schemes of a scenario side by side; or compare finished runs from their files."""
     if others:
         from contourlab.features.measure.command import compare_runs
 
@@ -48,8 +48,8 @@ def compare(
             if value is not None:
                 raise typer.BadParameter("is for a scenario: leave it out where runs from files are compared", param_hint=option)
         runs = [str(file), *others]
-        found = compare_runs(runs, out, plots=tuple(plots or ()), command=shlex.join(["contourlab", "compare", *runs]))
-        return conclude(found, as_json)
+        outcome = compare_runs(runs, out, plots=tuple(plots or ()), command=shlex.join(["contourlab", "compare", *runs]))
+        return conclude(outcome, as_json)
     from contourlab.features.run.schemes import compare_schemes
 
     options = options_of(out, as_json, plugin, plots, signals, interval)

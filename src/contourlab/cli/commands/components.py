@@ -17,7 +17,7 @@ def components(
         typer.Argument(metavar="KIND", help="A family (plant), a kind (rigid-axis) or both (plant/rigid-axis).", show_default=False),
     ] = None,
     as_json: Json = False,
-    plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; may be given again.")] = None,
+    plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; repeatable.")] = None,
 ) -> int:
     """List the components; show a family or one component with all parameters."""
     from contourlab.components.registry import components as known

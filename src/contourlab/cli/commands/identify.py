@@ -51,7 +51,7 @@ def identify(
     as_json: Json = False,
     plots: Plots = None,
 ) -> int:
-    """Identify the model of an axis from logs, with deviations; write an axis file."""
+    """Identify a model of an axis from logs; write an axis file with uncertainties."""
     from contourlab.features.identify.command import identify_log
     from contourlab.features.identify.request import Request
     from contourlab.features.measure.log_choice import LogChoice

@@ -12,18 +12,18 @@ from contourlab.cli.output import emit_json, say
 
 
 def interpolate(
-    file: Annotated[Path, typer.Argument(metavar="SIGNALS", help="Text file of numbers (.csv) with two signals.", show_default=False)],
+    file: Annotated[Path, typer.Argument(metavar="SIGNALS", help="Table of numbers (.csv) with two signals.", show_default=False)],
     pitch: Annotated[str, typer.Option(help="Travel of one period of the signals.")] = "20um",
-    resolution: Annotated[str, typer.Option(help="Travel of a count: the pitch over four times a whole number.")] = "25nm",
+    resolution: Annotated[str, typer.Option(help="Travel of a count: the pitch divided by four times a whole number.")] = "25nm",
     columns: Annotated[
         str | None, typer.Option(help="The two signals by name or number, the cosine first, as u1,u2.", show_default=False)
     ] = None,
     reference: Annotated[
-        str | None, typer.Option(help="Column with the true position; by default one called reference.", show_default=False)
+        str | None, typer.Option(help="Column with the true position; by default the one named reference.", show_default=False)
     ] = None,
     forgetting: Annotated[
         float | None,
-        typer.Option(help="Correct sample by sample, with recursive least squares and this factor (0.995 to 0.9995).", show_default=False),
+        typer.Option(help="Correct by recursive least squares with this forgetting factor, 0.995 to 0.9995.", show_default=False),
     ] = None,
     out: Annotated[Path | None, typer.Option(help="Folder for counts, constants and picture.", show_default=False)] = None,
     as_json: Json = False,

@@ -35,7 +35,7 @@ def learn(
     interval: WithInterval = None,
     plugin: Plugins = None,
 ) -> int:
-    """Repeat the motion of a scenario and learn from trial to trial; say beforehand whether it converges, and keep what was learned."""
+    """Repeat the motion of a scenario, learn from each trial, keep the result; predicts whether it converges."""
     from contourlab.features.run.schemes import learn_schemes
 
     options = options_of(out, as_json, plugin, plots, signals, interval)

@@ -8,16 +8,16 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, listed
-from contourlab.cli.output import emit_json, say, wants_progress
+from contourlab.cli.output import show_result, wants_progress
 
 
 def link(
     file: ScenarioFile,
     schemes: Schemes = None,
     division: Annotated[
-        str | None, typer.Option(help="What is in the axis: drive, observer, controller, with commas between.", show_default=False)
+        str | None, typer.Option(help="What moves into the axis: drive, observer or controller; with commas.", show_default=False)
     ] = None,
-    ways: Annotated[str | None, typer.Option(help="Messages both ways or one way: both, one.", show_default=False)] = None,
+    ways: Annotated[str | None, typer.Option(help="Messages in both directions or in one: both or one.", show_default=False)] = None,
     vary: Annotated[
         str | None, typer.Option(help="What to vary: message-period, delay, jitter, loss; by default all.", show_default=False)
     ] = None,
@@ -28,24 +28,24 @@ def link(
     ] = None,
     tolerance: Annotated[str | None, typer.Option(help='Largest allowed error instead, as "15 um".', show_default=False)] = None,
     message_period: Annotated[
-        str | None, typer.Option(help="Message period while something else is varied; by default the servo period.")
+        str | None, typer.Option(help="Message period while another quantity varies; by default the servo period.")
     ] = None,
-    delay: Annotated[str | None, typer.Option(help="Delay each way while something else is varied; by default none.")] = None,
-    jitter: Annotated[str | None, typer.Option(help="Jitter while something else is varied; by default none.")] = None,
-    loss: Annotated[str | None, typer.Option(help="Part of the messages lost while something else is varied; by default none.")] = None,
+    delay: Annotated[str | None, typer.Option(help="Delay in each direction while another quantity varies; by default none.")] = None,
+    jitter: Annotated[str | None, typer.Option(help="Jitter while another quantity varies; by default none.")] = None,
+    loss: Annotated[str | None, typer.Option(help="Share of lost messages while another quantity varies; by default none.")] = None,
     extrapolate: Annotated[
         bool, typer.Option("--extrapolate", help="Extrapolate from the last two messages instead of holding the last.")
     ] = False,
     longest: Annotated[str | None, typer.Option(help="Longest time to test; by default 100 ms.", show_default=False)] = None,
     seeds: Annotated[
-        int | None, typer.Option(help="Runs with jitter or loss, of which the worst counts; by default 8.", show_default=False)
+        int | None, typer.Option(help="Runs with jitter or loss; the worst counts; by default 8.", show_default=False)
     ] = None,
     out: Out = Path("results/link"),
     as_json: Json = False,
     plots: Plots = None,
     plugin: Plugins = None,
 ) -> int:
-    """What does a network between base and axes cost, and which message rate is enough?"""
+    """Divide controllers between base and axes: find the lowest message rate that holds."""
     from contourlab.features.link.command import LinkOptions, link_scenario
 
     network = {"message_period": message_period, "delay": delay, "jitter": jitter, "loss": loss}
@@ -63,9 +63,6 @@ def link(
         seeds=seeds,
     )
     given = {"schemes": listed(schemes), "plugins": tuple(plugin or ()), "plots": tuple(plots or ()), "folder": out}
-    found = link_scenario(file, options, **given, progress=wants_progress(as_json))  # type: ignore[arg-type]
-    if as_json:
-        emit_json(found)
-    else:
-        say(found.text)
+    result = link_scenario(file, options, **given, progress=wants_progress(as_json))  # type: ignore[arg-type]
+    show_result(result, as_json)
     return 0

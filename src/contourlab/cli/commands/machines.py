@@ -24,7 +24,7 @@ def machines(
     copy: Annotated[
         Path | None, typer.Option(help="Copy it into this folder, with the files that it names.", metavar="FOLDER", show_default=False)
     ] = None,
-    force: Annotated[bool, typer.Option("--force", help="Overwrite files that are there.")] = False,
+    force: Annotated[bool, typer.Option("--force", help="Overwrite existing files.")] = False,
     as_json: Json = False,
 ) -> int:
     """List the shipped machines, axes, controllers and runs with the sources of their numbers; show or copy one."""

@@ -15,7 +15,7 @@ from contourlab.errors import ScenarioError
 if TYPE_CHECKING:
     from contourlab.features.machines.new_machine import Question
 
-new = typer.Typer(no_args_is_help=True, help="Make files to start from.")
+new = typer.Typer(no_args_is_help=True, help="Write files to start from.")
 
 
 @new.callback()
@@ -31,7 +31,7 @@ def machine(
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Overwrite existing files.")] = False,
 ) -> int:
-    """Make a machine and a matching controller from data-sheet values; asks for them."""
+    """Ask for data-sheet values; write a machine and a controller that fits it."""
     from contourlab.features.machines.new_machine import build_machine, explain, write_machine
 
     given = _asked() if answers is None else read_answers(answers)

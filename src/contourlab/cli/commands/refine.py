@@ -14,10 +14,10 @@ from contourlab.cli.output import emit_json, say
 
 def refine(
     scenario: ScenarioFile,
-    log: Annotated[list[Path], typer.Option(help="Log of a run; may be repeated.", show_default=False)],
+    log: Annotated[list[Path], typer.Option(help="Log of a run; repeatable.", show_default=False)],
     parameter: Annotated[
         list[str],
-        typer.Option(help='Parameter to refine: "axes.*.plant.damping" or "NAME=50 N..200 N"; may be repeated.', show_default=False),
+        typer.Option(help='Parameter to refine: "axes.*.plant.damping" or "NAME=50 N..200 N"; repeatable.', show_default=False),
     ],
     also: Annotated[
         list[str] | None, typer.Option(help="Scenario of the next log: the same machine under another controller.", show_default=False)
@@ -34,13 +34,13 @@ def refine(
     plugin: Plugins = None,
     machine: Annotated[
         Path | None,
-        typer.Option("--out", help="Machine file to write, controllers beside it; missing folders are made.", show_default=False),
+        typer.Option("--out", help="Machine file to write, controllers in the same folder; creates missing folders.", show_default=False),
     ] = None,
-    folder: Annotated[Path, typer.Option(help="Folder for pictures; made if missing.")] = Path("results"),
+    folder: Annotated[Path, typer.Option(help="Folder for pictures; created if missing.")] = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
 ) -> int:
-    """Fit a machine and its controllers until the simulation follows a log; print standard deviations and doubts."""
+    """Fit parameters of a machine and its controllers until the simulation follows a log."""
     from contourlab.features.measure.log_choice import LogChoice
     from contourlab.features.refine.command import refine_logs
 

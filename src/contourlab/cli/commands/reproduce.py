@@ -11,15 +11,15 @@ import typer
 from contourlab.cli.options import Json
 from contourlab.cli.output import emit_json, say, wants_progress
 
-Plots = Annotated[list[str] | None, typer.Option(help="Also draw the pictures of the paper or log as png, svg or pdf; may be given again.")]
-Out = Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")]
+Plots = Annotated[list[str] | None, typer.Option(help="Also draw the pictures of the paper or log as png, svg or pdf; repeatable.")]
+Out = Annotated[Path, typer.Option(help="Folder of the pictures; created if missing.")]
 RESULTS = Path("results")
 Rows = list[Any]
 Parts = Callable[[Callable[[str], None]], Sequence[tuple[str, Callable[[], Any]]]]
 """Returns the parts of a reproduction; may use a callable that shows progress."""
 Draw = Callable[[Rows, Path, tuple[str, ...]], Any]
 """Draws rows into a folder, in some formats."""
-reproduce = typer.Typer(no_args_is_help=True, help="Compute the figures of a paper or a log again and compare.")
+reproduce = typer.Typer(no_args_is_help=True, help="Recompute the figures of a paper or a log, and compare.")
 
 
 @reproduce.command()
@@ -63,12 +63,12 @@ def emps(
 @reproduce.command()
 def ubc(
     log_folder: Annotated[Path | None, typer.Option(help="Folder with line_circle_lli.mat and line_circle_pp.mat.")] = None,
-    unseen: Annotated[bool, typer.Option(help="Also fit with parts of the runs left out, which takes minutes.")] = True,
+    unseen: Annotated[bool, typer.Option(help="Also fit with parts of the runs left out; takes minutes.")] = True,
     as_json: Json = False,
     plots: Plots = None,
     out: Out = RESULTS,
 ) -> int:
-    """The XY table of the UBC course MECH 467: two measured line-circle runs, and the machine found from them."""
+    """XY table of the UBC course MECH 467: two measured line-circle runs and the machine identified from them."""
     from contourlab.papers.ubc import pictures, study
 
     def parts(stage: Callable[[str], None]) -> Sequence[Any]:

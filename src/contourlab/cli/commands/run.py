@@ -33,7 +33,7 @@ def run(
     interval: WithInterval = None,
     plugin: Plugins = None,
 ) -> int:
-    """Simulate a scenario or a part program, judge the contour, write report and results."""
+    """Simulate a scenario or a part program, judge the contour, write a report."""
     from contourlab.features.run.command import run_scenario
 
     program: dict[str, Any] = {

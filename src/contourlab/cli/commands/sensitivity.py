@@ -18,12 +18,12 @@ def sensitivity(
     figure: Annotated[str, typer.Option(help="integral, rms or max of the contour error.")] = "integral",
     width: Width = 2.0,
     parts: Annotated[
-        str | None, typer.Option(help="With commas between: curves, local, morris, sobol; by default all.", show_default=False)
+        str | None, typer.Option(help="Analyses, separated by commas: curves, local, morris, sobol; by default all.", show_default=False)
     ] = None,
     values: Annotated[int, typer.Option(help="Values of each curve.")] = 41,
     base: Annotated[int, typer.Option(help="N of Saltelli's sampling, a power of two: N (parameters + 2) runs.")] = 512,
-    second_order: Annotated[bool, typer.Option("--second-order", help="Sobol's indices of pairs too: N (2 parameters + 2) runs.")] = False,
-    trajectories: Annotated[int, typer.Option(help="Of Morris' design: each takes one run more than there are parameters.")] = 32,
+    second_order: Annotated[bool, typer.Option("--second-order", help="Add Sobol indices of pairs: N (2 parameters + 2) runs.")] = False,
+    trajectories: Annotated[int, typer.Option(help="Trajectories of Morris' design; each takes one run per parameter and one more.")] = 32,
     distribution: Annotated[str, typer.Option(help="uniform, log-uniform or normal between the bounds, for morris and sobol.")] = "uniform",
     deviation: Annotated[
         list[str] | None,
@@ -33,8 +33,8 @@ def sensitivity(
             show_default=False,
         ),
     ] = None,
-    transform: Annotated[str, typer.Option(help="log or none: morris and sobol take the logarithm of the figure, or the figure.")] = "log",
-    servo_period: Annotated[str, typer.Option(help='In place of the machine\'s own, as "0.1 ms".', show_default=False)] = "",
+    transform: Annotated[str, typer.Option(help="log or none: whether morris and sobol use the logarithm of the figure.")] = "log",
+    servo_period: Annotated[str, typer.Option(help='Servo period in place of the machine\'s, as "0.1 ms".', show_default=False)] = "",
     seed: Seed = 0,
     threads: Threads = None,
     out: Out = Path("results/sensitivity"),
@@ -42,9 +42,9 @@ def sensitivity(
     plots: Plots = None,
     plugin: Plugins = None,
 ) -> int:
-    """Find the parameters that the contour error depends on: one at a time, by small changes, and all at once.
+    """Find the parameters that the contour error depends on, and in which order to calibrate them.
 
-    Runs are kept in the folder of the results: after an interrupt the same command goes on where it stopped.
+    It keeps its runs in the folder of the results: after an interrupt repeat the command, and it continues.
     """
     from contourlab.features.sensitivity.command import Request, sensitivity_of
     from contourlab.features.sensitivity.study import PARTS, Plan

@@ -26,9 +26,9 @@ from contourlab.cli.output import conclude, wants_progress
 
 def swap(
     file: ScenarioFile,
-    axis: Annotated[list[str], typer.Option(help="Axis to swap. Repeat it for more axes, each with its --with.", show_default=False)],
+    axis: Annotated[list[str], typer.Option(help="Axis to swap; repeat for more axes, each with its --with.", show_default=False)],
     others: Annotated[
-        list[str], typer.Option("--with", help="Files of the modules that may take its place, with commas between.", show_default=False)
+        list[str], typer.Option("--with", help="Files of the modules that may take its place, separated by commas.", show_default=False)
     ],
     scheme: Annotated[str | None, typer.Option(help="Scheme of the scenario; by default its base.", show_default=False)] = None,
     objective: Annotated[
@@ -43,7 +43,7 @@ def swap(
     local: Annotated[
         list[str] | None,
         typer.Option(
-            help="Local parameters to test, with commas between, instead of a search for them. Repeat it for more sets.", show_default=False
+            help="Test these local parameters, separated by commas, without a search for them; repeat for more sets.", show_default=False
         ),
     ] = None,
     exhaustive: Annotated[
@@ -53,7 +53,7 @@ def swap(
         list[str] | None,
         typer.Option(
             "--from",
-            help="Controller file that every search also starts from, or one for each variant with commas between. Repeat it for more.",
+            help="Controller file to start each search from, or one for each variant, separated by commas; repeat for more.",
             show_default=False,
         ),
     ] = None,
@@ -65,45 +65,45 @@ def swap(
     region: Annotated[
         list[str] | None,
         typer.Option(
-            help="Range of a machine parameter for the coverage, as axes.x.plant.gain=LOW..HIGH. Repeat it for more.", show_default=False
+            help="Range of a machine parameter for the coverage, as axes.x.plant.gain=LOW..HIGH; repeatable.", show_default=False
         ),
     ] = None,
     tolerance: Annotated[
-        str | None, typer.Option(help='J that is good enough in the region, as "5 um*s", instead of a loss.', show_default=False)
+        str | None, typer.Option(help='J that is good enough in the region, as "5 um*s"; by default a loss.', show_default=False)
     ] = None,
     places: Annotated[
         int | None, typer.Option(help="Points of the region at which to search J*, a power of 2; by default 8.", show_default=False)
     ] = None,
     linear: Annotated[
         list[str] | None,
-        typer.Option(help="Linear designs too: direct, three-step or lmi. Repeat it for more.", show_default=False),
+        typer.Option(help="Add linear designs: direct, three-step or lmi; repeatable.", show_default=False),
     ] = None,
     division: Annotated[
         str | None,
         typer.Option(
-            help="What is in the axis: drive, observer, controller, with commas between; by default the least that does.",
+            help="Parts that move into the axis: drive, observer or controller; by default as few as possible.",
             show_default=False,
         ),
     ] = None,
-    ways: Annotated[str | None, typer.Option(help="Messages both ways or one way: both, one; by default test both.")] = None,
-    within: Annotated[str, typer.Option(help="How much the network may lose, as a part of the wired J or of J_tol.")] = "10 %",
+    ways: Annotated[str | None, typer.Option(help="Messages in both directions or in one: both or one; by default test each.")] = None,
+    within: Annotated[str, typer.Option(help="Allowed loss by the network, as a share of the wired J or of J_tol.")] = "10 %",
     message_period: Annotated[str | None, typer.Option(help="Message period of the network; by default the servo period.")] = None,
-    delay: Annotated[str | None, typer.Option(help="Delay of each message, each way; by default none.")] = None,
-    jitter: Annotated[str | None, typer.Option(help="Jitter of each message, each way; by default none.")] = None,
-    loss: Annotated[str | None, typer.Option(help="Part of the messages that is lost; by default none.")] = None,
+    delay: Annotated[str | None, typer.Option(help="Delay of a message in each direction; by default none.")] = None,
+    jitter: Annotated[str | None, typer.Option(help="Jitter of a message in each direction; by default none.")] = None,
+    loss: Annotated[str | None, typer.Option(help="Share of lost messages; by default none.")] = None,
     longest: Annotated[str, typer.Option(help="Longest message period to test.")] = "100 ms",
     out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
     plugin: Plugins = None,
 ) -> int:
-    """Does one controller serve a machine whose axis is swapped? If not, which parameters must move with the axis?"""
+    """Find out whether one controller serves all modules of a swapped axis, or which parameters must be local."""
     from contourlab.errors import ParameterError
     from contourlab.features.link.command import LinkOptions
     from contourlab.features.swap.command import SwapOptions, swap_scenario
 
     if len(axis) != len(others):
-        raise ParameterError("--axis", f"{len(axis)} of them", f"as many as --with, of which there are {len(others)}")
+        raise ParameterError("--axis", f"{len(axis)} of them", f"as many as --with: {len(others)}")
     if len(set(axis)) != len(axis):
         raise ParameterError("--axis", ", ".join(axis), "given once for each axis, all its files under one --with")
     network = {"message_period": message_period, "delay": delay, "jitter": jitter, "loss": loss}

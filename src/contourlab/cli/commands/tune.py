@@ -14,9 +14,9 @@ from contourlab.cli.output import emit_json, say, wants_progress
 def tune(
     file: Annotated[str, typer.Argument(metavar="SCENARIO", help="A scenario (.toml), or a part program.", show_default=False)],
     scheme: Annotated[str | None, typer.Option(help="Scheme of the scenario; by default the scenario itself.", show_default=False)] = None,
-    machine: Annotated[str | None, typer.Option(help="For a part program.", show_default=False)] = None,
-    controller: Annotated[str | None, typer.Option(help="For a part program.", show_default=False)] = None,
-    tolerance: Annotated[str | None, typer.Option(help='For a part program, as "25 um".', show_default=False)] = None,
+    machine: Annotated[str | None, typer.Option(help="Of a part program: file, or name of a shipped one.", show_default=False)] = None,
+    controller: Annotated[str | None, typer.Option(help="Of a part program: file, or name of a shipped one.", show_default=False)] = None,
+    tolerance: Annotated[str | None, typer.Option(help='Largest part error of a part program, as "25 um".', show_default=False)] = None,
     method: Annotated[str, typer.Option(help="sequential, global, or both.")] = "sequential",
     start: Annotated[str, typer.Option(help="scenario, or placed: poles as fast as the margins allow.")] = "scenario",
     objective: Annotated[str, typer.Option(help="integral, max, rms, tracking, energy; or a sum, integral=1,energy=0.1.")] = "integral",
@@ -27,20 +27,20 @@ def tune(
     limited: Annotated[float, typer.Option(help="Largest share of the time at a drive limit, 0 to 1.")] = 0.0,
     command: Annotated[float | None, typer.Option(help="Largest command, relative to the drive limit.", show_default=False)] = None,
     passes: Annotated[int, typer.Option(help="Largest number of passes of the sequential procedure.")] = 1,
-    lanes: Annotated[int, typer.Option(help="Values per line.")] = 32,
-    plateau: Annotated[str, typer.Option(help="Which of the values as good as the best: robust, largest, or best.")] = "robust",
-    within: Annotated[float, typer.Option(help="Share by which a value may be worse and still count as good as the best.")] = 0.01,
+    lanes: Annotated[int, typer.Option(help="Values tried per line search.")] = 32,
+    plateau: Annotated[str, typer.Option(help="Which of equally good values to take: robust, largest or best.")] = "robust",
+    within: Annotated[float, typer.Option(help="Values worse than the best by up to this share count as equally good.")] = 0.01,
     budget: Annotated[int, typer.Option(help="Runs of the global search.")] = 6000,
     starts: Annotated[int, typer.Option(help="Starts of the global search.")] = 5,
     seed: Seed = 0,
     threads: Threads = None,
-    out: Annotated[Path | None, typer.Option(help="Controller file to write; missing folders are made.", show_default=False)] = None,
-    folder: Annotated[Path, typer.Option(help="Folder for pictures; made if missing.")] = Path("results"),
+    out: Annotated[Path | None, typer.Option(help="Controller file to write; creates missing folders.", show_default=False)] = None,
+    folder: Annotated[Path, typer.Option(help="Folder for pictures; created if missing.")] = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
     plugin: Plugins = None,
 ) -> int:
-    """Calibrate gains, innermost loop first, within margins and drive limits; write a controller file."""
+    """Tune gains, innermost loop first, within margins and drive limits; write a controller file."""
     import math
 
     from contourlab.design.guards import Bounds
