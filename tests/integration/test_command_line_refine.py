@@ -279,7 +279,7 @@ def test_samples_that_are_missing_are_told(scene: Path, tmp_path: Path, capsys: 
     thin.write_text("\n".join(lines[:400] + lines[404:]) + "\n")
     typed = [str(thin) if word == str(scene / "log.csv") else word for word in words(scene, "--json", names=NAMES[:1])]
     assert main(typed) in (0, 1)
-    doubts = [one["text"] for one in json.loads(capsys.readouterr().out)["findings"] if one["code"] == "CL400"]
+    doubts = [one["text"] for one in json.loads(capsys.readouterr().out)["findings"] if one["code"] == "CL427"]
     assert any("thin" in text and "4 of" in text for text in doubts)
 
 

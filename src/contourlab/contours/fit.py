@@ -56,9 +56,8 @@ class PointFit:
     @property
     def note(self) -> str:
         """A summary in one line."""
-        how = f"at most {1e6 * self.deviation:.3g} um from the curve" if self.smoothed else "on the curve"
-        parts = [f"{self.n_point} points", how, f"at most {1e6 * self.bulge:.3g} um from their chords between them"]
-        parts.append(f"{self.n_corner} corners")
+        how = f"smoothed by up to {1e6 * self.deviation:.3g} um" if self.smoothed else "interpolated"
+        parts = [f"{self.n_point} points", how, f"curve within {1e6 * self.bulge:.3g} um of their chords", f"{self.n_corner} corners"]
         if self.n_straight:
             parts.append(f"{self.n_straight} straight stretches")
         if self.n_divided:

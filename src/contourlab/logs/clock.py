@@ -10,6 +10,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags
 from contourlab.errors import LogError
+from contourlab.findings import Finding, finding
 from contourlab.units import show
 
 GAP = 1.5
@@ -63,27 +64,26 @@ class ClockReport:
         """Number of samples that are missing."""
         return sum(gap.missing for gap in self.gaps)
 
-    def lines(self, period: float | None = None) -> list[str]:
-        """Return notes; none for an even clock.
+    def findings(self, period: float | None = None, place: str = "") -> list[Finding]:
+        """Return what is uneven; nothing for an even clock.
 
         Parameters
         ----------
         period : float [s], optional
             Of the common clock; by default the channel's own.
+        place : str
+            The channels.
         """
-        onto = self.period if period is None else period
-        notes = []
+        findings = []
         if self.jitter_peak > EVEN * self.period:
-            notes.append(f"times jitter by {show(self.jitter_rms, 'us', 3)} rms, {show(self.jitter_peak, 'us', 3)} at most")
+            findings.append(finding("CL426", place, rms=self.jitter_rms, peak=self.jitter_peak))
         if self.gaps:
-            notes.append(f"{self.missing} of {self.n_sample + self.missing} samples are missing, {self._gaps()}")
+            findings.append(finding("CL427", place, missing=self.missing, samples=self.n_sample + self.missing, gaps=self._gaps()))
         if self.repeated:
-            repeat = "samples repeat" if self.repeated > 1 else "sample repeats"
-            notes.append(f"{self.repeated} {repeat} the time before: left out")
+            findings.append(finding("CL428", place, samples=self.repeated))
         if self.resampled:
-            own = f"a sample every {show(self.period, 'us')}, " if abs(onto - self.period) > EVEN * onto else ""
-            notes.append(f"{own}interpolated to an even clock of {show(onto, 'us')}")
-        return notes
+            findings.append(finding("CL429", place, own=self.period, clock=self.period if period is None else period))
+        return findings
 
     def _gaps(self) -> str:
         """Describe the number of gaps and the longest one."""

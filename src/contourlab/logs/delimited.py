@@ -11,6 +11,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.errors import LogError
+from contourlab.findings import Finding, finding
 from contourlab.logs.reading import CUT, called, cells_of, is_empty, is_unit, name_and_unit, number, numbers, shown, text_of
 from contourlab.logs.record import Channel, Record
 
@@ -60,13 +61,13 @@ def read(file: Path) -> Record:
         heads, rows = ([(i, line.rstrip(" ").removesuffix(mark or "")) for i, line in part] for part in (heads, rows))
     width = len(_cells(rows[0][1], mark))
     names, units = _heads([_cells(line, mark) for _, line in heads], width)
-    notes: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
     if cut and len(_cells(rows[-1][1], mark)) != width:
-        rows, notes = rows[:-1], (CUT,)
+        rows, findings = rows[:-1], (CUT,)
     timestamps, rows = _timestamps(rows, names, mark, file)
     values = _values(rows, names, mark, file, {line for _, line in heads})
     channels = [timestamps.get(j) or Channel(names[j], column, units[j]) for j, column in enumerate(values.T)]
-    return Record(file, "csv", tuple(channels), notes=notes)
+    return Record(file, "csv", tuple(channels), findings=findings)
 
 
 def _timestamps(
@@ -259,7 +260,7 @@ def timestamp_channel(name: str, texts: Sequence[str], lines: Sequence[int], fil
     """
     rows = [row for row, text in enumerate(texts) if not is_empty(text)]
     seconds = np.full(len(texts), np.nan)
-    notes: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
     try:
         ticks, is_clock = _ticks([texts[row] for row in rows], name, [lines[row] for row in rows], file)
     except LogError as fault:
@@ -268,9 +269,9 @@ def timestamp_channel(name: str, texts: Sequence[str], lines: Sequence[int], fil
         day, clock = ticks // DAY, ticks % DAY
         if is_clock:
             day = np.cumsum(np.diff(clock, prepend=clock[0]) < -DAY // 2)
-            notes = (f"times of day in {name!r} continue past midnight",) if day[-1] else ()
+            findings = (finding("CL421", column=name),) if day[-1] else ()
         seconds[rows] = (day - day[0]) * 86400.0 + (clock - clock[0]) * 1e-9
-    return Channel(name, seconds, "s", is_timestamp=True, notes=notes)
+    return Channel(name, seconds, "s", is_timestamp=True, findings=findings)
 
 
 def _ticks(texts: list[str], name: str, lines: Sequence[int], file: Path) -> tuple[Index, bool]:

@@ -13,6 +13,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError
+from contourlab.findings import finding
 from contourlab.logs.reading import lines_of, numbers
 from contourlab.logs.record import Channel, Record
 
@@ -35,7 +36,7 @@ def read_scope(file: Path) -> Record:
     LogError
         If a line is faulty.
     """
-    written, notes = lines_of(file)
+    written, findings = lines_of(file)
     lines = [(i, line.strip()) for i, line in written]
     first = _FIRST.match(lines[0][1]) if lines else None
     if first is None:
@@ -52,7 +53,7 @@ def read_scope(file: Path) -> Record:
     comma = any("," in cell for _, cells in rows for cell in cells)
     values = numbers(rows, names, file, comma)
     channels = tuple(Channel(name, column) for name, column in zip(names, values.T, strict=True))
-    return Record(file, "halscope", channels, int(first[2]) / 1e9, notes=notes)
+    return Record(file, "halscope", channels, int(first[2]) / 1e9, findings=findings)
 
 
 def _labelled(body: list[tuple[int, str]], file: Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
@@ -94,7 +95,7 @@ def read_sampler(file: Path) -> Record:
     LogError
         If a line is faulty, unnumbered samples were lost, or sample numbers restart.
     """
-    written, notes = lines_of(file)
+    written, findings = lines_of(file)
     lines = [(i, line.split()) for i, line in written]
     rows = [(i, cells) for i, cells in lines if cells != [OVERRUN]]
     if not rows:
@@ -106,8 +107,8 @@ def read_sampler(file: Path) -> Record:
         line = next(i for i, cells in lines if cells == [OVERRUN])
         raise LogError("unnumbered samples were lost here: sample again with halsampler -t", file=file, line=line)
     names = (["sample"] if tagged else []) + [str(j + 1) for j in range(values.shape[1] - tagged)]
-    notes += (f"{lost} overruns: samples were lost there",) if lost else ()
-    return Record(file, "halsampler", tuple(Channel(n, v) for n, v in zip(names, values.T, strict=True)), notes=notes)
+    findings += (finding("CL422", overruns=lost),) if lost else ()
+    return Record(file, "halsampler", tuple(Channel(n, v) for n, v in zip(names, values.T, strict=True)), findings=findings)
 
 
 def _is_numbered(rows: list[tuple[int, list[str]]], first: Array, file: Path) -> bool:

@@ -12,6 +12,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import FeedError, GeometryError, LogError, ParameterError, ResultError, UnitError
+from contourlab.findings import Finding, finding
 from contourlab.logs.clock import EVEN, ClockReport, common_clock, look_at_clock, repeats_too_often, resampled
 from contourlab.logs.delimited import CURE
 from contourlab.logs.formats import read_record
@@ -40,29 +41,34 @@ class Log:
         The column of each signal.
     clocks : mapping of str to ClockReport
         By channel.
-    notes : tuple of str
+    findings : tuple of Finding
         On the reading.
     start : float [s]
         Time of the first sample in the file.
-    doubtful : tuple of str
-        A note for each signal with several candidate columns; none is used.
+    doubtful : tuple of Finding
+        On each signal with several candidate columns; none is used.
     """
 
     result: Result
     record: Record
     columns: tuple[Column, ...]
     clocks: dict[str, ClockReport]
-    notes: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
     start: float = 0.0
-    doubtful: tuple[str, ...] = ()
+    doubtful: tuple[Finding, ...] = ()
 
-    def clock_notes(self) -> list[str]:
-        """Return notes on the sample times, with the channels unless for all."""
-        channels: dict[str, list[str]] = {}
+    def clock_findings(self) -> list[Finding]:
+        """Return what is uneven in the sample times, with the channels unless in all."""
+        period = self.result.servo_period
+        alike: list[tuple[ClockReport, list[str]]] = []
         for name, report in self.clocks.items():
-            for line in report.lines(self.result.servo_period):
-                channels.setdefault(line, []).append(name)
-        return [line if len(names) == len(self.clocks) else f"{quoted(names)}: {line}" for line, names in channels.items()]
+            names = next((names for other, names in alike if other == report), None)
+            if names is None:
+                alike.append((report, [name]))
+            else:
+                names.append(name)
+        places = ["" if len(names) == len(self.clocks) else quoted(names) for _, names in alike]
+        return [one for (report, _), place in zip(alike, places, strict=True) for one in report.findings(period, place)]
 
     def gaps_at(self, time: float) -> list[str]:
         """Return the position channels with a gap at a time [s] of the result."""
@@ -136,23 +142,24 @@ def result_of(record: Record, given: Columns) -> Log:
     columns = (*given.columns, *guesses)
     wanted = [column for column in columns if column.signal != TIME]
     if not wanted:
-        raise LogError("; ".join([*doubtful, unknown(record)]), file=record.file)
-    times, time_notes = _times(record, columns, given)
+        raise LogError("; ".join([*(doubt.text for doubt in doubtful), unknown(record)]), file=record.file)
+    times, time_findings = _times(record, columns, given)
     timed = {name: _timed(record, name, times, given.period, doubtful) for name in dict.fromkeys(column.column for column in wanted)}
     clock = common_clock([(channel.report, float(channel.time[0]), float(channel.time[-1])) for channel in timed.values()], record.file)
-    signals, unit_notes = _signals(record, {column: timed[column.column] for column in wanted}, clock)
+    signals, unit_findings = _signals(record, {column: timed[column.column] for column in wanted}, clock)
     axes = tuple(sorted({column.axis for column in wanted}, key=_order))
     attributes = {**record.attributes, "log": record.file.name, "format": record.format}
     result = Result(record.file.stem, axes, clock[0], _stacked(signals, axes), attributes=attributes)
-    by_name = [f"{column.target} {column.column!r}" for column in guesses if column.signal != TIME and column.column != column.target]
-    notes = (*record.notes, *([f"identified by name: {', '.join(by_name)}"] if by_name else []), *doubtful, *time_notes, *unit_notes)
+    by_name = [f"{column.target} = {column.column}" for column in guesses if column.signal != TIME and column.column != column.target]
+    named = [finding("CL430", columns=by_name)] if by_name else []
     clocks = {channel.channel.name: channel.report for channel in timed.values()}
     log = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful))
-    return replace(log, notes=(*notes, *log.clock_notes()))
+    findings = (*record.findings, *named, *doubtful, *time_findings, *unit_findings, *log.clock_findings())
+    return replace(log, findings=findings)
 
 
-def _guesses(record: Record, given: Columns) -> tuple[list[Column], list[str]]:
-    """Return the columns identified by name besides those given, and a note for each ambiguous signal."""
+def _guesses(record: Record, given: Columns) -> tuple[list[Column], list[Finding]]:
+    """Return the columns identified by name besides those given, and a finding for each ambiguous signal."""
     named = {(column.signal, column.axis) for column in given.columns}
     taken = {record.channel(column.column).name for column in given.columns}
     guesses, doubtful = [], []
@@ -162,8 +169,7 @@ def _guesses(record: Record, given: Columns) -> tuple[list[Column], list[str]]:
             continue
         guesses.append(Column(*target, names[0]))
         if len(names) > 1:
-            choice = " or ".join(map(repr, names))
-            doubtful.append(f"{guesses.pop().target} may be {choice}: choose with --column")
+            doubtful.append(finding("CL431", signal=guesses.pop().target, columns=" or ".join(map(repr, names))))
     return guesses, doubtful
 
 
@@ -172,9 +178,9 @@ def _order(axis: str) -> tuple[int, str]:
     return (place if place >= 0 else len(AXIS_LETTERS), axis)
 
 
-def _times(record: Record, columns: Sequence[Column], given: Columns) -> tuple[Array | None, list[str]]:
-    """Return the times [s] of channels without their own, None to count samples by the period; and notes."""
-    notes: list[str] = []
+def _times(record: Record, columns: Sequence[Column], given: Columns) -> tuple[Array | None, list[Finding]]:
+    """Return the times [s] of channels without their own, None to count samples by the period; and findings."""
+    findings: list[Finding] = []
     column = next((c for c in columns if c.signal == TIME), None)
     if column is not None and any(record.channel(c.column).time is None for c in columns if c.signal != TIME):
         channel = record.channel(column.column)
@@ -183,14 +189,14 @@ def _times(record: Record, columns: Sequence[Column], given: Columns) -> tuple[A
         except LogError as error:
             if given.period is None or column in given.columns:
                 raise
-            notes = [f"{error.message.removesuffix(f': {CURE}')}: the given period is used instead"]
+            findings = [finding("CL432", reason=error.message.removesuffix(f": {CURE}"))]
     numbered = next((c for c in record.channels if c.name == "sample" and record.format == "halsampler"), None)
     period = given.period or record.period
-    return (np.asarray(numbered.values * period), notes) if numbered is not None and period is not None else (None, notes)
+    return (np.asarray(numbered.values * period), findings) if numbered is not None and period is not None else (None, findings)
 
 
-def _times_in(channel: Channel, column: Column, record: Record) -> tuple[Array, list[str]]:
-    """Return the times [s] in a column, and notes."""
+def _times_in(channel: Channel, column: Column, record: Record) -> tuple[Array, list[Finding]]:
+    """Return the times [s] in a column, and findings."""
     if channel.fault is not None:
         raise channel.fault
     missing = np.isnan(channel.values)
@@ -201,10 +207,10 @@ def _times_in(channel: Channel, column: Column, record: Record) -> tuple[Array, 
     if channel.is_timestamp and column.unit:
         raise LogError(f"column {channel.name!r} holds dates and times of day: leave out {column.unit}", file=record.file)
     unit = column.unit or channel.unit
-    notes = [*channel.notes] if unit else ["time is taken in s: its column has no unit"]
+    findings = [*channel.findings] if unit else [finding("CL433")]
     if missing.any():
-        notes.append(f"{int(missing.sum())} of {missing.size} rows have no time, and are left out")
-    return _in_si(channel, column, unit or "s", "s", record) * column.factor, notes
+        findings.append(finding("CL434", missing=int(missing.sum()), rows=missing.size))
+    return _in_si(channel, column, unit or "s", "s", record) * column.factor, findings
 
 
 @dataclass(eq=False)
@@ -216,7 +222,7 @@ class Timed:
     report: ClockReport
 
 
-def _timed(record: Record, name: str, times: Array | None, period: float | None, doubtful: Sequence[str]) -> Timed:
+def _timed(record: Record, name: str, times: Array | None, period: float | None, doubtful: Sequence[Finding]) -> Timed:
     """Return a channel with its times, without missing values."""
     channel = record.channel(name)
     if channel.fault is not None:
@@ -225,7 +231,7 @@ def _timed(record: Record, name: str, times: Array | None, period: float | None,
     period = period or record.period
     if time is None:
         if period is None:
-            doubt = "".join(f"{note}; " for note in doubtful if note.startswith(f"{TIME} "))
+            doubt = "".join(f"{doubt.text}; " for doubt in doubtful if doubt.values["signal"] == TIME)
             cure = 'give the period, as --period "1 ms", or the column, as --column time=NAME'
             raise LogError(f"{doubt}has no sample times: {cure}", file=record.file)
         time = np.asarray(np.arange(channel.values.size) * period)
@@ -252,13 +258,13 @@ def _in_si(channel: Channel, column: Column, unit: str, expected: str, record: R
 
 def _signals(
     record: Record, timed: dict[Column, Timed], clock: tuple[float, float, int]
-) -> tuple[dict[str, dict[str, tuple[Array, str]]], list[str]]:
-    """Return values on the clock and unit of each signal and axis, and notes."""
+) -> tuple[dict[str, dict[str, tuple[Array, str]]], list[Finding]]:
+    """Return values on the clock and unit of each signal and axis, and findings."""
     signals: dict[str, dict[str, tuple[Array, str]]] = {}
-    notes = []
+    findings: list[Finding] = []
     for column, channel in timed.items():
-        unit, note = _unit(column, channel.channel, timed, record)
-        notes += [note] if note else []
+        unit, shared = _unit(column, channel.channel, timed, record)
+        findings += [shared] if shared and shared not in findings else []
         expected = SIGNALS[column.signal]
         values = _in_si(channel.channel, column, unit, expected, record) if unit else channel.channel.values
         values = values * column.factor
@@ -267,18 +273,18 @@ def _signals(
         if between:
             channel.report = replace(channel.report, resampled=True)
         signals.setdefault(column.signal, {})[column.axis] = (even, expected or si_unit(unit))
-    return signals, list(dict.fromkeys(notes))
+    return signals, findings
 
 
-def _unit(column: Column, channel: Channel, timed: dict[Column, Timed], record: Record) -> tuple[str, str]:
-    """Return the unit of a column, and a note if it was taken from another signal of the axis."""
+def _unit(column: Column, channel: Channel, timed: dict[Column, Timed], record: Record) -> tuple[str, Finding | None]:
+    """Return the unit of a column, and a finding if it was taken from another signal of the axis."""
     unit, expected = column.unit or channel.unit, SIGNALS[column.signal]
     if unit or not expected:
-        return unit, ""
+        return unit, None
     for other, beside in timed.items():
         shared = other.unit or beside.channel.unit
         if other is not column and other.axis == column.axis and SIGNALS[other.signal] == expected and shared:
-            return shared, f"{column.signal} is taken in {shared} like {other.signal}: its columns have no unit"
+            return shared, finding("CL435", signal=column.signal, unit=shared, other=other.signal)
     raise LogError(f"column {channel.name!r} has no unit: write --column '{column.target}={channel.name} [mm]'", file=record.file)
 
 

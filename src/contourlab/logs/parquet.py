@@ -9,6 +9,7 @@ import numpy as np
 
 from contourlab.errors import LogError
 from contourlab.extras import extra_module
+from contourlab.findings import finding
 from contourlab.logs.reading import name_and_unit
 from contourlab.logs.record import Channel, Record
 
@@ -36,8 +37,8 @@ def read(file: Path) -> Record:
         raise LogError(f"cannot be read as Parquet: {str(error).splitlines()[0]}", file=file) from error
     channels = [_channel(field, table.column(i)) for i, field in enumerate(table.schema)]
     left_out = [field.name for field, channel in zip(table.schema, channels, strict=True) if channel is None]
-    notes = (f"columns without numbers are left out: {', '.join(left_out)}",) if left_out else ()
-    return Record(file, "parquet", tuple(channel for channel in channels if channel), notes=notes)
+    findings = (finding("CL425", columns=left_out),) if left_out else ()
+    return Record(file, "parquet", tuple(channel for channel in channels if channel), findings=findings)
 
 
 def _channel(field: Any, column: Any) -> Channel | None:

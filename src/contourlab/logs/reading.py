@@ -13,14 +13,15 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError, UnitError
+from contourlab.findings import Finding, finding
 from contourlab.units import same_dimension
 
 HEAD = 1 << 16
 """Bytes of a file that identify its format."""
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 """Byte order marks of UTF-16."""
-CUT = "the last line is cut short and left out"
-"""Note on an interrupted file."""
+CUT = finding("CL419")
+"""Finding on an interrupted file."""
 SHOWN = 40
 """Characters of a faulty cell that a message shows."""
 _UNIT = re.compile(r"\s*(?P<name>.*?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]\s*\Z")
@@ -70,8 +71,8 @@ def text_of(file: Path) -> str:
         return data.decode("latin-1")
 
 
-def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[str, ...]]:
-    """Return the numbered lines of a file without blank ones, and notes.
+def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[Finding, ...]]:
+    """Return the numbered lines of a file without blank ones, and findings.
 
     A last line without a line break was cut short, and is left out.
     """

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError
+from contourlab.findings import Finding
 
 AXIS_LETTERS = "xyzabcuvw"
 """Axes in the order of their joints."""
@@ -31,7 +32,7 @@ class Channel:
         Time of each value; None if the file has no times.
     is_timestamp : bool
         Whether it held dates or times of day, now in seconds from the first.
-    notes : tuple of str
+    findings : tuple of Finding
         How its values were read.
     fault : LogError or None
         Why its values cannot be read; raised if they are needed.
@@ -44,7 +45,7 @@ class Channel:
     unit: str = ""
     time: Array | None = None
     is_timestamp: bool = False
-    notes: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
     fault: LogError | None = None
     symbol: str = ""
 
@@ -64,7 +65,7 @@ class Record:
         Between samples, if the file states it.
     constants : mapping of str to float
         Single numbers of the file, such as gains and scales.
-    notes : tuple of str
+    findings : tuple of Finding
         What was skipped.
     attributes : mapping of str to str, int or float
         Attributes of a result that contourlab wrote.
@@ -75,7 +76,7 @@ class Record:
     channels: tuple[Channel, ...]
     period: float | None = None
     constants: Mapping[str, float] = field(default_factory=dict)
-    notes: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
     attributes: Mapping[str, str | int | float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

@@ -16,6 +16,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError
+from contourlab.findings import Finding, finding
 from contourlab.logs.reading import is_unit, number, readable, shown
 from contourlab.logs.record import Channel, Record
 
@@ -56,14 +57,14 @@ def read(file: Path) -> Record:
     channels = tuple(_channel(key, signal, name, trace) for key, signal, name in described if key in trace.samples)
     if not channels:
         raise LogError("holds no trace: no rec has values of a dataSignal", file=file)
-    return Record(file, "sinumerik", channels, notes=_notes(trace, [name or key for key, _, name in described if key not in trace.samples]))
+    silent = [name or key for key, _, name in described if key not in trace.samples]
+    return Record(file, "sinumerik", channels, findings=_findings(trace, silent))
 
 
-def _notes(trace: _Trace, silent: Sequence[str]) -> tuple[str, ...]:
+def _findings(trace: _Trace, silent: Sequence[str]) -> tuple[Finding, ...]:
     lost = _positive(trace.header.get("dropOuts"))
-    notes = [f"the trace lost samples ({lost:.0f} drop-outs): values are held there"] if lost else []
-    notes += [f"signals without a value are left out: {', '.join(silent)}"] if silent else []
-    return tuple(notes)
+    findings = [finding("CL423", drop_outs=int(lost))] if lost else []
+    return (*findings, *([finding("CL424", signals=silent)] if silent else []))
 
 
 @dataclass

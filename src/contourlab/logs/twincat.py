@@ -10,6 +10,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError
+from contourlab.findings import Finding, finding
 from contourlab.logs.reading import cell_number, cells_of, lines_of, number
 from contourlab.logs.record import Channel, Record
 
@@ -39,7 +40,7 @@ def read(file: Path) -> Record:
     LogError
         If the header or a row is faulty.
     """
-    written, notes = lines_of(file)
+    written, findings = lines_of(file)
     if not written:
         raise LogError("holds no samples", file=file)
     mark = written[0][1].lstrip('"').removeprefix(NAME).lstrip('"')[:1] or "\t"
@@ -57,7 +58,7 @@ def read(file: Path) -> Record:
     layout = _layout(heads[NAME], body[0][1], file)
     comma = any("," in cell for cell in heads[PERIOD]) and mark != ","
     values = _values(body, max(max(pair) for pair in layout) + 1, comma, file, {column: heads[NAME][head] for head, column, _ in layout})
-    return Record(file, "twincat", tuple(_channel(heads, values, *pair) for pair in layout), notes=(*notes, *_notes(heads)))
+    return Record(file, "twincat", tuple(_channel(heads, values, *pair) for pair in layout), findings=(*findings, *_findings(heads)))
 
 
 def _until_end(body: list[tuple[int, list[str]]]) -> list[tuple[int, list[str]]]:
@@ -114,6 +115,6 @@ def _channel(heads: dict[str, list[str]], values: Array, head: int, column: int,
     return Channel(heads[NAME][head], values[valid, column], unit.partition("(")[0].strip(), seconds, symbol=symbol)
 
 
-def _notes(heads: dict[str, list[str]]) -> tuple[str, ...]:
+def _findings(heads: dict[str, list[str]]) -> tuple[Finding, ...]:
     scaled = [name for name, factor in zip(heads[NAME], heads.get("ScaleFactor", []), strict=False) if _number(factor) and factor != "1"]
-    return (f"scaled by the scope: {', '.join(scaled)}",) if scaled else ()
+    return (finding("CL420", channels=scaled),) if scaled else ()

@@ -86,7 +86,7 @@ def test_the_straight_sides_are_lines_and_the_note_says_so(tmp_path: File) -> No
     lines = [curve for curve in found.path.curves if isinstance(curve, Line)]
     assert [round(line.length / MM, 3) for line in lines] == [34.0, 54.0, 34.0, 54.0]
     # The sagitta of a tenth of a quarter turn: r (1 - cos(pi / 36)).
-    assert f"at most {3e3 * (1.0 - math.cos(math.pi / 36.0)):.2g}" in found.notes[0]
+    assert f"within {3e3 * (1.0 - math.cos(math.pi / 36.0)):.2g}" in found.notes[0]
     assert "4 straight" in found.notes[0]
     for tolerance in (1e-6, 1e-5, 1e-4):
         near = study_contour(file, tolerance=tolerance).path

@@ -7,10 +7,11 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from refusals import mentions, refuses
+from refusals import refuses
 from scipy.io import savemat
 
 from contourlab.errors import LogError, ParameterError
+from contourlab.findings import finding
 from contourlab.logs import load_log, parse_columns, read_record
 from contourlab.logs.formats import FORMATS, format_of
 from contourlab.result import Result, Signal
@@ -91,7 +92,7 @@ def test_halsampler(tmp_path: Path) -> None:
     assert record.names == ["sample", "1", "2", "3"]
     assert record.channel("sample").values.tolist() == [10.0, 11.0, 14.0]
     assert record.channel("2").values.tolist() == [1.5, 1.501, 1.504]
-    assert "1 overruns" in record.notes[0]
+    assert record.findings == (finding("CL422", overruns=1),)
     with refuses(LogError, "lost", file=tmp_path / "a.txt", line=2):
         read_record(written(tmp_path, "a.txt", "0.1 0.2 \noverrun\n0.4 0.1 \n"))
 
@@ -125,7 +126,7 @@ def test_twincat(tmp_path: Path, mark: str, timelines: str) -> None:
         assert channel.time is not None
         assert channel.time == pytest.approx(np.arange(count) * every * 1e-3)
         assert channel.values == pytest.approx(np.arange(count) * every + 0.5)
-    assert len(record.notes) == 1 and "cmd" in record.notes[0]
+    assert record.findings == (finding("CL420", channels=["cmd"]),)
 
 
 def test_twincat_with_full_time_stamps(tmp_path: Path) -> None:
@@ -180,7 +181,7 @@ def test_a_trace_says_what_is_new(tmp_path: Path) -> None:
     record = read_record(written(tmp_path, "a.xml", TRACE))
     assert record.names == ["Setpoint (64 bit) AX1", "started", "Setpoint (64 bit) AX2", "Current"]
     assert [channel.unit for channel in record.channels] == ["mm", "", "", "A"]
-    assert len(record.notes) == 1 and "never written" in record.notes[0]
+    assert record.findings == (finding("CL424", signals=["never written"]),)
     fast, bit, slow, current = record.channels
     for channel, values in (
         (fast, [1.0, 2.0, 2.0, 2.0, 3.0, 3.0]),
@@ -212,7 +213,7 @@ def test_a_trace_whose_interval_is_none_has_what_is_written(tmp_path: Path, writ
 
 def test_samples_that_a_trace_lost_are_told(tmp_path: Path) -> None:
     record = read_record(written(tmp_path, "a.xml", TRACE.replace('dropOuts="0"', 'dropOuts="3"')))
-    assert mentions(record.notes, "3 drop-outs")
+    assert finding("CL423", drop_outs=3) in record.findings
 
 
 @pytest.mark.parametrize(
@@ -320,7 +321,7 @@ def test_a_file_whose_writing_was_broken_off(tmp_path: Path, name: str, text: st
     record = read_record(written(tmp_path, name, text))
     values = record.channel({"a.txt": "2"}.get(name, record.names[min(1, len(record.names) - 1)])).values
     assert values[np.isfinite(values)][-1] == last
-    assert mentions(record.notes, "cut short")
+    assert "CL419" in {one.code for one in record.findings}
 
 
 def test_two_records_in_one_file(tmp_path: Path) -> None:
@@ -448,7 +449,7 @@ def test_parquet(tmp_path: Path) -> None:
     assert record.channel("when").values == pytest.approx([0.0, 1e-3, 2e-3]) and record.channel("when").unit == "s"
     assert np.isnan(record.channel("x").values[1]) and record.channel("x").unit == "mm"
     assert record.channel("n").unit == "A"
-    assert "who" in record.notes[0]
+    assert record.findings == (finding("CL425", columns=["who"]),)
     (tmp_path / "a.parquet").write_bytes(b"PAR1 and nothing else")
     with pytest.raises(LogError, match="Parquet"):
         read_record(tmp_path / "a.parquet")

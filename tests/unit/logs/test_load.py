@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from refusals import mentions
 
 from contourlab.errors import LogError, ParameterError
-from contourlab.logs import Channel, Columns, Record, load_log, parse_columns, read_columns, result_of
+from contourlab.findings import finding
+from contourlab.logs import Channel, Columns, Log, Record, load_log, parse_columns, read_columns, result_of
 from contourlab.logs.clock import look_at_clock
 from contourlab.logs.mapping import guessed
 
@@ -29,6 +29,10 @@ def table(tmp_path: Path, heads: str, rows: np.ndarray) -> Path:
     return file
 
 
+def codes(log: Log) -> set[str]:
+    return {one.code for one in log.findings}
+
+
 def test_columns_become_signals_in_si(tmp_path: Path) -> None:
     t = np.arange(5) * 1e-3
     file = table(tmp_path, "t [ms],enc [mm],cmd [V]", np.column_stack([t * 1e3, t * 20.0, t]))
@@ -36,19 +40,19 @@ def test_columns_become_signals_in_si(tmp_path: Path) -> None:
     assert log.result.servo_period == 1e-3
     assert log.result["position"][:, 0] == pytest.approx(t * 0.02, abs=1e-18)
     assert log.result["command"][:, 0] == pytest.approx(-t) and log.result.signals["command"].unit == "V"
-    assert log.notes == ()
+    assert log.findings == ()
 
 
 def test_of_two_columns_that_would_be_one_signal_neither_is_taken() -> None:
     channels = [Channel(name, np.arange(3.0), "mm") for name in ("x pos", "x encoder", "y pos")]
     log = result_of(record(*channels, period=1e-3), Columns())
     assert log.result.axes == ("y",)
-    assert mentions(log.notes, "position.x", "'x pos'", "'x encoder'", "--column")
+    assert finding("CL431", signal="position.x", columns="'x pos' or 'x encoder'") in log.findings
     with pytest.raises(LogError, match=r"position\.x.*'x pos'.*'x encoder'"):
         result_of(record(*channels[:2], period=1e-3), Columns())
     # One of the two is the reference, so that the other leaves no doubt.
     log = result_of(record(*channels, period=1e-3), Columns(parse_columns(["reference.x=x pos"])))
-    assert log.result.axes == ("x", "y") and not any("may be" in note for note in log.notes)
+    assert log.result.axes == ("x", "y") and "CL431" not in codes(log)
 
 
 def test_the_path_in_the_control_tells_what_a_name_does_not() -> None:
@@ -152,7 +156,7 @@ def test_without_times_the_period_is_wanted() -> None:
 
 
 def look(time: np.ndarray, period: float | None = None) -> list[str]:
-    return look_at_clock(time, "a", FILE, period)[0].lines()
+    return [one.text for one in look_at_clock(time, "a", FILE, period)[0].findings()]
 
 
 def test_an_even_clock_has_nothing_to_say() -> None:
@@ -166,7 +170,7 @@ def test_gaps_are_counted_where_they_are() -> None:
     report, _ = look_at_clock(time, "a", FILE)
     assert [(round(gap.time, 6), gap.missing) for gap in report.gaps] == [(0.049, 3), (0.119, 1)]
     assert report.period == pytest.approx(1e-3)
-    assert re.findall(r"\d+(?:\.\d+)?", report.lines()[0])[:6] == ["4", "200", "2", "3", "0.049", "0.053"]
+    assert re.findall(r"\d+(?:\.\d+)?", report.findings()[0].text)[:6] == ["4", "200", "2", "3", "0.049", "0.053"]
 
 
 def test_too_large_a_gap_is_refused_with_its_place() -> None:
@@ -182,7 +186,7 @@ def test_what_is_interpolated_is_said_with_the_clock_it_is_on() -> None:
     fast, slow = (Channel(name, time, "mm", time) for name, time in (("x act", t), ("x ref", t[::2])))
     log = result_of(record(fast, slow), Columns())
     assert log.result.servo_period == 1e-3 and log.result.n_sample == 101
-    assert mentions(log.notes[-1:], "'x ref'", "2000 us", "1000 us")
+    assert log.findings[-1] == finding("CL429", "'x ref'", own=pytest.approx(2e-3), clock=1e-3)
 
 
 @pytest.mark.parametrize(
@@ -216,7 +220,7 @@ def test_channels_of_unlike_rates_meet_on_the_fastest_clock() -> None:
     time = 2e-3 + log.result.time
     assert log.result.n_sample == 34
     assert log.result["position"] == pytest.approx(np.column_stack([time * 3.0, time * 2.0]))
-    assert "interpolated" in " ".join(log.notes)
+    assert "CL429" in codes(log)
 
 
 def test_even_samples_are_taken_as_they_are() -> None:
@@ -250,8 +254,8 @@ def test_a_position_that_jumps_is_refused(values: np.ndarray, unit: str) -> None
 
 def test_a_time_without_a_unit_is_said(tmp_path: Path) -> None:
     rows = np.column_stack([np.arange(5.0), np.arange(5.0)])
-    assert mentions(load_log(table(tmp_path, "t,x pos [mm]", rows)).notes, "time", "unit")
-    assert not any("time" in note for note in load_log(table(tmp_path, "t [ms],x pos [mm]", rows)).notes)
+    assert "CL433" in codes(load_log(table(tmp_path, "t,x pos [mm]", rows)))
+    assert "CL433" not in codes(load_log(table(tmp_path, "t [ms],x pos [mm]", rows)))
 
 
 def test_a_period_that_is_not_that_of_the_times(tmp_path: Path) -> None:

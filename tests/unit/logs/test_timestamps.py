@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from refusals import mentions
 
 from contourlab.errors import LogError
+from contourlab.findings import finding
 from contourlab.logs import load_log, parse_columns
 from contourlab.logs.delimited import timestamp_channel
 
@@ -51,7 +51,7 @@ def test_timestamps_become_seconds_from_the_first(tmp_path: Path, cells: list[st
 
 def test_times_of_day_past_midnight_are_told(tmp_path: Path) -> None:
     log_of = [f"23:59:{59 - k}" for k in (2, 1, 0)] + ["00:00:00", "00:00:01"]
-    assert mentions(load_log(log(tmp_path, log_of)).notes, "'stamp'", "midnight")
+    assert finding("CL421", column="stamp") in load_log(log(tmp_path, log_of)).findings
 
 
 @given(
@@ -180,7 +180,7 @@ def test_a_period_counts_samples_that_their_column_does_not(tmp_path: Path, cell
     file = log(tmp_path, cells, name="timestamp")
     counted = load_log(file, period=1e-3)
     assert counted.result.servo_period == 1e-3
-    assert any("period" in note and "2024-05-31T14:03:21.250" not in note for note in counted.notes)
+    assert ["2024-05-31T14:03:21.250" in one.text for one in counted.findings if one.code == "CL432"] == [False]
     with pytest.raises(LogError, match=why):
         load_log(file)
     with pytest.raises(LogError, match=why):
@@ -191,8 +191,8 @@ def test_a_period_counts_samples_that_their_column_does_not(tmp_path: Path, cell
 def test_rows_without_a_time_are_gaps(tmp_path: Path, stamps: list[str]) -> None:
     stamps[0] = stamps[20] = ""
     found = load_log(log(tmp_path, stamps, name="timestamp"))
-    assert mentions(found.notes, "2 of 50 rows")
-    assert mentions(found.notes, "1 of 49 samples")
+    assert finding("CL434", missing=2, rows=50) in found.findings
+    assert [(one.values["missing"], one.values["samples"]) for one in found.findings if one.code == "CL427"] == [(1, 49)]
     assert found.result["position"][19, 0] == pytest.approx(20e-4)  # between the rows beside it
 
 
@@ -204,4 +204,4 @@ def test_rows_without_a_time_in_parquet_are_gaps(tmp_path: Path) -> None:
     parquet.write_table(arrow.table({"stamp": stamps, "x pos [mm]": [1e-3 * k for k in range(60)]}), tmp_path / "log.parquet")
     found = load_log(tmp_path / "log.parquet")
     assert found.result.servo_period == pytest.approx(1e-3)
-    assert mentions(found.notes, "2 of 60 rows")
+    assert finding("CL434", missing=2, rows=60) in found.findings

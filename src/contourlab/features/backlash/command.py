@@ -71,7 +71,7 @@ def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:
     heads = ("gap in file [um]", "lost motion [um]", "motor and load: lost motion [um]", "motor alone: gap [um]", "confidence")
     gaps = Table([Column("axis", left=True), *map(Column, heads)], name)
     if study.on_circle is not None:
-        gaps.columns = [*gaps.columns, Column("left on the circle [um]")]
+        gaps.columns = [*gaps.columns, Column("on the circle, under control [um]")]
     on_circle = {} if study.on_circle is None else dict(zip(study.on_circle.axes, study.on_circle.backlash, strict=True))
     cycles = Table([Column("axis", left=True), Column("limit cycle", left=True), Column("frequency [Hz]"), Column("amplitude [um]")])
     for axis, gap in study.axes.items():
@@ -80,10 +80,10 @@ def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:
         cells = [NONE, NONE] if alone is None else [_plus_minus(alone.gap, alone.deviation), f"{alone.confidence:.2f}"]
         left = [] if study.on_circle is None else [number(1e6 * on_circle[axis]) if axis in on_circle else NONE]
         gaps.add(axis, number(1e6 * gap.backlash_gap), number(1e6 * gap.lost_motion), seen, *cells, *left)
-        for kind, found in (("describing function", gap.describing_function), ("exact, no friction", gap.limit_cycles)):
-            for cycle in found or ():
+        for kind, cycles_found in (("describing function", gap.describing_function), ("exact, without friction", gap.limit_cycles)):
+            for cycle in cycles_found or ():
                 cycles.add(axis, _kind(kind, cycle, period), number(cycle.frequency, 4), number(1e6 * cycle.amplitude))
-            if found == ():
+            if cycles_found == ():
                 cycles.add(axis, f"{kind}: none", NONE, NONE)
     yield gaps.text()
     yield cycles.text()
@@ -104,8 +104,8 @@ def _plus_minus(value: float, deviation: float) -> str:
 
 
 def _kind(kind: str, cycle: Cycle, period: float) -> str:
-    """Name a limit cycle, and say where the sampled loop may differ."""
+    """Name a limit cycle, with what limits the accuracy of the prediction."""
     notes = [cycle.validity.partition(":")[0]] if cycle.validity else []
     if cycle.frequency * period > FEW:
-        notes.append(f"{figure(1.0 / (cycle.frequency * period), digits=2)} servo periods long")
+        notes.append(f"period {figure(1.0 / (cycle.frequency * period), digits=2)} servo periods")
     return f"{kind}: {'stable' if cycle.stable else 'unstable'}" + (f" ({', '.join(notes)})" if notes else "")

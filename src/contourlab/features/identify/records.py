@@ -248,7 +248,7 @@ def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, so
     position = next((values for name in POSITIONS if (values := signal(name)) is not None), None)
     if position is None:
         problem = f"no position of {axis} in {result.source}: say --column 'position.{axis}=NAME [mm]'"
-        raise ResultError("; ".join([problem, *log.doubtful]))
+        raise ResultError("; ".join([problem, *(doubt.text for doubt in log.doubtful)]))
     command, force = signal("command"), signal("force")
     logged = result.signals["command"].unit if command is not None else ""
     if command is None and force is None and (command := signal("torque")) is not None:

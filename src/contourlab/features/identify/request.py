@@ -68,7 +68,7 @@ class Request:
     lead: str | None = None
     motor_inertia: str | None = None
     side: str = "motor"
-    _notes: dict[str, list[str]] = field(default_factory=dict)
+    _on_logs: list[tuple[Finding, list[str]]] = field(default_factory=list)
     _doubts: list[Finding] = field(default_factory=list)
 
     @property
@@ -152,9 +152,10 @@ class Request:
         return dict(zip(map(Path, files), distinct_names(files), strict=True))
 
     def _reading(self) -> list[Finding]:
-        """Return the notes on reading, with the names of the logs unless a note holds for all."""
+        """Return the findings on the reading, with the names of the logs unless one holds for all."""
         count = len(self.choices) + (self.validation is not None)
-        return [finding("CL400", "" if len(names) == count else join_names(names), note=note) for note, names in self._notes.items()]
+        places = ("" if len(names) == count else join_names(names) for _, names in self._on_logs)
+        return [replace(one, place=": ".join(filter(None, (at, one.place)))) for (one, _), at in zip(self._on_logs, places, strict=True)]
 
     def _check_once(self) -> None:
         """Refuse a log that is given twice, by whatever path."""
@@ -175,8 +176,11 @@ class Request:
         self._check_lead(records[0])
         if not pieces:
             records = [longest_piece(log, records)]
-        for note in log.notes:
-            self._notes.setdefault(note, []).append(name)
+        for on_reading in log.findings:
+            names = next((names for other, names in self._on_logs if other == on_reading), None)
+            if names is None:
+                self._on_logs.append((on_reading, names := []))
+            names.append(name)
         for doubt in (doubt for record in records for doubt in record.doubts()):
             if doubt not in self._doubts:
                 self._doubts.append(doubt)

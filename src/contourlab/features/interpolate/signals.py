@@ -94,7 +94,7 @@ def read_quadrature(file: str | Path, columns: str | None = None, reference: str
 def line_of(record: Record, sample: int) -> int:
     """Return the line, from 1, of a sample, from 0."""
     lines = [i for i, line in enumerate(text_of(record.file).splitlines(), 1) if line.strip() and line.strip()[0] not in "#%"]
-    return lines[len(lines) - len(record.channels[0].values) - (CUT in record.notes) + sample]
+    return lines[len(lines) - len(record.channels[0].values) - (CUT in record.findings) + sample]
 
 
 def _signals(record: Record, columns: str | None) -> tuple[Channel, Channel]:

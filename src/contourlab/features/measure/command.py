@@ -128,9 +128,8 @@ def _judged(choice: LogChoice, reference: str | None = None, shift: str | None =
         try:
             measured = measure(log.result, path, axes or None, shift=_shift(shift, axes or log.result.axes))
         except ResultError as error:
-            raise ResultError("; ".join([str(error), *log.doubtful])) from error
-    notes = [finding("CL400", note=note) for note in log.notes]
-    findings = (*notes, *measured.findings, *gap_findings(log, measured, of_samples=path is None))
+            raise ResultError("; ".join([str(error), *(doubt.text for doubt in log.doubtful)])) from error
+    findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=path is None))
     return _Run(log.result.scheme, log, measured, findings, (*choice.files, *([program] if program else [])))
 
 

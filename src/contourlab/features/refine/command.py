@@ -189,7 +189,7 @@ def _run(scenario: Scenario, choice: LogChoice, label: str) -> LogRun:
     log = open_log(choice)
     with about(choice.file):
         run = log_run(scenario.machine, scenario.controller, log.result, label)
-    doubts = [finding("CL400", label, note=note) for note in log.clock_notes()]
+    doubts = [replace(clock, place=": ".join(filter(None, (label, clock.place)))) for clock in log.clock_findings()]
     doubts += motion_findings(run.position, run.machine.servo_period, label)
     doubts += same_column_findings(run.machine.axis_names, run.asked, run.position, label)
     return replace(run, findings=(*run.findings, *doubts))

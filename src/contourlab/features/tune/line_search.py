@@ -233,9 +233,9 @@ class _Line:
         return int(min(robust, key=lambda i: self.value[i]))
 
     def bound(self, best: int, chosen: int) -> str:
-        """Return what stands between the chosen value and a smaller objective, an end of the range included."""
+        """Return what keeps the objective from being smaller: a bound, an end of the range, or nothing."""
         reasons = list(filter(None, (self._barrier(best), self.variable.end(float(self.values[chosen])))))
-        return "; ".join(reasons) or ("" if chosen == best else "as good as the best")
+        return "; ".join(reasons) or ("" if chosen == best else "flat optimum")
 
     def _barrier(self, best: int) -> str:
         """Return which bound the value with the smallest objective breaks, if it is not the best allowed one."""

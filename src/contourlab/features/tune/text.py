@@ -31,7 +31,7 @@ def tables(goal: Goal, tuned: Tuned) -> Iterator[str]:
 def _steps(goal: Goal, tuned: Tuned) -> Table:
     left = {"step", "parameter", "unit"}
     heads = ("step", "parameter", "from", "to", "unit", "objective", "then")
-    table = Table([*(Column(head, left=head in left) for head in heads), Column("bound", prose=True)], keys=2)
+    table = Table([*(Column(head, left=head in left) for head in heads), Column("limited by", prose=True)], keys=2)
     for step in tuned.path.steps:
         variable = step.variable
         values = (figure(variable.display_value(value), digits=5) for value in (step.before, step.after))
@@ -73,14 +73,14 @@ def _parameters(tuned: Tuned) -> Table:
 def _drives(tuned: Tuned) -> Table:
     """Return Kv, the velocity loop, and LinuxCNC's gains for machine units of mm, an axis in each column."""
     terms = tuned.drive_terms
-    gains = [{} if one.linuxcnc is None else one.linuxcnc.per_millimetre() for one in terms]
-    table = Table([Column("drive terms", left=True), *(Column(f"axis {one.axis}") for one in terms)])
-    table.add("Kv [1/s]", *(figure(one.kv, digits=4) for one in terms))
-    table.add("Kv [(m/min)/mm]", *(figure(0.06 * one.kv, digits=4) for one in terms))
-    table.add("velocity loop", *(figure(one.velocity_bandwidth, "Hz", 4) for one in terms))
-    table.add("LinuxCNC output, machine units mm", *(one.command_unit for one in terms))
+    gains = [{} if axis.linuxcnc is None else axis.linuxcnc.per_millimetre() for axis in terms]
+    table = Table([Column("drive terms", left=True), *(Column(f"axis {axis.axis}") for axis in terms)])
+    table.add("Kv [1/s]", *(figure(axis.kv, digits=4) for axis in terms))
+    table.add("Kv [(m/min)/mm]", *(figure(0.06 * axis.kv, digits=4) for axis in terms))
+    table.add("velocity loop", *(figure(axis.velocity_bandwidth, "Hz", 4) for axis in terms))
+    table.add("LinuxCNC output, machine units mm", *(axis.command_unit for axis in terms))
     for name in dict.fromkeys(name for axis in gains for name in axis):
         table.add(f"LinuxCNC {name}", *(figure(axis.get(name, math.nan), digits=6) for axis in gains))
-    table.add("difference of its command, rms", *(figure(one.difference_rms, "%", 2) for one in terms))
-    table.add("difference of its command, largest", *(figure(one.difference, "%", 2) for one in terms))
+    table.add("LinuxCNC command, difference rms", *(figure(axis.difference_rms, "%", 2) for axis in terms))
+    table.add("LinuxCNC command, difference max", *(figure(axis.difference, "%", 2) for axis in terms))
     return table
