@@ -4,6 +4,7 @@
 
     ContourlabError                     exit code 2 unless said otherwise
     ├── ProgramError                    file, line, column of a part program
+    │   └── ProgramEndError             a part program without its end
     ├── ScenarioError                   file and key of a scenario, machine or controller file
     ├── ParameterError                  name, value, bound and unit of a parameter
     ├── UnitError                       a quantity that cannot be read or has the wrong dimension
@@ -33,6 +34,7 @@ __all__ = [
     "MissingPackageError",
     "OutputError",
     "ParameterError",
+    "ProgramEndError",
     "ProgramError",
     "ResultError",
     "ScenarioError",
@@ -53,6 +55,10 @@ class ProgramError(ContourlabError):
         self.message, self.file, self.line, self.column = message, str(file), line, column
         place = self.file + (f":{line}" if line else "") + (f":{column}" if line and column else "")
         super().__init__(f"{place}: {message}")
+
+
+class ProgramEndError(ProgramError):
+    """A part program does not say where it ends."""
 
 
 class ScenarioError(ContourlabError):

@@ -9,7 +9,7 @@ import re
 from typing import NamedTuple
 
 from contourlab.program.expressions import Cursor, Key, Parameters, read_assignment, read_value
-from contourlab.program.vocabulary import G_GROUPS, M_GROUPS, O_WORD_ALONE, USED_LETTERS, BlockError, g_name, refusal
+from contourlab.program.vocabulary import G_GROUPS, M_GROUPS, O_WORD_ALONE, USED_LETTERS, BlockError, EndMarkError, g_name, refusal
 
 LARGEST_NUMBER = 1e9
 """Larger numbers are mistakes in any unit."""
@@ -158,7 +158,7 @@ def _bad_character(line: str, at: int) -> BlockError:
             return BlockError("a comment inside a comment: use one pair of brackets, or only ';'", nested + 1)
         return BlockError("the comment that starts here has no end: write ')' on the same line", at + 1)
     if line.strip() == "%":
-        return BlockError("a % that closes has none that opens: write % on the first line too, or delete it", at + 1)
+        return EndMarkError("a % that closes has none that opens: write % on the first line too, or delete it", at + 1)
     return BlockError(_BAD.get(character, f"the character {character!r} has no meaning here: delete it"), at + 1)
 
 

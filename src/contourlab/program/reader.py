@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, TypeAlias, get_args
 
-from contourlab.errors import ProgramError
+from contourlab.errors import ProgramEndError, ProgramError
 from contourlab.program.block import Block, read_block
 from contourlab.program.coordinates import Tools, read_tools
 from contourlab.program.expressions import Parameters
@@ -147,7 +147,7 @@ class Reader:
     def _take(self, fault: BlockError) -> None:
         """Keep a fault if faults are kept and reading can go on; raise it otherwise."""
         file, number = self._walker.place
-        error = ProgramError(fault.message, file=file, line=max(number, 1), column=fault.column)
+        error = fault.raised(fault.message, file=file, line=max(number, 1), column=fault.column)
         # A fault without a column concerns a whole loop or file: reading cannot go on.
         if self.problems is None or not fault.column or len(self.problems) >= MOST_PROBLEMS:
             raise error from None
@@ -225,7 +225,7 @@ class Reader:
             self.notices.append(Notice("the program has no end (M2, M30): it ends with its last line", max(line, 1), 1))
         else:
             cure = "add a line with % at the end" if self._open else "add M2 or M30 at the end"
-            raise ProgramError(f"the program has no end: {cure}", file=self.name, line=line)
+            raise ProgramEndError(f"the program has no end: {cure}", file=self.name, line=line)
 
 
 _COMMENT = re.compile(r"\([^()]*\)|;.*")

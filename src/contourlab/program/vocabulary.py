@@ -5,13 +5,23 @@ G-codes are numbers times ten: G90.1 is 901.
 
 from __future__ import annotations
 
+from contourlab.errors import ProgramEndError, ProgramError
+
 
 class BlockError(Exception):
-    """A fault in a block, with its column (from 1; 0 for the whole block). `Reader` adds file and line."""
+    """A fault in a block, with its column (from 1; 0 for the whole block). `Reader` raises it as `raised`, with file and line."""
+
+    raised: type[ProgramError] = ProgramError
 
     def __init__(self, message: str, column: int = 0) -> None:
         self.message, self.column = message, column
         super().__init__(message)
+
+
+class EndMarkError(BlockError):
+    """A % at the end of a program that has none at its beginning."""
+
+    raised = ProgramEndError
 
 
 CYCLES = frozenset((730, 740, 810, 820, 830, 840, 850, 860, 870, 880, 890))

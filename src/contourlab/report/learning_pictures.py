@@ -65,19 +65,18 @@ def _drawn(rms: Array) -> Array:
 def learning_charts(analyses: Mapping[str, LearningAnalysis]) -> tuple[Chart, ...]:
     """Return the factor of a trial over frequency, and where it exceeds 1; `analyses` by scheme."""
     count = len(analyses)
-    curves, excess, ticks, notes = [], [], [], []
-    for i, (name, found) in enumerate(analyses.items()):
-        look, hertz = (name, *scheme_style(i, count)), found.response.frequency / (2.0 * np.pi)
-        curves.append(Curve(hertz, found.response.radius, *look))
-        excess.append(Curve(hertz, 100.0 * np.maximum(found.response.radius - 1.0, 0.0), *look))
-        if np.isfinite(found.zero):
-            ticks.append(Tick(found.zero / (2.0 * np.pi), f"first zero of the average, {name}", "first zero"))
-        notes += [f"{name}: {text}." for text in found.warnings]
+    curves, excess, ticks = [], [], []
+    for i, (name, analysis) in enumerate(analyses.items()):
+        look, hertz = (name, *scheme_style(i, count)), analysis.response.frequency / (2.0 * np.pi)
+        curves.append(Curve(hertz, analysis.response.radius, *look))
+        excess.append(Curve(hertz, 100.0 * np.maximum(analysis.response.radius - 1.0, 0.0), *look))
+        if np.isfinite(analysis.zero):
+            ticks.append(Tick(analysis.zero / (2.0 * np.pi), f"first zero of the average, {name}", "first zero"))
     top = 1.1 * max(1.0, min(2.0, max(float(curve.y.max()) for curve in curves)))
-    one = (Level(1.0, "1: nothing is learned"),)
+    one = (Level(1.0, "1: learns nothing"),)
     factor = Panel("frequency [Hz]", "factor of a trial", tuple(curves), one, log_x=True, y_range=(0.0, top))
     beyond = Panel("frequency [Hz]", "growth per trial [%]", tuple(excess), ticks=tuple(ticks), log_x=True)
-    caption = " ".join(["What a trial leaves of each frequency, in the worst direction of the path.", *notes])
+    caption = "Share of an error that a trial leaves, by frequency, in the worst direction of the path."
     return (Chart("learning-factor", "Convergence of learning", caption, (factor, beyond)),)
 
 

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from coupled_axes import circle, stages, unlike
 from numpy.typing import NDArray
-from refusals import mentions
 
 from contourlab.analysis.learning.learning_analysis import (
     design_zero_phase,
@@ -27,6 +26,7 @@ from contourlab.components.learning.error_law import CrossCoupledLearning, PType
 from contourlab.components.learning.law import LearningLaw, TrialRecord
 from contourlab.components.learning.least_squares import NormOptimal, PlantInversion
 from contourlab.errors import ComponentError
+from contourlab.features.learn.foretold import learning_findings
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 
@@ -176,21 +176,18 @@ def test_laws_with_a_model_learn_steadily_where_it_is_right() -> None:
         operator.transposed(np.zeros((40, 2)))
 
 
-def test_warnings_are_in_words() -> None:
+def test_what_diverges_is_a_finding() -> None:
     found = learning_analysis(*stages(0.1, 15e-3), ZeroPhase())
     assert not found.converges
     assert not found.monotone
     assert found.worst_factor == pytest.approx(1.025, abs=2e-3)
     assert found.worst_frequency / TURN == pytest.approx(9.3, abs=0.3)
-    assert mentions(found.warnings, "M = 11 ", " 1 ms ", "9.1 Hz", "2.6 %")
-    assert mentions(found.warnings, "second pass")
+    assert [one.code for one in learning_findings(found)] == ["CL310", "CL312"]
     assert found.design is not None
     better = ZeroPhase(gain=found.design.gain, half_width=found.design.half_width, passes=found.design.passes, lead=found.design.lead)
     assert learning_analysis(*stages(0.1, 15e-3), better).worst_factor <= 1.001
     bare = learning_analysis(*stages(0.1, 0.0), PType(gain=5.0))
-    assert mentions(bare.warnings, "Q-filter")
-    slow = learning_analysis(*stages(0.15, 15e-3, 0.03), ZeroPhase())
-    assert mentions(slow.warnings, "M = 11 ", " 30 ms ")
+    assert [one.code for one in learning_findings(bare)] == ["CL310"]
 
 
 def test_a_law_that_converges_is_said_to() -> None:
@@ -198,7 +195,7 @@ def test_a_law_that_converges_is_said_to() -> None:
     found = learning_analysis(*stages(0.1, 0.0), PType(gain=5.0, bandwidth=TURN * 1.5, order=4), reference)
     assert found.converges
     assert found.monotone
-    assert found.warnings == ()
+    assert not list(learning_findings(found))
     assert found.lifted is not None
     assert found.lifted.radius <= 1.0
 

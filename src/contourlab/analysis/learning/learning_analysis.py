@@ -153,15 +153,12 @@ def _design(closed: Closed, servo_period: float, half_width: int, passes: int, l
     return LearningDesign(gain, half_width, passes, lead, zero, *worst)
 
 
-TURN = 2.0 * math.pi
 SMALL = 1e-3
 """Growth per trial that a rule accepts."""
 MOST_WIDER = 10
 """Most times that an average is widened for a coupling."""
 SHARE = 0.4
 """Of the largest gain that converges, the part that the rule takes."""
-DIVERGES = 1.1
-"""Factor from which a few trials show the divergence."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,8 +177,6 @@ class LearningAnalysis:
         First zero of the law's average; nan for a law without one.
     design : LearningDesign or None
         Parameters by rule, for zero-phase learning that amplifies.
-    warnings : tuple of str
-        May be empty.
     """
 
     law: LearningLaw
@@ -190,7 +185,6 @@ class LearningAnalysis:
     lifted: LiftedLearning | None
     zero: float
     design: LearningDesign | None
-    warnings: tuple[str, ...]
 
     @property
     def worst_frequency(self) -> float:
@@ -241,7 +235,7 @@ def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw
     zero = first_zero(int(law.half_width), loop.servo_period) if isinstance(law, ZeroPhase) and law.half_width else math.nan
     worst = response.worst_radius[1]
     design = design_for(loop, law) if worst > 1.0 + GROWTH and isinstance(law, ZeroPhase) else None
-    return LearningAnalysis(law, loop.servo_period, response, lifted, zero, design, tuple(_warnings(loop, law, response, lifted, design)))
+    return LearningAnalysis(law, loop.servo_period, response, lifted, zero, design)
 
 
 def design_for(loop: CoupledLoop, law: ZeroPhase) -> LearningDesign | None:
@@ -267,66 +261,3 @@ def design_for(loop: CoupledLoop, law: ZeroPhase) -> LearningDesign | None:
         width = 1 + design.half_width + design.half_width // 2
         design = replace(design, half_width=width, passes=2, bandwidth=first_zero(width, loop.servo_period))
     return None
-
-
-def _warnings(
-    loop: CoupledLoop, law: LearningLaw, response: FrequencyLearning, lifted: LiftedLearning | None, design: LearningDesign | None
-) -> list[str]:
-    warnings = []
-    frequency, factor = response.worst_radius
-    if factor > 1.0 + GROWTH:
-        warnings.append(f"{_setting(law, loop.servo_period)} {_grows(frequency, factor)}")
-        if isinstance(law, ZeroPhase):
-            warnings.append(_second_pass(loop, law, factor))
-        elif math.isinf(law.values().get("bandwidth", 0.0)):
-            start = _first_above(response)
-            warnings.append(f"without a Q-filter learning diverges from {start / TURN:.3g} Hz up: set bandwidth below that")
-    elif response.worst_norm[1] > 1.0 + GROWTH:
-        at, size = response.worst_norm
-        warnings.append(f"{law.kind} converges in the end, but one trial may amplify {at / TURN:.3g} Hz by a factor of {size:.4g} first")
-    if design is not None and design.worst_factor < factor:
-        warnings.append(_advice(design, loop.servo_period))
-    elif design is None and factor > 1.0 + GROWTH and isinstance(law, ZeroPhase):
-        warnings.append("no average converges under this coupling: lower its gain, or use p-type with a Q-filter")
-    if lifted is not None and lifted.radius > 1.0 + 1e-4 and factor <= 1.0 + GROWTH:
-        warnings.append(f"on this path, with its turning normal, learning diverges by a factor of {lifted.radius:.4g} per trial")
-    return [text for text in warnings if text]
-
-
-def _setting(law: LearningLaw, servo_period: float) -> str:
-    if not isinstance(law, ZeroPhase):
-        return law.kind
-    twice = ", filtered twice," if law.passes == 2 else ""
-    return f"M = {law.half_width:.0f} at {1e3 * servo_period:g} ms{twice}"
-
-
-def _grows(frequency: float, factor: float) -> str:
-    hertz = f"{frequency / TURN:.1f} Hz"
-    if factor >= DIVERGES:
-        return f"diverges: {hertz} grows by a factor of {factor:.3g} per trial"
-    return f"amplifies {hertz} by {100.0 * (factor - 1.0):.2g} % per trial"
-
-
-def _second_pass(loop: CoupledLoop, law: ZeroPhase, single: float) -> str:
-    """Return whether a second pass is enough, as a sentence."""
-    if law.passes == 2:
-        return ""
-    frequency, factor = frequency_learning(loop, law.replace(passes=2)).worst_radius
-    if factor >= single:
-        return "" if single <= 1.0 + SMALL else f"a second pass alone does not cure it: it still {_grows(frequency, factor)}"
-    if factor <= 1.0 + SMALL:
-        return f"a second pass cures it but for {100.0 * max(factor - 1.0, 0.0):.1g} % per trial: passes = 2"
-    return f"a second pass alone does not cure it: it still {_grows(frequency, factor)}"
-
-
-def _advice(design: LearningDesign, servo_period: float) -> str:
-    lead = f", lead = {1e3 * design.lead:g} ms" if design.lead else ""
-    left = 100.0 * max(design.worst_factor - 1.0, 0.0)
-    return (
-        f"by rule: M = {design.half_width}, gain = {design.gain:.2g}, passes = {design.passes}{lead}, which learns up to about"
-        f" {design.bandwidth / TURN:.3g} Hz and amplifies nothing by more than {left:.1g} % per trial"
-    )
-
-
-def _first_above(response: FrequencyLearning) -> float:
-    return float(response.frequency[np.flatnonzero(response.radius > 1.0 + GROWTH)[0]])

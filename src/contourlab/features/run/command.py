@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from contourlab.app.results import staged
 from contourlab.app.stages import shown
 from contourlab.components.friction.laws import NoFriction
-from contourlab.errors import DivergenceError, ParameterError, ProgramError, ScenarioError
+from contourlab.errors import DivergenceError, ParameterError, ProgramEndError, ScenarioError
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.summary import summary_of
@@ -130,8 +130,8 @@ def _from_scenario(path: Path, parts: Mapping[str, Any], options: Mapping[str, A
         raise ScenarioError(f"{option} is for part programs: write {key} in the scenario", file=path)
     try:
         return load_scenario(path, plugins=plugins)
-    except ProgramError as error:
-        _add_remedy(error, "write require_end = false under [program] in the scenario")
+    except ProgramEndError as error:
+        error.add_note("To run it to its last line: write require_end = false under [program] in the scenario.")
         raise
 
 
@@ -151,14 +151,9 @@ def _from_program(
     run = {} if tolerance is None else {"tolerance": tolerance}
     try:
         return scenario_from_parts(path, machine, controller, run=run, options=options, plugins=plugins)
-    except ProgramError as error:
-        _add_remedy(error, "add --no-require-end")
+    except ProgramEndError as error:
+        error.add_note("To run it to its last line: add --no-require-end.")
         raise
-
-
-def _add_remedy(error: ProgramError, remedy: str) -> None:
-    if any(words in error.message for words in ("the program has no end", "a % that closes has none that opens")):
-        error.add_note(f"To run it to its last line: {remedy}.")
 
 
 def refuse_drawing(file: str | Path, machine: str | Path | None = None, controller: str | Path | None = None) -> None:
