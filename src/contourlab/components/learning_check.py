@@ -1,4 +1,4 @@
-"""The clauses of the contract that a learning law has to keep: it has no step, so it is held to what it makes of a trial."""
+"""The contract of a learning law. It has no step, so its updates after a trial are checked."""
 
 from __future__ import annotations
 

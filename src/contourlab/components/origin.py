@@ -13,7 +13,7 @@ SOURCES = {
     "fitted": "worked out from a log",
     "datasheet": "printed by the maker, or in a paper",
     "assumed": "taken for want of better",
-    "design": "chosen: exactly what it says",
+    "design": "chosen: exact",
 }
 """Where a number can be from."""
 

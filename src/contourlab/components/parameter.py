@@ -20,7 +20,7 @@ class Parameter:
     name : str
         Name in Python and in files.
     unit : str
-        SI unit; empty for a plain number. ``{command}`` and ``{force}`` stand for the units of the plant.
+        SI unit; empty for a plain number. ``{command}`` and ``{force}`` become the units of the plant.
     default : float, str, tuple of float or None
         None if a value is required.
     minimum, maximum : float

@@ -1,4 +1,4 @@
-"""Two sinusoids in quadrature, in the language of steps: angle, correction, and its recursive fit.
+"""Two sinusoids in quadrature, as code of steps: angle, correction, and its recursive fit.
 
 The distorted signals lie on an ellipse A v1^2 + B v2^2 + C v1 v2 + D v1 + E v2 = 1 whose coefficients theta = (A, B, C, D, E) are linear in
 the measured products; the constants of the correction follow from them.
@@ -25,22 +25,22 @@ INTERVALS = 1024.0
 TINY = 1e-300
 PER_TURN = 1.0 / (2.0 * math.pi)
 LEAST = 0.01
-"""Least A and B that are believed, where an amplitude is ten times the nominal one; the greatest are their inverses."""
+"""Lower bound of A and B: an amplitude ten times the nominal one. The upper bound is the inverse."""
 STEEPEST = 0.9
-"""Greatest sine of the phase error that is believed."""
+"""Upper bound of the sine of the phase error."""
 FURTHEST = 0.9
-"""Greatest offset that is believed, as a part of the nominal amplitude: the origin has to stay inside the ellipse."""
+"""Upper bound of an offset over the nominal amplitude: the origin stays inside the ellipse."""
 IDENTITY = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0)
-"""Upper triangle of the unit matrix, row by row: how a covariance is kept."""
+"""Upper triangle of the unit matrix, row by row, as covariances are stored."""
 PLAY = 0.5
-"""Half the travel within which an axis may dither without the fit learning from it, in pitches: beyond it all phases are seen."""
+"""Half the travel, in pitches, within which an axis may dither without an update: more travel shows all phases."""
 LEAST_COVARIANCE = 40.0
-"""Times (1 - lambda): a covariance at the beginning below this is one that steady forgetting, 18 (1 - lambda) in trace, would come near."""
+"""Least initial covariance over (1 - lambda): well above the steady trace, 18 (1 - lambda)."""
 STATES = (Port("begun"), Port("turns"), Port("play"), Port("used"), Port("theta", 5), Port("covariance", 15))
 DERIVED = ("theta_a", "theta_b", "theta_c", "theta_d", "theta_e")
 TUNING = ("forgetting", "initial_covariance", "update_travel")
 TABLES = ("arctangent",)
-"""What a step that calls `followed` has as states, derived constants, parameters and tables."""
+"""States, derived constants, parameters and tables of a step that calls `followed`."""
 
 
 def arctangents() -> Array:
@@ -74,7 +74,7 @@ def ellipse(offset_1: Any, offset_2: Any, ratio: Any, sine: Any, amplitude: Any)
 def constants(theta: Any) -> tuple[float, float, float, float, float]:
     """Return offsets p and q, ratio r, sine and cosine of the phase error from A .. E.
 
-    Coefficients that are no ellipse round the origin are held at the border of what is believed, so that the result is always finite.
+    Coefficients that do not describe an ellipse around the origin are clipped to their bounds, so that the result is always finite.
     """
     a, b = clip(theta[0], LEAST, 1.0 / LEAST), clip(theta[1], LEAST, 1.0 / LEAST)
     root = sqrt(a * b)
@@ -86,9 +86,9 @@ def constants(theta: Any) -> tuple[float, float, float, float, float]:
     return p, q, sqrt(b / a), sine, sqrt(1.0 - sine * sine)
 
 
-def corrected(found: tuple[float, float, float, float, float], v1: float, v2: float) -> tuple[float, float]:
-    """Return the signals as they would be without the errors: u1 = v1 - p, u2 = (u1 sin al + r (v2 - q))/cos al."""
-    p, q, r, sine, cosine = found
+def corrected(errors: tuple[float, float, float, float, float], v1: float, v2: float) -> tuple[float, float]:
+    """Return the signals without their errors: u1 = v1 - p, u2 = (u1 sin al + r (v2 - q))/cos al."""
+    p, q, r, sine, cosine = errors
     u1 = v1 - p
     return u1, (u1 * sine + r * (v2 - q)) / cosine
 
@@ -105,10 +105,10 @@ def updated(theta: Any, covariance: Any, v1: float, v2: float, forgetting: float
         Measured signals over the nominal amplitude.
     forgetting : float, 0 < lambda <= 1
     start : float, > 0
-        Covariance at the beginning, start times the unit matrix. Where its trace has grown beyond the one at the beginning, it is set back
-        to that: forgetting goes on in directions of which nothing new is learnt, and would let it grow for ever.
+        The initial covariance is this times the unit matrix. If the trace grows beyond the initial one, the covariance is reset: forgetting
+        lets it grow without bound in directions that are not excited.
     gate : float
-        1 to learn from the sample, 0 to leave everything as it is, exactly.
+        1 to use the sample, 0 to change nothing.
     """
     w = (v1 * v1, v2 * v2, v1 * v2, v1, v2)
     p = covariance
@@ -130,21 +130,20 @@ def updated(theta: Any, covariance: Any, v1: float, v2: float, forgetting: float
 
 
 def followed(par: Any, x: Any, v1: float, v2: float, near: float) -> tuple[tuple[Any, ...], tuple[float, float]]:
-    """Correct a sample with what is known, and learn from it: the next states, and the corrected signals.
+    """Correct a sample and update the fit; return the next states and the corrected signals.
 
-    Nothing is learnt while the axis dithers within a pitch; beyond that from one sample for each `update_travel`, so that what is forgotten
-    is measured in travel, and an axis that stands or creeps keeps what it knows.
+    The fit ignores dither within a pitch and takes one sample per `update_travel`. It thus forgets with travel, not with time.
 
     Parameters
     ----------
     par
-        With the names of DERIVED (what is known at the beginning), TUNING and TABLES.
+        Has the names of DERIVED (initial knowledge), TUNING and TABLES.
     x
-        With the names of STATES; all are zero at the beginning.
+        Has the names of STATES; all zero at the start.
     v1, v2 : float
         Measured signals over the nominal amplitude.
     near : float
-        About where the axis is, in pitches, within half a pitch.
+        Position of the axis in pitches, to within half a pitch.
     """
     known = (par.theta_a, par.theta_b, par.theta_c, par.theta_d, par.theta_e)
     theta = lincomb(x.begun, x.theta, 1.0 - x.begun, known)

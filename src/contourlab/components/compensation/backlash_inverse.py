@@ -78,8 +78,8 @@ class AdaptiveBacklashInverse(Component):
         (c_r, c_l) <- (c_r, c_l) + (1 - exp(-dt/T)) phi d(e)/(phi.phi),   then projected onto 0 <= c_r - c_l <= largest_gap,
 
     with the dead zone d(e) = e - clip(e, -d0, d0), T the `adaptation_time` and phi.phi = 1. Each side closes in on its measured value as
-    exp(-t/T) in the time that it is learnt in, to within d0, so that the gap ends within 2 d0 of what it would be. It starts from
-    `backlash_gap`. What an axis that stands reads, noise and drift within d0, teaches nothing.
+    exp(-t/T) during learning, to within d0, so that the gap ends within 2 d0 of its limit. It starts from
+    `backlash_gap`. Readings at rest, noise and drift within d0 change nothing.
 
     It learns only where contact is sure: the reference faster than `learning_velocity`, the motor driven by more than the largest gap
     since it last turned, on the side that the reference pushes, and all this for `settling_time` already. What is learnt is lost motion at

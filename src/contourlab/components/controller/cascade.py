@@ -163,7 +163,7 @@ class Cascade(Component):
 class LoadSideCascade(Cascade):
     """P-PI cascade over the load: v_c = K_v (r - p_l) + w r_v, u = PI(v_c - v_m) - k_d (v_m - v_l) + k_a r_a + u_ff - d_hat.
 
-    The position loop is closed over the load, so that the table stands where it is asked for, backlash or not; the velocity loop over the
+    The position loop closes over the load, so that the table reaches its reference despite backlash; the velocity loop over the
     motor. Closed over a gap such a loop hunts: the position loop has to be slow enough, and k_d, which acts as a damper between motor and
     load, takes the swing out of the shaft. Gains are worked out as those of `Cascade`.
 

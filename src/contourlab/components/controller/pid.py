@@ -39,7 +39,7 @@ class PID(Component):
     The derivative is filtered with the bandwidth N and acts on the error (e_d = e), or on the measurement alone (e_d = -p), so that a jump
     of the reference does not kick. With the weight b below 1 the proportional part sees less of the reference: the zeros of the response to
     the reference move, the poles stay (two degrees of freedom). Positions in it count from the start, so that an axis at rest is asked for
-    nothing wherever it stands. The integral is kept in command units and summed by backward Euler, as the derivative.
+    nothing at any position. The integral is kept in command units and summed by backward Euler, as the derivative.
 
     A command that meets `command_limit`, or a limit of the drive, stops the integral or is led back into it, so that the limit is left
     without a bump; see `contourlab.components.controller.anti_windup`.

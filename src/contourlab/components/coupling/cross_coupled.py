@@ -46,7 +46,7 @@ class CrossCoupled(Component):
 
     With an estimator whose error vector is eps times the gain vector C (koren-lo), K alone gives C K eps.
 
-    The integral stands still while the output is at its limit, or drives have not taken the last commands whole, and the error would drive
+    The integral holds while the output is at its limit, or drives have not accepted the last commands in full, and the error would drive
     it further. All axes are taken to have commands of the same unit.
 
     References

@@ -1,1 +1,1 @@
-"""Drives: what stands between a command and the plant: limits and delay."""
+"""Drives: limits and delay between command and plant."""

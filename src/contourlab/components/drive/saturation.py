@@ -61,7 +61,7 @@ class DelayedSaturation(Component):
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        # The limit comes before the delay: the mean is that of what was taken.
+        # The limit comes before the delay: the mean is that of the accepted commands.
         newer = clip(delayed(par.ring, clock, par.whole), -par.limit, par.limit)
         older = clip(delayed(par.ring, clock, par.whole + 1.0), -par.limit, par.limit)
         late = newer + par.fraction * (older - newer)

@@ -203,7 +203,7 @@ class OsculatingCircle(LocalEstimator):
 
 
 NOWHERE = 1e-9
-"""Length of the gain vector below which it has no direction: the tool stands a diameter off, where the scheme has lost the path."""
+"""Length of the gain vector below which it has no direction: the tool is a diameter off the path."""
 
 
 class KorenLo(LocalEstimator):

@@ -21,7 +21,7 @@ class ZPETC(Component):
 
     The coefficients are ready made: `contourlab.analysis.zpetc_design` finds them for a closed loop, so that position over reference has no
     phase at any frequency. What is computed is the shift itself, from differences to the reference of now: F is 1 at rest, so that the
-    large coefficients of opposite sign cost no digits where the axis stands.
+    large coefficients of opposite sign cost no digits at rest.
 
     A filter that looks L ticks ahead and as far back knows all it needs only after as many ticks; until then the shift is zero, and over as
     many again it is faded in.

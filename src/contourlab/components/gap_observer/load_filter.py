@@ -1,10 +1,11 @@
-"""One extended Kalman filter of a two-inertia drive with backlash, that sees the motor alone.
+"""An extended Kalman filter of a two-inertia drive with backlash that measures the motor alone.
 
-Its state is (p, v, q, w, g, a, b, f): motor position and velocity, those of the load, the gap in all, and by what part torque, load inertia
-and load friction are more than the model says. Its covariance is kept as the 36 numbers of the upper triangle, row by row. Lengths are at
-the table. The shaft's twist is known up to its deviation s, so that its force is the mean of the dead zone over a normal distribution,
-K s (phi(z) + z Phi(z)) for each flank, its slope K Phi(z), and the variance that the slope does not explain is noise that lasts a while.
-Friction stops a mass whose speed it can take in a sub-step: the same dead zone, of speed.
+The state is (p, v, q, w, g, a, b, f): position and velocity of the motor and of the load, the total gap, and the relative errors of the
+model's torque, load inertia and load friction. The covariance is the upper triangle, 36 numbers row by row. Lengths are at the table.
+
+The twist of the shaft has a standard deviation s. Its force is therefore the mean of the dead zone over a normal distribution,
+K s (phi(z) + z Phi(z)) for each flank, with slope K Phi(z); the variance that the slope does not explain counts as correlated noise.
+Friction stops a mass if it can take up its speed within a sub-step: the same dead zone, of speed.
 """
 
 from __future__ import annotations
@@ -16,11 +17,11 @@ from contourlab.primitives import clip, dot, exp, fabs, log, maximum, minimum, s
 N_STATE = 8
 N_COVARIANCE = 36
 CORRELATION = 1e-3
-"""Seconds over which a force that the model leaves out stays what it is."""
+"""Correlation time of unmodelled forces [s]."""
 TAIL = 2.5
-"""Deviations from a flank at which it is not thought of: beyond, the law of a gap would have it less than none."""
+"""Distance from a flank, in deviations, beyond which the flank is ignored: the gap's distribution reaches below zero there."""
 SURPRISE = 25.0
-"""Squared deviations that one reading can at most count against a filter: an outlier is no proof."""
+"""Limit of the squared deviations of one reading: an outlier must not decide."""
 
 Vector = tuple[float, ...]
 
@@ -34,7 +35,7 @@ def normal_law(z: float) -> tuple[float, float]:
 
 
 def _flank(x: float, s: float, tail: float) -> tuple[float, float, float]:
-    """Return the mean of max(x + s n, 0) over the normal law, its slope, and the variance that the slope leaves; beyond `tail`, nothing."""
+    """Return mean of max(x + s n, 0) over the normal distribution, its slope, and the residual variance; zeros beyond `tail`."""
     z = x / s
     density, below = normal_law(z)
     mean = maximum(density + z * below, 0.0)
@@ -46,13 +47,13 @@ def _flank(x: float, s: float, tail: float) -> tuple[float, float, float]:
 
 
 def _rubbed(speed: float, threshold: float, s: float) -> tuple[float, float, float, float]:
-    """Return what friction leaves of a speed, which it stops where the speed is within `threshold`, so that sticking is sticking.
+    """Return the mean speed after friction, its slopes in speed and threshold, and the residual variance.
 
-    With the mean, its slope in the speed, that in the threshold, and the variance that the slope leaves.
+    Friction stops speeds within `threshold`, so that sticking is exact.
     """
     ahead, in_ahead, rest_ahead = _flank(speed - threshold, s, 40.0)
     behind, in_behind, rest_behind = _flank(-speed - threshold, s, 40.0)
-    # The two are never at once, and so not independent; without friction they leave nothing.
+    # The two exclude each other, so they are not independent; without friction they cancel.
     both = 2.0 * (ahead * behind - s * s * in_ahead * in_behind)
     return ahead - behind, in_ahead + in_behind, in_behind - in_ahead, maximum(rest_ahead + rest_behind + both, 0.0)
 
@@ -61,12 +62,12 @@ def touching(x: Vector, c: Vector) -> tuple[float, float, float]:
     """Return twist p - q, and its standard deviation against the forward and the backward flank."""
     twist = c[0] + c[15] - 2.0 * c[2] + 0.25 * c[26]
     tilt = c[4] - c[17]
-    # A picometre keeps the quotient finite where all is known.
+    # A picometre keeps the quotient finite when the covariance is zero.
     return x[0] - x[2], sqrt(maximum(twist - tilt, 0.0) + 1e-24), sqrt(maximum(twist + tilt, 0.0) + 1e-24)
 
 
 def started(place: float, speed: float, gap: float, gap_deviation: float, noise: float, dt: float) -> tuple[Vector, Vector]:
-    """Return mean and covariance from two readings of the encoder: the load somewhere in the gap at the motor's speed, the model exact."""
+    """Return mean and covariance from two encoder readings: load anywhere in the gap at the motor's speed, no model error."""
     slope, square = noise / dt, 2.0 * noise / (dt * dt)
     first = (noise, slope, 0.0, slope, 0.0, 0.0, 0.0, 0.0)
     motor = (square, 0.0, square, 0.0, 0.0, 0.0, 0.0)
@@ -76,10 +77,10 @@ def started(place: float, speed: float, gap: float, gap_deviation: float, noise:
 
 
 def restarted(x: Vector, c: Vector, side: float, gap: float, gap_deviation: float, part: float, keep: float) -> tuple[Vector, Vector]:
-    """Return mean and covariance of a filter with another guess of the gap, from one that is in contact at a flank (`side` 1 or -1).
+    """Return mean and covariance of a filter for another gap, from a filter in contact at a flank (`side` 1 or -1).
 
-    What both share is the place of that flank, q + side g/2, and all motion; `keep` is 1 where the parameters are shared as well, 0 where
-    they start from the model's, with `part` as their standard deviation.
+    Both share the position of that flank, q + side g/2, and all motion. `keep` is 1 to share the model errors too, or 0 to reset them to
+    zero with standard deviation `part`.
     """
     p, v, q, w, g, a, b, f = x
     pp, pv, pq, pw, pg, pa, pb, pf, vv, vq, vw, vg, va, vb, vf = c[:15]
@@ -109,11 +110,11 @@ def advance(par: Any, x: Vector, c: Vector, command: float, dt: float) -> tuple[
     drag = (1.0 + f) * par.load_drag
     push, threshold = n * (shaft - drag * w), n * (1.0 + f) * par.coulomb
     left, keeps, stops, rest_load = _rubbed(w + push, threshold, sqrt(maximum(c[21], 0.0) + 1e-24))
-    # How the speed changes with one over the inertia, and with friction.
+    # Derivatives of the speed by inverse inertia and by friction.
     lighter, rubs = keeps * push + stops * threshold, n * (stops * par.coulomb - keeps * par.load_drag * w)
     n = keeps * n
     of_load = (n * k, n * d, -n * k, keeps - n * (d + drag), n * k_gap, 0.0, -lighter / (1.0 + b), rubs)
-    # What shakes both masses is held by friction where they stick.
+    # Friction also holds masses that stick against noise forces.
     shaken, other = rest * maximum(CORRELATION / dt, 1.0), par.force_noise / dt
     noise = (m * m * (shaken + other) + rest_motor, -m * n * shaken, n * n * (shaken + other) + rest_load)
     c = _kick(c, of_motor, of_load, noise)
@@ -121,11 +122,11 @@ def advance(par: Any, x: Vector, c: Vector, command: float, dt: float) -> tuple[
 
 
 def _shaft(par: Any, x: Vector, c: Vector) -> tuple[float, float, float, float, float]:
-    """Return the shaft's mean force, its slopes in twist, twist's rate and gap, and the variance that they leave."""
+    """Return mean force of the shaft, its slopes in twist, twist rate and gap, and the residual variance."""
     twist, s_forward, s_backward = touching(x, c)
     ahead, in_ahead, rest_ahead = _flank(twist - 0.5 * x[4], s_forward, TAIL)
     behind, in_behind, rest_behind = _flank(-twist - 0.5 * x[4], s_backward, TAIL)
-    # Never both flanks at once: what the wide law of a gap that is hardly known says of the other one is left out.
+    # Contact at one flank excludes the other, even while the gap is hardly known.
     one, other = 1.0 - in_behind, 1.0 - in_ahead
     k, d = par.stiffness_value, par.damper_value * (one * in_ahead + other * in_behind)
     force = k * (one * ahead - other * behind) + d * (x[1] - x[3])
@@ -175,14 +176,14 @@ def _kick(c: Vector, m: Vector, n: Vector, noise: Vector) -> Vector:
 
 
 def corrected(par: Any, x: Vector, c: Vector, measured: float) -> tuple[Vector, Vector, float, float]:
-    """Return mean and covariance once the encoder has been read, the logarithm of how likely it was, and its squared deviations."""
+    """Return mean and covariance after an encoder reading, its log-likelihood, and its squared deviations."""
     pp, pv, pq, pw, pg, pa, pb, pf, vv, vq, vw, vg, va, vb, vf = c[:15]
     qq, qw, qg, qa, qb, qf, ww, wg, wa, wb, wf = c[15:26]
     gg, ga, gb, gf, aa, ab, af, bb, bf, ff = c[26:]
     inverse = 1.0 / (maximum(pp, 0.0) + par.encoder_noise)
     error = measured - x[0]
     p, v, q, w, g, a, b, f = inverse * pp, inverse * pv, inverse * pq, inverse * pw, inverse * pg, inverse * pa, inverse * pb, inverse * pf
-    # Five deviations at most, so that no guess, however wrong, turns an inertia negative.
+    # At most five deviations, so that no wrong gap makes an inertia negative.
     most = 5.0 * par.uncertainty
     mean = (
         x[0] + p * error,
@@ -211,7 +212,7 @@ def corrected(par: Any, x: Vector, c: Vector, measured: float) -> tuple[Vector, 
 
 
 def sane(x: Vector, c: Vector) -> float:
-    """Return 1 for a filter that can go on, 0 for one that has run away."""
+    """Return 1, or 0 for a filter that has diverged."""
     size = maximum(maximum(fabs(x[2] - x[0]), 1e-4 * fabs(x[1])), 1e-4 * fabs(x[3]))
     spread = maximum(maximum(c[0], c[15]), 1e-8 * maximum(c[8], c[21]))
     return select(maximum(size, spread) < 1.0, 1.0, 0.0)
@@ -226,7 +227,7 @@ def flanks(x: Vector, c: Vector) -> tuple[float, float]:
 
 
 def faded(par: Any, x: Vector, c: Vector) -> Vector:
-    """Return the covariance with a little of what was learnt about gap and parameters forgotten, but not where the touched flank is."""
+    """Return the covariance after forgetting a little of gap and model errors; the position of the touched flank stays known."""
     qq, qw, qg, qa, qb, qf, ww, wg, wa, wb, wf, gg, ga, gb, gf, aa, ab, af, bb, bf, ff = c[15:]
     ahead, behind = flanks(x, c)
     rate, part, half = 2.0 * par.fading, par.uncertainty * par.uncertainty, 0.5 * (ahead - behind)

@@ -1,4 +1,4 @@
-"""Backlash seen from the motor alone: a bank of Kalman filters, each with a guess of the gap of its own."""
+"""Backlash observed from the motor alone: a bank of Kalman filters, each for another gap."""
 
 from __future__ import annotations
 
@@ -27,55 +27,55 @@ from contourlab.errors import ParameterError
 from contourlab.primitives import clip, exp, lincomb, maximum, minimum, scale, select, sqrt
 
 SCORE = N_STATE + N_COVARIANCE
-"""Where a filter keeps the logarithm of its weight, behind mean and covariance."""
+"""Index of a filter's log weight, after mean and covariance."""
 MODEL_ERROR = 0.01
-"""Part of the gap that the deviation never falls below: sub-steps and linearisation are no better."""
+"""Least deviation as a share of the gap: the accuracy of sub-steps and linearisation."""
 MISFIT = SCORE + 1
-"""Behind that, the mean of its squared deviations: 1 or less where the model holds."""
+"""Index of its mean squared deviation: at most 1 while the model holds."""
 KEPT = MISFIT + 1
-"""Numbers that a filter keeps."""
+"""Length of a filter's memory."""
 N_MOMENTS = 7
-"""Sums of the mixture: weight, gap, its square, place and speed of the load, either flank."""
+"""Sums of the mixture: weight, gap, squared gap, position and velocity of the load, forward and backward flank."""
 MISFITTING = 2.0
-"""Mean of the leading filter's squared deviations at which nothing that was learnt is kept."""
+"""Mean squared deviation of the leading filter above which the observer starts over."""
 JUDGED = 0.5
-"""Seconds over which that mean is taken."""
+"""Averaging time of that mean [s]."""
 DOUBTED = 5.0
-"""Seconds for which nothing is believed once a gap was met that is none of those guessed."""
+"""Time without trust after a gap outside the initial range [s]."""
 SETTLED = 0.03
-"""Seconds of contact without a break after which a flank is known: a few periods of a shaft that rebounds."""
+"""Unbroken contact after which a flank is known [s]: a few periods of a rebounding shaft."""
 LOST = 50.0
-"""Nats behind the best filter at which one has lost its way: e**-50 of its weight."""
+"""Log weight below the leading filter at which a filter restarts."""
 SURE = 0.999
-"""Probability of contact from which a flank is taken for certain."""
+"""Probability from which contact is certain."""
 
 
 class MultipleModel(Component):
     """Gap state and gap size from motor position and command: a Gaussian sum of extended Kalman filters of the two-inertia drive.
 
-    Each of the `hypotheses` starts from a gap of its own, spaced by one ratio from `smallest_gap` to `largest_gap`, and follows motor and
-    load, the gap, and how far torque, load inertia and load friction are off (each by `uncertainty`, one standard deviation) in one state
-    of eight with its covariance. The force of the shaft is K dz(p_m - p_l, gap/2) averaged over what the filter does not know of its twist
-    (statistical linearisation), so that a motor that moves on without a load's resistance widens the gap, and a contact ends it; what the
-    average leaves out is counted as noise. Guesses are weighed by how well they foretold each encoder reading; gap, deviation and the load
-    are those of the mixture.
+    The `hypotheses` start from gaps at equal ratios between `smallest_gap` and `largest_gap`. Each filter estimates motor, load, gap, and
+    the relative errors of torque, load inertia and load friction (`uncertainty` is one standard deviation). The shaft force K dz(p_m - p_l,
+    gap/2) is averaged over the unknown part of the twist (statistical linearisation); the residual counts as noise. A motor that moves on
+    without resistance widens the estimated gap, a contact ends it. Weights follow how well a filter predicts the encoder; gap, deviation
+    and load are those of the mixture.
 
-    Until contact has lasted without a break once, the gap is what it was guessed; from there all filters start from the flank that is
-    touched. The deviation is wide until the other flank has been touched as well. Filters that have lost their way start again beside the
-    leading one; where the leading one fails to foretell the encoder, all that was learnt is dropped. `confidence` is the probability that
-    the gap state is what it says, times that of a gap within `tolerance` of the one it says; half of that where the gap is merely guessed.
-    What was learnt fades over `memory`. When the leading filter is led above `largest_gap` or below `smallest_gap`, the guesses alone are
-    told for a while, then all starts anew.
+    The gap is the initial guess until the first unbroken contact. Then all filters restart from the touched flank; the deviation stays wide
+    until the other flank is touched. A filter that has lost almost all its weight restarts from the leading one. If the leading filter
+    predicts the encoder badly, the observer starts over. If its gap leaves the range from `smallest_gap` to `largest_gap`, the output is
+    the initial guess for a while, and then the observer starts over. Knowledge fades over `memory`.
 
-    Valid where the drive is the two-inertia one and moves across its gap. Choose `substeps` so that the shaft turns less than 0.25 rad of
-    its oscillation in each, sqrt(K (1/M_m + 1/M_l)) T/substeps, and `hypotheses` so that guesses differ by 15 % at most: a filter that is
-    led far beyond its guess before it meets the flank trusts itself too early.
+    `confidence` is the probability of the reported gap state, times that of a gap within `tolerance` of the reported one; half of that
+    while the gap is the initial guess.
+
+    Valid for a two-inertia drive that moves across its gap. Choose `substeps` so that the shaft's oscillation advances by less than
+    0.25 rad in each, sqrt(K (1/M_m + 1/M_l)) T/substeps, and `hypotheses` so that neighbouring gaps differ by at most 15 %: a filter that
+    drifts far from its initial gap before it meets the flank becomes confident too early.
 
     References
     ----------
     Alspach & Sorenson, "Nonlinear Bayesian estimation using Gaussian sum approximations", IEEE Trans. Automatic Control 17 (1972);
     Lagerberg & Egardt, "Backlash estimation with application to automotive powertrains", IEEE Trans. Control Systems Technology 15 (2007),
-    for Kalman filters of gap size and state; here contact is a matter of probability, and the motor's side alone is measured.
+    for Kalman filters of gap size and state; here contact has a probability, and only the motor is measured.
     """
 
     family = "gap_observer"
@@ -122,30 +122,30 @@ class MultipleModel(Component):
         "substeps": 1.0,
     }
 
-    motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of all that turns with the motor, J_m")
+    motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of motor and coupling, J_m")
     load_inertia: float = param(
-        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="of the load at the shaft, J_l; `mass` comes on top"
+        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="of the load at the shaft, J_l; in addition to `mass`"
     )
-    mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="of the table and all that it carries")
+    mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="of the table with everything on it")
     lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
     stiffness: float = param(unit="N*m/rad", minimum=0.0, exclusive=True, doc="of shaft, coupling and nut, k_s")
     shaft_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="of the same, d_s")
     motor_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous, on the motor's side, c_m")
     load_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous, on the load's side, c_l")
-    coulomb: float = param(default=0.0, unit="N", minimum=0.0, doc="friction of the guides, whatever the speed")
-    motor_coulomb: float = param(default=0.0, unit="N", minimum=0.0, doc="the same on the motor's side, at the table")
-    torque_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="torque that comes per torque that was asked for, g")
+    coulomb: float = param(default=0.0, unit="N", minimum=0.0, doc="Coulomb friction of the guides")
+    motor_coulomb: float = param(default=0.0, unit="N", minimum=0.0, doc="Coulomb friction of the motor, at the table")
+    torque_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="torque per commanded torque, g")
     uncertainty: float = param(
         default=0.03, minimum=1e-4, maximum=0.15, doc="relative standard deviation of torque, load inertia and friction"
     )
     resolution: float = param(default=0.125e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="of the encoder, at the table")
     unmodelled_force: float = param(default=1.0, unit="N", minimum=0.0, exclusive=True, doc="standard deviation over 1 ms, either side")
-    smallest_gap: float = param(default=5e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="of the first guess")
-    largest_gap: float = param(default=150e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="of the last guess")
-    tolerance: float = param(default=0.25, minimum=0.0, maximum=1.0, exclusive=True, doc="error of the gap that `confidence` allows for")
-    memory: float = param(default=60.0, unit="s", minimum=0.0, exclusive=True, doc="over which what was learnt fades")
-    hypotheses: float = param(default=32.0, minimum=2.0, maximum=64.0, whole=True, structural=True, doc="guesses of the gap")
-    substeps: float = param(default=2.0, minimum=1.0, maximum=32.0, whole=True, structural=True, doc="of the model in a servo period")
+    smallest_gap: float = param(default=5e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="smallest initial gap")
+    largest_gap: float = param(default=150e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="largest initial gap")
+    tolerance: float = param(default=0.25, minimum=0.0, maximum=1.0, exclusive=True, doc="relative error of the gap in `confidence`")
+    memory: float = param(default=60.0, unit="s", minimum=0.0, exclusive=True, doc="time over which knowledge fades")
+    hypotheses: float = param(default=32.0, minimum=2.0, maximum=64.0, whole=True, structural=True, doc="number of filters")
+    substeps: float = param(default=2.0, minimum=1.0, maximum=32.0, whole=True, structural=True, doc="integration steps per servo period")
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
@@ -155,7 +155,7 @@ class MultipleModel(Component):
             raise ParameterError("largest_gap", f"{self.largest_gap:g}", f"> smallest_gap = {self.smallest_gap:g}", "m")
 
     def make_step(self, n_axis: int = 1) -> Step:
-        """Return the step, whose bank has as many filters as there are hypotheses."""
+        """Return the step, with one filter for each hypothesis."""
         follow = _follower(int(self.substeps))
         bank = Bank(follow, int(self.hypotheses), KEPT, KEPT + N_MOMENTS)
         parameters = (*self.numeric(), *self.derived)
@@ -169,7 +169,7 @@ class MultipleModel(Component):
         n = int(self.hypotheses)
         spread = np.log(par.largest_gap / par.smallest_gap) / (n - 1)
         ratio = np.exp(spread)
-        # Half the way to the next guess.
+        # Half the distance to the next gap.
         spacing = 0.5 * (ratio - 1.0)
         first = sum(par.smallest_gap * ratio**i for i in range(n)) / n
         square_of_first = (1.0 + spacing * spacing) * sum((par.smallest_gap * ratio**i) ** 2 for i in range(n)) / n
@@ -181,7 +181,7 @@ class MultipleModel(Component):
             par.stiffness * square,
             par.shaft_damping * square,
             par.load_damping * square,
-            # Twice that of even rounding: at low speed successive errors are alike.
+            # Twice the variance of rounding: at low speed successive errors are correlated.
             par.resolution * par.resolution / 6.0,
             2.0 * CORRELATION * par.unmodelled_force * par.unmodelled_force,
             spread,
@@ -196,10 +196,10 @@ class MultipleModel(Component):
 @cache
 def _follower(substeps: int) -> Any:
     def follow(par: Any, x: Any, kept: Any, found: Any, index: float, inp: Any, clock: Any) -> Any:
-        """Return a filter a tick later, and with it the leading one and the moments of those up to it."""
+        """Return the filter after a tick, the leading filter so far, and the sums of the mixture so far."""
         guess = par.smallest_gap * exp(index * par.spread)
         begun = _renewed(par, _counted(kept, x.leader), x, guess)
-        # Two readings tell where the motor is and how fast; the filters run from the third.
+        # Two readings give position and speed of the motor; the filters run from the third on.
         running, speed = maximum(x.ticks - 1.0, 0.0), minimum(x.ticks, 1.0) * (inp.motor_position - x.last_position) / clock.dt
         fresh, wide = started(inp.motor_position, speed, guess, par.spacing * guess, par.encoder_noise, clock.dt)
         mean = _mixed(running, begun[:N_STATE], fresh)
@@ -225,12 +225,12 @@ def _whole(mean: Any, c: Any, score: float, misfit: float) -> Any:
 
 
 def _counted(kept: Any, leader: Any) -> Any:
-    """Return a filter with its score counted from the leading one's; far enough behind, it is no matter how far."""
+    """Return a filter with its score relative to the leading one, limited below."""
     return *kept[:SCORE], maximum(kept[SCORE] - leader[SCORE], -10.0 * LOST), kept[MISFIT]
 
 
 def _joined(kept: Any, found: Any, index: float) -> Any:
-    """Return the leading one of the filters so far, and the sums of the mixture by weights that count from its score."""
+    """Return the leading filter so far, and the sums of the mixture with weights relative to it."""
     leader, total = found[:KEPT], found[KEPT:]
     behind = select(index > 0.0, leader[SCORE] - kept[SCORE], -10.0 * LOST)
     better = select(behind < 0.0, 1.0, 0.0)
@@ -239,32 +239,32 @@ def _joined(kept: Any, found: Any, index: float) -> Any:
 
 
 def _judge(par: Any, x: Any, inp: Any, clock: Any, found: Any) -> Any:
-    """Return states and outputs once all filters have followed."""
+    """Return states and outputs after all filters have run."""
     leader, total = found[:KEPT], found[KEPT:]
     side = _side(leader)
     contact, sound, settled, again = _waited(x, side, leader, clock.dt)
     doubt = _doubt(par, x, leader[4], settled, clock.dt)
-    # Once doubt is over, what was learnt meanwhile is dropped.
+    # Start over when doubt ends.
     again = maximum(again, select(x.doubt > 0.0, 1.0, 0.0) * select(doubt > 0.0, 0.0, 1.0))
     states = minimum(x.ticks + 1.0, 2.0), inp.motor_position, contact * (1.0 - again), sound, side, settled, again, doubt, leader
-    return states, _told(par, total, select(doubt > 0.0, 0.0, x.sound))
+    return states, _outputs(par, total, select(doubt > 0.0, 0.0, x.sound))
 
 
 def _side(leader: Any) -> float:
-    """Return the flank at which a filter surely is, or 0."""
+    """Return the flank that a filter certainly touches, or 0."""
     ahead, behind = flanks(leader[:N_STATE], leader[N_STATE:SCORE])
     return select(ahead > SURE, 1.0, select(behind > SURE, -1.0, 0.0))
 
 
 def _doubt(par: Any, x: Any, gap: float, settled: float, dt: float) -> float:
-    """Return for how long [s] nothing is to be believed, as the leading filter's gap is none that was guessed; over at a flank only."""
+    """Return the remaining time without trust [s], started by a gap outside the initial range; it ends only at a flank."""
     left = select(x.doubt > 0.0, maximum(x.doubt - dt, dt * (1.0 - settled)), 0.0)
     low, high = par.smallest_gap * (1.0 - par.spacing), par.largest_gap * (1.0 + par.spacing)
     return select(gap > high, DOUBTED, select(gap < low, DOUBTED, left))
 
 
 def _waited(x: Any, side: float, leader: Any, dt: float) -> tuple[float, float, float, float]:
-    """Return how long contact has lasted, whether a flank has been known, whether one is now, and whether to start all over from it."""
+    """Return duration of contact, whether a flank was ever known, whether one is known now, and whether to start over from it."""
     contact = select(side == 0.0, 0.0, minimum(x.contact + dt, SETTLED))
     settled = select(contact >= SETTLED, 1.0, 0.0)
     again = settled * select(leader[MISFIT] > MISFITTING, 1.0, 1.0 - x.sound)
@@ -272,7 +272,7 @@ def _waited(x: Any, side: float, leader: Any, dt: float) -> tuple[float, float, 
 
 
 def _renewed(par: Any, kept: Any, x: Any, guess: float) -> Any:
-    """Return a filter; started again beside the leading one where it has lost its way, or with all the others."""
+    """Return a filter, restarted from the leading one if it has lost its weight or all start over."""
     lost = select(kept[SCORE] < -LOST, x.settled, 0.0)
     mean, c = x.leader[:N_STATE], x.leader[N_STATE:SCORE]
     mean, c = restarted(mean, c, x.side, guess, par.spacing * guess, par.uncertainty, 1.0 - x.again)
@@ -281,21 +281,21 @@ def _renewed(par: Any, kept: Any, x: Any, guess: float) -> Any:
 
 
 def _moments(kept: Any) -> Any:
-    """Return what a filter adds to the sums of the mixture, per weight."""
+    """Return the moments of a filter, for unit weight."""
     mean, c = kept[:N_STATE], kept[N_STATE:SCORE]
     ahead, behind = flanks(mean, c)
     return 1.0, mean[4], mean[4] * mean[4] + maximum(c[26], 0.0), mean[2], mean[3], ahead, behind
 
 
-def _told(par: Any, total: Any, sound: float) -> Any:
+def _outputs(par: Any, total: Any, sound: float) -> Any:
     """Return the outputs from the sums of the mixture."""
     _, gap, square, position, velocity, ahead, behind = scale(1.0 / total[0], total)
     deviation = sqrt(maximum(square - gap * gap, 0.0) + (MODEL_ERROR * gap) * (MODEL_ERROR * gap))
     gap, deviation = select(sound > 0.0, gap, par.first_gap), select(sound > 0.0, deviation, par.first_deviation)
     state = select(ahead > 0.5, 1.0, select(behind > 0.5, -1.0, 0.0))
     sure = select(state > 0.0, ahead, select(state < 0.0, behind, 1.0 - ahead - behind))
-    # A picometre, as a gap that is known to be none is no division by zero.
+    # A picometre avoids a division by zero for a gap known to be zero.
     _, within = normal_law(par.tolerance * gap / (deviation + 1e-12))
-    # A gap that is merely guessed is never to be trusted, however close the guesses lie together.
+    # An initial guess is never trusted, however close the hypotheses are.
     confidence = (0.5 + 0.5 * sound) * clip(sure, 0.0, 1.0) * clip(2.0 * within - 1.0, 0.0, 1.0)
     return state, gap, deviation, confidence, position, velocity

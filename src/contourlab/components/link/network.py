@@ -85,7 +85,7 @@ class Network(Component):
     delay: float = param(default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="least time from sending to arrival")
     jitter: float = param(default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="largest extra delay; uniform from 0")
     loss: float = param(default=0.0, minimum=0.0, maximum=1.0, doc="part of the messages that never arrive")
-    between: str = text_param(default="hold", choices=("hold", "extrapolate"), doc="what stands until the next message has arrived")
+    between: str = text_param(default="hold", choices=("hold", "extrapolate"), doc="value used until the next message arrives")
     horizon: float = param(default=0.02, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="longest extrapolation")
     stream: float = NOISE_STREAM
 

@@ -1,6 +1,6 @@
-"""Plant and friction linked into one step: friction lives inside the plant's integration.
+"""Plant and friction linked into one step: friction is part of the plant's integration.
 
-Three laws, each with its own way through time; the command and the load are held over the step.
+Three laws, each with its own integration method; command and load are constant over the step.
 
 - *smooth* friction is a force of velocity: classical Runge-Kutta, fourth order.
 - *sticking* friction holds the axis at rest: Runge-Kutta while it slides one way; where the velocity passes zero within the step, the
@@ -9,7 +9,7 @@ Three laws, each with its own way through time; the command and the load are hel
 - *bristle* friction is stiff: velocity and bristle are advanced together, implicitly, and extrapolated to second order.
 
 A plant whose drive's force lags behind its command has a third state; its laws are in `lagged_mechanics`. One whose
-motor can stand elsewhere than its load takes a friction on either, and joins them itself: `two_mass_mechanics` and
+motor and load can differ in position has a friction on either side and links them itself: `two_mass_mechanics` and
 `two_mass_bristle`.
 """
 
@@ -27,11 +27,11 @@ from contourlab.errors import ComponentError
 from contourlab.primitives import fabs, select
 
 MOTOR_FRICTION, LOAD_FRICTION = "motor_friction_", "load_friction_"
-"""Ahead of the names of the parameters of a friction, on a plant with two sides: its shaft has a stiffness, as bristles have."""
+"""Prefixes of friction parameters on a plant with two sides: shaft and bristles both have a stiffness."""
 
 
 def friction_prefix(plant: Any) -> str:
-    """Return what stands ahead of the names of the parameters of the friction at the load."""
+    """Return the prefix of the names of the load friction's parameters."""
     return LOAD_FRICTION if getattr(plant, "two_sided", False) else ""
 
 
@@ -40,15 +40,15 @@ def link(plant: Component, friction: Component, motor_friction: Component | None
 
     Parameters
     ----------
-    plant : SingleMass, the LaggedMass beside it, or one with two sides
+    plant : SingleMass, LaggedMass, or a plant with two sides
     friction : Component of the family friction
     motor_friction : Component of the family friction, optional
-        On the motor's side of a plant that has one; its parameters have `MOTOR_FRICTION` ahead of their names.
+        Of the motor, on a plant with two sides; its parameters have the prefix `MOTOR_FRICTION`.
 
     Raises
     ------
     ComponentError
-        If plant and friction have a parameter of the same name, or the friction's law is unknown or none that the plant takes.
+        If plant and friction have a parameter of the same name, or the plant does not support the friction's law.
     """
     if getattr(plant, "two_sided", False):
         return _two_sided(plant, friction, motor_friction or NoFriction())
@@ -82,7 +82,7 @@ def _two_sided(plant: Any, friction: Component, motor_friction: Component) -> St
 
 @cache
 def _view(prefix: str, names: tuple[str, ...]) -> Callable[..., Any]:
-    """Return what picks the parameters of one friction out of all, under their own names."""
+    """Return a function that selects the parameters of one friction, under their own names."""
     if not names:
         return lambda par: par
     scope: dict[str, Any] = {"__name__": __name__, "View": record(names)}

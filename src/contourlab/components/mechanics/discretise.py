@@ -15,8 +15,8 @@ def low_pass_weight(bandwidth: Any, dt: float, rule: str) -> Any:
 
     Notes
     -----
-    With pole matching, 1 - exp(-w dt), the derivative w (u - y) of a ramp comes out too small by w dt e/(1 - e), e = exp(-w dt): at
-    w dt = 2 it is 0.31 of the slope. Backward Euler, w dt/(1 + w dt), gives the slope itself. An infinite bandwidth has the weight 1.
+    With pole matching, 1 - exp(-w dt), the derivative w (u - y) of a ramp is scaled by w dt e/(1 - e), e = exp(-w dt): 0.31 at
+    w dt = 2. With backward Euler, w dt/(1 + w dt), it is exact. An infinite bandwidth has the weight 1.
     """
     turn = np.multiply(bandwidth, dt)
     return -np.expm1(-turn) if rule == "pole-matched" else 1.0 / (1.0 + 1.0 / turn)

@@ -1,4 +1,4 @@
-"""Where within a step something happens: the first zero of the cubic through values and slopes at both ends of the step."""
+"""Location of an event within a step: the first zero of the cubic through values and slopes at both ends."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ NEVER = 2.0
 """Past the end of a step."""
 
 ITERATIONS = 50
-"""At most: of Newton's rule held inside a bracket, halved where it would leave it; it ends where it moves no more, mostly after five."""
+"""Most iterations of Newton's method in a bracket, with bisection; it usually converges in five."""
 
 SETTLED = 1e-15
-"""Part of a step."""
+"""Tolerance, as a part of the step."""
 
 
 def hermite(u: float, y0: float, y1: float, d0: float, d1: float) -> float:
@@ -21,9 +21,9 @@ def hermite(u: float, y0: float, y1: float, d0: float, d1: float) -> float:
 
 
 def first_zero(y0: float, y1: float, d0: float, d1: float) -> float:
-    """Return where the cubic first falls through zero, as a part of the step; wanted is y1 < 0.
+    """Return where the cubic first falls through zero, as a part of the step; requires y1 < 0.
 
-    Where it starts at zero or below, it counts as positive there: zero is returned only where it falls at once.
+    A start at or below zero counts as positive: the result is zero only if the cubic falls at once.
     """
     c2, c3 = 3.0 * (y1 - y0) - 2.0 * d0 - d1, 2.0 * (y0 - y1) + d0 + d1
     low, high = 0.0, 1.0
@@ -47,9 +47,9 @@ def first_zero(y0: float, y1: float, d0: float, d1: float) -> float:
 
 
 def first_dip(y0: float, y1: float, d0: float, d1: float) -> float:
-    """Return where the cubic falls through zero on its way from y0 > 0 to y1 >= 0, as a part of the step; `NEVER` where it does not.
+    """Return where the cubic falls through zero between y0 > 0 and y1 >= 0, as a part of the step; `NEVER` if it does not.
 
-    What dips below zero within a step and comes back is not seen at its ends.
+    The ends of the step do not show such a dip.
     """
     if not (y0 > 0.0 and d0 < 0.0 and d1 > 0.0):
         return NEVER
@@ -60,10 +60,10 @@ def first_dip(y0: float, y1: float, d0: float, d1: float) -> float:
 
 
 def _lowest(d0: float, c2: float, c3: float) -> float:
-    """Return where d0 u + c2 u^2 + c3 u^3 has its lowest point, or `NEVER` where it has none."""
+    """Return the minimum of d0 u + c2 u^2 + c3 u^3, or `NEVER` if it has none."""
     radicand = c2 * c2 - 3.0 * c3 * d0
     root = sqrt(fabs(radicand))
-    # Of the two forms of the zero of the slope, the one without a difference of like numbers.
+    # The form of the root that avoids cancellation.
     ahead = c2 + root
     over = select(c2 > 0.0, ahead, 3.0 * c3)
     top = select(c2 > 0.0, -d0, root - c2)

@@ -2,8 +2,8 @@
 
 The velocity v and the force f of the drive follow v' = m (f + n(t)) - d v, f' = w - r f - b v. For X = h [[-d, m], [-b, -r]] every function
 of X is a number times I plus a number times X (Cayley and Hamilton), so that the functions phi_k(X), which integrate what acts as t^(k-1),
-are pairs of numbers. They are found by Taylor's series for X/2^n and n doublings, written so that nothing large cancels: a stiff lag costs
-no accuracy. The same lines serve NumPy arrays over the variants of a batch and the scalar language of a step.
+are pairs of numbers, computed by a Taylor series for X/2^n and n doublings without cancellation: a stiff lag costs no accuracy. The same
+code serves NumPy arrays over the variants of a batch and steps.
 
 References
 ----------
@@ -19,7 +19,7 @@ DOUBLINGS = 12
 STIFFEST = 1000.0
 """Largest time, in the lag's own time constants, that `DOUBLINGS` is enough for."""
 NAMES = ("v0", "v1", "v2", "v3", "v4", "x0", "x1", "x2", "x3", "x4", "f0", "f1")
-"""What `propagator` returns: the diagonal entries of phi_0 ... phi_4 for v, what stands beside the diagonal, and phi_0, phi_1 for f."""
+"""Results of `propagator`: diagonal entries of phi_0 ... phi_4 for v, off-diagonal factors, and phi_0, phi_1 for f."""
 
 
 def propagator(decay: Any, rate: Any, product: Any, h: Any, doublings: int) -> Any:

@@ -1,15 +1,14 @@
-"""Two masses joined by a shaft with backlash, and the bristles of a friction on either or both: one step through time.
+"""One step of two masses joined by a shaft with backlash, with bristle friction on one or both.
 
-Bristles are stiff, so that nothing is explicit: the implicit midpoint rule carries both masses and the shaft, and each bristle is carried
-exactly under the mean velocity of its body with the rate of its slip held. All forces are then linear in the two mean velocities: two
-equations. They are solved twice, with the rate of slip at the start and at the mean velocity, which makes the method of second order.
+Bristles are stiff, so the method is implicit: the midpoint rule integrates masses and shaft, and each bristle follows exactly the mean
+velocity of its body at a constant slip rate. All forces are then linear in the two mean velocities: two equations. They are solved twice,
+with the slip rate at the start and at the mean velocity, which gives second order.
 
-The work of a force is its mean times the mean velocity, exactly. The shaft gives back what it takes, and what a bristle z takes is at least
-what it stores, since s0 z' z <= s0 z v at any rate of slip: whatever the step, nothing here gives energy, as long as the damping of the
-bristles is one with which their friction takes energy at all (s1 |v| <= 4 g).
+The work of a force is exactly its mean times the mean velocity. The shaft returns the energy it takes, and a bristle z takes at least the
+energy it stores, since s0 z' z <= s0 z v at any slip rate. So no step adds energy, as long as the bristle damping is dissipative
+(s1 |v| <= 4 g).
 
-The ends of contacts are located as in `two_mass_mechanics`, on the step itself, taken anew for each trial of where. A
-contact keeps the second order.
+The ends of contacts are located as in `two_mass_mechanics`, by repeating the step for each trial. Contacts keep the second order.
 
 References
 ----------
@@ -28,19 +27,19 @@ from contourlab.components.mechanics.two_mass_laws import contact_guard_of, shaf
 from contourlab.primitives import exp, fabs, select
 
 STRETCHES = 6
-"""Parts of a step that are ended by a contact; what is left then is carried in one piece."""
+"""Contacts located within a step; the rest of the step follows in one piece."""
 
 TRIALS = 6
-"""Of where a contact ends, from a first guess on a cubic; each is a step of its own."""
+"""Trials for the end of a contact, from a first guess on a cubic; each repeats the step."""
 
 SETTLED = 1e-12
-"""Part of a step that the end of a contact is known to."""
+"""Tolerance of the end of a contact, as a part of the step."""
 
 SHORTEST = 1e-12
-"""Way of the load [m] below which the slope of the gap is that of the place."""
+"""Travel of the load [m] below which the gap's local slope is used."""
 
 SLOWEST = 1e-12
-"""Speed [m/s] below which a smooth friction is taken as its slope at rest."""
+"""Speed [m/s] below which smooth friction is linear."""
 
 
 def _relaxation(x: float) -> tuple[float, float, float]:
@@ -85,7 +84,7 @@ def _advance_of(gap: Any, motor: Any, load: Any, motor_view: Any, load_view: Any
     def mean_velocities(par: Any, side: float, push: Any, y: Any, v: Any, h: float) -> Any:
         half, slope = gap(par, y[2])
         way = h * v[1]
-        # A gap that bends within the step has its mean slope: then the shaft gives back what it takes there too, but for the guess.
+        # The mean slope of the gap over the step keeps the shaft conservative, but for the guess of the travel.
         slope = select(fabs(way) < SHORTEST, slope, (gap(par, y[2] + way)[0] - half) / select(fabs(way) < SHORTEST, 1.0, way))
         turned = 1.0 + side * slope
         spring = par.stiffness_value * (y[0] - y[2] - side * half)
@@ -100,7 +99,7 @@ def _advance_of(gap: Any, motor: Any, load: Any, motor_view: Any, load_view: Any
         m12, m21 = -hm * joint * turned, -hl * joint * turned
         r1 = y[1] + hm * (push[0] - am - spring)
         r2 = y[3] + hl * (push[1] - al + turned * spring)
-        # Both are above the products of the others: the determinant is positive.
+        # The diagonal dominates: the determinant is positive.
         determinant = m11 * m22 - m12 * m21
         w = (m22 * r1 - m12 * r2) / determinant, (m11 * r2 - m21 * r1) / determinant
         return w, pm * y[4] + qm * w[0], pl * y[5] + ql * w[1]
@@ -132,16 +131,16 @@ def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any
             y1 = advance(par, side, push, y, u * h)
             value = guard(par, side, flank, y1, unwound(par, twist, u * h))
             low, high = select(value > 0.0, u, low), select(value > 0.0, high, u)
-            # The secant through the last two trials, as long as it stays where the sign changes.
+            # The secant through the last two trials, kept inside the bracket.
             rise = value - before
             wanted = u - value * (u - was) / select(rise == 0.0, 1.0, rise)
             inside = select(wanted >= low, select(wanted <= high, 1.0, 0.0), 0.0)
-            # Where nothing but rounding is left, the sign of a trial says nothing.
+            # Below rounding the sign of a trial is meaningless.
             settled = fabs(wanted - u) < SETTLED
             was, before = u, value
             u = select(settled, u, select(inside > 0.5, wanted, 0.5 * (low + high)))
         y1 = advance(par, side, push, y, u * h)
-        # A damped shaft leaves its flank with the twist it has; one that reaches a flank has lost it.
+        # A damped shaft leaves its flank twisted; reaching a flank ends that twist.
         left_twist = select(par.unwinding > 0.0, y1[0] - y1[2] - side * gap(par, y1[2])[0], 0.0)
         twist1 = select(side == 0.0, 0.0, left_twist)
         return select(side == 0.0, flank, 0.0), twist1, y1, (1.0 - u) * h
@@ -151,7 +150,7 @@ def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any
 
 @cache
 def _kept(on_motor: bool, on_load: bool) -> Callable[..., Any]:
-    """Return what makes a tuple of the bristles that there are, the load's first."""
+    """Return a function that makes a tuple of the existing bristles, the load's first."""
     if on_motor and on_load:
         return lambda zl, zm: (zl, zm)
     return (lambda zl, zm: (zm,)) if on_motor else (lambda zl, zm: (zl,))
@@ -164,7 +163,7 @@ def two_mass_bristle_step(gap: Any, physical: bool, motor: Any, load: Any, motor
     Parameters
     ----------
     gap : callable
-        ``gap(par, position)``: half of the free travel where the load stands, and its slope.
+        ``gap(par, position)``: half of the free travel at the load's position, and its slope.
     physical : bool
         Which of the two models of contact.
     motor, load : friction classes

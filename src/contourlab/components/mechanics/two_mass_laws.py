@@ -1,7 +1,7 @@
-"""What acts on two masses joined by a shaft with backlash, and the guards that fall to zero where that changes.
+"""Forces on two masses joined by a shaft with backlash, and guards that fall to zero where the contact changes.
 
-`side` says where the shaft stands: 1 or -1 where it presses on the flank of a forward or backward drive, 0 in the gap, `UNKNOWN` where each
-evaluation finds out for itself. A state is a tuple (motor position, motor velocity, load position, load velocity), all at the load.
+`side` is 1 or -1 if the shaft presses on the forward or backward flank, 0 in the gap, `UNKNOWN` if each evaluation looks it up.
+A state is a tuple (motor position, motor velocity, load position, load velocity), all at the load.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ def friction_of(friction: Any) -> tuple[Callable[..., Any], Callable[..., Any], 
 def shaft_of(gap: Any) -> Callable[..., Any]:
     """Return ``shaft(par, side, y)``: the force on the motor, and that on the load.
 
-    ``gap(par, position)`` is half of the free travel where the load stands, and its slope: a gap that narrows along the way pushes the load
-    along, so that what the shaft stores is given back.
+    ``gap(par, position)`` is half of the free travel at the load's position, and its slope. A gap that narrows pushes the load, so that the
+    shaft stays conservative.
     """
 
     def shaft(par: Any, side: float, y: Any) -> tuple[float, float]:
@@ -61,10 +61,10 @@ def shaft_of(gap: Any) -> Callable[..., Any]:
 
 @cache
 def contact_guard_of(gap: Any, physical: bool) -> tuple[Callable[..., Any], Callable[..., Any]]:
-    """Return a pair of functions: what falls to zero where a flank is left, or `flank` is reached, and its slope.
+    """Return the guard that falls to zero where a flank is left, or `flank` is reached, and its slope.
 
-    They take ``(par, side, flank, y, twist)``, the slope the accelerations of both masses behind y; `twist` is what the shaft is still
-    twisted by behind a flank that it has left.
+    They take ``(par, side, flank, y, twist)``, the slope the accelerations of both masses after y; `twist` is the twist that the shaft
+    kept when it left a flank.
     """
 
     def guard(par: Any, side: float, flank: float, y: Any, twist: float) -> float:
@@ -87,13 +87,13 @@ def contact_guard_of(gap: Any, physical: bool) -> tuple[Callable[..., Any], Call
 
 
 def body_guard(way: float, v: float, push: float, toward: float, held: float) -> float:
-    """Return what falls to zero where a body comes to rest or, held, breaks loose `toward` one way.
+    """Return a guard that falls to zero where a body stops or, while held, breaks loose `toward` one direction.
 
-    `push` is all that acts on it but its friction. The slope is the same of acceleration, the push's slope, and nothing held.
+    `push` is the sum of all forces but friction. For the slope pass acceleration, the push's slope, and 0 for `held`.
     """
     return select(way == 0.0, held - toward * push, way * v)
 
 
 def unwound(par: Any, twist: float, h: float) -> float:
-    """Return what is left of a twist in the gap after h."""
+    """Return the twist in the gap after h."""
     return twist * exp(-par.unwinding * h) if twist != 0.0 else 0.0

@@ -1,13 +1,13 @@
-"""Two masses joined by a shaft with backlash, and a friction on either: one step through time, with every contact located.
+"""One step of two masses joined by a shaft with backlash, with friction on either, and every contact located.
 
-Between two events the motion is smooth, and a classical Runge-Kutta step of fourth order follows it. An event ends the stretch: a flank of
-the gap is reached or left, a body comes to rest or breaks loose. It is located on the cubic through both ends of the stretch, and from
-there the next one begins. So nothing chatters, the order is kept through contacts, and neither contact nor friction gives energy. A step
-with more events than `STRETCHES` is ended with the gap looked up at every stage, which is of second order.
+Between two events the motion is smooth: a classical Runge-Kutta step of fourth order. An event ends this stretch: a flank is reached or
+left, a body stops or breaks loose. It is located on the cubic through both ends of the stretch, and the next stretch starts there. So
+nothing chatters, the order is kept through contacts, and neither contact nor friction adds energy. A step with more events than
+`STRETCHES` ends with the gap looked up at every stage, which is of second order.
 
-The shaft pushes with T = k theta + c theta', theta being its twist. In the model of Nordin, Galic & Gutman a flank is left where T falls to
-zero, and the shaft unwinds behind it at the rate k/c; in the older dead-zone model it is left at the edge of the gap, up to which a damped
-shaft pulls. Without damping the two are one.
+The torque of the shaft is T = k theta + c theta' with its twist theta. In the model of Nordin, Galic & Gutman a flank is left where T falls
+to zero, and the shaft then unwinds at the rate k/c. In the older dead-zone model it is left at the edge of the gap, and a damped shaft
+pulls until then. Without damping both are equal.
 
 References
 ----------
@@ -25,14 +25,14 @@ from contourlab.components.mechanics.two_mass_laws import UNKNOWN, body_guard, c
 from contourlab.primitives import fabs, select
 
 STRETCHES = 6
-"""Smooth stretches of a step whose ends are located; a gap that is crossed whole within a step takes three."""
+"""Most events located within a step; crossing the whole gap takes three."""
 
 END, CONTACT, MOTOR, LOAD = 0.0, 1.0, 2.0, 3.0
-"""Why a stretch ends: the step does, a flank is reached or left, a body stops or breaks loose."""
+"""Why a stretch ends: end of the step, flank reached or left, motor or load stops or breaks loose."""
 
 
 def _way(v: float, push: float, held: float, released: float) -> float:
-    """Return which way a body slides, 0 where it is held; one that has just been released slides."""
+    """Return the direction in which a body slides, 0 if it is held; a body just released slides."""
     rest = select(fabs(push) <= held, released, select(push > 0.0, 1.0, -1.0))
     return select(v == 0.0, rest, select(v > 0.0, 1.0, -1.0))
 
@@ -81,7 +81,7 @@ def _slide_of(gap: Any, motor: Any, load: Any, motor_view: Any, load_view: Any) 
 
 @cache
 def ways_of(motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
-    """Return ``ways(par, net, y, released)``: which way either body slides, given all that pushes on it but its friction."""
+    """Return ``ways(par, net, y, released)``: the direction in which each body slides, from the forces on it without friction."""
     (_, held_motor, motor_sticks), (_, held_load, load_sticks) = friction_of(motor), friction_of(load)
 
     def ways(par: Any, net: Any, y: Any, released: Any) -> Any:
@@ -110,7 +110,7 @@ def body_event_of(friction: Any, view: Any, why: float) -> Callable[..., Any]:
             toward = select(net[1] > 0.0, 1.0, -1.0)
             first, last = body_guard(way, v[0], net[0], toward, most), body_guard(way, v[1], net[1], toward, most)
             d0, d1 = body_guard(way, a[0], rise[0], toward, 0.0), body_guard(way, a[1], rise[1], toward, 0.0)
-            # A body that turns back and forth again within a step would be pushed by its friction in between.
+            # Two reversals within a step: friction would push the body between them.
             at = first_zero(first, last, h * d0, h * d1) if last < 0.0 else first_dip(way * v[0], way * v[1], h * d0, h * d1)
             if at < u:
                 u, reason, loose = at, why, select(way == 0.0, toward, 0.0)
@@ -121,7 +121,7 @@ def body_event_of(friction: Any, view: Any, why: float) -> Callable[..., Any]:
 
 @cache
 def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
-    """Return ``stretch(par, side, twist, released, push, y, h)``: the same at the next event or at the end, and the time that is left."""
+    """Return ``stretch(par, side, twist, released, push, y, h)``: the state at the next event or the end, and the time left."""
     shaft, (guard, falling), ways_at = shaft_of(gap), contact_guard_of(gap, physical), ways_of(motor, load, motor_view, load_view)
     slide = _slide_of(gap, motor, load, motor_view, load_view)
     motor_event, load_event = body_event_of(motor, motor_view, MOTOR), body_event_of(load, load_view, LOAD)
@@ -165,7 +165,7 @@ def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any
 
 @cache
 def _ending_of(gap: Any, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
-    """Return ``ending(par, push, y, h)``: the rest of a step without locating, bodies stopped where they reverse; and where it ends."""
+    """Return ``ending(par, push, y, h)``: the rest of a step without events, bodies stopped at reversals; and the side at its end."""
     shaft, ways_at, slide = shaft_of(gap), ways_of(motor, load, motor_view, load_view), _slide_of(gap, motor, load, motor_view, load_view)
     motor_sticks, load_sticks = friction_of(motor)[2], friction_of(load)[2]
 
@@ -190,7 +190,7 @@ def two_mass_step(gap: Any, physical: bool, motor: Any, load: Any, motor_view: A
     Parameters
     ----------
     gap : callable
-        ``gap(par, position)``: half of the free travel where the load stands, and its slope.
+        ``gap(par, position)``: half of the free travel at the load's position, and its slope.
     physical : bool
         Which of the two models of contact.
     motor, load : friction classes
@@ -203,7 +203,7 @@ def two_mass_step(gap: Any, physical: bool, motor: Any, load: Any, motor_view: A
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         push = (par.force_value * inp.command, inp.load)
-        # Without a gap there is nothing to leave: the shaft pulls as it pushes.
+        # Without a gap the shaft never leaves its flank.
         side, twist, released = select(par.bonded > 0.5, 1.0, x.side), x.twist, (0.0, 0.0)
         y, left = (x.motor_position, x.motor_velocity, x.position, x.velocity), clock.dt
         for _ in range(STRETCHES):

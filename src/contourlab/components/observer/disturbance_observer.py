@@ -15,7 +15,7 @@ class DisturbanceObserver(Component):
     """Estimate of all that acts on an axis besides its model, subtracted from the command.
 
     d_hat = w_d/(s + w_d) [ (s w_z/(s + w_z) + b_hat) v / a_hat - u ], u being the command that reached the plant. With
-    u = u_c - d_hat the loop from u_c to v has the steady gain a_hat/b_hat whatever the plant is, and no steady response to a disturbance;
+    u = u_c - d_hat the loop from u_c to v has the steady gain a_hat/b_hat for any plant, and no steady response to a disturbance;
     it is stable for all positive parameters in continuous time. Choose b << w_d << w_z; the servo period and any delay limit w_d.
 
     References

@@ -116,7 +116,7 @@ class SecondOrderIntegrator(LaggedMass):
     2 zeta wn. Forces are in units of the command: a steady load of L is balanced by the command L. The transport delay of eq (4) belongs to
     the drive, as in ``drive = {kind = "delayed-saturation", delay = "15 ms"}``.
 
-    With its moved mass given it takes up the mass of axes that stand on it: mobility goes with mass/(mass + carried_mass), rate and
+    If its moved mass is given, it carries axes mounted on it: mobility goes with mass/(mass + carried_mass), rate and
     back-action stay, as they do for the motor. Without a mass (infinity) no other mass changes it: its response is taken to have been
     measured with all that is carried.
 

@@ -11,7 +11,7 @@ from contourlab.components.plant.plant import SingleMass
 class MassDamper(SingleMass):
     """Mass with viscous damping, pushed by a current-controlled motor: m v' = K_f i - c v + load - friction.
 
-    `carried_mass` is what stands on the axis (other axes of the machine, a work piece); a machine adds the axes mounted on this one.
+    `carried_mass` is the mass on the axis (other axes of the machine, a work piece); a machine adds the axes mounted on this one.
     Between axes that move along each other all of the mass counts as moving in a straight line; where much of it only turns, take
     "ball-screw", which tells the two apart.
     """

@@ -18,7 +18,7 @@ class Plant(Component):
     command_unit, force_unit : str
         Units of the command that drives it and of the forces on it.
     two_sided : bool
-        Whether the motor can stand elsewhere than the load: then it has outputs ``motor_position`` and ``motor_velocity``.
+        Whether motor and load can differ in position: then it has outputs ``motor_position`` and ``motor_velocity``.
     rest_depends : tuple of str
         Parameters that decide where its states are at rest.
     """

@@ -137,7 +137,7 @@ class TwoInertia(Plant):
         return {"profile": np.array(self.gap_profile)}
 
     def gap_function(self) -> Any:
-        """Return ``gap(par, position)``: half of the free travel where the load stands, and its slope."""
+        """Return ``gap(par, position)``: half of the free travel at the load's position, and its slope."""
         return _varying(len(self.gap_profile)) if len(self.gap_profile) > 1 else _even
 
     def joined(self, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Any:
@@ -152,7 +152,7 @@ class TwoInertia(Plant):
         return join(self.gap_function(), self.contact_model == "physical", motor, load, motor_view, load_view)
 
     def gap_at(self, position: float) -> float:
-        """Return the free travel in all [m] where the load stands at `position` [m]."""
+        """Return the total free travel [m] with the load at `position` [m]."""
         places = self.profile_start + self.profile_step * np.arange(len(self.gap_profile))
         return self._whole_gap * float(np.interp(position, places, self.gap_profile))
 

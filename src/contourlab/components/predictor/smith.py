@@ -27,7 +27,7 @@ class SmithPredictor(Component):
     ("filtered-difference"): the true velocity knows nothing of the commands on their way.
 
     On an axis that integrates, a steady load or friction held up by the command u is taken for a motion to come: the axis settles
-    G tau u away from where it was asked to be, whatever integral the controller has (Astrom, Hang & Lim 1994). A disturbance observer or
+    G tau u away from its reference, with any integral in the controller (Astrom, Hang & Lim 1994). A disturbance observer or
     friction feedforward does not help, since their part of the command passes through the drive as well; learning does.
 
     References

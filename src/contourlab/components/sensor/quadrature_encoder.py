@@ -1,4 +1,4 @@
-"""An encoder from its analogue signals on: two sinusoids with their errors, the correction, and the interpolation to counts."""
+"""An encoder with its analogue signals: two sinusoids with errors, correction, and interpolation to counts."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TURN = 2.0 * math.pi
 
 
 def waves(par: Any, position: float, k: float) -> tuple[float, float]:
-    """Return the two signals as the converter sees them, over the nominal amplitude."""
+    """Return the two signals after the converter, over the nominal amplitude."""
     turns = position / par.pitch
     phase = TURN * (turns - rint(turns))
     u1 = par.amplitude * (cos(phase) + par.third_harmonic * cos(3.0 * phase))
@@ -34,7 +34,7 @@ def waves(par: Any, position: float, k: float) -> tuple[float, float]:
 
 
 def converted(par: Any, voltage: float) -> float:
-    """Return a voltage as the analogue-to-digital converter gives it; as it is where there is none."""
+    """Return a voltage after the analogue-to-digital converter, if there is one."""
     held = clip(voltage, -par.converter_range, par.converter_range)
     return select(par.bits > 0.0, par.step_of_converter * rint(held / par.step_of_converter), voltage)
 
@@ -46,7 +46,7 @@ def _make(correction: str, in_hardware: bool) -> Any:
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         v1, v2 = waves(par, inp.position, clock.k)
         true = inp.position / par.pitch
-        # At the first tick the axis stands at its reference mark: the period is known.
+        # At the first tick the axis is at its reference mark, so the period is known.
         near = true if in_hardware else select(x.begun > 0.0, x.turns, true)
         if adaptive:
             states, _ = followed(par, x, v1, v2, near)
@@ -64,23 +64,21 @@ def _make(correction: str, in_hardware: bool) -> Any:
 
 
 class QuadratureEncoder(Component):
-    """Position from two analogue signals: u1 = a cos phi, u2 = a sin phi, phi = 2 pi x/pitch, as a real scale gives them.
+    """Position from two analogue signals: u1 = a cos phi, u2 = a sin phi, phi = 2 pi x/pitch, as from a real scale.
 
     The signals have offsets p and q, an amplitude ratio r, a phase error al, a third harmonic, noise and the steps of a converter:
-    u1d = u1 + p, u2d = (u2 cos al - u1 sin al)/r + q. Uncorrected, they make errors that repeat with every pitch: with amplitude a, p/a rad
-    once a pitch from an offset, (r - 1)/2 and al/2 rad twice from ratio and phase, and h rad four times from a third harmonic h (which no
-    ellipse takes away). The pitch is the travel of one period: a scale "with 1 um" after the usual fourfold count has 4 um.
+    u1d = u1 + p, u2d = (u2 cos al - u1 sin al)/r + q. Uncorrected, they cause errors that repeat with the pitch: an offset p/a rad once per
+    pitch, ratio and phase (r - 1)/2 and al/2 rad twice, a third harmonic h rad four times (no ellipse removes it). The pitch is the travel
+    of one period: a scale sold as "1 um" after fourfold counting has a pitch of 4 um.
 
-    ``correction = "fixed"`` takes the errors away with the known constants; ``"adaptive"`` begins with them and follows by recursive least
-    squares with forgetting, counted in updates, of which there is one for each `update_travel`. An axis that stands, or dithers within one
-    pitch, teaches nothing and nothing is forgotten.
+    ``correction = "fixed"`` uses the known constants. ``"adaptive"`` starts from them and continues by recursive least squares with
+    forgetting, one update per `update_travel`. While the axis is at rest or dithers within a pitch, the fit neither learns nor forgets.
 
-    The corrected angle is interpolated to counts, pitch/resolution = 4 n of them in a pitch: the count steps half-way between two whole
-    counts, where sin(n phi) + cos(n phi) or their difference crosses zero.
+    The corrected angle is interpolated to pitch/resolution = 4 n counts per pitch. The count changes half-way between two counts, where
+    sin(n phi) + cos(n phi) or their difference crosses zero.
 
-    With ``counting = "hardware"`` the whole periods come from a counter that runs at its own high rate and are always right; with
-    ``"sampled"`` they are counted at the servo rate, and an axis that moves more than half a pitch in a tick loses whole pitches.
-    The output `missed_periods` says by how many the count is off.
+    With ``counting = "hardware"`` a fast counter counts the periods and never misses one. With ``"sampled"`` they are counted at the servo
+    rate: an axis that moves more than half a pitch per tick loses whole pitches. `missed_periods` is the number lost.
 
     References
     ----------
@@ -127,12 +125,12 @@ class QuadratureEncoder(Component):
     bits: float = param(default=0.0, minimum=0.0, maximum=32.0, whole=True, doc="of the analogue-to-digital converter; 0 for none")
     converter_range: float = param(default=1.0, unit="V", minimum=0.0, exclusive=True, doc="largest signal of the converter, either sign")
     counting: str = text_param(default="hardware", choices=("hardware", "sampled"), doc="where whole periods are counted")
-    correction: str = text_param(default="adaptive", choices=("none", "fixed", "adaptive"), doc="what is done about the errors")
+    correction: str = text_param(default="adaptive", choices=("none", "fixed", "adaptive"), doc="correction of the errors")
     known_offset_1: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="known part of the first offset")
     known_offset_2: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="known part of the second offset")
-    known_ratio: float = param(default=1.0, minimum=0.2, maximum=5.0, doc="amplitude ratio as far as it is known")
+    known_ratio: float = param(default=1.0, minimum=0.2, maximum=5.0, doc="known part of the amplitude ratio")
     known_phase_error: float = param(default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="known part of the phase error")
-    forgetting: float = param(default=0.998, minimum=0.9, maximum=1.0, doc="lambda: the weight of what is known at each update")
+    forgetting: float = param(default=0.998, minimum=0.9, maximum=1.0, doc="forgetting factor lambda, per update")
     initial_covariance: float = param(default=10.0, minimum=0.0, exclusive=True, maximum=1e6, doc="of a coefficient over squared noise")
     update_travel: float = param(default=1.0 / 32.0, minimum=1e-4, maximum=10.0, doc="travel between updates of the fit, in pitches")
     stream: float = NOISE_STREAM

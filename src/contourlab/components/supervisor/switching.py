@@ -16,12 +16,12 @@ class Supervisor(Component):
     """Base of the supervisors: the number of the controller that is active, and why it was made so.
 
     Output ``active`` is 0 for the axis' ``controller`` and 1, 2 ... for those of ``others``; ``reason`` is `STEADY`, or at the tick of a
-    switch the number of one of `reasons`, which stand from 1.
+    switch the number of one of `reasons`, counted from 1.
 
     Attributes
     ----------
     reasons : tuple of str
-        In words; ``{name}`` stands for the controller that takes over.
+        In words; ``{name}`` becomes the controller that takes over.
     """
 
     family = "supervisor"

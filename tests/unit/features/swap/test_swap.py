@@ -305,6 +305,7 @@ def told(study: SwapStudy) -> list[object]:
     return [choices, optima, best, study.crossed.tobytes()]
 
 
+@pytest.mark.slow
 def test_an_interrupted_study_goes_on_to_the_same_bits(tmp_path: Path) -> None:
     whole, kept = kept_study(tmp_path / "whole")
     stages = len(list(kept.home.iterdir()))
