@@ -1,4 +1,4 @@
-"""The servo loop: machine and controller as values, and the runs that bring them to life."""
+"""The servo loop: machines and controllers as values, and their simulation."""
 
 from contourlab.loop.axis_parts import DIVISIONS, AxisError, Division, Limits
 from contourlab.loop.batch import BatchResult, simulate_batch

@@ -60,8 +60,7 @@ class AxisError:
     position, lead_error : ndarray (n,) [m]
         Error of the tool's position over the axis' position, rising positions, linear between them; empty for none.
     repeatability : float [m], >= 0
-        Unidirectional repeatability in the sense of ISO 230-2 (4 s): at each reversal the tool takes a new offset, normal with s = a
-        quarter of it.
+        Unidirectional repeatability by ISO 230-2 (4 s): each reversal draws a new offset of the tool, normal with s = a quarter of it.
     origins : mapping of str to Origin
         Source of each number, by name.
     """
@@ -85,19 +84,18 @@ DIVISIONS = {
     "observer": "the disturbance observer in the axis with them: commands go down, and the axis takes its own estimate off",
     "controller": "the whole controller in the axis, contour estimator and coupling in the base: the reference goes down",
 }
-"""What is local, from the least to the most, in words."""
+"""Local parts, from the fewest to all, in words."""
 
 _LOCAL = {"drive": ("velocity",), "observer": ("velocity", "observer")}
-"""Slots in the axis; under "controller" it is all of them."""
+"""Slots in the axis; with "controller" all of them."""
 
 
 @dataclass(frozen=True)
 class Division:
-    """One axis' controller in two: the base, the same whatever axis it drives, and the local one, which comes and goes with the axis.
+    """An axis' controller divided into a base, the same for any axis, and a local part that moves with the axis.
 
-    Each wire from one side to the other goes through the link of its direction; wires within a side do not. Plant, drive and sensors are in
-    the axis always, and what makes a velocity of the sensors' counts, unless a predictor in the base comes before it; contour estimator,
-    coupling, reference and what was learned are in the base always.
+    Each wire between the two goes through the link of its direction. Plant, drive and sensors are always in the axis, and so is the
+    velocity, unless a predictor in the base precedes it. Contour estimator, coupling, reference and learned tables are always in the base.
 
     Attributes
     ----------
@@ -106,8 +104,8 @@ class Division:
     down : Component
         Link from the base to the axis.
     up : Component or None
-        Link from the axis to the base. None where nothing comes back: the base sees no position, which only a local controller can do
-        without. Where the base has wires of its own to the sensors, and messages go one way, it is the ideal one.
+        Link from the axis to the base. None if nothing comes back: the base sees no position, so the controller must be local. If the base
+        has wires of its own to the sensors and messages go one way, it is the ideal link.
 
     References
     ----------
@@ -126,5 +124,5 @@ class Division:
             raise ParameterError("link.up", '"none"', bound)
 
     def is_local(self, slot: str) -> bool:
-        """Return whether a slot of an axis' controller stands in the axis; ``others.NAME`` stands where ``controller`` does."""
+        """Return whether a slot of an axis' controller is in the axis; ``others.NAME`` is where ``controller`` is."""
         return self.division == "controller" or slot in _LOCAL[self.division]

@@ -40,17 +40,17 @@ class BatchResult:
     figures : mapping of str to ndarray (n_variant,)
         ``contour_error_rms``, ``contour_error_mean``, ``contour_error_max`` and ``contour_error_signed_mean`` [m] (the last is that of the
         magnitude on a path in space), ``contour_error_integral`` [m s], ``contour_error_max_time`` [s], ``tracking_error_rms`` and
-        ``tracking_error_max`` [m]. With `effort`, ``command_energy`` [s], the integral of the squares of what the drives accepted, and
-        ``command_largest``, both in parts of each drive's limit (in its own command where it has none), and ``limited_share``, the part of
-        the time at which a drive did not take all it was asked for. NaN for a variant that failed.
+        ``tracking_error_max`` [m]. With `effort`, ``command_energy`` [s], the integral of the squared accepted commands, and
+        ``command_largest``, both relative to each drive's limit (in command units if it has none), and ``limited_share``, the share of time
+        at which a drive did not accept the whole command. NaN for a variant that failed.
     failed_at : ndarray (n_variant,) of int
-        Sample at which the variant left its following-error limit, or gave a command that is not finite; -1 where it did neither.
+        Sample at which the variant left its following-error limit, or produced a non-finite command; -1 for neither.
     unsure : ndarray (n_variant,)
         Samples at which the judge's foot point had not fully converged.
     signals : mapping of str to ndarray (n_sample, n, n_variant)
-        The signals asked for: views of `log`.
+        The requested signals: views of `log`.
     log : ndarray (n_group, n_sample, n_row, 32)
-        The memory of the signals, as the lanes wrote it.
+        Memory of the signals, in the layout of the lanes.
     """
 
     figures: Mapping[str, Array]
@@ -79,12 +79,12 @@ def simulate_batch(
     learned: Learned | None = None,
     moving: bool = False,
 ) -> BatchResult:
-    """Run variants that differ in parameters only, and judge each.
+    """Simulate variants that differ in parameters only, and judge each.
 
     Parameters
     ----------
     machine, controller, reference
-        What the variants have in common.
+        Common to all variants.
     variants : mapping of str to array_like (n_variant,)
         Parameters that differ, by their dotted names (`contourlab.loop.parameter_names` lists them).
     window : (int, int), optional
@@ -96,7 +96,7 @@ def simulate_batch(
     judge : bool
         Whether the contour error is computed.
     effort : bool
-        Whether what is asked of the drives is added up.
+        Whether to sum up the commands to the drives.
     view : PathView, optional
         How estimator and judge see the path.
     seed : int
@@ -106,7 +106,7 @@ def simulate_batch(
     progress : callable, optional
         Called with the number of samples done.
     reuse : BatchResult, optional
-        An earlier result that is not needed any more: its `log` is written over where it fits, which spares asking the system for memory.
+        An earlier result that is no longer needed: its `log` is overwritten if it fits, which saves allocating memory.
     learned : Learned, optional
         What earlier trials have learned, the same for all variants.
     moving : bool
@@ -115,7 +115,7 @@ def simulate_batch(
     Returns
     -------
     BatchResult
-        The same numbers whatever the number of threads, the order of the variants or their company.
+        The numbers do not depend on threads, nor on the order or number of variants.
 
     Raises
     ------
@@ -159,7 +159,7 @@ def _advance_all(
 
     def advance(g: int, external: Array, k: int) -> None:
         groups[g].run(external, rows, log[g, k : k + len(external)])
-        # The watch sees what reaches a position or a command; this, what has not got there yet.
+        # The watch node checks positions and commands; this checks all other states.
         broken[g] = np.where((broken[g] < 0) & ~groups[g].finite(), k + len(external) - 1, broken[g])
 
     workers = min(threads, len(groups))
@@ -183,7 +183,7 @@ def _checked(machine: Machine, controller: Controller, variants: Mapping[str, Ar
         part, parameter = known[name]
         try:
             columns[name] = np.atleast_1d(np.asarray(values, dtype=float))
-            # The extremes speak for all; a NaN is both.
+            # Minimum and maximum suffice; NaN is both.
             for value in (columns[name].min(), columns[name].max()) if columns[name].size else ():
                 part.parameters[parameter].check(float(value))
         except ParameterError as error:
@@ -200,7 +200,7 @@ def _checked(machine: Machine, controller: Controller, variants: Mapping[str, Ar
 
 
 def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping[str, Array]) -> None:
-    """Refuse variants whose parameters do not go together, as the part itself refuses them."""
+    """Refuse variants with parameters that the component itself refuses together."""
     heads = {name.rpartition(".")[0] for name in columns}
     for head in sorted(heads):
         of_part = {name: values for name, values in columns.items() if name.rpartition(".")[0] == head}
@@ -217,7 +217,7 @@ def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping
 
 
 def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
-    """Refuse a variant of a plant that its axis' sub-steps cannot follow, as a machine refuses it."""
+    """Refuse a variant of a plant that needs more sub-steps, as a machine does."""
     for axis in machine.axes:
         head = f"axes.{axis.name}.plant."
         changed = {name.removeprefix(head): values for name, values in columns.items() if name.startswith(head)}
@@ -242,7 +242,7 @@ def _split(kept: Array, n: int, keep: Sequence[str], loop: Loop) -> dict[str, Ar
     for name in keep:
         width = len(loop.signals[name])
         part = kept[:, :, column : column + width]
-        # One group is handed out as it lies; several are put side by side.
+        # One group is a view; several are concatenated.
         joined = part[0] if len(part) == 1 else np.concatenate(list(part), axis=2)
         signals[name] = joined[:, :, :n]
         column += width

@@ -78,7 +78,7 @@ class Builder:
         return Node(name, step, wires, values, part.table_values(), initial, start, self.ring_length(part, changed))
 
     def ring_length(self, part: Component, changed: Mapping[str, Array]) -> int:
-        """Return how much of its past a component keeps, so that it is enough for every variant."""
+        """Return the length of a component's ring buffer, enough for every variant."""
         lengths = [part.ring_length(self.period)]
         for name, values in changed.items() if part.ring else ():
             lengths += [part.replace(**{name: float(extreme)}).ring_length(self.period) for extreme in (values.min(), values.max())]
@@ -87,11 +87,11 @@ class Builder:
         return max(lengths)
 
     def accepted(self, axis: str) -> Any:
-        """Return the wire of the last command that was taken, as the controller of an axis knows it."""
+        """Return the wire of the last accepted command, as the axis' controller knows it."""
         return f"{axis}.taken.accepted" if self.controlled_from_base(axis) else self.drive_accepted(axis)
 
     def drive_accepted(self, axis: str) -> Late:
-        """Return the wire of the last command that the drive took, behind its limit and ahead of its delay."""
+        """Return the wire of the drive's last accepted command, after its limit and before its delay."""
         return Late(f"{axis}.drive.{accepted_output(self.machine.axis(axis).drive)}")
 
     def noisy(self, part: Any, axis: str, slot: str) -> Any:
@@ -105,16 +105,16 @@ class Builder:
         return self.controller.coupling is not None and self.controller.coupling.gives(output)
 
     def command(self, axis: str) -> str:
-        """Return the signal of the command that goes to an axis' drive, ahead of any link."""
+        """Return the signal of the command to an axis' drive, before any link."""
         return f"{axis}.compensated.command" if self.compensated_in_axis(axis) else self.wanted(axis)
 
     def wanted(self, axis: str) -> str:
-        """Return the signal of the command that an axis' controller gives."""
+        """Return the signal of the command from an axis' controller."""
         handed = self.controller.axes[axis].supervisor is not None or self.handover_time is not None
         return f"{axis}.{'handover' if handed else 'controller'}.command"
 
     def motor_start(self, axis: str) -> float:
-        """Return where the motor of an axis stands at first [m]."""
+        """Return the initial position of an axis' motor [m]."""
         at = float(self.start[self.names.index(axis)])
         return float(self.machine.axis(axis).plant.at_rest(at)[1].get("motor_position", at))
 
@@ -131,12 +131,12 @@ class Builder:
         return parts.link.is_local("observer") and any(part.takes("disturbance_estimate") for part in parts.controllers.values())
 
     def may_limit(self, axis: str) -> bool:
-        """Return whether the drive of an axis may take less than its command, in any of the variants."""
+        """Return whether the drive of an axis may limit its command, in any variant."""
         return getattr(self.machine.axis(axis).drive, "limit", 0.0) != math.inf or "limit" in self.changed(f"axes.{axis}.drive")
 
 
 def accepted_output(drive: Component) -> str:
-    """Return the output of a drive that says what it took of a command: behind its limit, ahead of its delay."""
+    """Return the output of a drive with the accepted command: after its limit, before its delay."""
     return "accepted" if drive.gives("accepted") else "applied"
 
 

@@ -25,7 +25,7 @@ class Learned:
     command : ndarray (n_sample, n_axis) [command unit], optional
         Added to the commands of the controllers.
     reference : ndarray (n_sample, n_axis) [m], optional
-        Added to the positions that the controllers are asked for.
+        Added to the reference positions of the controllers.
 
     Raises
     ------
@@ -51,7 +51,7 @@ class Learned:
 
 
 def _extra_externals(machine: Machine, controller: Controller, learned: Learned | None) -> tuple[str, ...]:
-    """Return the names of what is fed besides the reference, each a row per axis."""
+    """Return the names of the inputs besides the reference, each a row per axis."""
     parts = [controller.axes[name] for name in machine.axis_names if name in controller.axes]
     fed = {
         LEARNED_COMMAND: learned is not None and learned.command is not None,
@@ -83,7 +83,7 @@ class Feed:
         self._ahead = [0 if part is None else part.ahead(machine.servo_period) for part in parts]
 
     def block(self, start: int, stop: int) -> tuple[ReferenceBlock, Array]:
-        """Return the samples of the reference, and all that is fed: (n, n_external), each signal one row of memory."""
+        """Return all inputs of a block: (n, n_external), each signal contiguous."""
         asked = self.reference.block(start, stop, self._fill)
         if not self.names:
             return asked, asked.table
@@ -104,7 +104,7 @@ class Feed:
         return table
 
     def _coming(self, start: int, stop: int) -> Array:
-        """Return the positions asked for some ticks later; after the end the last one holds."""
+        """Return the reference positions of later ticks; after the end the last one holds."""
         last = self.reference.n_sample
         far = min(stop + max(self._ahead), last)
         position = self.reference.block(start, far, self._fill).position

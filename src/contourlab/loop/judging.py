@@ -29,7 +29,7 @@ Window = tuple[int, int]
 
 
 def counted(reference: Reference, window: Window | None) -> Window:
-    """Return the samples [start, stop) that count: those asked for, the last whole lap, or all."""
+    """Return the evaluated samples [start, stop): the given ones, the last whole lap, or all."""
     return window or (reference.laps[-1] if reference.laps else (0, reference.n_sample))
 
 
@@ -51,7 +51,7 @@ def judge_node(machine: Machine, reference: Reference, view: PathView, window: W
 
 
 def effort_node(machine: Machine, commands: Sequence[str], columns: Mapping[str, Array], window: Window) -> Node:
-    """Return the node that adds up what each lane asks of its drives; `commands` are the signals that come to them, one for each axis."""
+    """Return the node that sums up the commands of each lane; `commands` are the signals at the drives, one for each axis."""
     rates = {f"rate_{i}": _rate(axis, columns) for i, axis in enumerate(machine.axes)}
     wires: dict[str, Any] = {
         "command": tuple(commands),
@@ -124,7 +124,7 @@ def _watch_step(n_axis: int) -> Step:
 
 
 def watch_node(machine: Machine, commands: tuple[str, ...]) -> Node:
-    """Return the node that watches a machine and the commands of its axes; it stands behind the drives.
+    """Return the node that watches a machine and its commands, placed after the drives.
 
     It notes when an axis first leaves its following-error limit, or a command stops being finite: the sample is exact in every lane, and no
     signal has to be kept for it.
@@ -139,7 +139,7 @@ def watch_node(machine: Machine, commands: tuple[str, ...]) -> Node:
 
 
 def watched(group: Group, machine: Machine, lane: int = 0) -> Status:
-    """Return what the watch has noted in one lane."""
+    """Return the failure that the watch recorded in one lane."""
     first, axis, gap = (float(value) for value in group.state_of(WATCH)[:, lane])
     if first < 0.0:
         return Status(ok=True)
@@ -151,13 +151,13 @@ def watched(group: Group, machine: Machine, lane: int = 0) -> Status:
 
 
 STRETCHES = 8
-"""Always as many, so that the foot points are the same on any number of processors."""
+"""A fixed number, so that the foot points do not depend on the number of processors."""
 FEWEST = 1000
 """Samples of a stretch: a new start costs more than the samples of a shorter one."""
 
 
 class TrialJudge:
-    """Computes the contour error of a trial, and the contour-error vector of what was measured.
+    """Computes the contour error of a trial, and the contour-error vector of the measured positions.
 
     Parameters
     ----------
@@ -212,7 +212,7 @@ class TrialJudge:
             for name in ("judge", "vector") if vector else ("judge",):
                 group.state_of(name)[0] = arc_length[first]
             self._groups.append((group, group.snapshot()))
-        # The machine code runs without the interpreter's lock; plain Python would only wait for it.
+        # Only machine code runs in parallel.
         self._workers = min(os.cpu_count() or 1, count) if compiled else 1
 
     def __call__(self, position: Array, measured: Array) -> tuple[Array, Index, Array | None]:
@@ -221,7 +221,7 @@ class TrialJudge:
         Parameters
         ----------
         position, measured : ndarray (n_sample, n_axis) [m]
-            Of the tool, and what the encoders say.
+            Of the tool, and as measured by the encoders.
 
         Returns
         -------

@@ -21,7 +21,7 @@ from contourlab.primitives import select
 BASE = "base"
 _IN_AXIS = ("plant", "drive", "sensor", "motor_sensor", "kept", "compensated")
 _STANDING = re.compile(r"(^|_)(position|reference|reference_total|reference_ahead)$")
-"""Signals that stand where the axis stands before the first message has come."""
+"""Signals that equal the axis' initial position before the first message."""
 
 
 def _subtract(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -29,7 +29,7 @@ def _subtract(par: Any, x: Any, inp: Any, clock: Any) -> Any:
 
 
 def subtract_node(axis: str, command: str) -> Node:
-    """Return the node in the axis that takes the estimate of its observer off the base's command."""
+    """Return the node in the axis that subtracts its observer's estimate from the base's command."""
     step = Step("compensated", _subtract, (), (), "", (), ports("command", "estimate"), ports("command"))
     return Node(f"{axis}.compensated", step, {"command": command, "estimate": f"{axis}.observer.disturbance_estimate"})
 
@@ -40,7 +40,7 @@ def _keep(par: Any, x: Any, inp: Any, clock: Any) -> Any:
 
 
 def _take(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-    # As long as nothing is cut off, what is on its way is as good as taken: an integral must not take the network for a limit.
+    # Commands under way count as accepted: an integral must not mistake the network for a limit.
     return (), (select(inp.short > 0.5, inp.taken, inp.own),)
 
 
@@ -54,10 +54,10 @@ _TAKEN = Step("taken", _take, (), (), "", (), ports("own", "taken", "short"), po
 
 
 def add_taken(builder: Builder, axis: str) -> None:
-    """Add what tells a controller in the base how much of its command was taken: whether all of it, and what otherwise.
+    """Report to a controller in the base how much of its command the drive accepted.
 
-    The axis says what its drive took of the command that had come down, its own estimate added back; the base takes its last command for
-    taken until it hears that something was cut off.
+    The axis reports the accepted command, its own estimate added back. The base regards its last command as accepted until a message says
+    that the drive limited it.
     """
     if not builder.controlled_from_base(axis):
         return
@@ -72,7 +72,7 @@ def add_taken(builder: Builder, axis: str) -> None:
 
 
 def insert_links(builder: Builder) -> None:
-    """Lead the wires of a builder's nodes that cross a division through the links."""
+    """Route the wires that cross a division through the links."""
     if any(builder.controller.axes[name].link is not None for name in builder.names):
         builder.nodes = _LinkInsertion(builder).nodes()
 
@@ -96,7 +96,7 @@ class _LinkInsertion:
         return found
 
     def side(self, node: str) -> str:
-        """Return the axis in which a node stands, or `BASE`."""
+        """Return the axis that holds a node, or `BASE`."""
         axis, _, part = node.partition(".")
         parts = self.builder.controller.axes.get(axis)
         if not part or parts is None or parts.link is None or axis not in self.builder.names:
@@ -104,14 +104,14 @@ class _LinkInsertion:
         if part == "observer":
             local = parts.link.is_local("observer")
         elif part.endswith("velocity"):
-            # Behind a predictor it is made where that stands.
+            # After a predictor it is computed where the predictor is.
             local = parts.link.is_local("velocity" if parts.predictor is None or part != "velocity" else "predictor")
         else:
             local = part in _IN_AXIS or parts.link.is_local("controller")
         return axis if local else BASE
 
     def led(self, wire: Any, side: str, n: int) -> Any:
-        """Return a wire to node `n` on a side, led through a link if it comes from the other one."""
+        """Return a wire to node `n` on a side, through a link if it comes from the other side."""
         if isinstance(wire, tuple):
             return tuple(self.led(one, side, n) for one in wire)
         signal = wire.signal if isinstance(wire, Late) else wire
@@ -140,7 +140,7 @@ class _LinkInsertion:
         name, producer = f"{axis}.{direction}_{label}", self.order.get(signal.rpartition(".")[0], -1)
         sent, place, received = wire, n, f"{name}.received"
         if direction == "down" and isinstance(wire, Late):
-            # What the axis has got of a command a tick ago: of that same message.
+            # The command that the axis received a tick ago, in the same message.
             sent, place = signal, producer + 1
         if name not in self.order:
             noisy = builder.noisy(part, axis, f"link.{direction}")
@@ -152,7 +152,7 @@ class _LinkInsertion:
         return Late(received) if direction == "down" and isinstance(wire, Late) else received
 
     def at(self, axis: str, label: str) -> float:
-        """Return what the other side takes for a signal before the first message has come."""
+        """Return the value of a signal on the other side before the first message."""
         if label.endswith("motor_position") or label == "motor_sensor_position":
             return self.builder.motor_start(axis)
         if label == "arc_length":

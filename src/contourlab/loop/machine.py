@@ -25,14 +25,14 @@ from contourlab.loop.axis_parts import AxisError, Division, Limits
 class Axis:
     """One axis: plant, friction, drive and sensors.
 
-    `stage_mass` [kg] is the whole module that another axis carries when this one is `mounted_on` it, what it moves included; `alignment` is
-    the cosine of the angle between the two directions of motion: 0 for crossed axes. Otherwise either feels the other's acceleration, one
-    tick late: the mass that the upper one moves, times that acceleration and the cosine. Positions stay those along each axis' own guide.
+    `stage_mass` [kg] is the mass of the whole module, moved mass included, as carried by the axis `mounted_on`. `alignment` is the cosine
+    of the angle between the two directions of motion, 0 for crossed axes. Otherwise each axis feels the other's acceleration, one tick
+    late: the moved mass of the upper one times that acceleration and the cosine. Positions stay those along each axis' own guide.
 
-    `sensor` measures the load, as a linear scale does. On a plant whose motor can stand elsewhere, `motor_sensor` is the motor's encoder,
+    `sensor` measures the load, as a linear scale does. If the motor can differ in position, `motor_sensor` is the motor's encoder,
     counted at the load, and `motor_friction` rubs on the motor's side.
 
-    `origins` says where `stage_mass` is from; components, limits and error carry their own. `correlations` are those of numbers that were
+    `origins` has the source of `stage_mass`; components, limits and error have their own. `correlations` are those of numbers that were
     fitted together: names such as ``plant.mass`` and ``friction.coulomb``, and the coefficient.
     """
 
@@ -113,11 +113,11 @@ class Machine:
         return limits
 
     def _place(self, axis: Axis) -> str:
-        """Return an axis in words, with the file in which its limits stand, or would."""
+        """Return an axis in words, with the file of its limits."""
         return f"{axis.limits.file}: axis {axis.name} of {self.name}".removeprefix(": ")
 
     def _check_masses(self, axis: Axis) -> None:
-        """A plant that is known by its response only cannot be given more mass, nor tell what it moves."""
+        """Refuse to load a plant that is known by its response only: its moved mass is unknown."""
         carried = self.carried_mass(axis.name)
         if carried and not axis.plant.knows_mass:
             bound = f"a plant that knows its mass, as it carries {carried:g} kg; or leave stage_mass out"
@@ -168,11 +168,11 @@ class Machine:
         return carriers
 
     def carried_mass(self, name: str) -> float:
-        """Return the mass [kg] of all the modules that stand on an axis."""
+        """Return the mass [kg] of all modules mounted on an axis."""
         return sum(axis.stage_mass for axis in self.axes if name in self.carriers(axis.name))
 
     def loaded_plant(self, name: str) -> Plant:
-        """Return the plant of an axis with all that stands on it: what its drive and its controller feel."""
+        """Return the plant of an axis with everything mounted on it."""
         plant: Plant = self.axis(name).plant.loaded(self.carried_mass(name))
         return plant
 
@@ -241,7 +241,7 @@ class AxisController:
 
     def _check_link(self, link: Division) -> None:
         if self.predictor is not None and link.division == "observer":
-            wanted = '"drive" or "controller": the observer asks for the velocity behind the predictor, which stands with the controller'
+            wanted = '"drive" or "controller": the observer asks for the velocity behind the predictor, which is with the controller'
             raise ParameterError("link.division", '"observer"', wanted)
         for name in self.local:
             if not link.is_local(name.partition(".")[0]):
@@ -250,7 +250,7 @@ class AxisController:
 
     @property
     def local_parameters(self) -> tuple[str, ...]:
-        """Names of the parameters that may move with the axis: those of `local`, else all of the parts that stand in the axis."""
+        """Names of the parameters that may move with the axis: those of `local`, else all of the parts in the axis."""
         if self.local or self.link is None:
             return self.local
         parts = {slot: getattr(self, slot) for slot in CONTROLLER_SLOTS} | {f"others.{label}": part for label, part in self.others}

@@ -1,4 +1,4 @@
-"""The plants of a machine in the servo loop: what acts on them, what stands on them, and their frictions."""
+"""The plants of a machine in the servo loop: their loads, carried modules and frictions."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def _speeds(ports: tuple[Port, ...], speed: float) -> dict[str, Any]:
 
 
 def _carrying(builder: Builder, axis: Axis) -> dict[str, Any]:
-    """Return the parameters of an axis' plant, with the modules that stand on it."""
+    """Return the parameters of an axis' plant, with the modules mounted on it."""
     changed, carried = builder.changed(f"axes.{axis.name}.plant"), builder.machine.carried_mass(axis.name)
     if carried:
         own = np.asarray(axis.plant.values()["carried_mass"])

@@ -60,7 +60,7 @@ class Change:
 
 @dataclass(frozen=True)
 class Prepared:
-    """A change whose components are compiled: at which sample it comes, and the loop as it would stand at the start."""
+    """A change with compiled components: its sample, and the loop as if built at the start."""
 
     change: Change
     sample: int

@@ -49,7 +49,7 @@ def _in_reach(path: Path, progress: Array) -> tuple[Index, Array]:
 
 
 def _spans(profile: Profile, period: float, start: int, stop: int) -> Array:
-    """Return the records of the spans that samples lie in; samples are counted from `start`. The motion stands still after its end."""
+    """Return the records of the spans that samples lie in; samples are counted from `start`. The motion rests after its end."""
     low, high = np.searchsorted(profile.t0, [start * period, stop * period], side="right")
     part = slice(max(int(low) - 1, 0), int(high))
     t0 = np.append(profile.t0[part], profile.duration)

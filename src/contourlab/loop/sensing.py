@@ -14,7 +14,7 @@ from contourlab.primitives import select
 
 
 class Sensing:
-    """The sensors of one axis and what its controller makes of them: adds the nodes, and knows the wires.
+    """Sensors, predictor and velocity of one axis: adds the nodes and returns the wires.
 
     Where the plant is motor and load in one, both sides are the same.
 
@@ -24,7 +24,7 @@ class Sensing:
         What collects the nodes.
     axis : Axis
     at : float [m]
-        Where the axis stands at first.
+        Initial position of the axis.
     """
 
     def __init__(self, builder: Builder, axis: Axis, at: float) -> None:
@@ -88,7 +88,7 @@ class Sensing:
         return self.velocity_on(self.parts.velocity_feedback)
 
     def both_sides(self, port: str) -> Any:
-        """Return the wire of ``motor_position``, ``load_velocity`` and the like.
+        """Return the wire of a measured signal, such as ``motor_position`` or ``load_velocity``.
 
         An axis whose loop is closed on the motor's side, and that has a gap observer, knows its load by what that makes of it.
         """
@@ -108,7 +108,7 @@ class Sensing:
         if self.parts.gap_observer is None:
             if port == "gap_estimate":
                 return 0.0
-            raise ParameterError(f"controller.axes.{self.name}.gap_observer", '"none"', "given, as the supervisor asks for what it sees")
+            raise ParameterError(f"controller.axes.{self.name}.gap_observer", '"none"', "given: the supervisor needs its outputs")
         observer, node = f"{self.name}.gap_observer", f"{self.name}.trusted_gap"
         if port != "gap_estimate":
             return f"{observer}.{port}"

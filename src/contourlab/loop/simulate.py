@@ -24,7 +24,7 @@ from contourlab.loop.tool import ToolPosition
 from contourlab.result import Result, Signal, Status
 
 BLOCK = 1 << 16
-"""Samples of a block: a whole number of the blocks in which a batch looks for what runs away."""
+"""Samples of a block: a multiple of the blocks in which a batch looks for divergence."""
 
 UNITS = {
     "reference": "m",
@@ -56,7 +56,7 @@ UNITS = {
     "load_position_estimate": "m",
     "load_velocity_estimate": "m/s",
 }
-"""Unit of each signal; "command" stands for the unit of the plants' commands."""
+"""Unit of each signal; "command" is the unit of the plants' commands."""
 
 
 def jit_enabled() -> bool:
@@ -115,11 +115,11 @@ def simulate(
     learned : Learned, optional
         What earlier trials have learned, sample by sample.
     trial : int
-        Number of the trial: what does not repeat differs from one to the next.
+        Number of the trial: noise differs from one to the next.
     moving : bool
         Whether the axes have the velocity of the reference at the first sample, in place of rest: a steady motion without its run-in.
     changes : sequence of Change
-        Controllers that take over while it runs.
+        Controllers that take over during the run.
 
     Returns
     -------
@@ -241,7 +241,7 @@ _GIVEN = {"reference": 0, "reference_velocity": 1, "reference_acceleration": 2, 
 
 
 def _wanted(loops: Sequence[Loop], signals: Sequence[str] | None) -> frozenset[str]:
-    """Return the signals to keep, out of those that every controller has, and what supervisors do, if any controller has one."""
+    """Return the signals to keep, of all controllers and of supervisors."""
     known = {*_GIVEN, "tool_position", *frozenset.intersection(*(frozenset(loop.signals) for loop in loops))}
     known |= {name for loop in loops for name in loop.signals if name in _SUPERVISED}
     if signals is not None and not signals:
@@ -253,7 +253,7 @@ def _wanted(loops: Sequence[Loop], signals: Sequence[str] | None) -> frozenset[s
 
 
 def _run(group: Group, loop: Loop, asked: ReferenceBlock, fed: Array, wanted: frozenset[str]) -> dict[str, Array]:
-    """Run one block; return the signals that are wanted, and what the tool's position needs."""
+    """Run one block; return the wanted signals, and those that the tool's position needs."""
     needed = wanted | {"axis_position", "axis_velocity"} if "tool_position" in wanted else wanted
     logged = {name: rows for name, rows in loop.signals.items() if name in needed}
     # A row that several signals share (an ideal sensor's position is the axis') is logged once.

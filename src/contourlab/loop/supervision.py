@@ -1,7 +1,7 @@
 """Several controllers for one axis: a supervisor chooses the active one, and commands are handed over without a bump.
 
-All controllers run all the time, on the same measurements. Each gets an accepted command. For the active one it is what the drive took of
-its own command, less the hand-over offset. For the others it is the command that was carried out, so that their integrals follow it. This
+All controllers run all the time, on the same measurements. Each gets an accepted command. For the active one it is the accepted part of
+its own command, less the hand-over offset. For the others it is the executed command, so that their integrals follow it. This
 needs back-calculation: a controller with `anti_windup` "hold" runs with "back-calculation" here. The difference that is left at a switch
 becomes an offset, which decays with the supervisor's `handover_time`.
 """
@@ -37,7 +37,7 @@ def handover_step(n: int) -> Step:
 
 
 def _hand_over(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-    # What the one that was active would go on with; one of another loop is known by what it did last.
+    # The next command of the previous controller; for one of another loop its last command.
     wanted, left = inp.commands[0], select(x.active < 0.0, inp.accepted, inp.commands[0] + x.offset)
     for i in range(1, len(inp.commands)):
         wanted = select(inp.active == float(i), inp.commands[i], wanted)
@@ -52,7 +52,7 @@ def _accept(par: Any, x: Any, inp: Any, clock: Any) -> Any:
 
 
 ACCEPTED = Step("told", _accept, (), (), "", (), ports("accepted", "active", "offset", "number"), ports("accepted"))
-"""What was accepted of the command of a controller with this number."""
+"""Accepted part of the command of the controller with this number."""
 
 
 def handover_parameters(handover_time: Any, dt: float) -> dict[str, Any]:

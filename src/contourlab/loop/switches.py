@@ -167,7 +167,7 @@ class SwitchLog:
         return list(result.axes) if self.changes else some
 
     def _stretches(self, result: Result, axis: str) -> list[tuple[int, int, _Labels, str]]:
-        """Return the parts of a block in which one controller holds: samples of the block, names, and why it took over."""
+        """Return the stretches of a block with one controller set: samples, names, and why it took over."""
         edges = [(0, _Labels(self.controller.axes[axis], ""), "")]
         for change in sorted(self.changes, key=lambda one: one.time):
             sample = change.sample(self.servo_period)
@@ -186,12 +186,12 @@ class SwitchLog:
     def _stretch(
         self, result: Result, axis: str, span: tuple[int, int], label: tuple[_Labels, str], held: Counter[str], kinds: dict[SwitchKind, int]
     ) -> tuple[Index, Index, str]:
-        """Return samples and kinds of the switches within a stretch, and what was active before it."""
+        """Return samples and kinds of the switches within a stretch, and the controller active before it."""
         (start, stop), (names, why) = span, label
         number, reason = _numbers(result, axis, start, stop)
         times = np.bincount(number)
         held.update({names.controller(int(n)): int(times[n]) for n in np.flatnonzero(times)})
-        # A run begins with number 0; of a part of one it is not known what was active before.
+        # A whole run starts with number 0; for a part of a run the controller before is unknown.
         begins = axis not in self._active
         last = (0 if result.start == 0 else int(number[0])) if begins else self._numbers[axis]
         before = names.controller(last) if begins else self._active[axis]

@@ -2,22 +2,21 @@
 
 At each tick, for every axis,
 
-1. the **sensor** measures the position that the plant has reached; a **predictor** says where the axis will be once a delay has
-   passed; the **velocity** is computed from what it says;
+1. the **sensor** measures the plant's position; a **predictor** predicts it after a delay; the **velocity** is computed from that;
 2. the **estimator** sees all axes as measured and the path, the **coupling** turns its contour error into a modified reference, or into a
    correction of the commands;
-3. the **observer** estimates what disturbs the axis, from its velocity and the command that reached it (one tick late), the **gap
-   observer** where the motor stands in its backlash;
-4. the **feedforward** and the **compensation** of backlash act on the reference, the **controller** computes a command, which takes in the
-   correction and what earlier trials have taught; where there are several, a **supervisor** says which is active; the **drive** delays and
+3. the **observer** estimates the disturbance of the axis, from its velocity and its last accepted command (one tick late); the **gap
+   observer** estimates the motor's place in the gap;
+4. the **feedforward** and the **compensation** of backlash act on the reference, the **controller** computes a command, to which the
+   correction and the learned table are added; a **supervisor** chooses among several controllers; the **drive** delays and
    limits the command;
 
 signals are recorded here, and then
 
 5. the **disturbance** and the reaction of axes mounted on top act on the **plant**, which moves to the next tick with its command held.
 
-Ideal parts have no node: their wires lead to what they would have passed on. Where the controller of an axis is divided between base and
-axis, what crosses goes through the nodes of a link: see `contourlab.loop.link_insertion`.
+Ideal parts have no node: their wires bypass them. If the controller of an axis is divided between base and axis, the signals between the
+two pass the nodes of a link: see `contourlab.loop.link_insertion`.
 """
 
 from __future__ import annotations
@@ -43,7 +42,7 @@ from contourlab.loop.sensing import Sensing
 from contourlab.loop.supervision import ACCEPTED, conditioned, handover_parameters, handover_step
 
 NOTHING = "none.value"
-"""Signal of an axis that has not got what others have: zero."""
+"""Signal, always zero, of an axis that lacks what others have."""
 
 _OBSERVED = {
     "gap_estimate": "gap",
@@ -56,7 +55,7 @@ _OBSERVED = {
 
 
 def signal_map(builder: Builder, sensing: Mapping[str, Sensing]) -> dict[str, tuple[str, ...]]:
-    """Return where the signals of a result stand: name -> one signal per axis, or one for the machine."""
+    """Return the signals of a result by name: one per axis, or one for the machine."""
 
     def plain(wire: Any) -> str:
         return str(wire.signal if isinstance(wire, Late) else wire)
@@ -81,7 +80,7 @@ def signal_map(builder: Builder, sensing: Mapping[str, Sensing]) -> dict[str, tu
 
 
 def _inside(builder: Builder) -> dict[str, tuple[str, ...]]:
-    """Return the signals of what only some axes have inside: zero, or those of the load, for the others."""
+    """Return the internal signals that only some axes have; zero, or the load's, for the others."""
     split = {axis.name: axis.plant.two_sided for axis in builder.machine.axes}
     led = {name: builder.controller.axes[name].supervisor is not None for name in builder.names}
     watched = {name: builder.controller.axes[name].gap_observer is not None for name in builder.names}
@@ -102,7 +101,7 @@ def _inside(builder: Builder) -> dict[str, tuple[str, ...]]:
 
 @dataclass(frozen=True)
 class Loop:
-    """A schedule, and where the signals of a result stand in it."""
+    """A schedule, and the signals of a result in it."""
 
     schedule: Schedule
     signals: Signals
@@ -145,7 +144,7 @@ class _Slots(Builder):
             name, parts, prefix = axis.name, self.controller.axes[axis.name], f"controller.axes.{axis.name}"
             applied, seen = Late(f"{name}.drive.applied"), self.sensing[name]
             if parts.observer is not None:
-                # A predicted velocity is that of the commands ahead of their delay.
+                # A predicted velocity belongs to the commands before their delay.
                 wires = {"velocity": seen.velocity, "applied": applied if parts.predictor is None else self.accepted(name)}
                 self.add(f"{name}.observer", parts.observer, f"{prefix}.observer", wires)
             offered: dict[str, Any] = {signal: f"in.{signal}[{j}]" for signal in EXTERNALS}
@@ -223,7 +222,7 @@ class _Slots(Builder):
         self.nodes.append(Node(f"{name}.handover", handover_step(len(commands)), wires, parameters, initial=before))
 
     def followed(self, name: str, j: int) -> Any:
-        """Return the wire of the position that an axis' controller is asked for."""
+        """Return the wire of an axis' reference position."""
         terms = [f"coupling.modified_reference[{j}]" if self.coupled("modified_reference") else f"in.reference[{j}]"]
         terms += self.fed_forward(name, "reference_shift")
         if LEARNED_REFERENCE in self.fed:
@@ -231,7 +230,7 @@ class _Slots(Builder):
         return self.sum_of(f"{name}.reference", terms)
 
     def added(self, name: str, j: int) -> Any:
-        """Return the wire of what is added to an axis' command: cross-coupling, feedforward, and what earlier trials have taught."""
+        """Return the wire of the sum added to an axis' command: cross-coupling, feedforward and learned table."""
         terms = [f"coupling.correction[{j}]"] if self.coupled("correction") else []
         terms += self.fed_forward(name, "command")
         if LEARNED_COMMAND in self.fed:
@@ -279,7 +278,7 @@ def build(
     path : Path
         What the estimator sees.
     start : ndarray (n_axis,) [m]
-        Where the axes stand at the first tick.
+        Initial positions of the axes.
     progress : float [m]
         Arc length of the reference at the first tick.
     overrides : mapping of str to ndarray (n_variant,)
@@ -291,7 +290,7 @@ def build(
     seed, trial : int
         Of all noise: each trial has its own.
     fed : tuple of str
-        What is fed besides the reference, a row per axis: see `contourlab.loop.feeding`.
+        Inputs besides the reference, a row per axis: see `contourlab.loop.feeding`.
     velocity : ndarray (n_axis,) [m/s], optional
         Of the axes at the first tick, in place of rest; what controllers remember is that of rest all the same.
     handover_time : float [s], optional

@@ -12,7 +12,7 @@ from contourlab.primitives import normal
 
 
 def stream_of(seed: int, *words: object) -> float:
-    """Return the number of a noise stream from a seed and what it is for (variant, trial, axis, signal): a whole number below 2**48."""
+    """Return the number of a noise stream, below 2**48, from a seed and its use (variant, trial, axis, signal)."""
     digest = hashlib.sha256("/".join(str(word) for word in (seed, *words)).encode()).digest()
     return float(int.from_bytes(digest[:6], "big"))
 

@@ -1,6 +1,6 @@
-"""Repeated trials of one motion: what does not change from trial to trial is built once.
+"""Repeated trials of one motion; everything common to them is built once.
 
-A trial gives the positions that `simulate` gives with the same table, seed and trial number, to the last bit.
+A trial equals `simulate` with the same table, seed and trial number, bit by bit.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from contourlab.metrics.judge import reach
 from contourlab.result import Status
 
 MOST_DOUBTFUL = 0.002
-"""Part of the samples in doubt beyond which a trial is judged again as a whole."""
+"""Share of doubtful samples above which the whole trial is judged again."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,15 +40,15 @@ class Trial:
     Attributes
     ----------
     status : Status
-        The arrays of a trial that fails mean nothing from the failing sample on.
+        The arrays of a failed trial are meaningless from the failing sample on.
     position, measured, tool : ndarray [m]
-        Of the axes, what their encoders say, and where the tool was.
+        Of the axes, their encoders, and the tool.
     command, excess : ndarray [command unit]
-        Of the controllers, with what was learned; and what of it lay beyond the limit of the drive.
+        Of the controllers, learned table included; and its part beyond the limit of the drive.
     estimate : ndarray [command unit]
         Disturbance estimate that was subtracted from the command; zero without an observer.
     contour_vector : ndarray [m] or None
-        From the tool, as measured, to the path; where it was asked for.
+        From the measured tool to the path; if requested.
     contour_error : ndarray (n_sample,) [m]
         Exact, of the tool.
     contour_rms, contour_max, contour_mean : float [m]
@@ -77,7 +77,7 @@ class Trials:
     machine, controller, reference
         What runs.
     target : {"command", "reference"}
-        What the learned table is added to.
+        Signal to which the learned table is added.
     vector : bool
         Whether the contour-error vector of the measured position is wanted.
     seed : int
@@ -181,7 +181,7 @@ class Trials:
         return self._trial(status, trial)
 
     def _draw(self, trial: int) -> None:
-        """Give every source of noise the numbers of this trial."""
+        """Set every noise source to this trial."""
         drawn = self._built(trial).schedule.nodes
         for node, memory in zip(drawn, self._group.parameters, strict=True):
             if "stream" in node.step.parameters:
@@ -241,7 +241,7 @@ def _least_limit(drive: Component, controller: Component) -> float:
 
 
 def _excess(command: Array, limit: Array) -> Array:
-    """Return what of commands lies beyond a limit; of one that the controller has cut off itself, at the limit, the direction alone."""
+    """Return the part of commands beyond a limit; for commands limited by the controller itself, only the direction."""
     beyond = np.abs(command) - limit
     with np.errstate(invalid="ignore"):
         held = np.isfinite(limit) & (beyond >= -1e-12 * limit)
@@ -255,17 +255,17 @@ def _undisturbed(parts: AxisController) -> AxisController:
 
 
 def _followed(wire: Any, names: tuple[str, ...]) -> Any:
-    """Return the reference's wire in place of one from a plant, as if the plant followed without error."""
+    """Return the reference's wire in place of a plant's, as if the plant followed exactly."""
     axis, _, signal = (wire.signal if isinstance(wire, Late) else "").partition(".plant.")
     what = {"position": "reference", "velocity": "reference_velocity"}.get(signal.removeprefix("motor_"))
     return wire if what is None else f"in.{what}[{names.index(axis)}]"
 
 
 def feedforward_command(machine: Machine, controller: Controller, reference: Reference, *, jit: bool | None = None) -> Array:
-    """Return what the controllers give on a machine without any error: feedforward of the reference (n_sample, n_axis) [command unit].
+    """Return the commands on a machine without errors: the feedforward of the reference (n_sample, n_axis) [command unit].
 
-    The nodes of feedforward, velocity and control run with the reference in place of all that is measured, without observers, coupling and
-    compensation; under a supervisor it is the first controller, without the gap it may know of.
+    Feedforward, velocity and control run with the reference in place of all measurements, without observers, coupling and compensation;
+    under a supervisor the first controller runs, without a known gap.
     """
     compiled = jit_enabled() if jit is None else jit
     feed = Feed(machine, controller, reference, None, sampler(compiled))
