@@ -30,7 +30,7 @@ def findings_page() -> str:
     """Return the page of all findings."""
     parts = [FINDINGS]
     for entry in catalogue().values():
-        text = f"*{entry.severity}*: {_template(entry.text)}"
+        text = f"*{entry.severity}*: {re.sub('[<>]', '*', entry.outline)}"
         parts.append(f"## {entry.code} {entry.name}\n\n{text}\n\n{entry.meaning}\n\nWhat to do: {entry.remedy}\n")
     return "\n".join(parts)
 
@@ -67,11 +67,6 @@ def _form(schema: dict[str, Any]) -> str:
     if kinds == ["number", "null"]:
         return "number"
     return kinds if isinstance(kinds, str) else " or ".join(kinds)
-
-
-def _template(text: str) -> str:
-    """Return the text of a finding with the names of its values."""
-    return re.sub(r"\{(\w+)[^}]*\}", lambda field: f"*{field[1].replace('_', ' ')}*", text)
 
 
 def _plain(text: str) -> str:

@@ -10,6 +10,7 @@ Terminal, report and JSON render the finding; ``contourlab explain CODE`` prints
 
 from __future__ import annotations
 
+import re
 import string
 import tomllib
 from collections.abc import Mapping
@@ -47,6 +48,11 @@ class Entry:
     text: str
     meaning: str
     remedy: str
+
+    @property
+    def outline(self) -> str:
+        """The text with the names of its values, as ``<time>``."""
+        return re.sub(r"\{(\w+)[^}]*\}", lambda field: f"<{field[1].replace('_', ' ')}>", self.text)
 
 
 @dataclass(frozen=True)

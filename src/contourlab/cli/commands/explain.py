@@ -28,9 +28,9 @@ def explain(
     elif code is None:
         table = Table([Column("code", left=True), Column("severity", left=True), Column("name", left=True), Column("text", prose=True)])
         for entry in shown:
-            table.add(entry.code, entry.severity, entry.name, entry.text)
+            table.add(entry.code, entry.severity, entry.name, entry.outline)
         say(table.text())
     else:
         entry = shown[0]
-        texts = [f"{entry.code} {entry.name} ({entry.severity})", entry.text, entry.meaning, f"What to do: {entry.remedy}"]
+        texts = [f"{entry.code} {entry.name} ({entry.severity})", entry.outline, entry.meaning, f"What to do: {entry.remedy}"]
         say("\n\n".join(paragraphs([text], page_width(), indent="") for text in texts))
