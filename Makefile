@@ -1,4 +1,4 @@
-# One command each, the same for people and CI. Each makes its own environment in .venv first, and leaves system packages alone.
+# The same commands for people and CI. Each first creates its environment in .venv; system packages stay unchanged.
 # On Windows, or without make: see "Without make" in CONTRIBUTING.md.
 
 PYTHON ?= python3
@@ -22,12 +22,12 @@ help:
 	@echo "make check    ruff, mypy --strict, import contracts, documents"
 	@echo "make bench    measure the speed of the engine on this machine"
 	@echo "make programs run every part program of a folder; make programs PROGRAMS=my/folder"
-	@echo "make learning measure what learning and cross-coupling cost and bring; reports in results/learning"
-	@echo "make backlash measure what drives with backlash cost, and what helps on a real part"
+	@echo "make learning measure cost and benefit of learning and cross-coupling; reports in results/learning"
+	@echo "make backlash measure the cost of backlash in the loop, and all schemes on real parts"
 	@echo "make install  only make $(VENV); with another Python: make install PYTHON=python3.12"
-	@echo "make clean    remove $(VENV) and everything that was generated"
+	@echo "make clean    remove $(VENV) and all generated files"
 
-# Made anew only when the lists of packages change. What runs the demonstration, then what tests and extras need on top.
+# Rebuilt only when the package lists change: first the packages of the demonstration, then those of tests and extras.
 $(RUNTIME): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
 	  echo "contourlab needs Python 3.11 or newer; '$(PYTHON)' is: $$($(PYTHON) --version 2>&1 || true)" >&2; \

@@ -1,10 +1,10 @@
-"""Drives with backlash: what their loop costs beside that of rigid axes, and what helps on real part programs.
+"""Drives with backlash: cost of the loop compared with rigid axes, and results of all schemes on real part programs.
 
     python benchmarks/backlash.py [--rounds N] [--only cost,parts] [--json FILE]
 
-Cost, per step and servo sub-step, single and in lanes: both loops have the same parts (encoder, filtered difference, observer, cascade,
-Stribeck friction, a contour-error estimator) and differ in their plants alone; they are measured by turns in one run. Parts: the schemes of
-builtin:backlash/part.toml on programs of the reference data beside the repository. README.md beside this file says what each column means.
+Cost: time per servo tick at 1 and 4 sub-steps, single and in lanes. Both loops have the same parts (encoder, filtered difference, observer,
+cascade, Stribeck friction, a contour-error estimator) and differ only in their plants; they run in turn. Parts: the schemes of
+builtin:backlash/part.toml on programs of the reference data next to the repository. README.md explains the columns.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ PROGRAMS = ("linuxcnc__nc_files_3dtest.ngc", "linuxcnc__nc_files_cds.ngc", "linu
 
 
 def machine(kind: str, law: str, substeps: int) -> Machine:
-    """Return two axes, rigid or with motor, load and 25 um of backlash, under a friction."""
+    """Return two axes, rigid or with motor, load and 25 um of backlash, with friction."""
     if kind == "rigid":
         plant = component("plant", "mass-damper")(mass=MASS, force_constant=TURN)
     else:
@@ -55,7 +55,7 @@ def machine(kind: str, law: str, substeps: int) -> Machine:
 
 
 def controller() -> Controller:
-    """Return the same controller for both."""
+    """Return the controller of both machines."""
     cascade = component("controller", "cascade")
     gains = cascade.tune(150.0, 0.9, TURN / MASS, 0.0, 30.0)
     parts = {
@@ -67,7 +67,7 @@ def controller() -> Controller:
 
 
 def timer(kind: str, law: str, substeps: int, width: int, reference: Reference) -> Callable[[], float]:
-    """Return what runs a loop once and tells the time per step, axis pair and variant [ns]."""
+    """Return a function that runs a loop once and returns the time per step, axis pair and variant [ns]."""
     made = machine(kind, law, substeps)
     first = reference.block(0, 1)
     gaps = {"axes.x.plant.backlash_gap": np.linspace(5e-6, 100e-6, width)} if kind != "rigid" and width > 1 else {}
@@ -88,9 +88,9 @@ def timer(kind: str, law: str, substeps: int, width: int, reference: Reference) 
 
 
 def cost(console: Console, rounds: int) -> list[dict[str, Any]]:
-    """Time both loops by turns; return the rows."""
+    """Time both loops in turn; return the rows."""
     reference = uniform(contour("circle", radius=0.025), 1.0, int(SECONDS), PERIOD)
-    table = Table("friction", "substeps", "lanes", "rigid [ns]", "two-inertia [ns]", "ratio", "least, most")
+    table = Table("friction", "substeps", "lanes", "rigid [ns]", "two-inertia [ns]", "ratio", "ratio min, max")
     rows = []
     for law, substeps, width in product(("coulomb", "smooth-coulomb"), (1, 4), (1, LANES)):
         pair = [timer(kind, law, substeps, width, reference) for kind in ("rigid", "two-inertia")]
@@ -122,7 +122,7 @@ def parts(console: Console) -> list[dict[str, Any]]:
     for name in PROGRAMS:
         program = SHARED / name
         if not program.is_file():
-            console.print(f"{name}: not there, left out")
+            console.print(f"{name}: not found, skipped")
             continue
         for case in parse_scenario(scenario_of(program), str(program.with_suffix(".toml"))).cases():
             found = run_case(case, explain=False)

@@ -1,8 +1,8 @@
-"""What an estimator and a coupling cost in a servo tick, in 2, 3 and 5 axes, beside Newton's estimator with two iterations.
+"""Cost of each estimator and coupling in a servo tick, in 2, 3 and 5 axes, relative to Newton's estimator with two iterations.
 
-Each is a schedule of one node, compiled, for one variant and in 32 lanes, fed with the same ticks along a smooth closed figure whose path
-is a table of quintic pieces; a row with a node that does nothing tells what of it is the tick itself. All rows are run in turns; the
-shortest processor time counts.
+Each one is a compiled schedule of one node, for one variant and in 32 lanes. All get the same ticks along a smooth closed figure, a path of
+quintic pieces in a table. A row with a node that does nothing shows the cost of the tick itself. All rows run in turns; the shortest
+processor time counts.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ def figure(n_axis: int) -> Path:
 
 
 def signals(path: Path) -> dict[str, Array]:
-    """Return what flows on the wires of a lap: the tool late by a lag and off the path by some micrometres."""
+    """Return the signals of a lap: the tool is late by a lag and off the path by some micrometres."""
     s = np.linspace(0.0, path.length, TICKS, endpoint=False)
     rng = np.random.default_rng(1)
     reference, tangent = path.position(s), path.tangent(s)
@@ -84,7 +84,7 @@ def signals(path: Path) -> dict[str, Array]:
 
 
 def empty(n_axis: int) -> Step:
-    """Return a step that does nothing, over the same kind of inputs."""
+    """Return a step that does nothing, with the same kind of inputs."""
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         return (), (inp.arc_length,)
@@ -108,7 +108,7 @@ class Row:
         self.start = self.group.snapshot()
 
     def once(self) -> None:
-        """Run all ticks and keep the time of one, and of one lane, if it is the shortest [ns]."""
+        """Run all ticks; keep the time per tick and lane if it is the shortest [ns]."""
         self.group.restore(self.start)
         begun = time.process_time()
         self.group.run(self.fed, [])
@@ -124,7 +124,7 @@ def row(name: str, step: Step, values: dict[str, Any], tables: dict[str, Array],
 
 
 def rows_for(n_axis: int, lanes: int) -> list[Row]:
-    """Return all rows of so many axes; the empty one first."""
+    """Return all rows for a number of axes; the empty one first."""
     path = figure(n_axis)
     view, flowing = view_of(path), signals(path)
     found = [row(NOTHING, empty(n_axis), {}, {}, flowing, lanes)]

@@ -1,8 +1,8 @@
-"""Learning and cross-coupling: how fast trials run, what each scheme costs and is worth, and a real part program in three axes.
+"""Learning and cross-coupling: speed of trials, cost and benefit of each scheme, and a real part program in three axes.
 
     python benchmarks/learning.py [--quick] [--json FILE] [--out FOLDER] [--only trials,schemes,part]
 
-Everything is measured in one run; README.md beside this file says what each table means.
+One run measures everything; README.md explains the tables.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ estimator = "newton"
 coupling = {{kind = "cross-coupled", gain = "5 A/mm"}}
 
 [learning]
-# As the rule has it that `contourlab analyse` prints for this loop; the lead makes up for drive, hold and filters.
+# Values from the rule that `contourlab analyse` prints for this loop; the lead compensates drive, hold and filters.
 law = {{kind = "zero-phase", gain = 0.68, half_width = 3, passes = 2, lead = "2.5 ms"}}
 trials = {trials}
 
@@ -81,7 +81,7 @@ def stages(n_axis: int, coupled: bool = True) -> tuple[Machine, Controller]:
 
 
 def motion(n_axis: int, samples: int) -> Reference:
-    """Return laps of 30 s along the Lissajous figure; it is 200 mm long whatever the number of axes, so that speed and errors are alike."""
+    """Return laps of 30 s along the Lissajous figure; it is 200 mm long for any number of axes, so that speed and errors are comparable."""
     size = 0.2 / contour("lissajous", axes=n_axis, amplitude=1.0).length
     return uniform(contour("lissajous", axes=n_axis, amplitude=size), 1.0 / SECONDS, round(samples * PERIOD / SECONDS), PERIOD)
 
@@ -93,19 +93,19 @@ def law(kind: str = "zero-phase") -> Any:
 
 
 def learned(n_axis: int, samples: int, trials: int, coupled: bool, kind: str = "zero-phase") -> LearningRun:
-    """Learn so many trials after the first, whatever comes."""
+    """Learn a number of trials after the first, without early stopping."""
     machine, controller = stages(n_axis, coupled)
     settings = Stopping(improvement=0.0, divergence=1e9, growth=10**6)
     return learn(machine, controller, motion(n_axis, samples), law(kind), trials=trials, part="none", stopping=settings)
 
 
 def shortest(work: Callable[[], LearningRun], repeat: int) -> LearningRun:
-    """Return the run that took the least time of some; one before them compiles."""
+    """Return the fastest run of `repeat` and one more that compiles."""
     return min((work() for _ in range(repeat + 1)), key=lambda run: run.seconds)
 
 
 def row_of(run: LearningRun, n_axis: int, samples: int, coupled: bool, **more: Any) -> dict[str, Any]:
-    """Return times of a run of trials, in all and by sample."""
+    """Return the times of a learning run, in total and per sample."""
     n_trial = len(run.trials)
     times = {"engine": run.engine_seconds, "judge": run.judge_seconds, "all": run.seconds}
     each = {f"{name}_ns": 1e9 * seconds / n_trial / samples for name, seconds in times.items()}
@@ -113,7 +113,7 @@ def row_of(run: LearningRun, n_axis: int, samples: int, coupled: bool, **more: A
 
 
 def trials_table(quick: bool) -> dict[str, list[dict[str, Any]]]:
-    """Return how long trials take: the hundred, their growth with axes and samples, and norm-optimal learning."""
+    """Return the times of trials: 100 trials, growth with axes and samples, and norm-optimal learning."""
     repeat, n = 1 if quick else 3, round(SECONDS / PERIOD)
     found: dict[str, list[dict[str, Any]]] = {"hundred": [], "growth": [], "norm_optimal": []}
     for coupled in (False, True):
@@ -133,7 +133,7 @@ def trials_table(quick: bool) -> dict[str, list[dict[str, Any]]]:
 
 
 def part_table(out: Path, quick: bool) -> list[dict[str, Any]]:
-    """Run the part program as `contourlab learn SCENARIO` does, on the machine and on that with geometric errors; reports go to `out`."""
+    """Run the part program as `contourlab learn SCENARIO` does, on the machine without and with geometric errors; reports go to `out`."""
     rows = []
     for machine in ("xyz",) if quick else ("xyz", "xyz-with-errors"):
         with tempfile.TemporaryDirectory() as folder:
@@ -158,7 +158,7 @@ def part_table(out: Path, quick: bool) -> list[dict[str, Any]]:
 
 
 def table(title: str, heads: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) -> Table:
-    """Return a table, the first columns to the left."""
+    """Return a table; the first `left` columns are left-aligned."""
     made = Table(title=title, title_justify="left")
     for number, head in enumerate(heads):
         made.add_column(head, justify="right" if number >= left else "left")
@@ -176,7 +176,7 @@ def trials_shown(found: dict[str, list[dict[str, Any]]]) -> Iterator[Table]:
         return [name, str(r["axes"]), str(r["samples"]), str(r["trials"]), *times, f"{r['gain']:.3g}"]
 
     yield table(
-        "100 trials of 30 s at 1 kHz; ns for a sample and trial",
+        "100 trials of 30 s at 1 kHz; ns per sample and trial",
         heads,
         [cells("cross-coupled" if r["coupled"] else "feedback alone", r) for r in found["hundred"]],
     )
@@ -187,7 +187,7 @@ def trials_shown(found: dict[str, list[dict[str, Any]]]) -> Iterator[Table]:
     for r in found["norm_optimal"]:
         update = (r["all"] - r["engine"] - r["judge"]) / (r["trials"] - 1)
         rows.append([*cells("", r), f"{update:.3f}", f"{r['peak'] / 2**20:.0f}", f"{r['dense'] / 2**20:.0f}"])
-    yield table("Norm-optimal learning, no matrix", [*heads, "s an update", "peak MiB", "dense MiB"], rows)
+    yield table("Norm-optimal learning, without matrices", [*heads, "s per update", "peak MiB", "dense MiB"], rows)
 
 
 def schemes_shown(rows: list[dict[str, Any]]) -> Table:
@@ -197,8 +197,8 @@ def schemes_shown(rows: list[dict[str, Any]]) -> Table:
         law_cost = f"{r['per_sample'] * 1e6:.2f}" if "per_sample" in r else "-"
         errors = [f"{r['rms'] * 1e6:.2f}", f"{r['max'] * 1e6:.1f}", f"{rows[0]['rms'] / r['rms']:.2f}"]
         shown.append([r["group"], r["name"], *errors, f"{r['tick'] * 1e9:.0f}", f"{r['over_base'] * 1e9:+.0f}", law_cost])
-    heads = ["what", "which", "contour rms um", "max um", "better than first", "tick ns", "over first", "us a sample and trial"]
-    return table(f"Every scheme: what accuracy costs; learning after {TRIALS} trials", heads, shown, left=2)
+    heads = ["group", "scheme", "contour rms um", "max um", "better than first", "tick ns", "over first", "us per sample and trial"]
+    return table(f"Every scheme: accuracy and cost; learning after {TRIALS} trials", heads, shown, left=2)
 
 
 def part_shown(rows: list[dict[str, Any]]) -> Table:
@@ -207,7 +207,7 @@ def part_shown(rows: list[dict[str, Any]]) -> Table:
     heads = [
         "machine",
         "motion s",
-        "took s",
+        "run time s",
         "part max um",
         "after",
         "part rms um",
@@ -241,13 +241,13 @@ def main() -> int:
     """Run the benchmark, print the tables, write the JSON."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--quick", action="store_true", help="fewer repeats, one machine for the part program, no pictures")
-    parser.add_argument("--json", type=Path, default=HERE / "out" / "learning.json", help="where the figures go")
-    parser.add_argument("--out", type=Path, default=Path("results/learning"), help="where the reports of the part program go")
-    parser.add_argument("--only", default=",".join(PARTS), help="which of trials, schemes, part; commas between")
+    parser.add_argument("--json", type=Path, default=HERE / "out" / "learning.json", help="file for the figures")
+    parser.add_argument("--out", type=Path, default=Path("results/learning"), help="folder for the reports of the part program")
+    parser.add_argument("--only", default=",".join(PARTS), help="any of trials, schemes, part, separated by commas")
     options = parser.parse_args()
     wanted, console = options.only.split(","), Console(width=None if sys.stdout.isatty() else 200)
     if not set(wanted) <= set(PARTS):
-        parser.error(f"--only {options.only}: names of {', '.join(PARTS)}")
+        parser.error(f"--only {options.only}: choose from {', '.join(PARTS)}")
     console.print(f"{platform.platform()}, Python {platform.python_version()}, {os.cpu_count()} processors", highlight=False)
     found: dict[str, Any] = {"platform": platform.platform()}
     if "trials" in wanted:
@@ -258,7 +258,7 @@ def main() -> int:
         found["schemes"] = compared(options.quick)
         console.print(schemes_shown(found["schemes"]))
     if "part" in wanted and not (PROGRAMS / PROGRAM).is_file():
-        console.print(f"the part program is left out: {PROGRAMS / PROGRAM} is not there")
+        console.print(f"part program skipped: {PROGRAMS / PROGRAM} not found")
     elif "part" in wanted:
         found["part"] = part_table(options.out, options.quick)
         console.print(part_shown(found["part"]))

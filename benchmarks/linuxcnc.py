@@ -1,29 +1,29 @@
 """LinuxCNC's trajectory planner on the programs of the benchmark: the same moves, the same limits, its 1 kHz commands.
 
-**LinuxCNC** runs headless, the released program in simulation, and hands out its 1 kHz position commands. What was found out about it
-(2.9, parts that this benchmark relies on):
+**LinuxCNC** is the released program, headless and in simulation; it outputs its position commands at 1 kHz. Properties of version 2.9 that
+this benchmark relies on:
 
-- Limits: velocity and acceleration of each axis. `MAX_LINEAR_VELOCITY` caps the speed along the path too (a rapid on a diagonal keeps to
+- Limits: velocity and acceleration of each axis. `MAX_LINEAR_VELOCITY` also caps the speed along the path (a rapid on a diagonal keeps to
   200 mm/s of path speed, not of each axis), so our rapids get the same cap here. `MAX_LINEAR_ACCELERATION` does not cap the acceleration
-  along a diagonal. There is no jerk limit; ours is set so that a ramp takes A / J = 1 ms, one of its servo periods.
-- On an arc v^2 / R is at most sqrt(3)/2 of the acceleration, whatever the direction. Under G64 even a lone circle ramps with half of it.
-- G61 stops at corners and drives through joints that are tangent, or so nearly that the jump of velocity is far below what the
-  acceleration permits in one period: joints of 0.003 degrees at 100 mm/s, left by rounded ends of arcs, do not slow it down.
-- G64 P blends corners; P is the distance of the corner itself, so at a right angle no point is further than P / sqrt(2) from the path.
-  P alone also merges short lines: P and P with the same Q gave the same motion, Q0 another. Both together may exceed P by a quarter.
-- Its samples have six decimals of a mm: a second difference is good to 2 mm/s^2, 0.2 % of the limit here. Under G64 it may end a
-  quarter of a micrometre beside the programmed point.
-- Start and end: all axes stand still before and after, so the cycle time is from the last sample at the start to the first at the end, a
-  whole number of ms. Dwells before and after are not in it, and the programs here have none.
-- It runs in real time, after 2.5 s of start and end: programs are cut by our duration to `SECONDS`; the tool itself stops at 60 s.
-- Time is counted in servo cycles, so a busy computer does not stretch the figures. Samples carry a counter: a run with a gap, with another
-  end than the program's, or with an error is done again, twice at most. Two at a time are impossible (one shared memory): a lock orders
-  them.
+  along a diagonal. There is no jerk limit; ours makes a ramp take A / J = 1 ms, one of its servo periods.
+- On an arc v^2 / R is at most sqrt(3)/2 of the acceleration, in any direction. Under G64 even a lone circle ramps with half of it.
+- G61 stops at corners. It drives through joints that are tangent, or so nearly tangent that the velocity jump is far below what the
+  acceleration permits in one period: joints of 0.003 degrees at 100 mm/s, from rounded ends of arcs, do not slow it down.
+- G64 P blends corners. P is the distance of the corner itself, so at a right angle no point is further than P / sqrt(2) from the path.
+  P alone also merges short lines: P alone, and P with the same Q, gave the same motion; Q0 gave another. Both together may exceed P by a
+  quarter.
+- Samples have six decimals of a mm, so a second difference is good to 2 mm/s^2, 0.2 % of the limit here. Under G64 the motion may end a
+  quarter of a micrometre from the programmed point.
+- Start and end: all axes stand still before and after. The cycle time is from the last sample at the start to the first at the end, a
+  whole number of ms. It excludes dwells before and after; the programs here have none.
+- It runs in real time, plus 2.5 s for start and end. We cut programs to `SECONDS` of our duration; the tool itself stops at 60 s.
+- It counts time in servo cycles, so a busy computer does not stretch the figures. Samples carry a counter: a run with a gap, an error, or
+  another end than the program's is repeated, twice at most. Two runs at a time are impossible (one shared memory), so a lock orders them.
 
-A program is read by our reader and written anew for LinuxCNC, one line a move, with the mode in front, so that both plan the same moves
-and its own G61 and G64 count for nothing. All feed moves get one feedrate, as slow ones would hide the planners.
+Our reader reads each program and rewrites it for LinuxCNC, one line per move, with the mode in front. So both plan the same moves, and the
+program's own G61 and G64 have no effect. All feed moves get one feedrate, because slow ones would hide the planners.
 
-Deviation: the largest distance of a commanded sample to the programmed path by its exact foot point, the same function for both.
+Deviation: the largest distance of a commanded sample from the programmed path, by exact foot point, with one function for both.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ TOOL = SHARED / "tools" / "planner_oracle.py"
 PERIOD = 1e-3
 VELOCITY, ACCELERATION, JERK = 0.2, 1.0, 1000.0  # m/s, m/s^2, m/s^3; A / J is one period
 FEED = 0.1  # m/s
-FASTER = {"circle R20": 0.2}  # m/s, where only the acceleration is to count
+FASTER = {"circle R20": 0.2}  # m/s, so that only the acceleration matters
 END = 1e-6  # m: a run that ends further from the programmed point is not complete
 CORPUS = {
     "3D_Chips": "linuxcnc__nc_files_3D_Chips.ngc",
@@ -87,7 +87,7 @@ def generated() -> dict[str, str]:
 
 
 def read(text: str, name: str) -> Program:
-    """Return a program without its own path modes; an end is added where it has none."""
+    """Return a program without its own path modes; an end is added if it has none."""
     bare = OWN_MODE.sub(" ", text)
     try:
         return parse_program(bare, name)
@@ -98,13 +98,13 @@ def read(text: str, name: str) -> Program:
 
 
 def programs() -> Iterator[tuple[str, Program | str]]:
-    """Yield names and programs, or why one cannot be read."""
+    """Yield names and programs, or the reason why one cannot be read."""
     for name, text in generated().items():
         yield name, read(text, name)
     for name, file in CORPUS.items():
         path = SHARED / "gcode" / file
         if not path.is_file():
-            yield name, "not here"
+            yield name, "file not found"
             continue
         try:
             yield name, read(path.read_text(encoding="latin-1"), name)
@@ -147,7 +147,7 @@ def feed_of(program: Program) -> float:
 
 
 def driven(program: Program) -> Route:
-    """Return the route of a program at one feedrate, path speed capped as LinuxCNC's is."""
+    """Return the route of a program at one feedrate, with path speed capped as in LinuxCNC."""
     route = route_from_program(program)
     return dataclasses.replace(route, feedrate=np.where(route.rapid, VELOCITY, feed_of(program)))
 
@@ -157,10 +157,10 @@ class OracleError(Exception):
 
 
 def why_no_linuxcnc() -> str:
-    """Say what is missing to run LinuxCNC; empty where nothing is."""
+    """Return what is missing to run LinuxCNC; empty if nothing is."""
     if shutil.which("linuxcnc") is None:
         return "LinuxCNC is not installed (apt-get install --no-install-recommends linuxcnc-uspace)"
-    return "" if TOOL.is_file() else "the shared oracle tools are not beside the repository"
+    return "" if TOOL.is_file() else "the shared oracle tools are not next to the repository"
 
 
 def _oracle() -> Any:
@@ -175,9 +175,9 @@ def _oracle() -> Any:
 def their_samples(text: str, end: Sequence[float], *, velocity: float = VELOCITY, acceleration: float = ACCELERATION) -> np.ndarray:
     """Return LinuxCNC's commanded positions (n, 3) [m], 1 ms apart, from the last at rest to the first at rest.
 
-    Raises `OracleError` where three runs all had gaps, errors, or another end than `end` [m].
+    Raises `OracleError` if three runs all had gaps, errors, or another end than `end` [m].
     """
-    import fcntl  # not on Windows, nor is LinuxCNC
+    import fcntl  # missing on Windows, as is LinuxCNC
 
     tool, reason = _oracle(), ""
     with tempfile.TemporaryDirectory() as folder, (Path(tempfile.gettempdir()) / "contourlab-linuxcnc.lock").open("w") as lock:
@@ -187,7 +187,7 @@ def their_samples(text: str, end: Sequence[float], *, velocity: float = VELOCITY
         Path(folder).chmod(0o755)
         for _ in range(3):
             try:
-                # A line of the sampler about an overrun is no row of numbers: loadtxt refuses it.
+                # The sampler writes a text line about an overrun, which loadtxt refuses.
                 rows = tool.samples(str(file), 1e3 * velocity, 1e3 * acceleration)
             except (RuntimeError, ValueError, OSError, subprocess.TimeoutExpired) as error:
                 reason = f"{type(error).__name__}: {error}"
@@ -207,7 +207,7 @@ def their_samples(text: str, end: Sequence[float], *, velocity: float = VELOCITY
 def deviation(points: np.ndarray, path: Curves, window: float = 2e-3, block: int = 32) -> float:
     """Return the largest distance of points (n, n_axis) in the order of travel from a path [m].
 
-    Their progress is followed from block to block by their feet, as a polygon that cuts corners is shorter than the path.
+    Foot points give the progress from block to block, because a polygon that cuts corners is shorter than the path.
     """
     worst = progress = 0.0
     before = points[:1]

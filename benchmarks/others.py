@@ -1,4 +1,4 @@
-"""The benchmark's work in other people's tools, written as their users would; see README.md beside this file.
+"""The benchmark's work in other people's tools, written as their users would; see README.md.
 
 Both get the whole servo tick as one function, which is the fastest way to use them: wiring the loop from blocks costs several times more.
 """
@@ -96,7 +96,7 @@ class Work:
         return foot, qx, qy, error
 
     def tick(self, t: float, x: Sequence[float]) -> list[float]:
-        """Return the state after the controllers have run at time t; positions and velocities stand as they were."""
+        """Return the state after the controllers have run at time t; positions and velocities stay."""
         radius, rate, weight = self.radius, self.rate, self.weight
         s, c = math.sin(rate * t), math.cos(rate * t)
         foot, qx, qy, _ = self.contour(x)

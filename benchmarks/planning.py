@@ -1,12 +1,12 @@
-"""The planner beside two others: LinuxCNC's trajectory planner, and toppra's time-optimal bound.
+"""Compare the planner with LinuxCNC's trajectory planner and with toppra's time-optimal bound.
 
     python benchmarks/planning.py [--quick] [--json FILE] [--only WORD]
 
-What was found out about LinuxCNC stands in `linuxcnc.py`. It has no jerk limit: ours is planned with J = 1000 m/s^3, where a ramp takes one
-of its servo periods, and without any jerk limit beside it.
+`linuxcnc.py` describes LinuxCNC's properties. It has no jerk limit: we plan with J = 1000 m/s^3, where a ramp takes one of its servo
+periods, and also without a jerk limit.
 
-**toppra** gives the least time along a path under limits of velocity and acceleration alone, on a grid; between exact stops, for every
-stretch; for single lines the closed form. No planner with a jerk limit reaches it.
+**toppra** gives the least time along a path under limits of velocity and acceleration only, on a grid, for each stretch between exact
+stops. Single lines use the closed form. No planner with a jerk limit reaches this bound.
 """
 
 from __future__ import annotations
@@ -50,8 +50,8 @@ from contourlab.geometry import Path as Curves
 from contourlab.program import Arc, Dwell, Program
 
 REAL_JERK = 40.0  # m/s^3
-PATIENCE = 30.0  # s: no longer programs in a mode that took more for one
-SECONDS = 8.0  # of a program on LinuxCNC, by our duration under G61
+PATIENCE = 30.0  # s: after a program that took more, skip longer ones in that mode
+SECONDS = 8.0  # s of a program on LinuxCNC, by our duration under G61
 MODES = {"G61": None, "G64 P0.01": 1e-5, "G64 P0.1": 1e-4}  # tolerance [m]
 
 
@@ -75,7 +75,7 @@ def shortened(program: Program, seconds: float) -> tuple[Program, int]:
         return program, len(moves)
     sample = int(seconds / PERIOD)
     whole = max(int(reference.path.curve_index(reference.block(sample, sample + 1).arc_length)[0]), 1)
-    # Dwells and moves of no length make no curve.
+    # Dwells and zero-length moves make no curve.
     curves = np.cumsum([not isinstance(move, Dwell) and (isinstance(move, Arc) or move.start != move.end) for move in moves])
     return dataclasses.replace(program, moves=moves[: int(np.searchsorted(curves, whole)) + 1]), len(moves)
 
@@ -241,12 +241,12 @@ def exponent(rows: Sequence[dict[str, Any]]) -> float:
 
 
 def shown(value: Any, form: str, scale: float = 1.0) -> str:
-    """Return a number as text, "-" where there is none."""
+    """Return a number as text, "-" for None."""
     return "-" if value is None else format(scale * value, form)
 
 
 def table(title: str, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> Table:
-    """Return a table, the first column to the left."""
+    """Return a table; the first column is left-aligned."""
     made = Table(title=title, title_justify="left")
     for number, head in enumerate(heads):
         made.add_column(head, justify="right" if number else "left")
@@ -256,7 +256,7 @@ def table(title: str, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> Ta
 
 
 def tables(found: dict[str, Any]) -> Iterator[Table]:
-    """Yield what was found as tables."""
+    """Yield the tables of the results."""
     heads = [
         "program",
         "moves",
@@ -304,8 +304,8 @@ def main() -> int:
     """Run the benchmark, print the tables, write the JSON."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--quick", action="store_true", help="3 s of each program, fewer lines, coarser bound")
-    parser.add_argument("--json", type=Path, default=HERE / "out" / "planning.json", help="where the figures go")
-    parser.add_argument("--only", default="", help="only programs on LinuxCNC whose name has this in it")
+    parser.add_argument("--json", type=Path, default=HERE / "out" / "planning.json", help="file for the figures")
+    parser.add_argument("--only", default="", help="run only programs with this in their name on LinuxCNC")
     options = parser.parse_args()
     found: dict[str, Any] = {"platform": platform.platform(), "why_no_linuxcnc": why_no_linuxcnc()}
     found["speed"] = speed((1_000, 2_000, 4_000) if options.quick else (5_000, 10_000, 20_000, 40_000))

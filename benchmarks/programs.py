@@ -1,10 +1,9 @@
-"""Every part program of a folder, run on the three-axis machine: how far the tool strays on each.
+"""Run every part program of a folder on the three-axis machine and list the errors of the tool.
 
     python benchmarks/programs.py [FOLDER ...] [--out results/programs] [--only WORD]
 
-Each program is read (one without an end is taken to end with its last line), brought into the travel of the machine where it is too large
-for it, planned, simulated and judged; its report goes to a folder of its own. One table at the end. A program that cannot be run gives its
-error as its row.
+Each program is read (without an end, it ends with its last line), scaled into the travel of the machine if it is too large, planned,
+simulated and judged. Its report goes to its own folder. A table follows at the end; programs that cannot run are listed with their error.
 """
 
 from __future__ import annotations
@@ -35,7 +34,7 @@ SIGNALS = ("reference", "position", "contour_error", "part_error")
 
 
 def programs(folders: Sequence[Path], only: str) -> list[Path]:
-    """Return the part programs of some folders, or files, in the order of their names."""
+    """Return the part programs of folders or files, sorted by name within each folder."""
     found = [file for folder in folders for file in (sorted(folder.rglob("*")) if folder.is_dir() else [folder])]
     return [file for file in found if file.suffix.lower() in SUFFIXES and only.lower() in file.name.lower()]
 
@@ -46,7 +45,7 @@ def scenario_of(file: Path) -> Scenario:
 
 
 def command_of(file: Path) -> str:
-    """Return the command that runs a program just so."""
+    """Return the command that repeats the run of a program."""
     words = ["contourlab", "run", str(file), "--machine", MACHINE, "--controller", CONTROLLER, "--fit", "--no-require-end"]
     return shlex.join(words + [word for signal in SIGNALS for word in ("--signals", signal)])
 
@@ -110,11 +109,11 @@ def table(found: Sequence[dict[str, Any]]) -> Table:
 
 
 def main() -> int:
-    """Run it."""
+    """Run the programs, print the table, write the JSON."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n")[0])
     parser.add_argument("folders", nargs="*", type=Path, default=[DEFAULT], help="folders of part programs, or programs")
     parser.add_argument("--out", type=Path, default=Path("results/programs"))
-    parser.add_argument("--only", default="", help="programs whose name holds this")
+    parser.add_argument("--only", default="", help="only programs with this in their name")
     chosen = parser.parse_args()
     files = programs(chosen.folders, chosen.only)
     if not files:
@@ -124,7 +123,7 @@ def main() -> int:
     stopped = False
     try:
         for row in rows(files, chosen.out):
-            found.append(row)  # what was done before an interruption is kept
+            found.append(row)  # an interruption keeps the rows before it
     except KeyboardInterrupt:
         stopped = True
     chosen.out.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""`make bench`: one work, several ways, one run; see README.md beside this file."""
+"""`make bench`: time the same work, done in several ways; see README.md."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ NAMES = [
 
 
 def axis_numbers(gain: float, damping: float, coulomb: float, model_gain: float, model_damping: float) -> list[float]:
-    """Return the numbers of an axis with lengths in mm, in the order of reference.c."""
+    """Return the parameters of an axis with lengths in mm, in the order of reference.c."""
     plant = [gain, damping, coulomb, 1.3 * coulomb, 1.0, 0.05, 10.0]
     return [*plant, 200.0, 2000.0, model_gain, model_damping, 0.1, 4.0, 11.8, 900.0, 25.0]
 
@@ -98,7 +98,7 @@ def rms(error: np.ndarray) -> float:
 
 
 def compiled_c(folder: Path) -> ctypes.CDLL | None:
-    """Compile the reference, or return None where there is no compiler."""
+    """Compile the reference, or return None without a compiler."""
     compiler = next((c for c in ("cc", "gcc", "clang") if shutil.which(c)), None)
     if compiler is None:
         return None
@@ -135,9 +135,9 @@ class Bench:
         print(f"{name:36s}{ns:14.1f}{shown}   {error:.12g}   {note}", flush=True)
 
     def rounds(self, contenders: list[Contender], repeat: int) -> None:
-        """Run all in turns, so that what else the machine does meets each alike; the shortest processor time counts.
+        """Run all in turns, so that other load on the machine affects all alike; the shortest processor time counts.
 
-        Each is timed right after a run of its own: what the others leave in the processor's caches is not its business.
+        Each is timed right after an untimed run of its own, so that the others do not affect its processor caches.
         """
         error = {contender.name: rms(contender.work()) for contender in contenders}
         found = dict.fromkeys(error, math.inf)
@@ -152,10 +152,10 @@ class Bench:
 
 
 def in_c(folder: Path) -> list[Contender]:
-    """Hand-written C; none where there is no compiler."""
+    """Return the hand-written C; nothing without a compiler."""
     library = compiled_c(folder)
     if library is None:
-        print("c: no compiler found; ratios are left out")
+        print("c: no compiler found, so no ratios")
         return []
     numbers = np.array([*AXES[0], *AXES[1], RADIUS, 2.0 * math.pi * FREQUENCY, WEIGHT])
     log = np.zeros((STEPS, 5))
@@ -171,12 +171,12 @@ def in_c(folder: Path) -> list[Contender]:
 
 
 def circle() -> cl.Reference:
-    """Return two laps; a new reference has no samples yet, so that each run works them out."""
+    """Return two laps; a new reference has no samples yet, so each run computes them."""
     return cl.uniform(PATH, FREQUENCY, 2, PERIOD)
 
 
 def single(name: str, reference: Callable[[], cl.Reference], note: str) -> Contender:
-    """One variant through `simulate`."""
+    """Return one variant through `simulate`."""
     machine, controller = machine_and_controller()
 
     def work() -> np.ndarray:
@@ -200,24 +200,24 @@ def spread(n: int) -> dict[str, np.ndarray]:
 
 
 def batch(name: str, pieces: int | None) -> Contender:
-    """32 variants in lanes through `simulate_batch`, on one thread."""
+    """Return 32 variants in lanes through `simulate_batch`, on one thread."""
     machine, controller = machine_and_controller()
     view = view_of(PATH, pieces=pieces, analytic=pieces is None)
     variants = spread(32)
     held: list[cl.BatchResult] = []
 
     def work() -> np.ndarray:
-        earlier = held[0] if held else None  # its memory is written over, as the C writes over its own
+        earlier = held[0] if held else None  # reuse its memory, as the C does
         held[:] = [
             cl.simulate_batch(machine, controller, circle(), variants, keep=SIGNALS, threads=1, judge=False, view=view, reuse=earlier)
         ]
         return 1e3 * held[0].signals["contour_error_estimate"][:, 0, 0]
 
-    return Contender(name, work, 32, "reference sampled within")
+    return Contender(name, work, 32, "samples a new reference in each run")
 
 
 def bench_threads(bench: Bench, repeat: int) -> None:
-    """Twice the work on two threads, in wall time."""
+    """Time a batch on one and on two threads, in wall time."""
     machine, controller = machine_and_controller()
     reference = circle()
     variants = spread(128)
@@ -230,12 +230,12 @@ def bench_threads(bench: Bench, repeat: int) -> None:
             held = cl.simulate_batch(machine, controller, reference, variants, threads=threads)
             found.append(time.perf_counter() - start)
         times[threads] = min(found)
-    note = f"128 variants, judged while they run; two threads {times[1] / times[2]:.2f} times one, of {os.cpu_count()} processors"
+    note = f"128 variants, judged during the run; two threads: {times[1] / times[2]:.2f} times one; {os.cpu_count()} processors"
     bench.add("contourlab batch, judged, 2 threads", times[2], 1e3 * held.figures["contour_error_rms"][0], 128, note=note)
 
 
 def bench_plain(bench: Bench) -> None:
-    """The same steps without a compiler."""
+    """Time the same steps without a compiler."""
     machine, controller = machine_and_controller()
     reference = circle()
     start = time.process_time()
@@ -244,13 +244,13 @@ def bench_plain(bench: Bench) -> None:
 
 
 def bench_others(bench: Bench) -> None:
-    """Other tools, the whole loop in one function of theirs."""
+    """Time other tools, with the whole loop in one function."""
     from others import Work, python_control, scipy_ivp
 
     work = Work(AXES, RADIUS, FREQUENCY, WEIGHT, PERIOD)
     for name, tool, note in (
         ("python-control", python_control, "one discrete nonlinear system, input_output_response"),
-        ("solve_ivp", scipy_ivp, "one call a tick, RK45 at rtol 1e-8 instead of one Runge-Kutta step"),
+        ("solve_ivp", scipy_ivp, "one call per tick, RK45 at rtol 1e-8 instead of one Runge-Kutta step"),
     ):
         bench.add(name, *tool(work, STEPS), note=note)
 
@@ -268,8 +268,8 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         contenders = [
             *in_c(Path(folder)),
-            single("contourlab single", circle, "reference sampled within"),
-            single("contourlab single, sampled before", lambda: sampled, "further runs along one reference find its samples ready"),
+            single("contourlab single", circle, "samples a new reference in each run"),
+            single("contourlab single, sampled before", lambda: sampled, "reuses the samples of one reference"),
             batch("contourlab batch 32", None),
             batch("contourlab batch 32 table 4k", 4_000),
             batch("contourlab batch 32 table 200k", 200_000),

@@ -1,4 +1,4 @@
-"""Every scheme on one machine, for `learning.py`: what is to be compared, and the comparison."""
+"""Every scheme on one machine, for `learning.py`: the schemes and their comparison."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ ESTIMATORS: dict[str, dict[str, Any]] = {
     "osculating-circle": {},
     "taylor": {},
     "newton": {"iterations": 1, "start": "warm"},
-    "newton ": {},  # two iterations from both starts, as it comes
+    "newton ": {},  # the defaults: two iterations from both starts
 }
 
 
 def model() -> tuple[float, float, float]:
-    """Return G, zeta and w_n of the first axis: of K_amp K_f/(s (L m s^2 + (R m + b L) s + R b + K_b K_f))."""
+    """Return G, zeta and w_n of the first axis, from K_amp K_f/(s (L m s^2 + (R m + b L) s + R b + K_b K_f))."""
     m = MASSES[0]
     stiff = MOTOR["resistance"] * MOTOR["viscous_friction"] + MOTOR["back_emf"] * MOTOR["force_constant"]
     natural = math.sqrt(stiff / (MOTOR["inductance"] * m))
@@ -78,7 +78,7 @@ def controllers() -> dict[str, Any]:
 
 @dataclass(frozen=True, eq=False)
 class Scheme:
-    """One row: a controller, perhaps with a law of learning."""
+    """One row: a controller, with or without a learning law."""
 
     group: str
     name: str
@@ -87,13 +87,13 @@ class Scheme:
 
 
 def loops(**parts: Any) -> Controller:
-    """Return the same parts on both axes."""
+    """Return a controller with the same parts on both axes."""
     velocity = component("velocity", "filtered-difference")(bandwidth=2000.0)
     return Controller({name: AxisController(velocity=velocity, **parts) for name in "xy"})
 
 
 def schemes() -> Iterator[Scheme]:
-    """Yield all rows; the second group and those after it are changes of the first row."""
+    """Yield all rows; later groups change the first row, except that feedforward changes `pid`."""
     made = controllers()
     base, pid = loops(controller=made["speed-pid"]), loops(controller=made["pid"])
     for name in ("speed-pid", *(other for other in made if other != "speed-pid")):
@@ -139,7 +139,7 @@ def schemes() -> Iterator[Scheme]:
 
 
 def compared(quick: bool) -> list[dict[str, Any]]:
-    """Return contour error and tick of every scheme; the tick is the shortest of some rounds."""
+    """Return contour error and tick of every scheme; the tick is the shortest of several rounds."""
     lap = uniform(contour("lissajous", axes=2), 0.25, 2, PERIOD)
     plant, rows = machine(), []
     found = list(schemes())
@@ -148,7 +148,7 @@ def compared(quick: bool) -> list[dict[str, Any]]:
     ticks: dict[int, float] = {}
     for _ in range(2 if quick else 6):
         for i, scheme in enumerate(found):
-            # What is learned is added by the wire that the controller has for feedforward: the tick stays what it was.
+            # A learned table uses the feedforward wire of the controller, so it does not change the tick.
             ticks[i] = min(ticks.get(i, math.inf), tick_cost(plant, scheme.controller, lap))
     for i, row in enumerate(rows):
         row |= {"tick": ticks[i], "over_base": ticks[i] - ticks[0]}

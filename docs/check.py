@@ -1,4 +1,4 @@
-"""Checks the documents against the code: links, anchors, commands, modules and docstrings. Run by ``make check``."""
+"""Check the documents against the code: links, anchors, commands, modules and docstrings. Run by ``make check``."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def anchor(heading: str) -> str:
 
 
 def broken_links(file: Path, text: str) -> Iterator[str]:
-    """Yield links to files and headings that are not there."""
+    """Yield links to files and headings that do not exist."""
     for target in LINK.findall(FENCE.sub("", text)):
         if re.match(r"[a-z]+:", target):
             continue
@@ -58,7 +58,7 @@ def command_lines(text: str) -> Iterator[list[str]]:
             continue
         for line in block.replace("\\\n", " ").splitlines():
             words = shlex.split(line.removeprefix("$ "), comments=True)
-            # Words up to a pipe or a redirection; folders of an environment in front of the name do not matter.
+            # Keep the words up to a pipe or redirection, and drop folders in front of the command.
             end = next((n for n, word in enumerate(words) if word in ("|", ">", "&&", "||", ";")), len(words))
             words = words[:end]
             if words and Path(words[0]).name in ("contourlab", "make"):
@@ -107,13 +107,13 @@ def undocumented() -> Iterator[str]:
         for name in getattr(module, "__all__", ()):
             thing = getattr(module, name, None)
             if thing is None:
-                yield f"{info.name}: __all__ names {name}, which is not there"
+                yield f"{info.name}: __all__ names {name}, which does not exist"
             elif (inspect.isroutine(thing) or inspect.isclass(thing)) and thing.__module__ == info.name and not inspect.getdoc(thing):
                 yield f"{info.name}.{name}: no docstring"
 
 
 def faults() -> Iterator[str]:
-    """Yield everything that is wrong, with its place."""
+    """Yield all faults, with their place."""
     for file in documents():
         text = file.read_text(encoding="utf-8")
         found = [*broken_links(file, text), *unknown_modules(text)]
@@ -125,7 +125,7 @@ def faults() -> Iterator[str]:
 
 
 def main() -> int:
-    """Print what is wrong; return 1 if anything is."""
+    """Print all faults; return 1 if there are any."""
     found = list(faults())
     print(*found, f"documents: {len(documents())} read, {len(found)} faults", sep="\n")
     return 1 if found else 0

@@ -1,4 +1,4 @@
-"""Write the pages that come from the code: findings.md and json.md. ``make check`` fails if one is out of date."""
+"""Write the generated pages findings.md and json.md. ``make check`` fails if one is out of date."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ HERE = Path(__file__).parent
 FINDINGS = """\
 # Findings
 
-Everything that contourlab remarks, warns of or concludes about a result has a code. `contourlab explain CODE` shows an entry of this page.
+Every remark, warning and conclusion of contourlab about a result has a code. `contourlab explain CODE` shows an entry of this page.
 """
 JSON = """\
 # Results as JSON
@@ -22,7 +22,7 @@ JSON = """\
 `--json` prints the result of a command as one JSON document. Commands that write a folder keep it there as `summary.json`, `swap` as
 `swap.json`. `contourlab schema COMMAND` prints the JSON Schema, from which this page is made.
 
-Numbers are in SI units (m, s, rad); `null` stands for a number that is not finite, or for nothing. Later versions may add keys.
+Numbers are in SI units (m, s, rad); `null` means a non-finite number, or no value. Later versions may add keys.
 """
 
 
@@ -36,7 +36,7 @@ def findings_page() -> str:
 
 
 def json_page() -> str:
-    """Return the page of the results of all commands: what each prints, then each object once."""
+    """Return the page of all results: first what each command prints, then each object once."""
     parts, objects = [JSON, "| command | prints |\n|---|---|"], {}
     for command, result in sorted(results().items()):
         schema = json_schema(result)
@@ -49,7 +49,7 @@ def json_page() -> str:
 
 
 def _form(schema: dict[str, Any]) -> str:
-    """Return the form of a value in words."""
+    """Describe the type of a value."""
     if "$ref" in schema:
         name = schema["$ref"].rpartition("/")[2]
         return f"[{name}](#{name.lower().replace('.', '')})"
@@ -70,7 +70,7 @@ def _form(schema: dict[str, Any]) -> str:
 
 
 def _plain(text: str) -> str:
-    """Return text without what Markdown takes for markup."""
+    """Escape characters that Markdown takes for markup."""
     return " ".join(text.replace("|", "\\|").replace("``", "`").replace("<", "&lt;").replace("_", "\\_").replace("*", "\\*").split())
 
 

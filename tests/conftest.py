@@ -1,4 +1,4 @@
-"""What all tests share. Machine code is kept in the user's cache between runs; CONTOURLAB_CACHE names another folder."""
+"""Fixtures and settings of all tests. Machine code is kept in the user's cache between runs; CONTOURLAB_CACHE names another folder."""
 
 import os
 import signal
@@ -14,13 +14,13 @@ from schemas import check_results
 from contourlab.__main__ import LINEAR_ALGEBRA
 
 os.environ.setdefault("MPLBACKEND", "Agg")
-# As the command has it; two processes that share two processors would wait for each other's threads.
+# One thread, as in the command: processes that share processors would wait for each other's threads.
 for library in LINEAR_ALGEBRA:
     os.environ.setdefault(library, "1")
-# A shell starts what runs in its background deaf to Ctrl-C, and whatever is started from there too; tests send it.
+# Background processes of a shell, and their children, ignore Ctrl-C; tests send it.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
-# Deadlines measure the machine, not the code. CI tries the same examples every time, so that its answer belongs to the commit.
+# Deadlines measure the machine, not the code. CI runs the same examples every time, so its answer depends on the commit alone.
 settings.register_profile("people", deadline=None)
 settings.register_profile("ci", deadline=None, derandomize=True, database=None)
 settings.load_profile("ci" if os.environ.get("CI") else "people")
@@ -44,16 +44,16 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 @pytest.fixture(scope="session")
 def shared() -> Path:
-    """The folder of reference data that stands beside the repository where there is one."""
+    """The folder of reference data next to the repository; tests skip without it."""
     folder = Path(__file__).parents[1].parent / "shared"
     if not folder.is_dir():
-        pytest.skip("the shared reference data are not beside the repository")
+        pytest.skip("the shared reference data are not next to the repository")
     return folder
 
 
 @pytest.fixture(scope="session")
 def reproduction(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> tuple[int, str, str]:
-    """Exit code, output and error of ``contourlab reproduce ghaffari --json``: it takes a minute, so it is run once for all tests."""
+    """Exit code, output and error of ``contourlab reproduce ghaffari --json``; it takes a minute and runs once for all tests."""
 
     def run() -> list[object]:
         place = tmp_path_factory.mktemp("ghaffari")
@@ -68,5 +68,5 @@ def reproduction(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> tu
 
 @pytest.fixture(autouse=True)
 def results_follow_their_schemas(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whatever a command of a test prints with --json has the keys of its schema, and no others."""
+    """Check that --json output has only the keys of its schema."""
     check_results(monkeypatch)

@@ -1,6 +1,6 @@
 """Print code, docstring and blank lines of each room: ``python tools/size.py [FOLDER]``, by default ``src/contourlab``.
 
-A line counts as code unless it is blank, a comment, or part of a string that stands alone (a docstring).
+A line counts as code unless it is blank, a comment, or part of a docstring.
 """
 
 from __future__ import annotations

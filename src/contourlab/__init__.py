@@ -1,6 +1,6 @@
-"""contourlab: how far a multi-axis machine strays from its path, and which controller keeps it there.
+"""contourlab: contour errors of multi-axis machines, and the controllers that reduce them.
 
-The names below are the public surface; each is imported when it is first asked for, so that ``import contourlab`` costs nothing.
+The names below are the public interface. Each is imported at first use, so that ``import contourlab`` is fast.
 
 >>> import contourlab as cl
 >>> path = cl.contour("circle", radius=0.02)

@@ -1,4 +1,4 @@
-"""The command's entry: an interrupt is one line even while modules are still being read."""
+"""Entry of the command: an interrupt prints one line, even during imports."""
 
 from __future__ import annotations
 
@@ -7,14 +7,13 @@ import sys
 from typing import NoReturn
 
 LINEAR_ALGEBRA = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
-"""Where the libraries under NumPy read how many threads to take, once, when they are loaded."""
+"""Environment variables from which NumPy's linear algebra libraries read their number of threads, once, when loaded."""
 
 
 def run() -> NoReturn:
     """Run the command line and leave the process with its exit code.
 
-    Linear algebra has one thread, unless the environment says otherwise: with more, small matrices wait for them, and sums are rounded by
-    their number.
+    Linear algebra uses one thread by default. More threads slow small matrices down, and rounding would depend on their number.
     """
     for name in LINEAR_ALGEBRA:
         os.environ.setdefault(name, "1")

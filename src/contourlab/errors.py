@@ -2,13 +2,13 @@
 
 ::
 
-    ContourlabError                     exit code 2 unless said otherwise
+    ContourlabError                     exit code 2 by default
     ├── ProgramError                    file, line, column of a part program
     │   └── ProgramEndError             a part program without its end
     ├── ScenarioError                   file and key of a scenario, machine or controller file
     ├── ParameterError                  name, value, bound and unit of a parameter
     ├── UnitError                       a quantity that cannot be read or has the wrong dimension
-    ├── GeometryError                   a contour that is no contour (zero length, coincident points ...)
+    ├── GeometryError                   a degenerate contour (zero length, coincident points ...)
     ├── FeedError                       a feed profile that cannot be planned
     ├── ComponentError                  a component that breaks the contract, or is unknown
     ├── EngineError                     a schedule that cannot be compiled or wired
@@ -21,6 +21,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 __all__ = [
@@ -43,13 +44,13 @@ __all__ = [
 
 
 class ContourlabError(Exception):
-    """Base of all errors raised on purpose; its text is meant for the user as it stands."""
+    """Base of all errors raised on purpose; its text is for the user."""
 
     exit_code = 2
 
 
 class ProgramError(ContourlabError):
-    """A part program cannot be read; says file, line and column (both from 1)."""
+    """A part program cannot be read; gives file, line and column (both from 1)."""
 
     def __init__(self, message: str, *, file: str | Path = "<program>", line: int = 0, column: int = 0) -> None:
         self.message, self.file, self.line, self.column = message, str(file), line, column
@@ -58,11 +59,11 @@ class ProgramError(ContourlabError):
 
 
 class ProgramEndError(ProgramError):
-    """A part program does not say where it ends."""
+    """A part program has no end."""
 
 
 class ScenarioError(ContourlabError):
-    """A scenario, machine or controller file is wrong; says file and dotted key."""
+    """A scenario, machine or controller file is wrong; gives file and dotted key."""
 
     def __init__(self, message: str, *, file: str | Path = "<scenario>", key: str = "") -> None:
         self.message, self.file, self.key = message, str(file), key
@@ -70,16 +71,20 @@ class ScenarioError(ContourlabError):
 
 
 class ParameterError(ContourlabError):
-    """A parameter is out of its range; says name, value, bound and unit."""
+    """A parameter is out of its range; gives name, value, bound and unit."""
 
     def __init__(self, name: str, value: object, bound: str, unit: str = "") -> None:
         self.name, self.value, self.bound, self.unit = name, value, bound, unit
-        shown = f"{value} {unit}".strip()
-        super().__init__(f"{name} = {shown}: must be {bound}{' ' + unit if unit else ''}")
+        super().__init__(f"{name} = {_with_unit(str(value), unit)}: must be {_with_unit(bound, unit)}")
+
+
+def _with_unit(text: str, unit: str) -> str:
+    """Add a unit to a text that ends in a number or a list of numbers."""
+    return f"{text} {unit}" if unit and re.search(r"(\d|inf|nan|[\])])\Z", text) else text
 
 
 class UnitError(ContourlabError):
-    """A quantity cannot be read, or has another dimension than the one asked for."""
+    """A quantity cannot be read, or has the wrong dimension."""
 
 
 class GeometryError(ContourlabError):
@@ -99,7 +104,7 @@ class EngineError(ContourlabError):
 
 
 class LogError(ContourlabError):
-    """A measured log cannot be read, or does not hold what is wanted of it; says file and line (from 1)."""
+    """A measured log cannot be read, or lacks required data; gives file and line (from 1)."""
 
     def __init__(self, message: str, *, file: str | Path = "<log>", line: int = 0) -> None:
         self.message, self.file, self.line = message, str(file), line
@@ -107,15 +112,15 @@ class LogError(ContourlabError):
 
 
 class MissingPackageError(ContourlabError):
-    """A package that an extra installs is not there; says what to type."""
+    """A package of an extra is not installed; gives the command to install it."""
 
     def __init__(self, package: str, extra: str) -> None:
         self.package, self.extra = package, extra
-        super().__init__(f'this needs the package {package}: type  pip install "contourlab[{extra}]"')
+        super().__init__(f'the package {package} is missing: install it with  pip install "contourlab[{extra}]"')
 
 
 class ResultError(ContourlabError):
-    """A result cannot be read, or does not hold the signal asked for."""
+    """A result cannot be read, or lacks a signal."""
 
 
 class OutputError(ContourlabError):
@@ -123,7 +128,7 @@ class OutputError(ContourlabError):
 
 
 class DivergenceError(ContourlabError):
-    """The simulated loop ran away or became non-finite; says sample, time and axis."""
+    """The simulated loop ran away or became non-finite; gives sample, time and axis."""
 
     exit_code = 3
 

@@ -1,4 +1,4 @@
-"""Packages of extras: imported when they are needed, and named when they are missing."""
+"""Packages of extras: imported on demand, with a clear error if missing."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 from contourlab.errors import MissingPackageError
 
 EXTRAS = {"cvxpy": "design", "ezdxf": "cad", "svgelements": "cad", "pyarrow": "parquet", "pyarrow.parquet": "parquet"}
-"""Which extra installs a module."""
+"""The extra that installs each module."""
 
 
 def extra_module(name: str) -> Any:

@@ -1,11 +1,11 @@
-"""Figures for people: an SI value in the unit of the workshop. The one place that decides digits and unit symbols."""
+"""Format SI values for people, in workshop units. Only this module decides digits and unit symbols."""
 
 from __future__ import annotations
 
 import math
 
 NONE = "-"
-"""Stands for a value that is not known."""
+"""Text of an unknown value."""
 
 # display unit -> factor from SI
 _FACTORS = {
@@ -35,7 +35,7 @@ def figure(value: float, unit: str = "", digits: int = 3) -> str:
 
 
 def number(value: float, digits: int = 3) -> str:
-    """Write a number as it is, with significant digits and no needless exponent.
+    """Write a number with significant digits and no needless exponent.
 
     >>> number(0.012345), number(1234.5, 6), number(-9.996)
     ('0.0123', '1234.5', '-10')

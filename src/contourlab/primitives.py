@@ -1,10 +1,10 @@
-"""The scalar language that steps are written in: what a component's `step` may call, in plain Python.
+"""The functions that a component's `step` may call, in plain Python.
 
-A step works on floats and tuples of floats. Run as it stands, it is its own oracle; the engine compiles the same source and puts its own
-version of each name below in place of this one (libm for a single variant, branch-free polynomials for lanes). Everything here is
-total: no function raises for a finite argument, so that a compiled lane and plain Python take the same way.
+A step works on floats and tuples of floats. Plain Python runs it unchanged and is the oracle. The engine compiles the same source with its
+own version of each function below (libm for a single variant, branch-free polynomials for lanes). No function raises for a finite argument
+in its range, so that compiled lanes and plain Python take the same path.
 
-Conditions: `select(condition, a, b)` evaluates both sides and is what lanes want; `if` is understood too where the sides are cheap.
+Conditions: `select(condition, a, b)` evaluates both sides and suits lanes; `if` is allowed too where the sides are cheap.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ Vector = tuple[float, ...]
 
 
 class Clock(NamedTuple):
-    """Time as a step sees it: tick index, time k*dt (never a running sum) and the step's own period."""
+    """Time in a step: tick index, time k*dt (never a running sum) and the step's own period."""
 
     k: float
     t: float
@@ -52,11 +52,11 @@ class Clock(NamedTuple):
 
 
 class Table(tuple[float, ...]):
-    """A read-only table as a step sees it: flat numbers behind `lookup`."""
+    """A read-only table in a step: flat numbers, read with `lookup`."""
 
 
 class Ring:
-    """The past of one input port as a step sees it: `delayed(ring, clock, n)` is its value n ticks ago."""
+    """The past of one input port in a step: `delayed(ring, clock, n)` is its value n ticks ago."""
 
     def __init__(self, length: int, initial: float = 0.0) -> None:
         self.values = [initial] * length
@@ -67,7 +67,7 @@ class Ring:
 
 
 def exp(x: float) -> float:
-    """Return e**x; exactly 0 below -700, so that no denormal number is made."""
+    """Return e**x; exactly 0 below -700, to avoid denormal numbers."""
     return math.exp(min(x, 709.0)) if x > -700.0 else 0.0
 
 
@@ -92,7 +92,7 @@ def cos(x: float) -> float:
 
 
 def sqrt(x: float) -> float:
-    """Return the square root of a number that is not negative."""
+    """Return the square root of a non-negative number."""
     return math.sqrt(x)
 
 
@@ -102,7 +102,7 @@ def fabs(x: float) -> float:
 
 
 def floor(x: float) -> float:
-    """Return the largest whole number that is not above x."""
+    """Return the largest whole number up to x."""
     return float(math.floor(x)) if math.isfinite(x) else x
 
 
@@ -137,7 +137,7 @@ def select(condition: bool, a: float, b: float) -> float:
 
 
 def dot(a: Vector, b: Vector) -> float:
-    """Return the scalar product of two vectors of the axes."""
+    """Return the scalar product of two vectors."""
     total = a[0] * b[0]
     for i in range(1, len(a)):
         total += a[i] * b[i]
@@ -170,7 +170,7 @@ def lookup(table: Sequence[float], index: float) -> float:
 
 
 def delayed(ring: Ring, clock: Clock, n: float) -> float:
-    """Return the value `n` whole ticks ago of the port that a component keeps; n = 0 is now."""
+    """Return the value of the ring port `n` whole ticks ago; n = 0 is now."""
     return ring.values[int(clock.k - n) % len(ring.values)]
 
 
@@ -194,7 +194,7 @@ def uniform(stream: float, k: float, draw: float) -> float:
     k : float
         Tick index.
     draw : float
-        Which of several numbers of the same tick.
+        Index of the number within the tick.
     """
     z = _mix((int(stream) * 0x9E3779B97F4A7C15 + int(k) * 0xD1342543DE82EF95 + int(draw) * 0x2545F4914F6CDD1D) & _MASK)
     return ((z >> 12) + 0.5) * 2.0**-52

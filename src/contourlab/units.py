@@ -1,7 +1,7 @@
-"""Quantities with units at the border: text such as ``"8000 mm/min"`` becomes a bare SI number, and back.
+"""Conversion of quantities with units, such as ``"8000 mm/min"``, to bare SI numbers and back.
 
-Inside contourlab every number is in SI base units. ``full_scale`` is the unit of a normalised drive's command
-(1 = all the drive can give); it is a dimension of its own, so that it never mixes with newton or volt.
+Inside contourlab every number is in SI base units. ``full_scale`` is the unit of a normalised drive's command (1 = the most the drive can
+give). It is a dimension of its own, so that it never mixes with newton or volt.
 """
 
 from __future__ import annotations
@@ -21,18 +21,18 @@ if TYPE_CHECKING:
 Numbers = TypeVar("Numbers", float, "Array")
 
 _CLOSE = re.compile(r"(?P<number>[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)(?P<unit>[A-Za-zµμ°%Ω].*)\Z")
-"""A number and a unit without a space between them; digits behind an e are the number's exponent."""
+"""A number and a unit without a space between them; digits after an e are the number's exponent."""
 
 _USUAL = {"m": "mm", "s": "ms", "m/s": "mm/s", "rad": "deg"}
-"""Units that people would write where one of SI is too large for most of what a machine has."""
+"""Usual units where the SI unit is too large for most quantities of a machine."""
 
 _NAMED = ("m", "m/s", "N", "N*m", "V", "A", "full_scale")
-"""Units of SI, of size 1, that people say rather than what they are made of."""
+"""SI units preferred to their base units."""
 
 
 @cache
 def registry() -> pint.UnitRegistry[Any]:
-    """Return the one unit registry, made on first use (pint takes a moment to import)."""
+    """Return the unit registry, made on first use (pint imports slowly)."""
     import pint
 
     units: pint.UnitRegistry[Any] = pint.UnitRegistry(cache_folder=None)
@@ -51,7 +51,7 @@ def _factor(unit: str) -> tuple[Any, float]:
         one = units.Quantity(1.0, units.parse_units(unit)).to_base_units() if unit else units.Quantity(1.0)
     except pint.OffsetUnitCalculusError as error:
         raise UnitError(f"unit {unit!r} has an offset and cannot be used here") from error
-    except Exception as error:  # pint's parser lets through whatever it meets in text that is no unit: an AssertionError for "-"
+    except Exception as error:  # pint's parser raises anything for text that is no unit: an AssertionError for "-"
         raise UnitError(f"unknown unit {unit!r}: write for example mm, mm/min, N/V, 1/s, um or full_scale") from error
     return one.dimensionality, float(one.magnitude)
 
@@ -66,7 +66,7 @@ def same_dimension(unit: str, other: str) -> bool:
 
 
 def si_unit(unit: str) -> str:
-    """Return the unit in which values of a unit are once they are in SI, by the name that people give it.
+    """Return the SI unit of values in `unit`, by its usual name.
 
     >>> si_unit("mV"), si_unit("N*cm"), si_unit("%")
     ('V', 'N*m', '')
@@ -81,13 +81,12 @@ def si_unit(unit: str) -> str:
 def split(text: str) -> tuple[float, str]:
     """Split ``"20 mm"`` or ``"20mm"`` into its number and its unit; a bare number has the unit ``""``.
 
-    The space may be missing ahead of a letter. Only ahead of an e it is wanted: whether ``"2e"`` is an exponent cut short or a unit, nobody
-    can tell.
+    The space may be missing before a letter, except before an e: ``"2e"`` could be a truncated exponent or a unit.
 
     Raises
     ------
     UnitError
-        If it is no number with or without a unit.
+        If the text is not a number with or without a unit.
 
     >>> split("20 mm"), split("2.5e3mm/min"), split("7")
     ((20.0, 'mm'), (2500.0, 'mm/min'), (7.0, ''))
@@ -98,9 +97,9 @@ def split(text: str) -> tuple[float, str]:
     except ValueError:
         close = _CLOSE.match(head)
     if close is None:
-        raise UnitError(f'{text!r} is no quantity: write a number, a space and a unit, such as "20 mm"')
+        raise UnitError(f'{text!r} is not a quantity: write a number, a space and a unit, such as "20 mm"')
     if close["unit"][0] in "eE":
-        raise UnitError(f'{text!r} may be an exponent that is cut short, or a unit: put a space between them, such as "20 eV"')
+        raise UnitError(f'{text!r} may be an incomplete exponent or a unit: put a space before the unit, such as "20 eV"')
     return float(close["number"]), f"{close['unit']} {tail}".strip()
 
 
@@ -122,7 +121,7 @@ def to_si(value: str | float, unit: str) -> float:
     Raises
     ------
     UnitError
-        If the text is no quantity, is not finite, or has another dimension.
+        If the text is not a quantity, is not finite, or has another dimension.
 
     >>> to_si("6000 mm/min", "m/s")
     0.1
@@ -135,12 +134,13 @@ def to_si(value: str | float, unit: str) -> float:
     if dimension != wanted:
         if not given:
             raise UnitError(f'{value!r} has no unit: write it with a unit such as "{number:g} {_USUAL.get(unit, unit)}"')
-        raise UnitError(f"{value!r} cannot be converted to {unit or 'a bare number'}")
+        cure = f"write for example {number:g} {_USUAL.get(unit, unit)}" if unit else "write a number without a unit"
+        raise UnitError(f"{value!r} cannot be converted to {unit or 'a bare number'}: {cure}")
     return in_si(number, given)
 
 
 def in_si(number: Numbers, unit: str) -> Numbers:
-    """Return numbers that count a unit in SI: what `to_si` reads of ``"20 mm"`` is that of 20.0 and ``"mm"``, bit by bit.
+    """Convert numbers in `unit` to SI, with the same rounding as `to_si`.
 
     >>> in_si(20.0, "mm")
     0.02

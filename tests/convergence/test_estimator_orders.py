@@ -1,4 +1,4 @@
-"""Orders of the Newton contour-error estimator, against foot points that are known because the points were made from them."""
+"""Convergence orders of the Newton contour-error estimator. Each point is built from its foot point, so the exact answer is known."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ FOOT, INPUTS = record(("foot",)), record(("position", "arc_length"))
 
 
 def estimates(view: PathView, points: Array, starts: Array, **parameters: Any) -> tuple[Array, Array]:
-    """Return the estimate (n,) and the foot (n,) after one tick, started at a place of the path for each point (n, n_axis)."""
+    """Return estimate (n,) and foot point (n,) after one tick; each point (n, n_axis) has its own start on the path."""
     part = Newton(**{"start": "warm", "window": 1.0, **parameters})
     step = part.path_step(view, points.shape[1])
     tables = {name: np.ravel(table).tolist() for name, table in view.tables.items()}
@@ -38,13 +38,13 @@ def slope(lags: Array, errors: list[float]) -> float:
     return float(np.polyfit(np.log(lags), np.log(errors), 1)[0])
 
 
-# --- an ellipse in its own angle: the figures of the brief ---------------------------------------------------------------------------
+# --- an ellipse by its angle: the figures of the brief -------------------------------------------------------------------------------
 
 A, B = 0.04, 0.02
 
 
 def on_ellipse(par: Any, t: float) -> Any:
-    """An ellipse by its angle, of uneven speed: a path need not be given by its arc length for Newton's method."""
+    """Evaluate an ellipse by its angle. Its speed is uneven: Newton's method does not need a path by arc length."""
     c, s = math.cos(t), math.sin(t)
     return (A * c, B * s), (-A * s, B * c), (-A * c, -B * s)
 
@@ -64,8 +64,8 @@ def angle_ahead(t: Array, lag: float, n: int = 100) -> Array:
     return t
 
 
-def beside_ellipse(t: Array, error: float) -> Array:
-    """Return points at a distance to the left of an ellipse, whose feet are at the angles given."""
+def left_of_ellipse(t: Array, error: float) -> Array:
+    """Return points at a distance to the left of an ellipse, with foot points at the given angles."""
     slopes = np.column_stack([-A * np.sin(t), B * np.cos(t)])
     normal = np.column_stack([-slopes[:, 1], slopes[:, 0]]) / np.hypot(*slopes.T)[:, None]
     return np.column_stack([A * np.cos(t), B * np.sin(t)]) + error * normal
@@ -73,27 +73,27 @@ def beside_ellipse(t: Array, error: float) -> Array:
 
 @pytest.mark.parametrize(("iterations", "largest"), [(1, 7.8e-8), (2, 4.0e-13)])
 def test_largest_error_on_an_ellipse_of_40_by_20_mm(iterations: int, largest: float) -> None:
-    """20 um beside an ellipse with half axes of 40 and 20 mm, 1 mm behind: 7.8e-5 and 4e-10 mm after one and two iterations."""
+    """20 um off an ellipse with half axes of 40 and 20 mm, 1 mm behind: 7.8e-5 and 4e-10 mm after one and two iterations."""
     t = np.linspace(0.0, 2.0 * math.pi, 1500, endpoint=False)
-    found, _ = estimates(PathView(on_ellipse, {}, {}), beside_ellipse(t, 20e-6), angle_ahead(t, 1e-3), iterations=iterations)
+    found, _ = estimates(PathView(on_ellipse, {}, {}), left_of_ellipse(t, 20e-6), angle_ahead(t, 1e-3), iterations=iterations)
     assert np.abs(found - 20e-6).max() == pytest.approx(largest, rel=0.02)
 
 
 def test_three_iterations_reach_the_last_digits() -> None:
     t = np.linspace(0.0, 2.0 * math.pi, 1500, endpoint=False)
-    found, _ = estimates(PathView(on_ellipse, {}, {}), beside_ellipse(t, 20e-6), angle_ahead(t, 1e-3), iterations=3)
-    # Coordinates of 0.04 m have digits of 7e-18 m; a few of them go into a difference.
+    found, _ = estimates(PathView(on_ellipse, {}, {}), left_of_ellipse(t, 20e-6), angle_ahead(t, 1e-3), iterations=3)
+    # Coordinates of 0.04 m are rounded to 7e-18 m; a difference adds up a few roundings.
     assert np.abs(found - 20e-6).max() < 3e-17
 
 
 @pytest.mark.parametrize(("iterations", "low", "order"), [(1, 0.1e-3, 4.0), (2, 0.5e-3, 8.0)])
 def test_each_iteration_squares_the_foot_error(iterations: int, low: float, order: float) -> None:
-    """Newton's method is of second order, and so is the projection in the foot: the error goes with the lag to the power 2^(n + 1)."""
+    """Newton's method and the projection at the foot point both have order two: the error grows as the lag to the power 2^(n + 1)."""
     t = np.linspace(0.1, 1.4, 40)
     lags = np.geomspace(low, 2.0 * low, 4)
     errors = []
     for lag in lags:
-        found, _ = estimates(PathView(on_ellipse, {}, {}), beside_ellipse(t, 20e-6), angle_ahead(t, float(lag)), iterations=iterations)
+        found, _ = estimates(PathView(on_ellipse, {}, {}), left_of_ellipse(t, 20e-6), angle_ahead(t, float(lag)), iterations=iterations)
         errors.append(float(np.abs(found - 20e-6).max()))
     assert slope(lags, errors) == pytest.approx(order, rel=0.03)
 
@@ -104,7 +104,7 @@ def test_each_iteration_squares_the_foot_error(iterations: int, low: float, orde
 @pytest.mark.parametrize("iterations", [1, 2, 3])
 @pytest.mark.parametrize("error", [0.0, 2e-3, -2e-3])
 def test_on_a_circle_the_foot_error_is_known(iterations: int, error: float) -> None:
-    """An iteration takes the angle phi to phi - tan(phi), whatever the distance; the projection leaves (rho - eps)(1 - cos phi)."""
+    """An iteration maps the angle phi to phi - tan(phi) at any distance; the projection leaves (rho - eps)(1 - cos phi)."""
     radius, lags = 0.02, np.array([2e-3, 5e-3, 8e-3])
     circle = contour("circle", radius=radius)
     foot = np.full(3, 0.013)
@@ -119,7 +119,7 @@ def test_on_a_circle_the_foot_error_is_known(iterations: int, error: float) -> N
 
 @pytest.mark.parametrize(("iterations", "low", "high", "order"), [(1, 0.5e-3, 4e-3, 6.0), (2, 6e-3, 10e-3, 18.0)])
 def test_orders_on_a_circle(iterations: int, low: float, high: float, order: float) -> None:
-    """By arc length Newton's method is of third order on the path: L^3/(3 rho^2) in the foot, so L^6 and L^18 in the error."""
+    """By arc length, Newton's method has order three for points on the path: L^3/(3 rho^2) in the foot, so L^6 and L^18 in the error."""
     radius = 0.02
     circle = contour("circle", radius=radius)
     lags = np.geomspace(low, high, 5)
@@ -148,7 +148,7 @@ def test_an_ellipse_by_arc_length_has_the_circles_leading_error(error: float) ->
 
 @pytest.mark.parametrize("name", ["ellipse", "lemniscate"])
 def test_three_iterations_agree_with_the_exact_foot_point(name: str) -> None:
-    """The judge's search and the estimator share no code; points off the path on both sides, the start ahead and behind."""
+    """The judge's search and the estimator share no code. Points lie on both sides of the path, starts ahead and behind."""
     path = contour(name)
     rng = np.random.default_rng(5)
     around = rng.uniform(0.0, path.length, 150)
@@ -161,7 +161,7 @@ def test_three_iterations_agree_with_the_exact_foot_point(name: str) -> None:
 
 @pytest.mark.parametrize(("start", "foot", "error"), [("both", 0.012, 5e-6), ("warm", 0.009995, 2e-3)])
 def test_starting_from_both_places_finds_the_branch_beyond_a_corner(start: str, foot: float, error: float) -> None:
-    """A warm start alone stays on the side that it came from, 2 mm away; from the reference's own place the near side is found."""
+    """A warm start alone stays on the leg before the corner, 2 mm away; a start at the reference finds the near leg."""
     view = view_of(Path([Line((0.0, 0.0), (0.01, 0.0)), Line((0.01, 0.0), (0.01, 0.01))]))
     part = Newton(window=5e-3, start=start)
     step = part.path_step(view, 2)
@@ -170,5 +170,5 @@ def test_starting_from_both_places_finds_the_branch_beyond_a_corner(start: str, 
     inside = INPUTS((0.01 - 5e-6, 0.002), 0.0121)
     _, out = step.function(par, FOOT(0.0099), inside, Clock(0.0, 0.0, 1e-3))
     assert out[3] == pytest.approx(foot, abs=1e-12)
-    # Inside the corner is to the left of both sides.
+    # Inside the corner is to the left of both legs.
     assert out[2] == pytest.approx(error, abs=1e-12)

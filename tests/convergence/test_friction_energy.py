@@ -1,4 +1,4 @@
-"""Friction never gives energy: as a law of force, and as integrated with a mass."""
+"""Friction never adds energy, neither as a force law nor when integrated with a mass."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def values(part: Component, period: float = 1e-3) -> Any:
 
 
 def motion(friction: Component, mass: float, start: tuple[float, ...], period: float, pushes: Array) -> Array:
-    """Return the states (n_tick + 1, n_state) of a mass under its friction and the forces given, in plain Python."""
+    """Return the states (n_tick + 1, n_state) of a mass under friction and given forces, in plain Python."""
     plant = MassDamper(mass=mass, force_constant=1.0)
     step = link(plant, friction)
     par = step.par_type(**plant.block(period), **friction.block(period))
@@ -55,7 +55,7 @@ def motion(friction: Component, mass: float, start: tuple[float, ...], period: f
     return np.array(seen)
 
 
-def test_every_friction_there_is_belongs_to_a_law_tested_here() -> None:
+def test_every_friction_has_a_law_that_is_tested_here() -> None:
     assert {kind.kind for kind in components("friction")} == {"none", "coulomb", "rising", "smooth-coulomb", "lugre"}
 
 
@@ -100,13 +100,13 @@ def test_bristles_slide_between_their_two_levels(friction: LuGre, speeds: list[f
         assert LuGre.level(values(friction), -v) == level
 
 
-# --- a mass that is left alone -------------------------------------------------------------------------------------------------------
+# --- a mass without a push -----------------------------------------------------------------------------------------------------------
 
 
 @settings(max_examples=60)
 @given(friction=STICKING | RISING, mass=st.floats(0.1, 100.0), speed=st.floats(-1.0, 1.0), period=st.floats(1e-4, 1e-2))
 def test_a_sticking_mass_only_loses_energy_and_never_turns(friction: Coulomb | Rising, mass: float, speed: float, period: float) -> None:
-    # A period in which viscous friction alone would stop the mass twice is no period for an explicit method.
+    # An explicit method cannot take a period in which viscous friction alone would stop the mass twice.
     period = min(period, mass / max(friction.viscous, 1e-9))
     v = motion(friction, mass, (0.0, speed), period, np.zeros(60))[:, 1]
     assert (np.diff(np.abs(v)) <= 0.0).all()
@@ -119,7 +119,7 @@ def test_a_sticking_mass_only_loses_energy_and_never_turns(friction: Coulomb | R
 def test_a_smooth_friction_only_takes_energy_where_the_method_is_stable(
     friction: SmoothCoulomb, mass: float, speed: float, share: float
 ) -> None:
-    """The steepest slope of the force is its level over v_e at rest; to dt (slope/m) = 1 Runge-Kutta decays without turning."""
+    """The force is steepest at rest. Up to dt (slope/m) = 1 Runge-Kutta decays without changing sign."""
     steepest = max(friction.coulomb, friction.breakaway) * (1.0 / friction.smoothing_velocity + 1.0 / friction.stribeck_velocity)
     period = min(share * mass / (steepest + friction.viscous), 1e-2)
     v = motion(friction, mass, (0.0, speed), period, np.zeros(60))[:, 1]
@@ -127,7 +127,7 @@ def test_a_smooth_friction_only_takes_energy_where_the_method_is_stable(
 
 
 def energy(friction: LuGre, mass: float, states: Array) -> Array:
-    """Return what mass and bristles hold."""
+    """Return the energy of mass and bristles."""
     return np.asarray(0.5 * mass * states[:, 1] ** 2 + 0.5 * friction.stiffness * states[:, 2] ** 2)
 
 
@@ -136,7 +136,7 @@ def energy(friction: LuGre, mass: float, states: Array) -> Array:
 def test_bristles_only_take_energy_at_any_step(friction: LuGre, mass: float, speed: float, steps: float) -> None:
     """dE/dt = -s0^2 |v| z^2/g - s1 z' v - s2 v^2 <= 0 wherever s1^2 |v| <= 4 g (s1 + s2), a bound that s1 is held to here.
 
-    Being implicit, the method keeps this at steps of a hundred times the bristles' own times too.
+    The implicit method keeps this even at steps of a hundred times the bristles' time constant.
     """
     lowest, highest = sorted((friction.coulomb, friction.breakaway))
     friction = friction.replace(bristle_damping=min(friction.bristle_damping, 4.0 * lowest / speed))
@@ -151,7 +151,7 @@ def test_bristles_only_take_energy_at_any_step(friction: LuGre, mass: float, spe
     assert (np.diff(held) <= ROUNDING * held[0]).all()
 
 
-# --- a mass that is pushed about -----------------------------------------------------------------------------------------------------
+# --- a mass under held pushes --------------------------------------------------------------------------------------------------------
 
 
 @settings(max_examples=40)
@@ -162,7 +162,7 @@ def test_bristles_only_take_energy_at_any_step(friction: LuGre, mass: float, spe
     strength=st.floats(0.1, 5.0),
 )
 def test_no_more_energy_than_the_push_has_given(friction: Coulomb, mass: float, seed: int, strength: float) -> None:
-    """Held pushes: their work is force times way, exactly; kinetic energy never passes it, through slides, stops and reversals."""
+    """The work of a held push is exactly force times distance. Kinetic energy never exceeds it, through slides, stops and reversals."""
     period = min(1e-3, 0.5 * mass / max(friction.viscous, 1e-9))
     largest = (1.0 + strength) * friction.held(values(friction))
     # The drop from F_s to F_c is resolved: it takes five ticks at least.
@@ -172,5 +172,5 @@ def test_no_more_energy_than_the_push_has_given(friction: Coulomb, mass: float, 
     work = np.concatenate([[0.0], np.cumsum(pushes * np.diff(states[:, 0]))])
     kinetic = 0.5 * mass * states[:, 1] ** 2
     scale = max(float(kinetic.max()), 1e-30)
-    # Within a tick that holds a reversal the way is found to fourth order, so that work has an error of its own.
+    # In a tick with a reversal the distance is of fourth order only, so the work has an error too.
     assert (kinetic <= work + 1e-6 * scale).all()

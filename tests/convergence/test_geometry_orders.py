@@ -18,7 +18,7 @@ NAMES = ["arc", "helix", "ellipse", "lemniscate", "star", "bspline", "nurbs in s
 
 
 class Plain(Curve):
-    """A curve without its own marks along it, so that its table has pieces of one length."""
+    """A curve without marks of its own, so that all pieces of its table have equal length."""
 
     def __init__(self, curve: Curve) -> None:
         self.curve, self.n_axis, self.length = curve, curve.n_axis, curve.length
@@ -62,7 +62,7 @@ def test_the_change_of_curvature_is_its_central_difference_to_fourth_order(curve
 def test_quintic_pieces_are_of_sixth_order(curve: Curve, first: float) -> None:
     path = Path([Plain(curve)])
     steps, errors = [], []
-    # Pieces are a small part of the smallest radius, so that the leading term rules; the rational curve's higher terms die late.
+    # Pieces are short against the smallest radius, so that the leading term dominates; the rational curve's higher terms fade late.
     for share in (first, 0.7 * first, 0.5 * first):
         pieces = math.ceil(path.length / (share * curve.smallest_radius()))
         table = path.table(1.0, pieces=pieces)
@@ -90,12 +90,12 @@ def test_the_number_of_pieces_grows_with_the_sixth_root_of_the_tolerance(name: s
     tolerances = [1e-7, 1e-8, 1e-9, 1e-10, 1e-11]
     counts = [len(path.table(tolerance).coefficients) for tolerance in tolerances]
     order = fitted_order(tolerances, [float(n) for n in counts])
-    # Halving makes steps of two in the number of pieces, so that a fit over four decades is a little off.
+    # Halving changes the number of pieces by factors of two, so a fit over four decades is slightly off.
     assert -0.20 < order < -0.13
 
 
 @pytest.mark.parametrize("curve", CURVES, ids=NAMES)
-def test_chords_tell_the_length_to_second_order(curve: Curve) -> None:
+def test_chord_lengths_are_of_second_order(curve: Curve) -> None:
     counts, errors = [400, 800, 1600], []
     for n in counts:
         points = curve.position(np.linspace(0.0, curve.length, n + 1))

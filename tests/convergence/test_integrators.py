@@ -51,7 +51,7 @@ def test_sliding_to_rest_is_of_fourth_order_and_holds():
     stop = mass / damping * math.log(1.0 + damping * v0 / coulomb)
     exact = mass / damping * (v0 + coulomb / damping) * (1.0 - math.exp(-damping * stop / mass)) - coulomb / damping * stop
     errors = []
-    # Step sizes that do not divide the stopping time, so that the reversal is located anew in each.
+    # The steps do not divide the stopping time, so each run has to locate the reversal.
     for n in (37, 73, 147, 293):
         end, velocities = march(plant, friction, (0.0, v0), 0.0, 0.53, n)
         assert end.velocity == 0.0

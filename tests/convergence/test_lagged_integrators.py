@@ -75,7 +75,7 @@ def orders(errors: list[float]) -> list[float]:
 def test_the_propagator_is_the_matrix_exponential(decay: float, mobility: float, rate: float, back: float, h: float) -> None:
     """The columns of exp of the matrix bordered by a chain of ones are phi_0 to phi_4: Al-Mohy & Higham 2011, theorem 2.1."""
     whole = np.zeros((6, 6))
-    # Force in units in which the two couplings are alike, so that expm is well conditioned.
+    # Scale the force so that both couplings are equal: expm is then well conditioned.
     unit = math.sqrt(max(back, 1e-6) / mobility)
     whole[:2, :2] = h * np.array([[-decay, mobility * unit], [-back / unit, -rate]])
     whole[0, 2] = whole[2, 3] = whole[3, 4] = whole[4, 5] = 1.0
@@ -103,7 +103,7 @@ def test_a_smooth_friction_is_of_fourth_order(rate: float, coarsest: int) -> Non
     plant = motor(rate)
     friction = SmoothCoulomb(coulomb=2.0, breakaway=3.0, stribeck_velocity=0.3, smoothing_velocity=0.15)
     par = friction.constants()
-    # Starts on the slow motion, where a stiff lag has no transient that a polynomial could not follow.
+    # Start on the slow motion, where a stiff lag has no transient.
     start = (0.0, 0.4, (10.0 * 1.0 - 10.0 * 8.0 * 0.4) / 2.0)
     exact = solved(plant, 1.0, lambda v: SmoothCoulomb.force(par, v), np.array([0.0, 0.4, start[2] / 10.0]), 0.4)
     errors = []
@@ -114,7 +114,7 @@ def test_a_smooth_friction_is_of_fourth_order(rate: float, coarsest: int) -> Non
 
 
 def test_the_error_of_a_stiff_lag_stays_small_where_its_transient_is_not_resolved() -> None:
-    """A command that jumps: R/L = 1e4 1/s, ten times its transient fit into a servo period of 1 ms."""
+    """The command jumps. At R/L = 1e4 1/s, ten time constants fit into a servo period of 1 ms."""
     plant = motor(1e4)
     friction = SmoothCoulomb(coulomb=2.0, breakaway=3.0, stribeck_velocity=0.3, smoothing_velocity=0.15)
     par = friction.constants()
@@ -124,7 +124,7 @@ def test_the_error_of_a_stiff_lag_stays_small_where_its_transient_is_not_resolve
 
 
 def reversal(plant: LinearMotor, command: float, coulomb: float, start: Array, duration: float) -> Array:
-    """Slide, turn and slide the other way, or rest until the force is enough: by events of an independent solver."""
+    """Slide, turn and slide the other way, or rest until the force is enough: from the events of an independent solver."""
 
     def stopped(t: float, y: Array) -> float:
         return float(y[1])
@@ -153,7 +153,7 @@ CASES = [
     (-2.5, 1.0, (0.0, 0.5, 1.0)),  # turns at once
     (3.0, 6.0, (0.0, -0.2, -8.0)),  # stops, is held while the force changes its sign, and breaks away
 ]
-# Numbers of steps that do not divide the instants, so that each is located anew.
+# The steps do not hit the instants, so each run has to locate them.
 UNEVEN = (37, 73, 147, 293)
 
 
@@ -174,7 +174,7 @@ def test_stops_reversals_and_breaking_away_are_exact_where_sliding_is_linear(
 def test_stops_reversals_and_breaking_away_are_of_high_order(
     rate: float, command: float, coulomb: float, start: tuple[float, float, float]
 ) -> None:
-    """The viscous part is given to the friction, which moves by the method, and to the plant in the solution, where it is exact."""
+    """Viscous damping is part of the friction for the method, and part of the plant in the solution, where it is exact."""
     exact = reversal(motor(rate), command, coulomb, np.array(start) / (1.0, 1.0, 10.0), 0.3)
     plant, friction = motor(rate, viscous=0.0), Coulomb(coulomb=coulomb, viscous=VISCOUS)
     errors = [float(np.abs(march(plant, friction, start, command, 0.3, n)[-1] - exact)[:2].sum()) for n in UNEVEN]
@@ -182,7 +182,7 @@ def test_stops_reversals_and_breaking_away_are_of_high_order(
     assert np.mean(orders(errors)) > 3.0
 
 
-def test_a_held_axis_lets_the_force_go_on_and_never_moves() -> None:
+def test_the_force_changes_while_the_axis_is_held() -> None:
     plant, friction = motor(60.0), Coulomb(coulomb=1.0, breakaway=1.5)
     states = march(plant, friction, (0.25, 0.0, -1.2), 0.29, 0.5, 500)
     assert set(states[:, 0]) == {0.25}
@@ -223,8 +223,8 @@ def test_bristles_are_of_second_order(rate: float) -> None:
 
 
 @pytest.mark.parametrize("back_emf", [0.0, 1.0, 300.0])
-def test_a_friction_is_followed_up_to_the_bound_of_runge_kutta_whatever_the_lag(back_emf: float) -> None:
-    """Slope of friction times step over mass up to 2.78, which a machine checks; for a slow lag no further."""
+def test_friction_is_stable_up_to_the_runge_kutta_bound_at_any_lag(back_emf: float) -> None:
+    """Friction slope times step over mass may reach 2.78, the bound that a machine checks; with a slow lag it may go no further."""
     growth = {}
     for slope_of in (0.5, 2.78, 2.9):
         friction = SmoothCoulomb(coulomb=0.0, breakaway=0.0, viscous=slope_of * MASS / 1e-3)
@@ -247,7 +247,7 @@ MOTORS = st.builds(motor, rate=st.floats(5.0, 2e4), back_emf=st.floats(0.1, 100.
 
 
 def energy(plant: LinearMotor, states: Array) -> Array:
-    """Return m v^2/2 + L i^2/2 (K_f/K_b): what the mass and, as seen from it, the winding hold; it falls without a voltage."""
+    """Return m v^2/2 + L i^2/2 (K_f/K_b), the energy of the mass and of the winding as seen from it; it falls without a voltage."""
     _, _, _, _, back = plant.rates(plant)
     return np.asarray(0.5 * plant.mass * states[:, 1] ** 2 + 0.5 * states[:, 2] ** 2 / back)
 

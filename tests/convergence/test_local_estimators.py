@@ -1,4 +1,4 @@
-"""Orders and leading terms of the estimators that look at the path at the reference only, against exact foot points."""
+"""Orders and leading terms of the local estimators, which see the path only at the reference, against exact foot points."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ ORDERS = {"tangent": 2.0, "koren-lo": 3.0, "osculating-circle": 3.0, "taylor": 3
 
 
 def estimates(part: Component, view: PathView, points: Array, references: Array) -> dict[str, Array]:
-    """Return what an estimator says of each point (n, n_axis), with the reference at an arc length of its own; newton starts there."""
+    """Return the estimate for each point (n, n_axis), each with its own arc length of the reference; newton starts there."""
     step = part.path_step(view, points.shape[1])  # type: ignore[attr-defined]
     tables = {name: np.ravel(table).tolist() for name, table in view.tables.items()}
     par = step.par_type(**part.block(1e-3), **view.parameters, **tables)
@@ -62,7 +62,7 @@ ELLIPSE = contour("ellipse", a=0.04, b=0.02)
 )
 @pytest.mark.parametrize("error", [20e-6, -20e-6])
 def test_largest_error_on_an_ellipse_of_40_by_20_mm(kind: str, largest: float, error: float) -> None:
-    """20 um beside an ellipse with half axes of 40 and 20 mm, 1 mm behind: figures of two digits."""
+    """20 um off an ellipse with half axes of 40 and 20 mm, 1 mm behind; the figures have two digits."""
     foot = np.linspace(0.0, ELLIPSE.length, 600, endpoint=False)
     points = ELLIPSE.position(foot) + error * ELLIPSE.normal(foot)
     exact = ELLIPSE.foot_point(points, foot, 5e-3).signed
@@ -74,7 +74,7 @@ def test_largest_error_on_an_ellipse_of_40_by_20_mm(kind: str, largest: float, e
 @pytest.mark.parametrize("kind", LOCAL)
 @pytest.mark.parametrize("name", ["ellipse", "butterfly", "lemniscate"])
 def test_orders_on_plane_paths(kind: str, name: str) -> None:
-    """Beside the path by 1 um, behind it by a lag; the butterfly between two of its knots, where its curvature has a slope."""
+    """1 um off the path and behind by a lag; the butterfly between two knots, where its curvature changes."""
     path = ELLIPSE if name == "ellipse" else contour(name)
     low, high = (0.2, 0.21) if name == "butterfly" else (0.1, 0.2)
     foot = np.linspace(low, high, 25) * path.length
@@ -122,7 +122,7 @@ def test_closed_forms_on_a_circle(clockwise: float, error: float) -> None:
 
 @pytest.mark.parametrize("kind", ANY_AXES)
 def test_orders_on_a_helix(kind: str) -> None:
-    """Beside a helix by 0.1 mm, in turning directions at right angles to it."""
+    """0.1 mm off a helix, in rotating directions normal to it."""
     path = contour("helix", radius=0.02, pitch=0.03)
     foot = np.linspace(0.2, 0.6, 12) * path.length
     tangent, inward = path.tangent(foot), path.derivatives(foot, 2)[2] / path.curvature(foot)[:, None]
@@ -137,8 +137,8 @@ def test_orders_on_a_helix(kind: str) -> None:
 
 
 @pytest.mark.parametrize("kind", ["osculating-circle", "taylor"])
-def test_torsion_is_what_is_left_on_a_helix(kind: str) -> None:
-    """The curvature of a helix is constant: off its own plane it goes by L^3 k tau/6."""
+def test_only_torsion_matters_on_a_helix(kind: str) -> None:
+    """A helix has constant curvature and leaves its osculating plane by L^3 k tau/6."""
     radius, rise = 0.02, 0.03 / (2.0 * math.pi)
     path = contour("helix", radius=radius, pitch=0.03)
     lag, s = 3e-4, np.array([0.1])
@@ -152,7 +152,7 @@ PHASE = np.array([0.0, 0.5, 1.0, 0.3, 2.0])
 
 
 def on_lissajous(par: Any, u: float) -> Any:
-    """Five axes, each a sine of its own frequency, by their phase: of uneven speed."""
+    """Evaluate five axes by their phase, each a sine of its own frequency; the speed is uneven."""
     angle = RATE * u + PHASE
     rows = (SIZE * np.sin(angle), SIZE * RATE * np.cos(angle), -SIZE * RATE**2 * np.sin(angle))
     return tuple(tuple(row.tolist()) for row in rows)
@@ -160,7 +160,7 @@ def on_lissajous(par: Any, u: float) -> Any:
 
 @pytest.mark.parametrize(("kind", "order"), [*((kind, ORDERS[kind]) for kind in ANY_AXES), ("newton", 4.0)])
 def test_orders_in_five_axes(kind: str, order: float) -> None:
-    """0.1 mm beside a Lissajous figure in five axes at points whose feet are known, since they were made from them."""
+    """0.1 mm off a Lissajous figure in five axes; each point is built from its foot point, so that is known."""
     foot = np.linspace(0.0, 2.0 * math.pi, 40, endpoint=False)
     rng = np.random.default_rng(3)
     rows = np.array([on_lissajous(None, u) for u in foot])
@@ -226,8 +226,8 @@ def test_the_vector_is_normal_to_a_unit_tangent_and_leads_to_the_foot(kind: str,
 
 
 @given(place=st.floats(0.0, 0.19), off=st.floats(-5e-3, 5e-3), lag=st.floats(-5e-3, 5e-3), gain=st.floats(0.1, 1e4))
-def test_koren_and_los_correction_comes_out(place: float, off: float, lag: float, gain: float) -> None:
-    """Their formulas, with the angle of the tangent and a signed radius, beside a gain on the error vector."""
+def test_koren_and_los_correction_is_reproduced(place: float, off: float, lag: float, gain: float) -> None:
+    """Their formulas, with tangent angle and signed radius, equal a gain on the error vector."""
     r, t = ELLIPSE.position(np.array([place]))[0], ELLIPSE.tangent(np.array([place]))[0]
     point = r + off * np.array([-t[1], t[0]]) - lag * t
     ex, ey = r - point
@@ -240,7 +240,7 @@ def test_koren_and_los_correction_comes_out(place: float, off: float, lag: float
 
 
 def test_a_straight_is_the_limit_of_its_arcs() -> None:
-    """Through the curvature at which the direction to the centre is given up, and at none, nothing jumps."""
+    """Nothing jumps at zero curvature, nor where the direction to the centre is dropped."""
     gap, lag = 2e-3, 5e-3
     for kind in (*LOCAL, "newton"):
         for curvature in (1e-6, 2e-12, 1e-12, 1e-13, 1e-30, 1e-200, 0.0):
@@ -272,7 +272,7 @@ def test_the_estimators_say_for_how_many_axes_they_are_valid() -> None:
 
 
 def test_a_constant_gain_at_an_angle() -> None:
-    """Koren's line at 30 degrees, there and back: eps = -e_x sin th + e_y cos th, and the side changes with the way it is travelled."""
+    """Koren's line at 30 degrees, there and back: eps = -e_x sin th + e_y cos th, and the sign changes with the direction of travel."""
     there, back = Line((0.0, 0.0), (0.04, 0.03)), Line((0.04, 0.03), (0.0, 0.0))
     part = component("estimator", "constant-gain")(direction=[2.0, 0.0], angle=math.radians(30.0))
     for line, sense in ((there, 1.0), (back, -1.0)):

@@ -1,4 +1,4 @@
-"""Bristles on a drive of two masses: order against an independent solver, energy, and what the single mass does with them."""
+"""Bristles on a two-mass drive: order against an independent solver, energy, and agreement with the single mass."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def rub(friction: Any, v: float, z: float) -> tuple[float, float]:
 
 
 def solved(plant: TwoInertia, load: Any, motor: Any) -> Array:
-    """Return both positions at the end of each tick, of an implicit solver of its own."""
+    """Return both positions at the end of each tick, from an independent implicit solver."""
     d = plant.constants()
 
     def slope(t: float, y: Array, push: float) -> list[float]:
@@ -115,7 +115,7 @@ SOAKED = {
 
 @pytest.mark.parametrize("name", SOAKED)
 def test_a_hundred_thousand_random_samples_gain_nothing(name: str) -> None:
-    """At any step, not in the limit of small ones: the balance is one of the step itself."""
+    """The energy balance holds for each step of any size, not only in the limit of small steps."""
     assert check(SOAKED[name], random_command(np.random.default_rng(1), 100_000, 5.0)) > 500
 
 
@@ -131,7 +131,7 @@ def test_a_hundred_thousand_random_samples_gain_nothing(name: str) -> None:
 def test_no_drive_with_bristles_gains_energy(
     masses: tuple[float, float], springs: tuple[float, float, float], gap: float, force: float, share: float, seed: int
 ) -> None:
-    """Six times past the coarsest step that its shaft asks for, too."""
+    """Also at steps up to six times the coarsest one that the shaft allows."""
     (motor, load), (stiffness, *bristles) = (10.0**m for m in masses), (10.0**k for k in springs)
     plant = TwoInertia(motor_inertia=motor, load_inertia=load, lead=0.01, stiffness=stiffness, backlash_gap=10.0**gap)
     frictions = (LuGre(coulomb=10.0**force, breakaway=1.5 * 10.0**force, stiffness=k) for k in bristles)
@@ -139,21 +139,21 @@ def test_no_drive_with_bristles_gains_energy(
     check(Drive(plant, *frictions, period=period), random_command(np.random.default_rng(seed), 400, stiffness * 10.0**gap))
 
 
-def test_behind_a_stiff_shaft_bristles_are_those_of_a_single_mass() -> None:
+def test_behind_a_stiff_shaft_bristles_act_as_on_a_single_mass() -> None:
     turn = 2.0 * math.pi / 0.016
     plant = TwoInertia(**{**DRIVE, "backlash_gap": 0.0, "stiffness": 1e5}, shaft_damping=5.0)
     rigid = BallScrew(mass=1e-6, inertia=9.6e-3, lead=0.016, torque_constant=1.0, efficiency=1.0)
     whole = GUIDE.replace(coulomb=120.0, breakaway=160.0)
     two = Drive(plant, whole, substeps=plant.fewest_substeps(1e-3)[0]).run(2.0 * COMMAND)["position"]
     one = Drive(rigid, whole, substeps=8).run(2.0 * COMMAND)["position"]
-    # The load lags by the force handed on over the stiffness: at most 3 N m over 1e5 N m/rad.
+    # The load lags by the transmitted torque over the stiffness: at most 3 N m over 1e5 N m/rad.
     assert np.abs(two - one).max() < 2.0 * 3.5 / 1e5 / turn
     assert np.ptp(one) > 2e-5
 
 
 @pytest.mark.parametrize(("load", "motor"), [(GUIDE, Coulomb(coulomb=5.0)), (Coulomb(coulomb=5.0), BEARING)])
-def test_bristles_on_one_side_and_sticking_on_the_other_are_refused_in_words(load: Any, motor: Any) -> None:
-    with pytest.raises(ComponentError, match=r"bristles.*'sticking'"):
+def test_bristles_on_one_side_and_sticking_on_the_other_are_refused(load: Any, motor: Any) -> None:
+    with pytest.raises(ComponentError, match=r"bristle.*'sticking'"):
         link(TwoInertia(**DRIVE), load, motor)
 
 

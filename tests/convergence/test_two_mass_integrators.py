@@ -1,4 +1,4 @@
-"""Order of the drive of two masses through contacts, stops and releases, against solutions that share nothing with it."""
+"""Order of the two-mass drive through contacts, stops and releases, against independent solutions."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def orders(errors: list[float]) -> Array:
 
 @pytest.mark.parametrize("case", CASES)
 def test_the_order_is_four_through_contacts_stops_and_releases(case: str) -> None:
-    """Contacts fall anywhere within a step, so that the error of one motion scatters about its order: it is the mean of several."""
+    """Contacts fall anywhere within a step, so the error of one motion scatters: the order is that of the mean of several."""
     values, coulomb, changes = CASES[case]
     plant = TwoInertia(**DRIVE, **values)
     errors, seen = np.empty((len(COMMANDS), len(SUBSTEPS))), 0
@@ -128,7 +128,7 @@ def test_without_a_gap_it_is_the_linear_system_of_two_masses(damping: float) -> 
     assert 3.8 < orders(errors).mean() < 4.2
 
 
-def test_a_gap_that_is_crossed_whole_within_a_step_is_followed_to_fourth_order() -> None:
+def test_crossing_a_whole_gap_within_a_step_is_of_fourth_order() -> None:
     """The motor flies over 5 um at 0.3 m/s: 17 us, in steps of up to 250 us."""
     plant = TwoInertia(**{**DRIVE, "backlash_gap": 5e-6})
     command = np.where(np.arange(30) % 6 < 3, 20.0, -20.0)
@@ -157,7 +157,7 @@ def test_the_dead_zone_is_the_limit_of_the_physical_model_as_damping_vanishes() 
     assert between[-1] < above[-1]
 
 
-def test_at_the_coarsest_step_allowed_a_ringing_shaft_loses_what_runge_kutta_takes_and_no_more() -> None:
+def test_at_the_coarsest_step_a_ringing_shaft_loses_only_the_runge_kutta_damping() -> None:
     """|R(iy)|^2 = 1 - y^6/72 + y^8/576 of the energy is left after a step of y radians."""
     plant = TwoInertia(**{**DRIVE, "backlash_gap": 0.0})
     ring = math.sqrt(950.0 * (1.0 / 5.2e-3 + 1.0 / 4.4e-3))

@@ -1,4 +1,4 @@
-"""Janot, Gautier & Brunot, "Data set and reference models of EMPS", 2019: the published digits out of the published log."""
+"""Janot, Gautier & Brunot, "Data set and reference models of EMPS", 2019: the published digits from the published log."""
 
 from __future__ import annotations
 
@@ -75,14 +75,14 @@ def test_relative_deviations_are_those_of_the_published_listing(table: Table) ->
         assert f"{table['relative standard deviation', f'{name}, {ALIKE}'].here:.4f}" == paper
 
 
-def test_the_residual_is_told_to_be_coloured(table: Table) -> None:
-    """What friction by direction explains is in it, so that plain deviations are too small by a factor of two and more."""
+def test_the_residual_is_reported_as_coloured(table: Table) -> None:
+    """The residual contains direction-dependent friction, so plain deviations are too small by a factor of two or more."""
     for name, plain in DEVIATIONS.items():
         assert 2.0 < table["standard deviation, residual as it is", f"{name}, {ALIKE}"].here / plain < 3.0
     assert "white" in table["M", ALIKE].note
 
 
-def test_the_published_simulation_comes_out_with_its_clock_and_solver(table: Table) -> None:
+def test_the_published_simulation_is_reproduced_with_its_clock_and_solver(table: Table) -> None:
     for name, paper in {"position": 0.013752, "velocity": 0.22911, "acceleration": 8.6036, "force": 5.848}.items():
         row = table[f"simulated {name}", "the published clock, delay and solver"]
         assert row.paper == paper
@@ -105,7 +105,7 @@ def test_the_simulated_loop_follows_the_log(table: Table, case: str, percent: di
 
 @pytest.mark.parametrize("delay", [0, 1])
 def test_the_engine_runs_the_same_loop(log: Path, delay: int) -> None:
-    """From rest at the first sample, while the log starts on the way; half a second later that is forgotten."""
+    """The engine starts at rest, the log in motion; half a second later the difference has decayed."""
     found = identified(log)
     axis = axis_of(found.symmetric)
     own, engine = simulate_emps(found.log, axis, delay=delay), simulate_in_engine(found.log, axis, delay=delay)
@@ -133,13 +133,13 @@ def test_tracking_error_as_measured_and_simulated(table: Table) -> None:
             assert table[name, case].here == pytest.approx(measured, abs=apart)
 
 
-def test_what_differs_says_why(table: Table) -> None:
+def test_differing_figures_say_why(table: Table) -> None:
     assert not [row for row in table.values() if row.verdict == "fails"]
     assert all(len(row.note) > 60 for row in table.values() if row.verdict == "differs")
 
 
-def test_a_second_log_is_held_against_the_parameters_of_the_first(log: Path) -> None:
-    """The same log: its own error again. The published second log is not among the shared data."""
+def test_a_second_log_is_validated_with_the_parameters_of_the_first(log: Path) -> None:
+    """The same log gives its own error again. The published second log is not in the shared data."""
     rows = {(row.name, row.case): row for row in run_parts(parts_of(log, log))}
     assert rows["cross-validation relative error", ALIKE].here == pytest.approx(rows["relative error", ALIKE].here, rel=1e-12)
     assert rows["cross-validation relative error", ALIKE].paper == 5.9824

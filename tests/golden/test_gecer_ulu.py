@@ -1,4 +1,4 @@
-"""Gecer Ulu, Ulu & Cakmakci: figures typed in from the paper, and closed forms of slow motion, against what the reproduction gives."""
+"""Gecer Ulu, Ulu & Cakmakci: figures from the paper and closed forms of slow motion, against the reproduction."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def turning_points(width: float = 17.02e-6, height: float = 90e-6, radius: float
 
 
 def _tip(curvature: float, bend: float) -> float:
-    """Return the size of the hyperbola's tip at which the curve has a curvature there, both in parts of width and half height."""
+    """Return the size of the hyperbola's tip that gives the curve this curvature there, both in parts of width and half height."""
     wanted = (curvature - 2.0 * bend) / (1.0 - bend)
     # 1/(t (sqrt(1 + t^2) - t)) = wanted, with its root in closed form: sqrt(1 + t^2) = t + 1/(wanted t).
     return 1.0 / (wanted * np.sqrt(1.0 - 2.0 / wanted))
@@ -105,7 +105,7 @@ def test_the_contour_has_one_tight_turn_and_goes_along_y() -> None:
     assert curvature.max() == pytest.approx(1e6, rel=5e-3)
     assert np.ptp(position, axis=0) == pytest.approx([17.02e-6, 90e-6], rel=1e-5)
     assert s[int(np.argmax(curvature))] == pytest.approx(path.length / 2, rel=1e-3)
-    # Tight there only: five radii away it is bent ten times less.
+    # The turn is tight only there: five radii away the curvature is ten times smaller.
     assert curvature[np.abs(s - path.length / 2) > 5e-6].max() < 1e5
 
 
@@ -128,14 +128,14 @@ def test_feedback_alone_gives_the_first_row_of_table_2_by_the_lags_t_v() -> None
 
 
 @pytest.mark.parametrize("kappa", [0.1, KAPPA, 1.0, 3.0])
-def test_coupling_does_to_slow_errors_what_statics_says(kappa: float) -> None:
+def test_coupling_reduces_slow_errors_as_statics_predicts(kappa: float) -> None:
     found = rms(course(SIMULATION, kappa, 0), 0)
     assert found == pytest.approx(slow(kappa), rel=3e-3)
     assert found[0] > 11.30  # as printed, x grows and y falls; the contour error falls, which is not as printed
     assert found[1] < 111.27
 
 
-def test_learning_leaves_one_minus_gamma_in_each_trial_while_all_is_slow() -> None:
+def test_each_trial_of_a_slow_motion_leaves_one_minus_gamma_of_the_error() -> None:
     found = 1e9 * convergence(SIMULATION, 0.0, 10)
     assert found[:6] == pytest.approx(29.044 * 0.8 ** np.arange(6), rel=2e-3)
     assert found[10] == pytest.approx(29.044 * 0.8**10, rel=2e-2)
@@ -150,7 +150,7 @@ def simulated() -> dict[float, tuple[float, float, float]]:
 def test_learning_lowers_the_contour_error_eightfold_and_coupling_helps_it(simulated: dict[float, tuple[float, float, float]]) -> None:
     contour = {kappa: found[2] for kappa, found in simulated.items()}
     assert contour[0.0] < 29.04 / 8.0
-    # Not far above what the motion alone would leave, and lower by about 1/(1 + kappa) with coupling.
+    # Slightly above the error of the motion alone, and lower by about 1/(1 + kappa) with coupling.
     assert contour[0.0] == pytest.approx(0.0613, rel=0.02)
     assert contour[KAPPA] / contour[0.0] == pytest.approx(0.716, rel=0.02)
     assert contour[1.0] < contour[KAPPA] < contour[0.0]
@@ -165,14 +165,14 @@ def test_the_experiment_ends_at_the_noise_and_not_below(seed: int) -> None:
     alone, coupled = course(EXPERIMENT, 0.0, 30, seed), course(EXPERIMENT, KAPPA, 30, seed)
     assert rms(alone, 0) == pytest.approx((47.0, 121.5, 45.5), rel=0.08)
     assert 10.0 < rms(coupled, 30)[2] < rms(alone, 30)[2] < 45.0
-    assert rms(coupled, 30)[0] == pytest.approx(21.28, rel=0.15)  # printed, and not chosen for
-    # What the last trials have in common is learned: the floor is nearly all that is left.
+    assert rms(coupled, 30)[0] == pytest.approx(21.28, rel=0.15)  # printed; no parameter was chosen to fit it
+    # The part common to the last trials is learned: little but the noise floor is left.
     assert alone.split is not None
     assert rms(alone, 30)[2] == pytest.approx(1e9 * alone.split.floor, rel=0.15)
 
 
 def test_counting_adds_its_variance_to_the_lag() -> None:
-    """At 100 um/s the lag of 1 um is larger than half a count: no chatter, and a uniform count of variance q^2/12 beside the lag."""
+    """At 100 um/s the lag of 1 um is larger than half a count: no chatter; counting adds a uniform error of variance q^2/12 to the lag."""
     lag = tracking(1e-3, 100e-6, None, acceleration=1e-2)[1]
     seen, _ = tracking(1e-3, 100e-6, 1e-6, acceleration=1e-2)
     assert lag == pytest.approx(1000.0, rel=0.01)
@@ -207,7 +207,7 @@ def test_with_the_delay_at_1_ms_learning_diverges_and_is_rolled_back() -> None:
 
 
 def test_the_side_lobe_grows_as_forecast() -> None:
-    """The error's amplitude at the worst frequency, over a hundred trials, beside |1 - gamma H T| there."""
+    """The error's amplitude at the worst frequency, over a hundred trials, against |1 - gamma H T| there."""
     (row,) = side_lobe_rows()
     machine, controller = machine_of(PERIOD_30MS), controller_of(PERIOD_30MS, 0.0)
     w, factor = forecast(machine, controller).worst_radius

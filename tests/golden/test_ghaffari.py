@@ -1,4 +1,4 @@
-"""Figures of Ghaffari & Ulsoy, typed in from the paper, and what follows from its equations, against what the reproduction gives."""
+"""Figures of Ghaffari & Ulsoy, from the paper and from its equations, against the reproduction."""
 
 from __future__ import annotations
 
@@ -48,13 +48,13 @@ def test_poles_fulfil_vieta_on_eq_16(rows: Rows, table: str, n: int) -> None:
     assert -single * square == pytest.approx(line.a * line.kp * line.ki, rel=1e-9)
 
 
-def test_poles_of_table_ii_stand_beside_those_asked_for(rows: Rows) -> None:
+def test_poles_of_table_ii_are_close_to_the_specified_ones(rows: Rows) -> None:
     wanted = {"real pole": -35.0, "pair, real part": -0.7 * 25.0, "pair, imaginary part": 25.0 * math.sqrt(1.0 - 0.7**2)}
     for part, pole in wanted.items():
         for n in (1, 2, 3):
             row = rows[f"Table II {part}", f"axis {n}"]
             assert row["paper"] == pytest.approx(pole, rel=1e-12)
-            # What cut-off digits can move stays far below the poles themselves.
+            # Rounded digits move the poles by far less than their size.
             assert abs(row["here"] - pole) <= row["tolerance"] < 0.07 * abs(pole)
 
 
@@ -100,7 +100,7 @@ def test_reduction_to_eq_14(rows: Rows, n: int) -> None:
     def cost(a: float, b: float) -> float:
         return float((np.abs((1j * w + b) * exact - a) ** 2).sum())
 
-    # The least squares: every step away costs more.
+    # This is the least-squares optimum: every step away costs more.
     for da, db in ((1e-4, 0.0), (-1e-4, 0.0), (0.0, 1e-4), (0.0, -1e-4)):
         assert cost(gain, damping) < cost(gain * (1.0 + da), damping * (1.0 + db))
     left = np.linalg.norm(exact - gain / (1j * w + damping)) / np.linalg.norm(exact)
@@ -113,12 +113,12 @@ def test_closed_loop_identification_reaches_the_accuracy_of_the_paper(rows: Rows
     """Section III: a linear model of more than 95 %."""
     row = rows["identification fit", f"axis {n}, Table II, eq 18"]
     assert row["paper"] == 95.0 < row["here"] < 100.0 and row["pass"]
-    # Table III's observers are the same on axes 1 and 2, so that what is identified behind them is nearly so.
+    # Table III's observers are the same on axes 1 and 2, so the models identified behind them are nearly equal.
     alike = [rows["identified b' over what the paper leaves open", f"axis {m}, Table III, servo period 0.1 ms"]["here"] for m in (1, 2)]
     assert alike[0] == pytest.approx(alike[1], rel=0.2)
 
 
-def test_axis_1_beside_axis_2_in_open_loop(rows: Rows) -> None:
+def test_axis_1_against_axis_2_in_open_loop(rows: Rows) -> None:
     faster = rows["response of axis 1 faster than axis 2", "open loop"]
     larger = rows["DC gain of axis 1 larger than axis 2", "open loop"]
     assert (faster["paper"], larger["paper"]) == (55.0, 70.0)
@@ -157,7 +157,7 @@ def test_fig_8_is_eq_16_under_variation(rows: Rows) -> None:
 @pytest.mark.parametrize("n", [1, 2, 3])
 @pytest.mark.parametrize(("symbol", "field"), [("K_P", "kp"), ("K_I", "ki")])
 def test_the_loop_oscillates_from_the_stated_gain_on(rows: Rows, n: int, symbol: str, field: str) -> None:
-    """The poles of the sampled loop written a second time cross the unit circle there, and nowhere below."""
+    """The poles of the independent second loop cross the unit circle at that gain and at no lower one."""
     row = rows[f"{symbol} at which the loop oscillates", f"axis {n}, Table III"]
     start = getattr(TABLE_3[n], field)
 
@@ -167,7 +167,7 @@ def test_the_loop_oscillates_from_the_stated_gain_on(rows: Rows, n: int, symbol:
     assert radius(row["here"] * 0.9999) < 1.0 < radius(row["here"] * 1.0001)
     assert all(radius(value) < 1.0 for value in np.geomspace(start, 0.999 * row["here"], 20))
     if symbol == "K_I":  # Routh on eq 16: (b' + a' K_V) a' K_P > a' K_P K_I
-        assert f"from K_I = b' + a' K_V = {TABLE_3[n].b + 0.1 * 900.0:g} 1/s on" in row["note"]
+        assert f"K_I = b' + a' K_V = {TABLE_3[n].b + 0.1 * 900.0:g} 1/s" in row["note"]
 
 
 # --- what is claimed -----------------------------------------------------------------------------------------------------------------
@@ -212,7 +212,7 @@ def test_the_figures_that_differ_are_these_and_say_why(rows: Rows) -> None:
             assert all(figure in simulated["note"] for figure in (f" {line.ah / line.bh:.0f} mm/s", f" {line.a / line.b:.0f}"))
 
 
-def test_all_that_the_paper_prints_is_there(rows: Rows) -> None:
+def test_every_printed_figure_has_a_row(rows: Rows) -> None:
     """Nine gains, twice six of the identification, three stictions, two comparisons, two fits an axis, two integrals, eight spikes; of
     Table III the twelve numbers of observers and feedforward, as minima of Fig 6, and all seven of each axis, as calibrated; the swap."""
     printed = [key for key, row in rows.items() if row["source"] == "printed"]
@@ -220,7 +220,7 @@ def test_all_that_the_paper_prints_is_there(rows: Rows) -> None:
 
 
 def test_the_verdict_on_the_swap(rows: Rows) -> None:
-    """The observer takes most of what a swap loses, and with one number of the axis local the rest is within the limit."""
+    """The observer removes most of the swap loss; one local parameter of the axis brings the rest within the limit."""
     case = "A3-A1 against A3-A2"
     loss = {words: rows[f"swap loss {words}", case]["here"] for words in ("with observer", "without observer")}
     assert 0.03 < loss["with observer"] < 0.06 and 0.2 < loss["without observer"] < 0.25

@@ -1,4 +1,4 @@
-"""Table III from Table II: the rows of the calibration, and its gains in the loop that is written a second time."""
+"""Table III from Table II: the rows of the calibration, and its gains in the independent second loop."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ CASES = {1: "A3-A1, Table II and the sequential procedure", 2: "A3-A2, Table II 
 
 
 @pytest.mark.parametrize("first", [1, 2])
-def test_the_calibrated_gains_are_worth_the_same_in_another_loop(rows: Rows, first: int) -> None:
-    """At an integral a hundredth of the first one, counts of the encoder that fall the other way are a larger part of it."""
+def test_the_calibrated_gains_give_the_same_integral_in_the_second_loop(rows: Rows, first: int) -> None:
+    """The integral is a hundredth of the first one, so encoder counts that round the other way are a larger share of it."""
     table = {n: Line(*vars(gains).values()) for n, gains in calibrate(first).gains.items()}
     again = run(first, table, CIRCLE, 0.5, Open()).integral
     assert rows["integral after the calibration", CASES[first]]["here"] == pytest.approx(again, rel=0.05)
@@ -25,11 +25,11 @@ def test_the_calibrated_gains_are_worth_the_same_in_another_loop(rows: Rows, fir
 
 
 @pytest.mark.parametrize("case", [*CASES.values(), "A3-A1, Table II, all numbers, within margins"])
-def test_the_calibration_is_worth_more_than_ten_times(rows: Rows, case: str) -> None:
+def test_the_calibration_gains_more_than_a_factor_of_ten(rows: Rows, case: str) -> None:
     assert rows["calibration gain", case]["here"] > 10.0
 
 
-def test_every_number_of_table_iii_stands_beside_ours_and_says_why_it_differs(rows: Rows) -> None:
+def test_every_number_of_table_iii_is_compared_and_says_why_it_differs(rows: Rows) -> None:
     numbers = [row for (name, case), row in rows.items() if name.startswith("Table III: ") and "sequential" in case]
     printed = [row for row in numbers if row["source"] == "printed"]
     assert len(printed) == 21 and len(numbers) == 27
@@ -47,8 +47,8 @@ def test_the_order_is_the_printed_one() -> None:
     assert calibrate(1).gains[3] == calibrate(2).gains[3]
 
 
-def test_what_is_fed_forward_fits_the_compensated_axis(rows: Rows) -> None:
-    """Why so many gains do as well: the error sees the ratio."""
+def test_the_feedforward_fits_the_compensated_axis(rows: Rows) -> None:
+    """The error depends on the ratio, so many gains do equally well."""
     for number in (1, 2, 3):
         case = f"axis {number}, from Table II by the sequential procedure"
         observer, ahead = (rows[f"Table III: {name}", case]["here"] for name in ("a_hat/b_hat", "a'/b'"))

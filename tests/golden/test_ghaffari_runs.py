@@ -1,4 +1,4 @@
-"""The simulated figures of the reproduction of Ghaffari & Ulsoy against the paper, and against its loop written a second time."""
+"""The simulated figures of the reproduction of Ghaffari & Ulsoy against the paper and the independent second loop."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ghaffari_loop import TABLE_2, TABLE_3, Figures, Line, Open, Shape, ellipse,
 Rows = dict[tuple[str, str], dict[str, Any]]
 
 APART = 3e-3
-"""Both loops agree to the last digit but for the encoder: a count that falls the other way moves a figure by up to a part in a thousand."""
+"""Both loops agree to the last digit but for the encoder: a count that rounds the other way moves a figure by at most 1e-3 of it."""
 
 CIRCLE = ellipse(20.0, 20.0)
 PRINTED = {1: 18.37, 2: 18.46}
@@ -39,7 +39,7 @@ def test_one_controller_serves_both_configurations(rows: Rows) -> None:
 
 
 @pytest.mark.parametrize("first", [1, 2])
-def test_fig_9_comes_out_the_same_a_second_time(rows: Rows, first: int) -> None:
+def test_fig_9_agrees_with_the_second_loop(rows: Rows, first: int) -> None:
     again, case = fig_9(first), f"A3-A{first}, Table III"
     assert rows[f"contour error integral A3-A{first}", case]["here"] == pytest.approx(again.integral, rel=APART)
     assert rows["signed mean of contour error", case]["here"] == pytest.approx(again.contour.mean(), rel=APART)
@@ -47,7 +47,7 @@ def test_fig_9_comes_out_the_same_a_second_time(rows: Rows, first: int) -> None:
 
 
 @pytest.mark.parametrize("first", [1, 2])
-def test_initial_gains_observer_off_and_more_feedforward_come_out_the_same(rows: Rows, first: int) -> None:
+def test_initial_gains_observer_off_and_more_feedforward_agree_with_the_second_loop(rows: Rows, first: int) -> None:
     initial = fig_9(first, TABLE_2).integral
     assert rows["contour error integral, initial gains", f"A3-A{first}, Table II"]["here"] == pytest.approx(initial, rel=APART)
     off = rows["contour error integral, observer off", f"A3-A{first}, Table III"]
@@ -58,7 +58,7 @@ def test_initial_gains_observer_off_and_more_feedforward_come_out_the_same(rows:
     assert rows["contour error integral with a' = 960", f"A3-A{first}"]["here"] == pytest.approx(raised, rel=APART)
 
 
-def test_the_observer_earns_a_factor_of_about_ten_and_the_rest_is_a_radius_error(rows: Rows) -> None:
+def test_the_observer_gains_a_factor_of_about_ten_and_the_rest_is_a_radius_error(rows: Rows) -> None:
     for c in ("A3-A1", "A3-A2"):
         on = rows[f"contour error integral {c}", f"{c}, Table III"]["here"]
         assert 8.0 < rows["contour error integral, observer off", f"{c}, Table III"]["here"] / on < 12.0
@@ -78,7 +78,7 @@ def test_spikes_follow_the_four_reversals(rows: Rows, first: int) -> None:
         assert peak["here"] == pytest.approx(float(time) + 1e-3 * int(np.argmin(dip)), abs=3e-3)
         here = rows[f"reversal spike at {time} s", f"A3-A{first}, Table III"]["here"]
         assert here == pytest.approx(height, rel=0.02)
-        # From the first sample after the reversal down: the spike, but for the slope of the error beneath it.
+        # Down from the first sample after the reversal: the spike, apart from the slope of the error below it.
         assert here == pytest.approx(dip.min() - dip[0], abs=1.0)
 
 
@@ -99,7 +99,7 @@ READINGS = {
 
 @pytest.mark.parametrize("first", [1, 2])
 @pytest.mark.parametrize("words", READINGS)
-def test_each_reading_comes_out_the_same(rows: Rows, words: str, first: int) -> None:
+def test_each_reading_agrees_with_the_second_loop(rows: Rows, words: str, first: int) -> None:
     reading, *measured = READINGS[words]
     here = rows["integral over what the paper leaves open", f"A3-A{first}, {words}"]["here"]
     assert here == pytest.approx(measured[first - 1], rel=5e-3)
@@ -116,7 +116,7 @@ def test_the_table_of_readings_holds_these_and_names_its_bounds(rows: Rows) -> N
     assert rest["here"] == pytest.approx(20.051, rel=5e-3)
     for row, words in ((smallest, ("A3-A1", "backward Euler")), (largest, ("A3-A2", "w_d 30 rad/s")), (rest, ("A3-A2", "w_d 100 rad/s"))):
         assert all(word in row["note"] for word in words)
-    # One parameter alone leads far out of the rest, and its rows say so.
+    # Only one parameter moves the integral far from the rest, and its rows say so.
     beyond = {case for case, row in table.items() if row["here"] > 20.1}
     assert beyond == {"A3-A1, w_d 30 rad/s", "A3-A2, w_d 30 rad/s"}
     assert all("20.1 um s" in table[case]["note"] and "w_d" in table[case]["note"] for case in beyond)
@@ -133,7 +133,7 @@ SHAPES = {"circle": CIRCLE, "ellipse": ellipse(30.0, 15.0), "lemniscate": lemnis
 
 @pytest.mark.parametrize("frequency", [0.25, 0.5])
 @pytest.mark.parametrize("name", SHAPES)
-def test_lambda_over_shapes_and_feeds_comes_out_the_same(rows: Rows, name: str, frequency: float) -> None:
+def test_lambda_over_shapes_and_feeds_agrees_with_the_second_loop(rows: Rows, name: str, frequency: float) -> None:
     shape = SHAPES[name]
     feed = 60.0 * length(shape) * frequency
     for weight in (0.0, 0.25, 0.5, 0.75, 0.9):

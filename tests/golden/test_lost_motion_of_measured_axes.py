@@ -1,4 +1,4 @@
-"""Lost motion of two real drives whose encoders sit on the motor: no gap, and friction that their controllers give way to."""
+"""Lost motion of two real drives with motor encoders: there is no gap, but friction deflects their controllers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from contourlab.metrics import backlash_from_circle, lost_motion_from_pair
 def test_a_position_controller_is_a_spring_without_a_gap(shared: Path) -> None:
     """EMPS: force = g_tau k_v (k_p (q_r - q) - q'): q is pushed by q_r - q'/k_p with the stiffness g_tau k_v k_p and no free travel.
 
-    Friction winds it up by 59 um there and back, and force alone tells that this is not a gap.
+    Friction winds it up by 59 um there and back; only the force shows that this is not a gap.
     """
     data = loadmat(shared / "data" / "emps" / "DATA_EMPS.mat", simplify_cells=True)
     q, reference, voltage, kp, kv, gain = (
@@ -36,10 +36,10 @@ def test_a_position_controller_is_a_spring_without_a_gap(shared: Path) -> None:
     assert known.gap == pytest.approx(0.0, abs=0.05e-6)
 
 
-def test_a_circle_shows_what_friction_takes_of_a_controller_without_integral(shared: Path) -> None:
-    """The table with state feedback at 20 and 21 Hz: Coulomb friction of 0.2 to 0.3 N m on J w^2 looks like backlash of twice its turn.
+def test_on_a_circle_friction_without_integral_action_looks_like_backlash(shared: Path) -> None:
+    """The table with state feedback at 20 and 21 Hz: Coulomb friction of 0.2 to 0.3 N m on J w^2 looks like backlash of twice its angle.
 
-    10 mm of pitch turn radians into metres. The circle is run once from rest to rest, in one sense: the deviations are large, and say so.
+    A pitch of 10 mm converts radians to metres. The circle is run once, in one direction, from rest to rest: the deviations are large.
     """
     data: Any = loadmat(shared / "data" / "ubc-xy-table" / "line_circle_pp.mat", simplify_cells=True)["pp"]
     signals = [1e-3 * np.asarray(signal["Data"], dtype=float) for signal in data["Y"]]

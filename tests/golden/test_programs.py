@@ -27,7 +27,7 @@ def tip(point: tuple[float, float, float], tool: tuple[float, float, float]) -> 
 
 @pytest.mark.parametrize("file", PROGRAMS, ids=lambda path: path.stem)
 def test_the_moves_are_those_of_linuxcnc(file: Path) -> None:
-    """Ends and centres are those of the tool's tip [mm]; a spline is there as the vertices of the chords that it was flattened to."""
+    """Ends and centres are those of the tool's tip [mm]; a spline is given by the vertices of its chords."""
     theirs = frozen(file)
     with file.open(encoding="utf-8") as lines:
         for move in Reader(lines, file, Reading(), still=True).moves():

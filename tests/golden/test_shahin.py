@@ -1,4 +1,4 @@
-"""Shahin, ElMaraghy & ElBeheiry: figures derived by hand, and by other code, against what the reproduction gives."""
+"""Shahin, ElMaraghy & ElBeheiry: figures derived by hand and by independent code, against the reproduction."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ def contact() -> dict[str, np.ndarray]:
     return {name: circular(name, Setting()).axis_error * UM for name in setup.SCHEMES}
 
 
-def test_schemes_two_and_three_land_where_a_continuous_control_law_does(contact: dict[str, np.ndarray]) -> None:
+def test_schemes_two_and_three_agree_with_a_continuous_control_law(contact: dict[str, np.ndarray]) -> None:
     """By Runge-Kutta at 1 us with the law evaluated in its stages: II 37.4 and 31.8, III 37.2 and 31.6 um on x and y; here it is held."""
     assert contact["II"] == pytest.approx([37.4, 31.8], abs=0.5)
     assert contact["III"] == pytest.approx([37.2, 31.6], abs=0.5)
 
 
 def test_from_mid_gap_the_same_two_are_better() -> None:
-    """By the same other code: 24.1 and 22.2 um for both."""
+    """By the same independent code: 24.1 and 22.2 um for both."""
     for name in ("II", "III"):
         assert circular(name, Setting(start_in_gap=0.0)).axis_error * UM == pytest.approx([24.1, 22.2], abs=0.8)
 
@@ -62,7 +62,7 @@ def test_closed_over_the_loads_the_cascade_hunts_in_proportion_to_the_gap() -> N
 
 
 def test_a_free_load_is_caught_at_the_speed_of_its_closed_form() -> None:
-    """A load at the flank of a motor that a stiff law leads along the reference: what is seen is the fall through the gap."""
+    """A stiff law keeps the motor on the reference. The load leaves its flank, and the ripple is its flight through the gap."""
     found = circular("I", Setting(shaft_damping=1.0))
     assert found.feed_ripple == pytest.approx(setup.free_flight(25e-6), rel=0.05)
 
@@ -76,7 +76,7 @@ def test_a_servo_period_beyond_the_limit_makes_it_diverge() -> None:
 
 
 def test_no_common_quadratic_function_exists_for_any_gains_of_the_motor() -> None:
-    """The certificate is checked here by hand: a vector that the gap's matrix takes to zero."""
+    """The certificate is checked here by hand: a vector in the null space of the gap's matrix."""
     loop = two_inertia_loop(DRIVE, SCHEME_II)
     assert sorted(np.linalg.eigvals(loop.gap_matrix).real)[:2] == pytest.approx([-1.92307e5, -0.2], rel=1e-4)
     found = common_quadratic([loop.gap_matrix, loop.contact_matrix])
@@ -97,7 +97,7 @@ def test_theory_says_which_function_works_and_which_loops_hunt() -> None:
 
 
 @pytest.mark.slow
-def test_the_command_gives_the_rows_that_are_looked_for(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_prints_the_expected_rows(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["reproduce", "shahin", "--json"]) == 0
     rows = json.loads(capsys.readouterr().out)
     wanted = {f"{name} max error" for name in ("PI", *setup.SCHEMES)} | {"I feed ripple", "III feed ripple", "I as printed"}

@@ -54,7 +54,7 @@ def test_its_contour_errors_are_those_measured(table: Table) -> None:
             assert row.paper == pytest.approx(MEASURED[run][2 if "rms" in name else 3], rel=0.01)
 
 
-def test_the_library_keeps_the_figures_that_it_was_given(table: Table) -> None:
+def test_the_library_keeps_its_documented_figures(table: Table) -> None:
     """As documented in docs/refinement.md; a change of the engine or the files shows here."""
     kept = {("lead-lag", "x"): 98.70, ("lead-lag", "y"): 98.29, ("pole-placement", "x"): 99.998, ("pole-placement", "y"): 99.995}
     for (run, axis), value in kept.items():
@@ -64,7 +64,7 @@ def test_the_library_keeps_the_figures_that_it_was_given(table: Table) -> None:
 
 
 @pytest.mark.slow
-def test_what_was_left_out_is_met_too(folder: Path) -> None:
+def test_the_machine_also_explains_unseen_runs(folder: Path) -> None:
     rows = [row for row in run_parts(parts_of(folder)) if row.name.startswith("unseen")]
     explained = [row.here for row in rows if row.name == "unseen: variance explained"]
     assert len(explained) == 12
@@ -81,7 +81,7 @@ def test_the_command_prints_json_and_draws(folder: Path, tmp_path: Path, capsys:
     assert drawn == {f"ubc-{run}-{what}.svg" for run in MEASURED for what in ("x", "y", "contour")}
 
 
-def test_without_logs_it_says_what_is_wanted(tmp_path: Path) -> None:
+def test_without_logs_the_error_names_the_missing_ones(tmp_path: Path) -> None:
     with pytest.raises(LogError, match="folder"):
         parts_of(None)
     with pytest.raises(LogError, match=r"line_circle_lli\.mat.*line_circle_pp\.mat"):

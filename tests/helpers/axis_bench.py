@@ -1,4 +1,4 @@
-"""A plant of ours driven tick by tick with its loop open: records for identifications, of known parameters."""
+"""Drive a plant of known parameters tick by tick in open loop: records for identification."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 def driven(plant: Any, command: Array, period: float, signal: str = "position", **parts: Any) -> Array:
     """Return a signal of an axis under a held command; parts are its friction, sensor, drive."""
     axis = Axis(name="x", plant=plant, limits=Limits(following_error=math.inf), **parts)
-    # What is fed as acceleration of the reference goes out as the command.
+    # The signal fed as reference acceleration becomes the command.
     controller = Controller({"x": AxisController(PositionController(model_gain=1.0))})
     loop = build(Machine("bench", (axis,), period), controller, Path([Line(np.zeros(1), np.ones(1))]), np.zeros(1))
     fed = np.zeros((command.size, 5))

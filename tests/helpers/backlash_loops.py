@@ -1,4 +1,4 @@
-"""Drives with backlash that several tests share."""
+"""Drives with backlash for several tests."""
 
 from __future__ import annotations
 

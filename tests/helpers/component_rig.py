@@ -1,4 +1,4 @@
-"""One component alone on the engine, fed with signals that are known."""
+"""One component alone on the engine, fed with known signals."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the tests of contours share: drawings on disk, and distances measured without the readers."""
+"""Helpers for the contour tests: drawings on disk, and distances measured without the readers."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def svg(folder: File, body: str, head: str = 'width="100mm" height="80mm" viewBo
 
 
 def away(path: Path, points: Array) -> float:
-    """Largest distance of points from a path, by a search of nested samples that knows positions alone."""
+    """Return the largest distance of points from a path, by a nested search that uses positions only."""
     s = np.linspace(0.0, path.length, 4001)
     sampled = path.position(s)
     found = []
@@ -49,7 +49,7 @@ def away(path: Path, points: Array) -> float:
 
 
 def area(path: Path) -> float:
-    """Area on the left of a closed path in the plane, by Green's theorem, curve by curve."""
+    """Return the area on the left of a closed path in the plane, by Green's theorem, curve by curve."""
     nodes, weights = np.polynomial.legendre.leggauss(20)
     total = 0.0
     for curve in path.curves:

@@ -135,7 +135,7 @@ class Overflowing(Amplifier):
 
 
 class RottenInside(Amplifier):
-    """Keeps a state that is no number, where no output shows it."""
+    """Keeps a NaN in a state that no output shows."""
 
     states = (Port("hidden"),)
 
@@ -186,7 +186,7 @@ class HalfVector(ModifiedReference):
 
 
 class WideInteger(Amplifier):
-    """Counts with whole numbers that fit a Python int and no machine word."""
+    """Counts with integers that fit a Python int but no machine word."""
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -202,32 +202,32 @@ class Uncompilable(Amplifier):
 
 
 class WrongInput(Amplifier):
-    """Wants what the slot of a drive does not offer."""
+    """Has an input that a drive's slot does not offer."""
 
     inputs = (Port("comand"),)
 
 
 class WrongOutput(Amplifier):
-    """Does not give what the slot of a drive wants."""
+    """Lacks the output that a drive's slot needs."""
 
     outputs = (Port("current"),)
 
 
 class Deaf(Amplifier):
-    """Does not take what the slot wires to it."""
+    """Lacks the input that the slot wires to it."""
 
     inputs = ()
 
 
 class Boundless(Amplifier):
-    """Has a parameter without bounds, not said on purpose."""
+    """Has a parameter without bounds and does not declare that as intended."""
 
     example = {"gain": 1.0}
     gain: float = param(doc="g")
 
 
 class Undocumented(Amplifier):
-    """Has a parameter that nobody explains."""
+    """Has a parameter without a description."""
 
     example = {"gain": 1.0}
     gain: float = param(minimum=0.0, doc="")
@@ -251,13 +251,13 @@ class BadExample(Amplifier):
 
 
 class NoExample(Amplifier):
-    """Has a parameter that has to be given, and an example without it."""
+    """Has a required parameter, and an example without it."""
 
     gain: float = param(minimum=0.0, doc="g")
 
 
 class ForgottenDerived(Amplifier):
-    """Names a derived constant and works none out."""
+    """Names a derived constant and computes none."""
 
     derived = ("half",)
 
@@ -270,7 +270,7 @@ class Lawless(SmoothCoulomb):
 
 
 class Clash(SmoothCoulomb):
-    """A friction with a parameter of the same name as the plant's it is checked with."""
+    """A friction with a parameter name that the plant of the check also has."""
 
     kind = "clash"
     example = {**SmoothCoulomb.example, "mass": 1.0}
@@ -278,7 +278,7 @@ class Clash(SmoothCoulomb):
 
 
 class LyingGain(Saturation):
-    """Says in its linear model that it doubles."""
+    """Has a gain of two in its linear model."""
 
     kind = "lying-gain"
 
@@ -287,7 +287,7 @@ class LyingGain(Saturation):
 
 
 class LyingName(Saturation):
-    """Names in its linear model a port that it has not."""
+    """Names a port in its linear model that it does not have."""
 
     kind = "lying-name"
 
@@ -296,7 +296,7 @@ class LyingName(Saturation):
 
 
 class LyingShape(Saturation):
-    """Gives in its linear model matrices that do not fit each other."""
+    """Has matrices in its linear model that do not fit each other."""
 
     kind = "lying-shape"
 
@@ -305,7 +305,7 @@ class LyingShape(Saturation):
 
 
 class LyingPole(MassDamper):
-    """Says in its linear model that it is damped 1 % less."""
+    """Has 1 % less damping in its linear model."""
 
     kind = "lying-pole"
 
@@ -314,7 +314,7 @@ class LyingPole(MassDamper):
 
 
 class LyingSign(DisturbanceObserver):
-    """Has in its linear model the wrong sign for the command."""
+    """Has the wrong sign for the command in its linear model."""
 
     kind = "lying-sign"
 

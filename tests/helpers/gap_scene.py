@@ -1,8 +1,8 @@
-"""A drive with backlash around a circle, and what an observer at its motor says of the gap.
+"""A drive with backlash around a circle, and the gap estimates of an observer at its motor.
 
 Radius 25 mm from rest to rest at a stated feed; motor and load of the paper (J_m 5.2e-3, J_l 4.4e-3 kg m^2, k_s 950 N m/rad, lead 16 mm),
 guides that rub with 40 N, a P-PI cascade on the motor's side (velocity loop 150 rad/s, K_v 30 1/s), motor encoder of 0.125 um. The y axis
-turns round twice, the x axis once, besides where it starts and stops.
+reverses twice, the x axis once, not counting start and stop.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ DRIVE = {
     "load_damping": 7e-4,
 }
 OFF = {"load_inertia": 4.4e-3, "coulomb": RUB, "load_damping": 7e-4, "torque_gain": 1.0}
-"""What the observer may have wrong."""
+"""Parameters that the observer may have wrong."""
 
 
 LIGHT = {"motor_inertia": 2e-4, "mass": 33.0, "lead": 0.01, "stiffness": 253.0, "shaft_damping": 0.008, "load_damping": 4.13e-3}
@@ -75,7 +75,7 @@ def estimates(feed: float, period: float, gaps: Array, part: float, seeds: int) 
 
 
 def drawn(random: np.random.Generator) -> tuple[dict[str, float], float, float, float]:
-    """Return a drive, its guides' friction [N], its gap [m] and a feed [mm/min], drawn from what feed drives are."""
+    """Return a drive, its guides' friction [N], its gap [m] and a feed [mm/min], drawn from the ranges of feed drives."""
     lead = random.choice([5e-3, 10e-3, 16e-3, 20e-3])
     turn = 2.0 * math.pi / lead
     rotor = 10.0 ** random.uniform(-4.0, -2.2) * turn**2
@@ -88,7 +88,7 @@ def drawn(random: np.random.Generator) -> tuple[dict[str, float], float, float, 
 
 
 def recorded(feed: float, period: float, gap: float, drive: dict[str, float] = DRIVE, rub: float = RUB) -> dict[str, Array]:
-    """Return what a run without an observer was like, of the y axis: what an observer would be fed, and the truth."""
+    """Return signals of the y axis from a run without an observer: the inputs of an observer, and the true values."""
     result = cl.simulate(*scene(feed, period, gap, None, drive, rub))
     applied = result["applied_command"][:, 1]
     return {

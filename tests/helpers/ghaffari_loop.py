@@ -1,7 +1,7 @@
-"""The loop of Ghaffari & Ulsoy a second time, straight from the paper's equations and tables, sharing no line with contourlab.
+"""The loop of Ghaffari & Ulsoy written a second time from the paper's equations and tables; it shares no code with contourlab.
 
-What is done another way: the plant's motion between ticks is the closed-form exponential, its reversals lie where the logarithm says; the
-foot point is iterated to the end in the curve's own parameter. Lengths in mm, as the paper prints them.
+Differences: between ticks the plant moves by the closed-form exponential, with reversals from the logarithm; the foot point is iterated to
+convergence in the curve's own parameter. Lengths in mm, as the paper prints them.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ COUNT = 0.125e-3
 
 @dataclass(frozen=True)
 class Open:
-    """What the paper leaves open, as contourlab's reproduction reads it."""
+    """Values that the paper leaves open, as in contourlab's reproduction."""
 
     period: float = 1e-3
     wd: float = 200.0
@@ -157,14 +157,14 @@ class Servo:
     ideal: bool = False
 
     def measure(self) -> float:
-        """Count the position, and work out the velocity."""
+        """Count the position and compute the velocity."""
         now = COUNT * round(self.position / COUNT) if not self.ideal else self.position
         self.slope += low_pass(self.reading.wv, self.reading) * ((now - self.seen) / self.reading.period - self.slope)
         self.seen = now
         return now
 
     def act(self, wanted: float, velocity: float, acceleration: float) -> None:
-        """Give a command and hold it for a period; the integral stands while the drive is at its limit and the error pushes on."""
+        """Give a command and hold it for a period; the integral is frozen while the drive is saturated and the error pushes further."""
         g, r = self.line, self.reading
         self.smooth += low_pass(r.wz, r) * (self.slope - self.smooth)
         residual = (r.wz * (self.slope - self.smooth) + g.bh * self.slope) / g.ah - self.command
@@ -226,7 +226,7 @@ def run(first: int, table: dict[int, Line], shape: Shape, frequency: float, read
 
 
 def nearest(shape: Shape, u: float, point: tuple[float, float]) -> float:
-    """Return the parameter of the foot point by Newton's iteration to the end."""
+    """Return the parameter of the foot point by Newton's iteration to convergence."""
     for _ in range(20):
         (x, y), (dx, dy), (ddx, ddy) = shape.at(u)
         gx, gy = x - point[0], y - point[1]
@@ -238,7 +238,7 @@ def nearest(shape: Shape, u: float, point: tuple[float, float]) -> float:
 
 
 def sampled_poles(n: int, line: Line, reading: Open) -> NDArray[np.complex128]:
-    """Return the poles of one axis' loop from tick to tick, reference at rest, no friction and no counting: by moving each state by one."""
+    """Return the poles of one sampled axis loop, from its response to a unit of each state; no reference, friction or encoder counts."""
     names = ("position", "speed", "seen", "slope", "smooth", "estimate", "integral", "command")
     columns = []
     for name in names:

@@ -1,4 +1,4 @@
-"""Made logs of axes whose figures are known, and what ``contourlab identify`` finds in them."""
+"""Synthetic logs of axes with known parameters, and the results of ``contourlab identify``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Stages that learn: linear ones to reason about, and one with everything that a real machine has."""
+"""Stages that learn: linear ones to reason about, and one with all the parts of a real machine."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs made by hand, so that their errors are known: no machine and no controller."""
+"""Runs built without machine and controller, so that their errors are known."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def made_run(reference: Reference, tool: Array, **more: Array) -> Result:
 
 
 def with_error(result: Result, contour_error: Array, **more: Any) -> Result:
-    """Return a result with judge's signals that are given, not worked out."""
+    """Return a result whose judge's signals are given, not computed."""
     one = Signal(contour_error, ("sample",), "m")
     tracking = Signal(np.zeros((len(contour_error), len(result.axes))), ("sample", "axis"), "m")
     foot = result.signals["arc_length"]
@@ -40,7 +40,7 @@ def with_error(result: Result, contour_error: Array, **more: Any) -> Result:
 
 
 def samples_on(path: Path, arc_length: Array, programmed: Path | None = None) -> Reference:
-    """Return a reference that stands at the given arc lengths of a path, one a sample."""
+    """Return a reference at the given arc lengths of a path, one per sample."""
     return Reference.from_samples(path.position(arc_length), PERIOD, path, arc_length=arc_length, programmed=programmed)
 
 

@@ -1,4 +1,4 @@
-"""What is worked out once for all processes of a test run."""
+"""Compute a value once for all processes of a test run."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ PATIENCE = 1200.0
 
 
 def once(factory: pytest.TempPathFactory, worker: str, name: str, make: Callable[[], Any]) -> Any:
-    """Return what `make` gives, as JSON holds it: made by the first process that asks, read by the others.
+    """Return the result of `make` as JSON values: the first process computes it, the others read it.
 
     Parameters
     ----------
     factory : pytest.TempPathFactory
     worker : str
-        Name of this process, ``"master"`` where there is one alone.
+        Name of this process, ``"master"`` if it is the only one.
     name : str
-        Of what is made.
+        Name of the value.
     make : callable
     """
     base = factory.getbasetemp()
@@ -34,13 +34,13 @@ def once(factory: pytest.TempPathFactory, worker: str, name: str, make: Callable
     except FileExistsError:
         return _awaited(result)
     try:
-        told: dict[str, Any] = {"made": make()}
+        record: dict[str, Any] = {"made": make()}
     except BaseException as error:
-        told = {"failed": f"{type(error).__name__}: {error}"}
+        record = {"failed": f"{type(error).__name__}: {error}"}
         raise
     finally:
         part = result.with_suffix(".part")
-        part.write_text(json.dumps(told), encoding="utf-8")
+        part.write_text(json.dumps(record), encoding="utf-8")
         part.replace(result)
     return json.loads(result.read_text(encoding="utf-8"))["made"]
 
@@ -51,7 +51,7 @@ def _awaited(result: Path) -> Any:
         if time.monotonic() > end:
             pytest.fail(f"{result.name} was not made by another process within {PATIENCE:g} s")
         time.sleep(0.2)
-    told = json.loads(result.read_text(encoding="utf-8"))
-    if "failed" in told:
-        pytest.fail(f"{result.name} failed in another process: {told['failed']}")
-    return told["made"]
+    record = json.loads(result.read_text(encoding="utf-8"))
+    if "failed" in record:
+        pytest.fail(f"{result.name} failed in another process: {record['failed']}")
+    return record["made"]

@@ -23,13 +23,13 @@ BROKEN = (
 
 
 class Writer:
-    """Writes one program; a few of its methods know what the lines before them left in force."""
+    """Writes one program; some methods depend on the modes that earlier lines set."""
 
     def __init__(self, seed: int, *, broken: bool = True, fanuc: bool = False) -> None:
         self.dice = random.Random(seed)
         self.plane, self.broken, self.label, self.depth = "G17", broken, 100, 0
         self.subs: list[str] = []
-        # A break leaves a mark in the pre-release of LinuxCNC 2.9, by which a later do loop is left at once.
+        # In the pre-release of LinuxCNC 2.9 a break leaves a flag that ends a later do loop at once.
         self.breaks = self.dice.random() < 0.5
         self.lines = [f"{self.dice.choice(['G21', 'G20', 'G21'])} S500 M{self.dice.choice('34')} F100", "#7 = 4.5", "G1 X1 Y1"]
         self.kinds: list[tuple[int, Callable[[], list[str]]]] = [
@@ -113,7 +113,7 @@ class Writer:
     def data(self) -> list[str]:
         turn = f" R{self.dice.choice(ANGLES)}" if self.dice.random() < 0.4 else ""
         if self.dice.random() < 0.6:
-            # With a shift of G92 in force, LinuxCNC loses its place where the rotation changes: its next incremental move goes astray.
+            # With a G92 shift in force, LinuxCNC loses its position when the rotation changes: its next incremental move is wrong.
             return (["G92.1"] if turn else []) + [f"G10 L2 P{self.dice.randrange(10)}{self.axes()}{turn}"]
         return [f"G10 L20 P{self.dice.randrange(10)}{self.axes(least=1)}"]
 
@@ -144,7 +144,7 @@ class Writer:
         first, second, normal = AXES[plane]
         code = self.dice.choice(["G73", "G74", "G81", "G82", "G83", "G84", "G85", "G86", "G88", "G89", "G81", "G83", "G82"])
         if plane != "G17" and code in ("G74", "G84"):
-            code = "G81"  # there the pre-release of LinuxCNC 2.9 swaps the axes, a slip mended since
+            code = "G81"  # there the pre-release of LinuxCNC 2.9 swaps the axes, a bug fixed since
         absolute = self.dice.random() < 0.6
         at = f" {first}{self.number()}" + (f" {second}{self.number()}" if self.dice.random() < 0.6 else "")
         depth = f" {normal}{self.dice.choice(['-3', '-4.25', '-10'])} R{self.dice.choice(['-1', '0', '2', '5'])}"
@@ -230,7 +230,7 @@ class Writer:
             return self.straight()
         self.depth += 1
         label = self.fresh()
-        broken, self.broken = self.broken, False  # a fault in a subprogram is told at its call
+        broken, self.broken = self.broken, False  # a fault in a subprogram is reported at its call
         body = [line for _ in range(self.dice.randrange(1, 4)) for line in self.block()]
         self.broken = broken
         loop = self.while_loop if self.breaks else self.do_loop

@@ -24,10 +24,10 @@ SHARED = Path(__file__).parents[2].parent / "shared"
 TOOL = SHARED / "tools" / "rs274_oracle.py"
 NEEDED = [
     pytest.mark.oracle,
-    # The shared tool leaves the closing of its files to the interpreter.
+    # The shared tool does not close its files.
     pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::pytest.PytestUnraisableExceptionWarning"),
     pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed"),
-    pytest.mark.skipif(not TOOL.is_file(), reason="the shared oracle tools are not beside the repository"),
+    pytest.mark.skipif(not TOOL.is_file(), reason="the shared oracle tools are not next to the repository"),
 ]
 KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Dwell: "dwell", Spline: "nurbs"}
 
@@ -59,7 +59,7 @@ class Made:
 
 
 def our_moves(text: str, folder: Path | None = None, tools: Path | None = None) -> tuple[list[Made], ProgramError | None]:
-    """Return the moves read up to an error, those of no length too, and the error."""
+    """Return the moves up to an error, including those of zero length, and the error."""
     made: list[Made] = []
     reader = Reader(text.split("\n"), "text", Reading(require_end=False, folder=folder, tools=tools), still=True)
     try:
@@ -67,13 +67,13 @@ def our_moves(text: str, folder: Path | None = None, tools: Path | None = None) 
             made.append(Made(move, reader.state.feedrate, reader.state.feed_mode == "per_turn"))
             assert len(made) < 100_000, "an endless loop"
     except ProgramError as error:
-        return made, None if "holds no motion" in error.message else error
+        return made, None if "contains no motion" in error.message else error
     return made, None
 
 
 def their_moves(oracle: ModuleType, file: Path, backend: str, **options: Any) -> tuple[Theirs, str]:
-    """Return LinuxCNC's moves, dwells of no time left out, and its complaint, empty where there is none."""
-    # It keeps the tools in a file of the home folder, which interpreters that run at the same time would share.
+    """Return LinuxCNC's moves without dwells of zero time, and its error message, empty if there is none."""
+    # LinuxCNC keeps the tools in a file of the home folder, which parallel interpreters would share.
     with tempfile.TemporaryDirectory() as home, pytest.MonkeyPatch.context() as patch:
         patch.setenv("HOME", home)
         try:
@@ -91,7 +91,7 @@ def refused_line(complaint: str) -> int:
 
 
 def difference(made: list[Made], theirs: Theirs, *, exact: bool, inches: bool = True) -> str:
-    """Return how the two lists of moves differ, empty where they do not; `exact` where full doubles were printed, else four decimals."""
+    """Return how the two lists of moves differ, empty if they agree; `exact` means full doubles, else four decimals."""
     near = 1e-8 if exact else 5e-3 if inches else 2e-4
     left = list(theirs)
     for mine in made:
@@ -143,7 +143,7 @@ def _tip(point: tuple[float, float, float], move: Any) -> list[float]:
 
 
 def _spline_left(move: Spline, theirs: Theirs, near: float) -> tuple[Theirs, str]:
-    """Take the chords of a spline from their moves; each of their ends must lie on our curve, the last one at its end."""
+    """Remove the chords of a spline from LinuxCNC's moves; each must end on our curve, the last one at its end."""
     count = 0
     end = _tip(move.end, move)
     vertices: list[tuple[float, float, float]] = []
@@ -161,7 +161,7 @@ def _spline_left(move: Spline, theirs: Theirs, near: float) -> tuple[Theirs, str
 
 
 def farthest_aside(move: Spline, vertices: np.ndarray[Any, np.dtype[np.float64]]) -> float:
-    """Return how far the farthest of some points [mm] lies from a spline [mm]: dense samples first, then the nearest is refined."""
+    """Return the largest distance of points [mm] from a spline [mm]: dense samples first, then the nearest is refined."""
     tips = np.array([_tip(point, move) for point in move.points])
     curve = Nurbs(move.degree, tips, move.knots, move.weights)
     u = np.linspace(curve.first, curve.last, 4001)
@@ -169,7 +169,7 @@ def farthest_aside(move: Spline, vertices: np.ndarray[Any, np.dtype[np.float64]]
     worst = 0.0
     for vertex in vertices:
         gaps = np.sum((samples - vertex) ** 2, axis=1)
-        # Where the curve turns back sharply, the nearest sample may lie on the wrong branch: all low points are refined.
+        # Where the curve turns back sharply, the nearest sample may lie on the wrong branch: refine all low points.
         low_points = [i for i in np.argsort(gaps)[:12] if gaps[i] <= min(gaps[max(i - 1, 0)], gaps[min(i + 1, len(u) - 1)])]
         worst = max(worst, min(_refined(curve, vertex, u[max(i - 1, 0)], u[min(i + 1, len(u) - 1)]) for i in low_points))
     return worst
@@ -206,7 +206,7 @@ def modes(file: Path) -> list[tuple[str, float | None, float | None]]:
 
 
 def compare(oracle: ModuleType, file: Path, *, backend: str = "gcode", tools: Path | None = None) -> tuple[int, str]:
-    """Compare move by move, up to the line that both refuse; return how many moves there were, and the difference, empty for none."""
+    """Compare move by move up to the line that both refuse; return the number of moves and the difference, empty if there is none."""
     options = {} if backend == "gcode" or tools is None else {"tool": str(tools)}
     theirs, complaint = their_moves(oracle, file, backend, **options)
     text = file.read_text(encoding="latin-1")
@@ -214,22 +214,22 @@ def compare(oracle: ModuleType, file: Path, *, backend: str = "gcode", tools: Pa
     if bool(complaint) != (error is not None):
         return len(made), f"ours: {error}\n    theirs: {complaint or 'accepted'}"
     if error is not None and backend == "gcode":
-        in_subprogram = re.search(r"(?im)^ *o.* call", text)  # a fault there is told at the line of the call
-        # It counts a line that it could not read as the one behind it; what has no end it sees at the end of the text.
+        in_subprogram = re.search(r"(?im)^ *o.* call", text)  # a fault there is reported at the line of the call
+        # LinuxCNC reports an unreadable line as the next one, and a missing end at the end of the text.
         if refused_line(complaint) - error.line not in (0, 1) and "has no end" not in error.message and not in_subprogram:
             return len(made), f"refused on different lines: ours {error}\n    theirs: {complaint}"
-        # What a refused block did before its fault is nobody's business.
+        # Moves that a refused block made before its fault do not count.
         made = [m for m in made if m.move.source_line != error.line]
         theirs = [t for t in theirs if t["line"] != error.line]
     exact = backend == "gcode"
     wrong = difference(made, theirs, exact=exact, inches="G20" in text.upper())
     if wrong and exact:
-        # Where a height is met but for the last bit, there may be a move of no length more or less.
-        wrong = difference([m for m in made if not _stands(m.move)], _without_stops(theirs), exact=True)
+        # If heights agree up to the last bit, there may be a zero-length move more or less.
+        wrong = difference([m for m in made if not _is_stop(m.move)], _without_stops(theirs), exact=True)
     return len(made), wrong
 
 
-def _stands(move: Move) -> bool:
+def _is_stop(move: Move) -> bool:
     return isinstance(move, Traverse | Feed) and math.dist(move.start, move.end) < 1e-12
 
 

@@ -1,4 +1,4 @@
-"""Results held against the JSON Schemas of the commands that print them."""
+"""Check results against the JSON Schemas of their commands."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from contourlab.cli.commands.schema import results
 
 @cache
 def validator(command: str) -> Draft202012Validator:
-    """Return what checks the result of a command; keys that the schema lacks are errors, which the published schema permits."""
+    """Return the validator of a command's result; unlike the published schema, it rejects keys that the schema lacks."""
     schema = _closed(json_schema(results()[command]))
     Draft202012Validator.check_schema(schema)
     return Draft202012Validator(schema)
 
 
 def check_results(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Hold whatever a command prints with --json against its schema."""
+    """Check everything that commands print with --json against their schemas."""
     call, commands = main._call, [""]
 
     def named_call(words: list[str]) -> int:

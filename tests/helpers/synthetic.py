@@ -1,4 +1,4 @@
-"""Runs with known errors: a circle gone round with a lag and a given radial deviation, judged by the judge itself."""
+"""Runs with known errors: laps of a circle with a lag and a given radial deviation, judged by the real judge."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def response(bandwidth: float) -> FrequencyResponse:
 
 
 def scheme(name: str, reference: Reference, amplitude: float, tolerance: float = 5e-6) -> SchemeReport:
-    """Return one run with all that can be told of it."""
+    """Return one run with every entry of a report."""
     result = run(name, reference, amplitude)
     n = len(result.axes)
     bounds = AxisBounds(np.full(n, 0.1), np.full(n, 1.0), np.full(n, 20.0), np.ones(n))

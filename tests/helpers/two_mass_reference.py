@@ -1,4 +1,4 @@
-"""Two masses with a gap between them as an independent solver moves them: one smooth problem between two events, of its event finding."""
+"""Two masses with a gap, moved by an independent solver: one smooth problem between two events that it locates."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ Array = NDArray[np.float64]
 
 @dataclass
 class Reference:
-    """Masses [kg], stiffness [N/m], damping [N s/m], half of the free travel [m] where the load is at 0 and its slope, and frictions [N].
+    """Masses [kg], stiffness [N/m], damping [N s/m], half of the free travel [m] with the load at 0, its slope, and frictions [N].
 
-    `coulomb` and `breakaway` are pairs: of the motor and of the load. A side of 2 stands for a linear shaft without a gap.
+    `coulomb` and `breakaway` are pairs (motor, load). A side of 2 means a linear shaft without a gap.
     """
 
     motor: float
@@ -76,7 +76,7 @@ class Reference:
         return ways[0], ways[1]
 
     def _after(self, what: str, body: int, side: int, ways: tuple[int, int], y: Array, push: float) -> tuple[int, int]:
-        """Return which way the bodies slide behind an event: one that rests may be kicked loose by a damped shaft that takes hold."""
+        """Return the sliding directions after an event; a damped shaft that engages may kick a resting body loose."""
         after = list(ways)
         for b, net in enumerate(self.nets(side, y, push)):
             free = int(math.copysign(1.0, net))

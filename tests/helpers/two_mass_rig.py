@@ -24,7 +24,7 @@ DRIVE = {"motor_inertia": 5.2e-3, "load_inertia": 4.4e-3, "lead": 0.016, "stiffn
 
 @cache
 def opened(step: Step) -> Step:
-    """Return a step that gives its states too, under their names with an x behind."""
+    """Return a step that also outputs its states, under their names with the suffix _x."""
     inner = step.function
 
     def function(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -73,13 +73,13 @@ class Drive:
 
 
 def half_gap(plant: Any, position: Array) -> Array:
-    """Return half of the free travel where the load stands (n,) [m]."""
+    """Return half of the free travel at the load's position (n,) [m]."""
     places = plant.profile_start + plant.profile_step * np.arange(len(plant.gap_profile))
     return np.asarray(plant.constants().half_gap * np.interp(position, places, plant.gap_profile))
 
 
 def energy(plant: Any, run: dict[str, Array]) -> Array:
-    """Return what two masses and the shaft between them hold [J], the twist that is left in the gap among it."""
+    """Return the energy of both masses and the shaft [J], including the twist left in the gap."""
     d, side = plant.constants(), run["side_x"]
     twist = np.where(side == 0.0, run["twist_x"], run["motor_position"] - run["position"] - side * half_gap(plant, run["position"]))
     kinetic = run["motor_velocity"] ** 2 / d.motor_mobility + run["velocity"] ** 2 / d.load_mobility
@@ -87,13 +87,13 @@ def energy(plant: Any, run: dict[str, Array]) -> Array:
 
 
 def gains(plant: Any, run: dict[str, Array], command: Array) -> Array:
-    """Return what the energy rises by in each tick but the first, over what the held command has done [J]."""
+    """Return the energy rise in each tick but the first, minus the work of the held command [J]."""
     work = plant.constants().force_value * command[1:] * np.diff(run["motor_position"])
     return np.asarray(np.diff(energy(plant, run)) - work)
 
 
 def random_command(rng: np.random.Generator, n: int, level: float) -> Array:
-    """Return n samples, each held for 1 to 32 ticks, of sizes over three decades, and with stretches of nothing."""
+    """Return n samples, each held for 1 to 32 ticks, of sizes over three decades, some of them zero."""
     held = rng.integers(1, 33, n)
     size = level * 10.0 ** rng.uniform(-2.0, 1.0, n) * rng.normal(size=n) * (rng.random(n) > 0.1)
     return np.repeat(size, held)[:n]

@@ -54,7 +54,7 @@ ON_XYZ = ("--machine", "xyz", "--controller", "xyz-controller")
 
 @dataclass(frozen=True)
 class Said:
-    """What a command left: its exit code and the two streams."""
+    """The outcome of a command: its exit code and both streams."""
 
     code: int
     out: str
@@ -65,7 +65,7 @@ Run = Callable[..., Said]
 
 
 def environment(changes: Mapping[str, str] | None = None) -> dict[str, str]:
-    """Return the user's environment without what changes the look of the output; the cache of compiled code stays."""
+    """Return the user's environment without the variables that change the output; the cache of compiled code stays."""
     dropped = {"NO_COLOR", "FORCE_COLOR", "COLUMNS", "LINES", "CONTOURLAB_JIT"}
     return {**{name: value for name, value in os.environ.items() if name not in dropped}, **(changes or {})}
 
@@ -91,7 +91,7 @@ def invoke(
         sys.stdin, sys.stdout, sys.stderr = was[:3]
         os.environ.clear()
         os.environ.update(was[3])
-        # A plugin of one test is not there for the next.
+        # Drop the plugins of this test.
         for mine, theirs in ((registry._plugins, was[4]), (load._loaded, was[5])):
             mine.clear()
             mine.update(theirs)  # type: ignore[arg-type]
@@ -115,7 +115,7 @@ def _in_its_own_process(
 
 
 def drag(kind: str, factor: float = 1.0) -> str:
-    """Return the text of a plugin: a friction of a kind, so many times its coefficient and the speed."""
+    """Return the text of a friction plugin: `factor` times its coefficient times the speed."""
     return f'''
 from contourlab.components.contract import Component, param
 
@@ -142,7 +142,7 @@ def contents(folder: Path) -> dict[str, str]:
 
 @dataclass(frozen=True)
 class Finished:
-    """A run that is done: its folder of results and what it said."""
+    """A finished run: its folder of results and its output."""
 
     folder: Path
     said: Said

@@ -1,4 +1,4 @@
-"""The command line as a user has it, and two runs that several tests look at."""
+"""The command line as a user types it, and two runs for several tests."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typed_commands import CIRCLE, ON_XYZ, PART, SCHEMES, Finished, Run, Said, i
 
 @pytest.fixture
 def contourlab(tmp_path: Path) -> Run:
-    """Run the command in an empty folder, with words as typed."""
+    """Run the command in an empty folder, as typed."""
 
     def run(*words: str | Path, **how: object) -> Said:
         return invoke(tmp_path, *words, **how)  # type: ignore[arg-type]
@@ -20,7 +20,7 @@ def contourlab(tmp_path: Path) -> Run:
 
 @pytest.fixture(scope="session")
 def circle(tmp_path_factory: pytest.TempPathFactory) -> Finished:
-    """The circle under two schemes, of which one fails its tolerance, with ``--json``."""
+    """The circle under two schemes, one of which fails its tolerance, with ``--json``."""
     place = tmp_path_factory.mktemp("circle")
     (place / "circle.toml").write_text(CIRCLE + SCHEMES, encoding="utf-8")
     return Finished(place / "results", invoke(place, "run", "circle.toml", "--out", "results", "--json"))

@@ -1,4 +1,4 @@
-"""The table of part programs: its commands can be repeated, and an interruption leaves what was done."""
+"""The table of part programs: its commands can be repeated, and an interruption keeps the finished rows."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def programs() -> ModuleType:
 
 
 def write_parts(folder: Path) -> Path:
-    """Write programs that only the options bring onto the machine: one too large, one without an end."""
+    """Write programs that need the options to run on the machine: one too large, one without an end."""
     parts = folder / "some parts"
     parts.mkdir()
     (parts / "a.ngc").write_text("G21 G90 F9000\nG1 X900\n", encoding="ascii")
@@ -52,7 +52,7 @@ def test_the_command_repeats_the_run(programs: ModuleType, tmp_path: Path, capsy
     assert main([*shlex.split(programs.command_of(parts / "a.ngc"))[1:], "--check"]) == 0
 
 
-def test_an_interruption_leaves_what_was_done(
+def test_an_interruption_keeps_the_finished_rows(
     programs: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def run(file: Path, out: Path) -> dict[str, Any]:

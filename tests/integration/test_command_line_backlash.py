@@ -47,7 +47,7 @@ feedrate = "8000 mm/min"
 """
 
 
-def told(capsys: pytest.CaptureFixture[str], *words: str, code: int = 0) -> str:
+def output(capsys: pytest.CaptureFixture[str], *words: str, code: int = 0) -> str:
     assert main(list(words)) == code
     return capsys.readouterr().out
 
@@ -62,7 +62,7 @@ def written(tmp_path: Path) -> Callable[..., str]:
 
 
 def test_gap_and_cure_of_a_loose_stage(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
-    found = json.loads(told(capsys, "backlash", written(DRIVE), "--json"))["schemes"]["base"]
+    found = json.loads(output(capsys, "backlash", written(DRIVE), "--json"))["schemes"]["base"]
     for axis in "xy":
         seen = found["axes"][axis]
         assert seen["backlash_gap"] == pytest.approx(50e-6)
@@ -76,16 +76,16 @@ def test_gap_and_cure_of_a_loose_stage(written: Callable[..., str], capsys: pyte
     assert trials[found["recommended"]] <= trials["as it is"]
 
 
-def test_what_is_recommended_can_be_put_into_the_scenario(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_recommendation_can_be_put_into_the_scenario(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
     rubbing = DRIVE.replace('"40 N"', '"250 N"').replace("8000 mm/min", "2000 mm/min")
-    found = json.loads(told(capsys, "backlash", written(rubbing), "--json"))["schemes"]["base"]
+    found = json.loads(output(capsys, "backlash", written(rubbing), "--json"))["schemes"]["base"]
     assert found["recommended"] != "as it is"
     trials = {trial["name"]: trial["part_error_rms"] for trial in found["trials"]}
     text = rubbing + "\n" + found["toml"]
     case = load_scenario(written(text, "with.toml")).cases()[0]
     assert all(case.controller.axes[axis].compensation is not None for axis in "xy")
     report = json.loads(
-        told(capsys, "run", written(text, "with.toml"), "--json", "--out", str(Path(written(text, "with.toml")).parent / "o"))
+        output(capsys, "run", written(text, "with.toml"), "--json", "--out", str(Path(written(text, "with.toml")).parent / "o"))
     )
     here = report["schemes"]["base"]["metrics"]["part_error"]["rms"]
     # The recommendation is printed with three digits.
@@ -93,7 +93,7 @@ def test_what_is_recommended_can_be_put_into_the_scenario(written: Callable[...,
     assert here < 0.8 * trials["as it is"]
 
 
-def test_a_machine_without_backlash_is_refused_in_a_sentence(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_machine_without_backlash_is_refused(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["backlash", written(DRIVE, gap="0 um")]) == 2
     said = capsys.readouterr().err
     assert "backlash" in said and said.count("\n") == 1
@@ -117,7 +117,7 @@ OTHER = 'others.gap = {kind = "cascade", position_gain = "1 1/s", velocity_gain 
         (MOTOR, f'{MOTOR}\nsupervisor = {{kind = "estimator-based"}}\n{OTHER}', "gap_observer"),
     ],
 )
-def test_what_cannot_be_is_told_with_its_key(
+def test_an_invalid_value_is_refused_with_its_key(
     old: str, new: str, said: str, written: Callable[..., str], capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     text = DRIVE.replace("GAP", "50 um").replace(old, new)
@@ -150,14 +150,14 @@ def test_a_moving_start_and_a_change_on_the_way_are_read_and_written_back(
 
 
 @pytest.mark.slow
-def test_the_shipped_part_goes_as_its_page_says(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    out = told(capsys, "compare", str(builtin_file("backlash/part.toml")), "--json", "--out", str(tmp_path), code=1)
+def test_the_shipped_part_ranks_schemes_as_documented(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = output(capsys, "compare", str(builtin_file("backlash/part.toml")), "--json", "--out", str(tmp_path), code=1)
     rms = {name: found["metrics"]["part_error"]["rms"] for name, found in json.loads(out)["schemes"].items()}
     assert rms["scheme III"] < rms["CNC compensation"] < rms["PI cascade"]
     assert rms["scheme III, observed"] < 1.2 * rms["scheme III"]
 
 
-def test_what_has_no_effect_or_the_wrong_one_is_said(
+def test_settings_without_effect_or_with_the_wrong_one_are_reported(
     written: Callable[..., str], capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     offset = (
@@ -168,12 +168,12 @@ def test_what_has_no_effect_or_the_wrong_one_is_said(
     Path(written(DRIVE)).with_name("other.toml").write_text(
         '[controller.axes."*"]\ncontroller = {kind = "cascade", gains = {bandwidth = "80 rad/s"}}\n'
     )
-    out = told(capsys, "run", written(text), "--out", str(tmp_path / "o"))
+    out = output(capsys, "run", written(text), "--out", str(tmp_path / "o"))
     assert "CL101" in out and "CL104" in out
     route = f'{MOTOR}\n{OTHER}\nsupervisor = {{kind = "pre-routed", places = ["1 m"], numbers = [1]}}'
-    assert "CL103" in told(capsys, "run", written(DRIVE.replace(MOTOR, route)), "--out", str(tmp_path / "o"))
+    assert "CL103" in output(capsys, "run", written(DRIVE.replace(MOTOR, route)), "--out", str(tmp_path / "o"))
     lines = f'{MOTOR}\n{OTHER}\nsupervisor = {{kind = "pre-routed", by = "line", lines = [3], numbers = [1]}}'
-    assert "CL102" in told(capsys, "run", written(DRIVE.replace(MOTOR, lines)), "--out", str(tmp_path / "o"))
+    assert "CL102" in output(capsys, "run", written(DRIVE.replace(MOTOR, lines)), "--out", str(tmp_path / "o"))
 
 
 def test_a_supervisor_without_a_kind_is_the_performance_based_one(written: Callable[..., str]) -> None:
@@ -182,14 +182,14 @@ def test_a_supervisor_without_a_kind_is_the_performance_based_one(written: Calla
     assert supervisor is not None and supervisor.kind == "performance"
 
 
-def test_an_observer_that_is_sure_and_wrong_is_told_on(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
-    """33 kg on a lead of 10 mm with 103 N at 1 ms: friction holds the load while the motor crosses, and the gap is taken for smaller."""
+def test_a_confident_but_wrong_observer_is_reported(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
+    """33 kg on a lead of 10 mm with 103 N at 1 ms: friction holds the load while the motor crosses, and the gap is estimated too small."""
     text = DRIVE.replace('lead = "16 mm"', 'lead = "10 mm"').replace('motor_inertia = "52 kg*cm^2"', 'motor_inertia = "2 kg*cm^2"')
     text = (
         text.replace('load_inertia = "44 kg*cm^2"', 'mass = "33 kg"').replace('"950 N*m/rad"', '"253 N*m/rad"').replace('"40 N"', '"103 N"')
     )
     text = text.replace("substeps = 4", "substeps = 8").replace("150 rad/s", "100 rad/s").replace("30 1/s", "25 1/s")
-    found = json.loads(told(capsys, "backlash", written(text.replace("8000 mm/min", "4000 mm/min"), gap="80 um"), "--json"))
+    found = json.loads(output(capsys, "backlash", written(text.replace("8000 mm/min", "4000 mm/min"), gap="80 um"), "--json"))
     places = {one["place"] for one in found["schemes"]["base"]["findings"] if one["code"] == "CL382"}
     for name, axis in found["schemes"]["base"]["axes"].items():
         alone = axis["from_motor_alone"]

@@ -1,4 +1,4 @@
-"""``contourlab reproduce emps`` as typed, with logs that are made here."""
+"""``contourlab reproduce emps`` as typed, with synthetic logs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ PERIOD = 1e-3
 
 @pytest.fixture
 def held() -> dict[str, object]:
-    """What a log holds: an axis of 80 kg on two sines, its force in volts."""
+    """The contents of a log: an axis of 80 kg on two sines, its force in volts."""
     t = PERIOD * np.arange(9000)
     w, slow = 2.0 * np.pi * 0.9, 2.0 * np.pi * 0.3
     q = 0.02 * np.sin(w * t) + 0.03 * np.sin(slow * t)
@@ -31,17 +31,17 @@ def save(file: Path, held: dict[str, object]) -> Path:
     return file
 
 
-def test_without_a_log_it_says_which_and_from_where(contourlab: Run) -> None:
+def test_without_a_log_the_error_names_the_file_and_its_source(contourlab: Run) -> None:
     said = contourlab("reproduce", "emps")
     assert (said.code, said.out) == (2, "")
     assert said.err.startswith("contourlab: --log: ") and said.err.count("\n") == 1
     assert "DATA_EMPS.mat" in said.err
 
 
-def test_bad_input_is_refused_in_words_before_anything_is_written(contourlab: Run, tmp_path: Path, held: dict[str, object]) -> None:
+def test_bad_input_is_refused_before_anything_is_written(contourlab: Run, tmp_path: Path, held: dict[str, object]) -> None:
     whole = save(tmp_path / "whole.mat", held)
     save(tmp_path / "still.mat", held | {"qm": np.zeros(9000)})
-    for words, told in (
+    for words, message in (
         (("--log", "nowhere.mat"), "nowhere.mat: cannot be read: No such file or directory; give DATA_EMPS.mat"),
         (("--log", "still.mat"), "a record in which the axis moves"),
         (("--log", whole, "--validation", "nowhere.mat"), "nowhere.mat: cannot be read"),
@@ -49,7 +49,7 @@ def test_bad_input_is_refused_in_words_before_anything_is_written(contourlab: Ru
     ):
         said = contourlab("reproduce", "emps", *words)
         assert (said.code, said.out) == (2, ""), words
-        assert told in said.err and "Traceback" not in said.err
+        assert message in said.err and "Traceback" not in said.err
     assert {file.name for file in tmp_path.iterdir()} == {"whole.mat", "still.mat"}
 
 
@@ -60,8 +60,8 @@ def test_the_papers_without_a_log_take_none(contourlab: Run, paper: str, option:
     assert option in said.err
 
 
-def test_another_axis_is_identified_and_told_not_to_be_the_papers(contourlab: Run, tmp_path: Path, held: dict[str, object]) -> None:
-    """Figures of another log fail: they are not the paper's."""
+def test_another_axis_is_identified_and_fails_against_the_paper(contourlab: Run, tmp_path: Path, held: dict[str, object]) -> None:
+    """The figures of another log differ from the paper's and fail."""
     file = save(tmp_path / "mine.mat", held)
     said = contourlab("reproduce", "emps", "--log", file, "--validation", file, "--json")
     assert (said.code, said.err) == (1, "")

@@ -1,4 +1,4 @@
-"""What a user types or writes wrong: one line that says where, what, and what would be right; exit code 2; nothing written."""
+"""Mistakes of a user: one line that says where, what, and what would be right; exit code 2; nothing written."""
 
 from __future__ import annotations
 
@@ -140,7 +140,7 @@ def test_wrong_usage_says_where_help_is(contourlab: Run, tmp_path: Path, words: 
 
 
 @pytest.mark.parametrize("out", ["file/below", *(pytest.param(name, marks=pytest.mark.slow) for name in ("file", "file/below/that"))])
-def test_an_output_folder_that_cannot_be_is_found_before_the_run(contourlab: Run, tmp_path: Path, out: str) -> None:
+def test_an_invalid_output_folder_is_found_before_the_run(contourlab: Run, tmp_path: Path, out: str) -> None:
     (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
     (tmp_path / "file").write_text("the user's", encoding="utf-8")
     said = contourlab("run", "circle.toml", "--out", out)
@@ -150,7 +150,7 @@ def test_an_output_folder_that_cannot_be_is_found_before_the_run(contourlab: Run
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not Path("/proc/self").exists(), reason="no file system here that nobody can write to, whoever runs the tests")
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="no file system here that is read-only for every user")
 def test_a_file_system_that_refuses_files_is_2(contourlab: Run, tmp_path: Path) -> None:
     (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
     said = contourlab("run", "circle.toml", "--out", "/proc/self/results")

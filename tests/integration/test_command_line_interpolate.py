@@ -20,7 +20,7 @@ OFFSETS, RATIO, PHASE = (0.03, -0.02), 1.08, 0.06
 
 @pytest.fixture
 def typed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Run:
-    """The command in this process: the same words, and no second for the start of another one."""
+    """The command in this process, which saves the second that another one takes to start."""
     monkeypatch.chdir(tmp_path)
 
     def run(*words: str | Path, **how: object) -> Said:
@@ -31,12 +31,12 @@ def typed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Captur
 
 
 def motion(n: int = 8000) -> np.ndarray:
-    """To and fro over some 60 pitches."""
+    """Move to and fro over some 60 pitches."""
     return 30.0 * PITCH * np.sin(np.linspace(0.0, 2.3 * math.pi, n))
 
 
 def signals(x: np.ndarray, noise: float = 0.0, size: float = 0.5) -> tuple[np.ndarray, np.ndarray]:
-    """The model, written out on its own [V]."""
+    """Return the signals of the model, written independently [V]."""
     rng = np.random.default_rng(8)
     phase = TURN * x / PITCH
     u1 = size * np.cos(phase) + OFFSETS[0] + noise * rng.normal(size=x.size)
@@ -99,7 +99,7 @@ def test_the_recursive_fit_under_noise_without_a_reference(contourlab: Run, tmp_
     assert found["columns"] == ["cos", "sin"]
     assert found["method"] == "recursive" and found["updates"] > 1000
     constants = found["constants"]
-    # Noise leaves its size times sqrt(1 - lambda); four times that is out of reach.
+    # Noise leaves its size times sqrt(1 - lambda); allow four times that.
     assert [constants["offset_1"], constants["offset_2"]] == pytest.approx(OFFSETS, abs=4.0 * 0.002 * math.sqrt(1.0 - 0.998))
     errors = found["subdivisional_error"]
     assert errors["against"] == "shape"
@@ -128,19 +128,19 @@ def test_files_come_in_many_forms(typed: Run, tmp_path: Path, text: str, options
     assert (constants["offset_1"], constants["ratio"]) == pytest.approx((OFFSETS[0], RATIO), abs=1e-7)
 
 
-def test_missed_periods_are_said_and_are_1(contourlab: Run, tmp_path: Path) -> None:
+def test_missed_periods_are_reported_with_exit_code_1(contourlab: Run, tmp_path: Path) -> None:
     speed = np.concatenate([np.linspace(0.0, 0.7, 500), np.linspace(0.7, 0.0, 500)])
     x = PITCH * np.cumsum(speed)
     write(tmp_path / "signals.csv", "u1,u2", *signals(x))
     said = contourlab("interpolate", "signals.csv")
     assert (said.code, said.err) == (1, "")
     line = int(re.search(r"CL450 .*line\s+(\d+)", said.out)[1])  # type: ignore[index]
-    # Sample i stands in line i + 2, below the header.
+    # Sample i is in line i + 2, below the header.
     assert 0.49 < speed[line - 2] < 0.52
     write(tmp_path / "signals.csv", "u1,u2,reference [m]", *signals(x), x)
     found = json.loads(contourlab("interpolate", "signals.csv", "--json").out)
     assert found["missed"]["first_line"] == line
-    assert found["missed"]["n_sample"] > 200  # the reference tells every one of them
+    assert found["missed"]["n_sample"] > 200  # the reference reveals every one of them
 
 
 GOOD = [f"{a:.9f},{b:.9f}" for a, b in zip(*signals(motion(300)), strict=True)]
@@ -158,11 +158,11 @@ FAULTS = {
     "still": ("u1,u2\n" + "0.3,0.2\n" * 300, r"bad\.csv: u1 = 0\.3 throughout: .*stands still"),
     "still with noise": ("u1,u2\n" + "\n".join(STILL), r"bad\.csv: scatter .*no ellipse"),
     "arc": ("u1,u2\n" + "\n".join(ARC), r"bad\.csv: signals = .*move a pitch"),
-    "one column": ("u1\n1\n2\n", r"bad\.csv: which columns are the signals\?"),
-    "three unnamed": ("1,2,3\n4,5,6\n", r"bad\.csv: which columns.*--columns.*there are: 1, 2, 3"),
+    "one column": ("u1\n1\n2\n", r"bad\.csv: unknown signal columns"),
+    "three unnamed": ("1,2,3\n4,5,6\n", r"bad\.csv: unknown signal columns.*--columns.*there are: 1, 2, 3"),
     "twice": ("u1,u1\n1,2\n", r"bad\.csv: .*"),
     "units differ": ("u1 [V],u2 [mV]\n" + "\n".join(GOOD), r"bad\.csv: u1 is in V, u2 in mV"),
-    "reference without unit": ("u1,u2,reference\n" + "\n".join(row + ",1" for row in GOOD), r"bad\.csv: column reference says no unit"),
+    "reference without unit": ("u1,u2,reference\n" + "\n".join(row + ",1" for row in GOOD), r"bad\.csv: column reference has no unit"),
     "reference in volts": (
         "u1,u2,reference [V]\n" + "\n".join(row + ",1" for row in GOOD),
         r"bad\.csv: column reference: .*cannot be conv",
@@ -187,10 +187,10 @@ def test_a_bad_file_is_2_with_its_place(typed: Run, tmp_path: Path, name: str) -
         (["--pitch", "20"], "--pitch = '20': must be a length with its unit, such as \"20 um\""),
         (["--resolution", "20 kg"], 'such as "25 nm"'),
         (["--columns", "u1"], "two names"),
-        (["--columns", "u1,u1"], "named twice"),
+        (["--columns", "u1,u1"], "given twice"),
         (["--columns", "u1,u7"], "no column 'u7'; there are: t, u1, u2, reference"),
         (["--forgetting", "1.5"], "forgetting = 1.5: must be from 0.9 to 1"),
-        (["--columns", "u2,u1"], "wrong order: say --columns u1,u2"),
+        (["--columns", "u2,u1"], "wrong order: give --columns u1,u2"),
         (["--pitch", "40um"], "a pitch of 20 um would fit, not 40 um"),
         (["--out", "signals.csv/x"], "signals.csv/x"),
     ],

@@ -81,7 +81,7 @@ def test_learning_goes_on_where_it_ended(contourlab: Run, tmp_path: Path) -> Non
     assert not (tmp_path / "no").exists()
 
 
-def test_the_text_tells_trials_and_what_is_to_be_expected(contourlab: Run, tmp_path: Path) -> None:
+def test_the_text_shows_trials_and_the_forecast(contourlab: Run, tmp_path: Path) -> None:
     said = contourlab("learn", write(tmp_path, gain=0.9, half_width=0), "--schemes", "ilc", "--trials", "60")
     assert said.code == 0
     assert "before learning" in said.out
@@ -93,7 +93,7 @@ def test_the_text_tells_trials_and_what_is_to_be_expected(contourlab: Run, tmp_p
     ("words", "message"),
     [
         (["compare", "s.toml", "--schemes", "fb,fb"], "scheme 'fb' is given twice"),
-        (["compare", "s.toml", "--schemes", "fb,warp"], "no scheme 'warp': there are 'coupled', fb, ccc, mr, me, ilc, and these"),
+        (["compare", "s.toml", "--schemes", "fb,warp"], "no scheme 'warp': use one of 'coupled', fb, ccc, mr, me, ilc"),
         (["compare", "s.toml", "--schemes", "ccc+mr"], "at most one coupling"),
         (["learn", "s.toml", "--schemes", "coupled"], "no scheme learns"),
         (["learn", "s.toml", "--schemes", "ilc", "--trials", "0"], "--trials = 0: must be 1 or more"),
@@ -102,7 +102,7 @@ def test_the_text_tells_trials_and_what_is_to_be_expected(contourlab: Run, tmp_p
         (["learn", "nowhere.toml"], "nowhere.toml: cannot be read"),
     ],
 )  # fmt: skip
-def test_what_cannot_be_done_is_said(contourlab: Run, tmp_path: Path, words: list[str], message: str) -> None:
+def test_invalid_commands_are_refused(contourlab: Run, tmp_path: Path, words: list[str], message: str) -> None:
     write(tmp_path)
     said = contourlab(*words)
     assert (said.code, said.out) == (2, "")
@@ -110,7 +110,7 @@ def test_what_cannot_be_done_is_said(contourlab: Run, tmp_path: Path, words: lis
     assert not (tmp_path / "results").exists()
 
 
-def test_a_part_that_the_scenario_does_not_hold(contourlab: Run, tmp_path: Path) -> None:
+def test_a_part_missing_from_the_scenario_is_named(contourlab: Run, tmp_path: Path) -> None:
     file = tmp_path / "s.toml"
     text = (tmp_path / write(tmp_path)).read_text()
     file.write_text(text[: text.index("[learning]")])
@@ -133,12 +133,12 @@ def test_tables_of_other_schemes_are_kept(contourlab: Run, tmp_path: Path) -> No
 
 
 @pytest.mark.slow
-def test_an_interrupt_keeps_what_was_learned(tmp_path: Path) -> None:
+def test_an_interrupt_keeps_the_learned_tables(tmp_path: Path) -> None:
     text = (tmp_path / write(tmp_path, gain=0.1, half_width=274)).read_text()
-    # Without an end of its own: two passes, and no trial too few.
+    # No end condition: two passes run every trial.
     (tmp_path / "s.toml").write_text(text.replace("274}", "274, passes = 2}").replace("trials = 4", "improvement = 0"))
     words = [COMMAND, "learn", "s.toml", "--schemes", "ilc", "--trials", "100000"]
-    for patience in (6.0, 12.0, 24.0, 48.0):  # a busy machine may not have learned anything yet
+    for patience in (6.0, 12.0, 24.0, 48.0):  # on a busy machine no trial may have finished yet
         process = subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         time.sleep(patience)
         process.send_signal(signal.SIGINT)

@@ -48,7 +48,7 @@ def test_help_names_every_command_and_what_it_does(contourlab: Run) -> None:
 
 
 @pytest.mark.parametrize("word", ["new", "reproduce"])
-def test_half_a_command_shows_the_other_half(contourlab: Run, word: str) -> None:
+def test_an_incomplete_command_shows_what_is_missing(contourlab: Run, word: str) -> None:
     said = contourlab(word)
     assert said.code == 2
     assert {"new": "machine", "reproduce": "ghaffari"}[word] in said.out
@@ -60,7 +60,7 @@ def test_version_is_that_of_the_package(contourlab: Run) -> None:
     assert (said.code, said.out, said.err) == (0, f"contourlab {package.__version__}\n", "")
 
 
-@pytest.mark.skipif(os.name == "nt", reason="processor time of a child is not told on Windows")
+@pytest.mark.skipif(os.name == "nt", reason="Windows does not report the processor time of a child")
 def test_help_shows_units_in_brackets(contourlab: Run) -> None:
     for word in ("measure", "identify", "refine"):
         assert "[mm]" in contourlab(word, "--help").out
@@ -76,7 +76,7 @@ def test_help_takes_less_than_half_a_second(contourlab: Run) -> None:
     assert min(spent() for _ in range(3)) < 0.5
 
 
-def test_components_lists_each_family_and_tells_all_of_one(contourlab: Run) -> None:
+def test_components_lists_each_family_and_describes_one(contourlab: Run) -> None:
     said = contourlab("components", "--json")
     assert (said.code, said.err) == (0, "")
     kinds = {(entry["family"], entry["kind"]): entry for entry in json.loads(said.out)}
@@ -89,7 +89,7 @@ def test_components_lists_each_family_and_tells_all_of_one(contourlab: Run) -> N
     assert "friction/coulomb" not in said.out
 
 
-def test_an_unknown_component_is_2_and_lists_what_there_is(contourlab: Run) -> None:
+def test_an_unknown_component_is_exit_code_2_and_lists_the_known_ones(contourlab: Run) -> None:
     said = contourlab("components", "lugree")
     assert (said.code, said.out) == (2, "")
     assert said.err.count("\n") == 1
@@ -101,7 +101,7 @@ def test_typed_answers_give_a_machine_that_runs_at_once(contourlab: Run, tmp_pat
     made = contourlab("new", "machine", "--out", "mill", typed=TYPED)
     assert made.code == 0
     assert set(contents(tmp_path / "mill")) == {"machine.toml", "axis-x.toml", "axis-y.toml", "controller.toml", "scenario.toml"}
-    # Questions go to standard error, so that what was worked out can be kept.
+    # Questions go to standard error, so standard output can be saved.
     assert "Rated torque" in made.err
     assert "Rated torque" not in made.out
     (following,) = (line for line in made.out.splitlines() if line.startswith("next: "))
@@ -111,7 +111,7 @@ def test_typed_answers_give_a_machine_that_runs_at_once(contourlab: Run, tmp_pat
     assert said.code == (0 if found["verdict"]["passed"] else 1)
     assert found["axes"] == ["x", "y"]
     assert found["metrics"]["saturation"] == [0.0, 0.0]  # the limits were checked against the motors
-    # Kv of 40/s: the phase margin that the poles were placed for is there.
+    # Kv of 40/s: the phase margin of the pole placement is reached.
     assert min(margins["phase"] for margins in found["margins"].values()) > 0.5
 
 
@@ -163,7 +163,7 @@ SLOW = pytest.mark.slow
         pytest.param('mounted_on = "y"', 'mounted_on = "z"', "x.mounted_on", marks=SLOW),
     ],
 )
-def test_answers_that_cannot_be_are_one_line(contourlab: Run, tmp_path: Path, before: str, after: str, key: str) -> None:
+def test_impossible_answers_are_one_line(contourlab: Run, tmp_path: Path, before: str, after: str, key: str) -> None:
     assert before in ANSWERS
     (tmp_path / "answers.toml").write_text(ANSWERS.replace(before, after, 1), encoding="utf-8")
     said = contourlab("new", "machine", "--out", "mill", "--answers", "answers.toml")
@@ -180,7 +180,7 @@ def test_answers_that_end_early_are_2_and_write_nothing(contourlab: Run, tmp_pat
     assert not any(tmp_path.iterdir())
 
 
-def test_the_papers_integrals_come_out_by_name(reproduction: tuple[int, str, str]) -> None:
+def test_the_papers_integrals_are_reproduced_by_name(reproduction: tuple[int, str, str]) -> None:
     """Fig 9 of Ghaffari & Ulsoy: 18.37 and 18.46 um s, within 3 % of each other under one controller."""
     code, out, err = reproduction
     assert (code, err) == (0, "")
@@ -214,7 +214,7 @@ def test_the_last_line_counts_printed_derived_and_differing_figures_apart(
         assert f"{agree} of {len(verdicts)} " in last
         assert f" {differ} differ" in last
     assert f" {sum(row['source'] == 'ours' for row in rows)} " in last
-    # A figure that differs has its reason beside it: 1695/10.1 and 873/19.7.
+    # A figure that differs states its reason: 1695/10.1 and 873/19.7.
     block = said.out.split("fitted a' [mm/s^2/full_scale]\n")[1].split("\n\n")[0]
     (line,) = (line for line in block.splitlines() if line.startswith("axis 1, Table II"))
     assert line.split()[4:9] == ["873", "1699.44", "+826", "printed", "differs"]

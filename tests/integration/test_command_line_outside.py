@@ -1,4 +1,4 @@
-"""The world around the command: interrupts, full disks, readers that leave, folders in use, odd names, terminals of every kind."""
+"""The environment of the command: interrupts, full disks, closed readers, folders in use, odd names, all kinds of terminals."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ ESCAPE = "\x1b"
 
 
 @pytest.fixture
-def used(circle: Finished, tmp_path: Path) -> Path:
+def old_results(circle: Finished, tmp_path: Path) -> Path:
     """A folder with the results of an older run."""
     folder = tmp_path / "results"
     shutil.copytree(circle.folder, folder)
@@ -31,7 +31,7 @@ def used(circle: Finished, tmp_path: Path) -> Path:
 
 
 def read_until_closed(handle: int, knock: Callable[[], None], patience: float = 60.0) -> str:
-    """Return what comes out of a terminal; knock when it begins, and again where nothing happens, as a person would."""
+    """Return the output of a terminal; call `knock` at the first output, and again whenever it pauses, as a person would."""
     parts: list[bytes] = []
     begun = time.monotonic()
     while time.monotonic() < begun + patience:
@@ -41,7 +41,7 @@ def read_until_closed(handle: int, knock: Callable[[], None], patience: float = 
             continue
         try:
             part = os.read(handle, 65536)
-        except OSError:  # Linux says so when the other side has closed
+        except OSError:  # Linux raises this when the other side has closed
             part = b""
         if not part:
             return b"".join(parts).decode()
@@ -52,7 +52,7 @@ def read_until_closed(handle: int, knock: Callable[[], None], patience: float = 
 
 
 def on_terminal(folder: Path, *words: str, width: int = 80, interrupted: bool = False, **changes: str) -> tuple[int, str]:
-    """Run the command on a terminal; return its exit code and all it showed. An interrupt comes with its first sign of life."""
+    """Run the command on a terminal; return its exit code and its output. An interrupt comes with the first output."""
     import fcntl
     import pty
     import struct
@@ -72,15 +72,15 @@ def on_terminal(folder: Path, *words: str, width: int = 80, interrupted: bool = 
 
 
 @POSIX
-def test_an_interrupt_in_the_middle_is_130_and_keeps_the_old_results(used: Path, tmp_path: Path) -> None:
+def test_an_interrupt_in_the_middle_is_130_and_keeps_the_old_results(old_results: Path, tmp_path: Path) -> None:
     (tmp_path / "long.toml").write_text(CIRCLE.replace("laps = 2", "laps = 50"), encoding="utf-8")
-    before = contents(used)
-    # On a terminal a bar says that the simulation has begun.
+    before = contents(old_results)
+    # On a terminal a bar shows that the simulation has begun.
     code, shown = on_terminal(tmp_path, "run", "long.toml", "--out", "results", interrupted=True)
     assert code == 130
     assert shown.splitlines()[-1].endswith("contourlab: interrupted")
     assert "Traceback" not in shown
-    assert contents(used) == before
+    assert contents(old_results) == before
 
 
 @POSIX
@@ -94,7 +94,7 @@ def test_questions_that_are_interrupted_are_130(tmp_path: Path) -> None:
 
 @POSIX
 @pytest.mark.parametrize("words", [[], pytest.param(["--json"], marks=pytest.mark.slow)])
-def test_a_reader_that_has_gone_is_no_error_and_the_verdict_stands(tmp_path: Path, words: list[str]) -> None:
+def test_a_closed_reader_is_no_error_and_the_verdict_stays(tmp_path: Path, words: list[str]) -> None:
     (tmp_path / "circle.toml").write_text(CIRCLE.replace("16 um", "1 um"), encoding="utf-8")
     reading, writing = os.pipe()
     os.close(reading)
@@ -118,29 +118,29 @@ def test_streams_may_be_closed(tmp_path: Path, closed: int) -> None:
 
 @POSIX
 @pytest.mark.parametrize("words", [[], pytest.param(["--json"], marks=pytest.mark.slow)])
-def test_a_full_disk_is_2_and_keeps_the_old_results(contourlab: Run, used: Path, tmp_path: Path, words: list[str]) -> None:
+def test_a_full_disk_is_2_and_keeps_the_old_results(contourlab: Run, old_results: Path, tmp_path: Path, words: list[str]) -> None:
     import resource
 
     (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm"), encoding="utf-8")
-    before = contents(used)
-    full = 50_000  # bytes that a file may have; the signals of 4 s take more
+    before = contents(old_results)
+    full = 50_000  # largest file size in bytes; the signals of 4 s need more
     said = contourlab(
         "run", "other.toml", "--out", "results", *words, before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (full, full))
     )
     assert (said.code, said.out) == (2, "")
     assert re.fullmatch(r"contourlab: results/\S+: .*\n", said.err)
-    assert contents(used) == before
+    assert contents(old_results) == before
 
 
 @pytest.mark.slow
-def test_newer_results_replace_older_ones(contourlab: Run, used: Path, tmp_path: Path) -> None:
+def test_newer_results_replace_older_ones(contourlab: Run, old_results: Path, tmp_path: Path) -> None:
     (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm"), encoding="utf-8")
-    before = contents(used)
+    before = contents(old_results)
     said = contourlab("run", "other.toml", "--out", "results", "--json")
     assert said.code == 0
-    after = contents(used)
+    after = contents(old_results)
     assert all(after[name] != before[name] for name in ("summary.json", "report.html"))
-    assert json.loads(said.out) == json.loads((used / "summary.json").read_text(encoding="utf-8"))
+    assert json.loads(said.out) == json.loads((old_results / "summary.json").read_text(encoding="utf-8"))
     assert not [name for name in after if ".part" in name or "probe" in name]
 
 
@@ -198,7 +198,7 @@ def test_help_fits_the_columns_asked_for(contourlab: Run) -> None:
 
 
 @pytest.mark.slow
-def test_nothing_is_asked_where_nobody_can_answer(tmp_path: Path) -> None:
+def test_without_a_terminal_nothing_is_asked(tmp_path: Path) -> None:
     (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
     command = [COMMAND, "run", "circle.toml", "--check"]
     done = subprocess.run(command, cwd=tmp_path, stdin=subprocess.DEVNULL, capture_output=True, env=environment(), timeout=60)

@@ -46,7 +46,7 @@ NAMES = ["axes.*.plant.damping", "axes.*.friction.coulomb=5 N..80 N"]
 
 
 def written(folder: Path, name: str, damping: float, coulomb: float) -> Path:
-    """Write a scenario; gains are those of one model, whatever the friction."""
+    """Write a scenario; its gains are those of one model, whatever its friction."""
     (folder / f"{name}.toml").write_text(MACHINE.replace("COULOMB", str(coulomb)).replace("DAMPING", str(damping)))
     file = folder / f"{name}-circle.toml"
     file.write_text(SCENARIO.replace("NAME", name).replace('crossover = "60 rad/s"}', 'crossover = "60 rad/s"}'))
@@ -55,7 +55,7 @@ def written(folder: Path, name: str, damping: float, coulomb: float) -> Path:
 
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with a scenario that guesses, and the log of one that is true: damping 300 and Coulomb friction 40 N."""
+    """A folder with a scenario of guessed values, and the log of the true one: damping 300 and Coulomb friction 40 N."""
     from contourlab.loop import simulate
 
     folder = tmp_path_factory.mktemp("scene")
@@ -109,7 +109,7 @@ def test_a_machine_comes_out_of_a_log(scene: Path, tmp_path: Path, capsys: pytes
     assert drawn == {f"log-position-{axis}{part}.svg" for axis in "xy" for part in ("", "-left")}
 
 
-def test_the_table_says_what_was_not_seen(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_table_shows_unseen_samples(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(words(scene, "--window", "0 s..1 s")) == 0
     said = capsys.readouterr().out
     assert "\nunseen before  " in said and "\nunseen  " in said and "deviation" in said and "explained" in said
@@ -117,7 +117,7 @@ def test_the_table_says_what_was_not_seen(scene: Path, capsys: pytest.CaptureFix
 
 @pytest.fixture
 def odd(scene: Path, tmp_path: Path) -> str:
-    """The log, and behind 1.2 s another axis': its errors are half as large and the other way."""
+    """The log, but after 1.2 s that of another axis: its errors are half as large, with the opposite sign."""
     head, *lines = (scene / "log.csv").read_text().splitlines()
     rows = np.array([[float(cell) for cell in line.split(",")] for line in lines])
     rows[1200:, 3:] = 1.5 * rows[1200:, 1:3] - 0.5 * rows[1200:, 3:]
@@ -125,7 +125,7 @@ def odd(scene: Path, tmp_path: Path) -> str:
     return str(tmp_path / "odd.csv")
 
 
-def test_numbers_that_serve_their_window_alone_are_remarked_on(scene: Path, odd: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_fit_that_holds_only_in_its_window_is_reported(scene: Path, odd: str, capsys: pytest.CaptureFixture[str]) -> None:
     typed = [odd if word == str(scene / "log.csv") else word for word in words(scene, "--json")]
     assert main([*typed, "--window", "0 s..1.15 s", "--validation", odd]) == 0
     found = json.loads(capsys.readouterr().out)
@@ -133,7 +133,7 @@ def test_numbers_that_serve_their_window_alone_are_remarked_on(scene: Path, odd:
     assert after["y"] > 1.01 * before["y"]
     assert all((("CL559", f"odd, position of {axis}") in codes(found)) == (after[axis] > 1.01 * before[axis]) for axis in "xy")
     assert "CL560" in {code for code, _ in codes(found)}
-    # A log that the same numbers made is followed better outside of the window too.
+    # A log made with the same values is followed better outside the window too.
     assert main([*words(scene, "--json"), "--window", "0 s..1.15 s"]) == 0
     assert not {"CL559", "CL560"} & {code for code, _ in codes(json.loads(capsys.readouterr().out))}
 
@@ -168,7 +168,7 @@ def test_controllers_that_were_refined_get_files_of_their_own(scene: Path, tmp_p
 @pytest.mark.parametrize(
     ("names", "more", "said"),
     [
-        (["axes.x.plant.weight"], [], "a number of the machine"),
+        (["axes.x.plant.weight"], [], "a parameter of the machine"),
         (["axes.x.friction.coulomb=5..x N"], [], "bounds LOW..HIGH"),
         (["axes.x.friction.coulomb=5 mm..80 mm"], [], "bounds LOW..HIGH"),
         (["axes.x.friction.coulomb=50 N"], [], "bounds LOW..HIGH"),
@@ -182,15 +182,13 @@ def test_controllers_that_were_refined_get_files_of_their_own(scene: Path, tmp_p
         (NAMES, ["--validation", "nowhere.csv"], "nowhere.csv"),
     ],
 )
-def test_bad_options_are_told_in_words(
-    scene: Path, capsys: pytest.CaptureFixture[str], names: list[str], more: list[str], said: str
-) -> None:
+def test_bad_options_are_refused(scene: Path, capsys: pytest.CaptureFixture[str], names: list[str], more: list[str], said: str) -> None:
     assert main(words(scene, *more, names=names)) == 2
     error = capsys.readouterr().err
     assert said in error and "Traceback" not in error
 
 
-def test_a_folder_that_cannot_be_made_is_told_ahead_of_the_work(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_invalid_folder_is_refused_before_the_work(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "file").write_text("")
     assert main(words(scene, "--out", str(tmp_path / "file" / "m.toml"))) == 2
     assert "Traceback" not in capsys.readouterr().err
@@ -198,7 +196,7 @@ def test_a_folder_that_cannot_be_made_is_told_ahead_of_the_work(scene: Path, tmp
         pass
 
 
-def test_numbers_that_were_refined_together_say_so(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_parameters_refined_together_have_correlations(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "machine.toml"
     assert main(words(scene, "--out", str(out), "--json")) == 0
     found = json.loads(capsys.readouterr().out)
@@ -210,8 +208,8 @@ def test_numbers_that_were_refined_together_say_so(scene: Path, tmp_path: Path, 
         assert value == pytest.approx(found["result"]["correlation"][i][j], abs=1e-4) and value < -0.3
 
 
-def test_numbers_of_two_axes_that_were_refined_together_say_so(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Under a cross-coupled controller each axis answers to the other: the machine's file has what goes together between them."""
+def test_parameters_of_two_axes_have_correlations(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Under a cross-coupled controller each axis responds to the other: the machine's file has the correlations between axes."""
     coupled = tmp_path / "coupled.toml"
     text = (scene / "guess-circle.toml").read_text().replace('"guess.toml"', f'"{scene / "guess.toml"}"')
     coupled.write_text(text + '[controller.estimator]\nkind = "newton"\n[controller.coupling]\nkind = "cross-coupled"\ngain = "1 A/mm"\n')
@@ -222,12 +220,12 @@ def test_numbers_of_two_axes_that_were_refined_together_say_so(scene: Path, tmp_
     assert found["result"]["usable"]
     names = found["result"]["correlation_of"]
     machine = load_machine(out)
-    told = {(one, other): value for one, other, value in machine.correlations}
-    assert len(told) >= 2 and all(one.split(".")[0] != other.split(".")[0] for one, other in told)
-    for (one, other), value in told.items():
+    correlated = {(one, other): value for one, other, value in machine.correlations}
+    assert len(correlated) >= 2 and all(one.split(".")[0] != other.split(".")[0] for one, other in correlated)
+    for (one, other), value in correlated.items():
         assert value == pytest.approx(found["result"]["correlation"][names.index(f"axes.{one}")][names.index(f"axes.{other}")], abs=1e-4)
-    assert max(map(abs, told.values())) > 0.01
-    # Refined again without one of the axes, what it was told together with the other is no longer so.
+    assert max(map(abs, correlated.values())) > 0.01
+    # Refining again without one axis drops its correlations with the other.
     again = tmp_path / "again.toml"
     coupled.write_text(coupled.read_text().replace(str(scene / "guess.toml"), str(out)))
     typed = [word if word != str(out) else str(again) for word in typed if word != "axes.*.plant.damping"]
@@ -236,13 +234,11 @@ def test_numbers_of_two_axes_that_were_refined_together_say_so(scene: Path, tmp_
     assert main(typed) in (0, 1)
     capsys.readouterr()
     assert {frozenset(pair[:2]) for pair in load_machine(again).correlations} == {
-        frozenset(pair) for pair in told if "x.friction.coulomb" not in pair
+        frozenset(pair) for pair in correlated if "x.friction.coulomb" not in pair
     }
 
 
-def test_correlations_of_the_file_before_are_kept_only_where_both_numbers_are(
-    scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_old_correlations_are_kept_only_if_both_parameters_are(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     head = 'mass = {value = "50 kg", source = "fitted", deviation = "1 kg"}'
     pairs = '[["plant.mass", "friction.coulomb", 0.5], ["plant.mass", "plant.damping", 0.2]]'
     text = (scene / "guess.toml").read_text().replace('mass = "50 kg"', head).replace('[axes."*"]', f'[axes."*"]\ncorrelations = {pairs}')
@@ -259,7 +255,7 @@ def test_correlations_of_the_file_before_are_kept_only_where_both_numbers_are(
 
 
 def test_a_log_in_a_wrong_unit_makes_no_machine(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Positions a tenth too small: the only parameter ends at its bound, and nothing is known of it; a thousand times is refused."""
+    """Positions a tenth too small put the only parameter at its bound: unusable. Positions a thousand times too small are refused."""
     lines = [line.split(",") for line in (scene / "log.csv").read_text().splitlines()]
     small = [",".join([*cells[:3], *(f"{0.9 * float(cell):.6f}" for cell in cells[3:])]) for cells in lines[1:]]
     (tmp_path / "log.csv").write_text("\n".join([",".join(lines[0]), *small]))
@@ -273,7 +269,7 @@ def test_a_log_in_a_wrong_unit_makes_no_machine(scene: Path, tmp_path: Path, cap
     assert "log.csv: " in said and said.count("\n") == 1
 
 
-def test_samples_that_are_missing_are_told(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_missing_samples_are_reported(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     lines = (scene / "log.csv").read_text().splitlines()
     thin = tmp_path / "thin.csv"
     thin.write_text("\n".join(lines[:400] + lines[404:]) + "\n")
@@ -283,9 +279,7 @@ def test_samples_that_are_missing_are_told(scene: Path, tmp_path: Path, capsys: 
     assert any("thin" in text and "4 of" in text for text in doubts)
 
 
-def test_logs_of_one_name_go_by_their_folders_and_equal_columns_are_asked_about(
-    scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_logs_are_named_by_folder_and_equal_columns_are_reported(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for folder in ("first", "second"):
         (tmp_path / folder).mkdir()
         shutil.copyfile(scene / "log.csv", tmp_path / folder / "log.csv")
@@ -300,7 +294,7 @@ def test_logs_of_one_name_go_by_their_folders_and_equal_columns_are_asked_about(
 
 
 @pytest.mark.parametrize("option", ["--out", "--folder"])
-def test_what_cannot_be_written_is_told_before_it_is_refined(
+def test_an_unwritable_target_is_refused_before_refining(
     scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], option: str
 ) -> None:
     from contourlab.features.refine import command as refine
@@ -314,7 +308,7 @@ def test_what_cannot_be_written_is_told_before_it_is_refined(
 
 
 @pytest.mark.parametrize("name", ["guess-circle.toml", "guess.toml", "log.csv", "columns.toml", "second.csv"])
-def test_what_is_read_is_not_written_over(
+def test_input_files_are_not_overwritten(
     scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], name: str
 ) -> None:
     from contourlab.features.refine import command as refine

@@ -1,4 +1,4 @@
-"""`contourlab run`: from a scenario or a part program to files, whose figures are those of the signals beside them."""
+"""`contourlab run`: from a scenario or a part program to files whose figures agree with their signals."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ RADIUS = 0.02
 
 
 def strict(text: str) -> Any:
-    """Read JSON as a strict reader does: nan and infinities are no numbers there."""
+    """Read JSON strictly: nan and infinities are errors."""
 
     def refuse(word: str) -> None:
         raise AssertionError(f"{word} is no JSON")
@@ -129,7 +129,7 @@ def test_the_part_error_is_the_distance_to_the_line_and_the_arc(part: Finished) 
     flat = tool[:, :2] - [5e-3, 5e-3]
     ends = np.minimum(np.hypot(*(tool[:, :2] - [5e-3, 0.0]).T), np.hypot(*(tool[:, :2] - [5e-3, 10e-3]).T))
     arc = np.hypot(np.where(flat[:, 0] >= 0.0, np.abs(np.hypot(*flat.T) - 5e-3), ends), tool[:, 2])
-    # Line and arc meet in a tangent and part on different sides of it, so the nearer one is the one being cut.
+    # Line and arc meet in a common tangent and leave it on different sides, so the nearer one is the one being cut.
     np.testing.assert_allclose(np.abs(result["part_error"]), np.minimum(line, arc), rtol=0.0, atol=1e-12)
     found = summary(part)
     assert (found["passed"], found["schemes"]["base"]["verdict"]) == (None, None)

@@ -21,7 +21,7 @@ POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, pipes and limits of
 
 
 @pytest.fixture
-def used(circle: Finished, tmp_path: Path) -> Path:
+def old_results(circle: Finished, tmp_path: Path) -> Path:
     folder = tmp_path / "results"
     shutil.copytree(circle.folder, folder)
     return folder
@@ -44,41 +44,41 @@ def test_a_contour_beyond_the_travel_of_an_axis_is_2(contourlab: Run, tmp_path: 
 
 @POSIX
 @pytest.mark.parametrize("full", [1_000_000, 3_000_000])
-def test_a_disk_that_fills_up_late_keeps_the_old_results(contourlab: Run, used: Path, tmp_path: Path, full: int) -> None:
+def test_a_disk_that_fills_up_late_keeps_the_old_results(contourlab: Run, old_results: Path, tmp_path: Path, full: int) -> None:
     import resource
 
     (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm").replace("laps = 2", "laps = 1"), encoding="utf-8")
-    before = contents(used)
+    before = contents(old_results)
     said = contourlab("run", "other.toml", "--out", "results", before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (full, full)))
     assert said.code == 2
     assert "report.html: " in said.err and said.err.count("\n") == 1
-    assert contents(used) == before
+    assert contents(old_results) == before
 
 
 @POSIX
-def test_an_interrupt_while_results_are_written_keeps_the_old_ones(used: Path, tmp_path: Path) -> None:
+def test_an_interrupt_while_results_are_written_keeps_the_old_ones(old_results: Path, tmp_path: Path) -> None:
     (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm"), encoding="utf-8")
-    before = contents(used)
+    before = contents(old_results)
     process = subprocess.Popen([COMMAND, "run", "other.toml", "--out", "results"], cwd=tmp_path, stderr=subprocess.PIPE, env=environment())
     try:
-        # The first file of the new results has appeared, wherever it is kept until all are there.
-        while not [name for _, _, files in os.walk(used) for name in files if name == "base.nc"]:
+        # The first file of the new results has appeared, in its temporary place.
+        while not [name for _, _, files in os.walk(old_results) for name in files if name == "base.nc"]:
             time.sleep(0.002)
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=60)
     finally:
         process.kill()
     assert (process.returncode, err) == (130, b"contourlab: interrupted\n")
-    assert contents(used) == before
+    assert contents(old_results) == before
 
 
-def test_older_results_are_replaced_whole_and_other_files_are_left_alone(contourlab: Run, used: Path, tmp_path: Path) -> None:
+def test_older_results_are_replaced_whole_and_other_files_are_left_alone(contourlab: Run, old_results: Path, tmp_path: Path) -> None:
     (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm"), encoding="utf-8")
-    (used / "notes.txt").write_text("of the user", encoding="utf-8")
-    (used / "signals" / "bench.nc").write_text("of the user", encoding="utf-8")
-    assert (used / "signals" / "all-of-it.nc").exists()
+    (old_results / "notes.txt").write_text("of the user", encoding="utf-8")
+    (old_results / "signals" / "bench.nc").write_text("of the user", encoding="utf-8")
+    assert (old_results / "signals" / "all-of-it.nc").exists()
     assert contourlab("run", "other.toml", "--out", "results").code == 0
-    assert set(contents(used)) == {LIST, "report.html", "summary.json", "signals/base.nc", "signals/bench.nc", "notes.txt"}
+    assert set(contents(old_results)) == {LIST, "report.html", "summary.json", "signals/base.nc", "signals/bench.nc", "notes.txt"}
 
 
 def test_a_scheme_that_runs_away_takes_nothing_from_the_others(contourlab: Run, tmp_path: Path) -> None:
@@ -100,7 +100,7 @@ def test_a_failed_run_leaves_no_empty_folder(contourlab: Run, tmp_path: Path) ->
     (tmp_path / "wild.toml").write_text(CIRCLE + wild, encoding="utf-8")
     said = contourlab("run", "wild.toml", "--out", "results/below")
     assert said.code == 3
-    assert said.err.startswith("contourlab: wild: ")  # which scheme it was
+    assert said.err.startswith("contourlab: wild: ")  # the scheme that failed
     assert not (tmp_path / "results").exists()
 
 
@@ -122,7 +122,7 @@ def test_a_wrong_choice_is_found_before_the_run(contourlab: Run, tmp_path: Path,
 
 @POSIX
 def test_an_interrupt_at_the_start_shows_no_traceback(tmp_path: Path) -> None:
-    """While modules are still being read: Python tells which, and the interrupt comes at the first of the command line's."""
+    """During imports: Python lists the modules, and the interrupt comes at the first one of the command line."""
     words = [sys.executable, "-X", "importtime", "-m", "contourlab", "components"]
     with subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment(), text=True) as process:
         assert process.stderr
@@ -146,7 +146,7 @@ def test_the_package_can_be_run_as_a_module(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("chosen", "threads"), [({}, "1"), ({"OPENBLAS_NUM_THREADS": "3"}, "3")])
 def test_linear_algebra_has_one_thread_unless_the_user_says_otherwise(chosen: dict[str, str], threads: str) -> None:
-    """Told before NumPy is loaded, which asks once."""
+    """NumPy reads the setting once, so it is set before NumPy loads."""
     text = """
 import os, sys
 from contourlab.__main__ import run
@@ -189,7 +189,7 @@ def test_a_plugin_that_exits_is_a_fault_of_the_plugin(contourlab: Run, tmp_path:
     assert said.err.startswith("contourlab: leaves.py: ") and "SystemExit" in said.err and said.err.count("\n") == 1
 
 
-def test_what_was_typed_can_be_typed_again(contourlab: Run, tmp_path: Path) -> None:
+def test_the_recorded_command_can_be_typed_again(contourlab: Run, tmp_path: Path) -> None:
     (tmp_path / "drag.py").write_text(
         "from contourlab.components.contract import Component, param\n\n\nclass Drag(Component):\n    '''Drag.'''\n\n"
         "    family = 'friction'\n    kind = 'open-drag'\n    law = 'smooth'\n    example = {'coefficient': 40.0}\n    reference = 'none'\n"
@@ -202,8 +202,8 @@ def test_what_was_typed_can_be_typed_again(contourlab: Run, tmp_path: Path) -> N
     assert "--plugin drag.py" in json.loads(said.out)["command"]
 
 
-def test_an_ending_that_says_nothing_is_named(contourlab: Run, tmp_path: Path) -> None:
+def test_an_unknown_file_ending_is_refused(contourlab: Run, tmp_path: Path) -> None:
     (tmp_path / "circle.txt").write_text(CIRCLE, encoding="utf-8")
     said = contourlab("run", "circle.txt")
     assert said.code == 2
-    assert ".toml" in said.err  # a scenario under another ending is told what is missing
+    assert ".toml" in said.err  # the message names the missing ending

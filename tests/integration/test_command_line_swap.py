@@ -52,7 +52,7 @@ REGION = ["--region", "axes.x.plant.gain=500 mm/s^2/full_scale..500000 mm/s^2/fu
 
 
 def reused(said: str) -> int:
-    """Return how many searches an output says that it reused."""
+    """Return the number of reused searches in an output."""
     words = re.search(r"CL900 .*: (\d+), from", said)
     return int(words[1]) if words else 0
 
@@ -69,7 +69,7 @@ def typed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def test_one_local_number_restores_what_a_stronger_axis_takes(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_one_local_parameter_restores_what_a_stronger_axis_loses(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--linear", "direct"]) == 0
     assert "axis x, raw drive" in capsys.readouterr().out
     results = typed / "results"
@@ -78,13 +78,13 @@ def test_one_local_number_restores_what_a_stronger_axis_takes(typed: Path, capsy
     assert found["local"] == ["controller.axes.x.controller.model_gain"] and not found["full_modularity"]
     assert found["verdict"]["code"] == "CL701" and found["verdict"] in found["findings"]
     assert set(found["variants"]) == {"x = as it is", "x = strong"}
-    # What was recommended can be read again, and says what moves with the axis.
+    # The recommended controllers can be read again and name the local parameters.
     files = sorted((results / "controllers").glob("x*.toml"))
     machine = load_machine(typed / "stage.toml")
     gains = [load_controller(file, machine).axes["x"].controller.values()["model_gain"] for file in files]
     assert gains[0] < 1.3 < 1.7 < gains[1]
     assert all(load_controller(file, machine).axes["x"].local for file in files)
-    # What is written has the digits that people write, and is what was judged: the figures are those of the files.
+    # The files have rounded digits and are what was judged: the figures come from them.
     case = load_scenario(typed / "circle.toml").base
     name = "controller.axes.x.controller.model_gain"
     for file, words in (("own-x-as-it-is", found["variants"]["x = as it is"]), ("x-as-it-is", None), ("shared", None)):
@@ -95,26 +95,26 @@ def test_one_local_number_restores_what_a_stronger_axis_takes(typed: Path, capsy
         figures = Evaluator(case.machine, made, case.reference(), moving=case.moving)({name: gain})
         choice = {"shared": found["choices"][0], "x-as-it-is": found["choices"][-1]}.get(file)
         assert figures["contour_error_integral"][0] == (words["best"] if words else choice["values"][0])
-    # The margins are the exact ones, of what is recommended; what is local decides what has to be in the axis.
+    # The margins are exact, for the recommended controllers; the local parameters decide the division.
     assert all(variant["margins"]["x"]["gain"] >= 10 ** (6.0 / 20.0) for variant in found["variants"].values())
     assert [(one["division"], one["ways"]) for one in found["networks"]] == [("controller", "both"), ("controller", "one")]
     assert found["passed"] and all(one["holds"] and one["local_in_base"] == [] for one in found["networks"])
 
 
-def test_json_alone_and_exit_code_of_what_cannot_be_restored(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    # Only a number of y is free, which is base in any case: its best value makes up for what x does, and that differs by variant.
+def test_json_and_exit_code_if_the_loss_cannot_be_restored(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    # Only a parameter of y is free, which stays in the base: its best value compensates x and differs by variant.
     words = ["--parameter", "y.model_gain=300 mm/s^2/full_scale..4000 mm/s^2/full_scale", "--floor", "0.001 um*s", "--plots", "svg"]
     assert main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *words, "--budget", "200", "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert found["floor"] == pytest.approx(1e-9) and found["local"] is None
     assert found["verdict"]["code"] == "CL702" and found["swap_loss"] > 0.03
     assert (typed / "results" / "plots" / "swap.svg").exists()
-    # Nothing is recommended; what was found is there to go on from.
+    # Nothing is recommended; the designs found are saved as starting points.
     files = {file.stem for file in (typed / "results" / "controllers").glob("*.toml")}
     assert files == {"own-x-as-it-is", "own-x-strong", "shared"}
 
 
-def test_a_study_goes_on_where_another_one_ended(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_study_continues_from_an_earlier_one(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--plots", "svg", "--json"]
     assert main(words) == 0
     first = json.loads(capsys.readouterr().out)
@@ -125,12 +125,12 @@ def test_a_study_goes_on_where_another_one_ended(typed: Path, capsys: pytest.Cap
     assert second["warm_starts"] == [own, "earlier/shared.toml"]
     for name, mine in second["variants"].items():
         assert mine["best"] <= first["variants"][name]["best"]
-    # The scenario's own run and each given design are of the same bits: the shared one is never lost.
+    # The scenario's own run and each given design are bit-identical: the shared one is never lost.
     nothing = [found["choices"][0]["values"] for found in (first, second)]
     assert max(nothing[1]) <= max(nothing[0])
 
 
-def test_an_axis_by_another_name_stands_for_the_swapped_one(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_start_may_name_the_swapped_axis_differently(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     gains = SCENARIO[SCENARIO.index("kind = ") : SCENARIO.index("[contour]")]
     blocks = [f"[controller.axes.{name}.controller]\n{gains}" for name in ("z", "y")]
     (typed / "z.toml").write_text("\n".join(blocks).replace("1050 mm", "2000 mm", 1))
@@ -140,10 +140,10 @@ def test_an_axis_by_another_name_stands_for_the_swapped_one(typed: Path, capsys:
     (typed / "z.toml").write_text((typed / "z.toml").read_text().replace("axes.y", "axes.w"))
     assert main([*words, "--from", "z.toml"]) == 2
     told = capsys.readouterr().err
-    assert "z.toml" in told and "there are: x, y" in told and "start from" in told
+    assert "z.toml" in told and "x, y" in told and "--from" in told
 
 
-def test_an_interrupted_study_is_taken_up_by_the_same_command(
+def test_the_same_command_resumes_an_interrupted_study(
     typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--plots", "svg"]
@@ -154,7 +154,7 @@ def test_an_interrupted_study_is_taken_up_by_the_same_command(
 
     monkeypatch.setattr(SwapSearch, "search_set", interrupted)
     assert main(words) == 130
-    assert "the same command continues from there" in capsys.readouterr().err
+    assert "same command again" in capsys.readouterr().err
     assert [path.name for path in (typed / "results").iterdir()] == ["searches"]
     monkeypatch.undo()
     monkeypatch.chdir(typed)
@@ -164,7 +164,7 @@ def test_an_interrupted_study_is_taken_up_by_the_same_command(
     assert len(files) == 7
     for file in files:
         whole, resumed = ((folder / file).read_text() for folder in (Path("whole"), Path("results")))
-        if file.suffix == ".json":  # but for the finding that searches were reused
+        if file.suffix == ".json":  # except for the finding about reused searches
             whole, resumed = ({**json.loads(text), "findings": None} for text in (whole, resumed))
         assert whole == resumed
     # Another seed is another study.
@@ -174,7 +174,7 @@ def test_an_interrupted_study_is_taken_up_by_the_same_command(
 
 
 @pytest.mark.parametrize("late", ["swap_result", "write_results", "network_cost"])
-def test_an_interrupt_behind_the_searches_says_that_they_are_kept(
+def test_an_interrupt_after_the_searches_says_that_they_are_kept(
     typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, late: str
 ) -> None:
     words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, *BRIEF]
@@ -187,12 +187,12 @@ def test_an_interrupt_behind_the_searches_says_that_they_are_kept(
         assert main(words) == 130
     searches = Path("results") / "searches"
     kept = len(list(searches.glob("*/*.npz")))
-    assert f"kept in {searches}: the same command continues from there" in capsys.readouterr().err
+    assert f"kept in {searches}." in capsys.readouterr().err
     assert main(words) in (0, 1)
     assert reused(capsys.readouterr().out) == kept
 
 
-def test_an_interrupt_ahead_of_the_first_search_promises_nothing(
+def test_an_interrupt_before_the_first_search_promises_nothing(
     typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def interrupted(*_: object, **__: object) -> None:
@@ -203,13 +203,13 @@ def test_an_interrupt_ahead_of_the_first_search_promises_nothing(
     assert "kept" not in capsys.readouterr().err and not (typed / "results").exists()
 
 
-def test_searches_hang_on_the_plugins_in_use(contourlab: Run, typed: Path) -> None:
+def test_searches_depend_on_the_plugins_in_use(contourlab: Run, typed: Path) -> None:
     (typed / "strong.toml").write_text(
         (typed / "strong.toml").read_text() + '[friction]\nkind = "drag-of-a-swapped-axis"\ncoefficient = "0.02 full_scale*s/m"\n'
     )
     words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, *BRIEF]
     kept = []
-    # One that stands in no variant decides nothing; that of the axis which takes the place does.
+    # A plugin that no variant uses does not matter; the plugin of the swapped-in axis does.
     for used, idle in ((1.0, 1.0), (1.0, 2.0), (2.0, 2.0)):
         (typed / "drag.py").write_text(drag("drag-of-a-swapped-axis", used))
         (typed / "idle.py").write_text(drag("drag-of-a-third-axis", idle))
@@ -224,25 +224,25 @@ def test_a_network_that_is_too_late_is_part_of_the_verdict(typed: Path, capsys: 
     assert main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *words]) == 1
     found = json.loads(capsys.readouterr().out)
     (cost,) = found["networks"]
-    # A number of the position loop moves with the axis, and this division leaves the loop in the base.
+    # A parameter of the position loop moves with the axis, but this division leaves the loop in the base.
     assert cost["local_in_base"] == ["controller.axes.x.controller.model_gain"]
     assert found["local"] is not None and not found["passed"] and not cost["holds"] and cost["rate"] is None
     assert {"CL707", "CL710"} <= {one["code"] for one in found["findings"]}
 
 
-def test_a_scenario_with_links_of_its_own_keeps_in_the_base_what_they_leave_there(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_links_of_the_scenario_decide_what_stays_in_the_base(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     linked = SCENARIO.replace("[contour]", '[controller.axes."*".link]\ndivision = "drive"\n[contour]', 1)
     (typed / "circle.toml").write_text(linked)
     words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--json"]
     assert main([*words, "--local", "x.model_gain"]) == 2
-    assert "a number of a swapped axis" in capsys.readouterr().err
+    assert "a parameter of a swapped axis" in capsys.readouterr().err
     assert main(words) == 1
     found = json.loads(capsys.readouterr().out)
     assert [one["name"] for one in found["choices"]] == ["none"] and {one["division"] for one in found["networks"]} == {"drive"}
 
 
-def test_plants_that_no_design_keeps_are_told(contourlab: Run, typed: Path) -> None:
-    """With the gains as they are a plant hundreds of times as strong is unstable; nothing leaks of what has no J*."""
+def test_plants_without_a_design_are_counted(contourlab: Run, typed: Path) -> None:
+    """With these gains a plant hundreds of times as strong is unstable: it has no J*, and nothing appears on standard error."""
     said = contourlab("swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS[:2], *BRIEF, *REGION, "--places", "4")
     assert said.code in (0, 1) and said.err == ""
     found = json.loads((typed / "results" / "swap.json").read_text())
@@ -268,7 +268,7 @@ substeps = 2
 """
 
 
-def test_what_a_machine_says_beside_the_file_of_an_axis_stays_with_the_place(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_values_next_to_an_axis_file_stay_with_the_place(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (typed / "stage.toml").write_text(STAGE[: STAGE.index("x.file")] + PLACED)
     ampere = SCENARIO.replace("full_scale", "A").replace('"1050 mm', '"50 mm').replace('"3 A', '"60 A').replace("0.06", "1.2")
     (typed / "circle.toml").write_text(ampere)
@@ -276,7 +276,7 @@ def test_what_a_machine_says_beside_the_file_of_an_axis_stays_with_the_place(typ
     for name, text in files.items():
         (typed / f"{name}.toml").write_text(text)
     assert main(["swap", "circle.toml", "--axis", "x", "--with", "same.toml"]) == 2
-    assert "an axis that differs from axis x" in capsys.readouterr().err
+    assert "differs from axis x" in capsys.readouterr().err
     place = load_machine(typed / "stage.toml").axis("x")
     for name, carried, words in (
         ("other", 20.0, "stage_mass, 20 kg; substeps, 2; limits.travel"),
@@ -285,16 +285,16 @@ def test_what_a_machine_says_beside_the_file_of_an_axis_stays_with_the_place(typ
         module, left_out = load_module(typed / f"{name}.toml", place)
         assert load_machine(typed / "stage.toml").swapped("x", module).carried_mass("y") == carried
         assert (module.limits.travel, module.substeps) == ((-0.05, 0.05), 2)
-        assert left_out == f"{words} (kept from the axis there)"
+        assert left_out == f"{words} (kept from the replaced axis)"
     assert main(["swap", "circle.toml", "--axis", "x", "--with", "other.toml", *BRIEF]) in (0, 1)
     said = capsys.readouterr().out
     assert "CL716" in said and "x = other" in said and "stage_mass, 20 kg" in said
 
 
-def test_parts_that_a_module_leaves_out_are_named(typed: Path) -> None:
+def test_parts_missing_from_a_module_are_named(typed: Path) -> None:
     place = load_machine(typed / "stage.toml").axis("x")
     (typed / "bare.toml").write_text(PLAIN[: PLAIN.index("[drive]")])
-    assert load_module(typed / "bare.toml", place)[1] == "drive (taken without, unlike the axis there)"
+    assert load_module(typed / "bare.toml", place)[1] == "drive (absent; the replaced axis has it)"
 
 
 @pytest.mark.parametrize(
@@ -304,26 +304,26 @@ def test_parts_that_a_module_leaves_out_are_named(typed: Path) -> None:
         (["--axis", "x", "--with", "missing.toml"], "missing.toml"),
         (["--axis", "x", "--with", "ampere.toml"], "takes its command in full_scale"),
         (["--axis", "x", "--with", ""], "names of axis files"),
-        (["--axis", "x", "--axis", "y", "--with", "strong.toml"], "as many as --with"),
+        (["--axis", "x", "--axis", "y", "--with", "strong.toml"], "as often as --with"),
         (["--axis", "x", "--with", "strong.toml", "--floor", "2 kg"], "2 um*s"),
         (["--axis", "x", "--with", "strong.toml", "--objective", "beauty"], "contour_error_rms"),
-        (["--axis", "x", "--with", "strong.toml", "--local", "y.model_gain"], "a number of a swapped axis"),
-        (["--axis", "x", "--with", "strong.toml", "--region", "model_gain"], "a number of the machine, such as axes.x.plant.gain"),
+        (["--axis", "x", "--with", "strong.toml", "--local", "y.model_gain"], "a parameter of a swapped axis"),
+        (["--axis", "x", "--with", "strong.toml", "--region", "model_gain"], "a parameter of the machine, such as axes.x.plant.gain"),
         (["--axis", "x", "--with", "strong.toml", "--region", "x.plant.foo=1 mm..2 mm"], "such as axes.x.plant.gain, axes.x.plant.damping"),
         (["--axis", "x", "--with", "strong.toml", "--tolerance", "5 um*s"], "given with --region"),
         (["--axis", "x", "--with", "strong.toml", "--places", "4"], "given with --region"),
         (["--axis", "x", "--with", "strong.toml", *REGION, "--places", "4", "--tolerance", "5 um*s"], "left out with --tolerance"),
-        (["--axis", "x", "--with", "strong.toml", "--exhaustive", "--local", "x.model_gain"], "one of the two"),
+        (["--axis", "x", "--with", "strong.toml", "--exhaustive", "--local", "x.model_gain"], "left out: it tries all sets"),
         (["--axis", "x", "--with", "strong.toml", "--linear", "magic"], "three-step"),
         (["--axis", "x", "--with", "strong.toml", "--budget", "1"], "100 or more"),
         (["--axis", "x", "--with", "strong.toml", "--from", "none.toml"], "none.toml"),
         (
             ["--axis", "x", "--with", "strong.toml", "--from", "a.toml,b.toml,c.toml"],
-            "or 2 of them with commas between, for x = as it is; x =",
+            "or 2 files separated by commas, for x = as it is; x =",
         ),
         (["--axis", "x", "--with", "strong.toml", "--from", "gains.toml,"], "one file for all variants"),
         (["--axis", "x", "--with", "strong.toml", "--from", "gains.toml"], "x.velocity_gain is 0.6, its bounds are 0.015 to 0.24"),
-        (["--axis", "x", "--with", "strong.toml", "--from", "gains.toml"], "--width 10 gives wider ones"),
+        (["--axis", "x", "--with", "strong.toml", "--from", "gains.toml"], "widen all default bounds with --width 10"),
         (["--axis", "x", "--with", "strong.toml", "--from", "circle.toml"], "circle.toml"),
         (["--axis", "x", "--with", "strong.toml", "--seed", "-1"], "0 or more"),
         (["--axis", "x", "--with", "strong.toml", "--threads", "0"], "1 or more"),
@@ -335,15 +335,15 @@ def test_parts_that_a_module_leaves_out_are_named(typed: Path) -> None:
         (["--axis", "x", "--with", "strong.toml", "--delay", "2 mm"], "2 ms"),
         (["--axis", "x", "--with", "strong.toml", "--within", "-5 %"], ">= 0"),
         (["--axis", "x", "--with", "strong.toml", "--within", "5"], 'in %: "5 %" or "500 %"'),
-        (["--axis", "x", "--with", "strong.toml", "--longest", "0.1 ms"], "1 ms, or longer"),
+        (["--axis", "x", "--with", "strong.toml", "--longest", "0.1 ms"], "at least the servo period, 1 ms"),
         (["--axis", "x", "--with", "strong.toml", "--longest", "11 s"], "up to 10 s"),
-        (["--axis", "x", "--with", "strong.toml", "--parameter", "x.plant.gain"], "a number of the controller"),
+        (["--axis", "x", "--with", "strong.toml", "--parameter", "x.plant.gain"], "a parameter of the controller"),
     ],
 )
-def test_what_cannot_be_asked_is_refused_before_anything_runs(
+def test_invalid_options_are_refused_before_anything_runs(
     typed: Path, capsys: pytest.CaptureFixture[str], words: list[str], said: str
 ) -> None:
     assert main(["swap", "circle.toml", *words]) == 2
-    told = capsys.readouterr().err
-    assert said in told and "Traceback" not in told
+    message = capsys.readouterr().err
+    assert said in message and "Traceback" not in message
     assert not (typed / "results").exists()

@@ -84,8 +84,8 @@ def test_the_interval_lies_about_the_run_itself(done: tuple[Path, dict[str, Any]
 
 
 def test_provenance_is_in_the_summary(done: tuple[Path, dict[str, Any]]) -> None:
-    told = {one["name"]: one for one in done[1]["schemes"]["fitted"]["trust"]["provenance"]}
-    mass = told["axes.x.plant.mass"]
+    entries = {one["name"]: one for one in done[1]["schemes"]["fitted"]["trust"]["provenance"]}
+    mass = entries["axes.x.plant.mass"]
     assert mass == {
         "name": "axes.x.plant.mass",
         "value": 95.1163,
@@ -97,11 +97,11 @@ def test_provenance_is_in_the_summary(done: tuple[Path, dict[str, Any]]) -> None
         "note": "",
         "drawn": True,
     }
-    assert told["controller.axes.x.controller.position_gain"]["source"] == "design"
+    assert entries["controller.axes.x.controller.position_gain"]["source"] == "design"
     assert "machine.servo_period" in done[1]["schemes"]["fitted"]["trust"]["not_stated"]
 
 
-def test_a_scheme_that_gives_other_numbers_has_no_deviations(done: tuple[Path, dict[str, Any]]) -> None:
+def test_a_scheme_with_other_values_has_no_deviations(done: tuple[Path, dict[str, Any]]) -> None:
     scheme = done[1]["schemes"]["without deviations"]
     trust = scheme["trust"]
     assert "CL220" in [finding["code"] for finding in scheme["findings"]]
@@ -109,10 +109,10 @@ def test_a_scheme_that_gives_other_numbers_has_no_deviations(done: tuple[Path, d
     assert "axes.x.plant.mass" in trust["not_stated"]
 
 
-def test_the_page_tells_it(done: tuple[Path, dict[str, Any]]) -> None:
+def test_the_page_shows_provenance_and_interval(done: tuple[Path, dict[str, Any]]) -> None:
     page = (done[0] / "out" / "report.html").read_text(encoding="utf-8")
     part = page[page.index('<section id="trust">') : page.index("</section>", page.index('<section id="trust">'))]
-    for words in ("How far to trust it", "± 0.244 (0.26 %)", "DATA_EMPS.mat", "N*s/m", "0 of 64", "what differs from the schemes before"):
+    for words in ("± 0.244 (0.26 %)", "DATA_EMPS.mat", "N*s/m", "0 of 64", "differ from the schemes above"):
         assert words in part
     interval = done[1]["schemes"]["fitted"]["trust"]["interval"]
     assert f"<code>{interval['main']}</code>" in part
@@ -128,7 +128,7 @@ def test_the_report_holds_a_scenario_that_reads_back_with_its_deviations(done: t
     assert len(again.case("fitted").machine.axes[1].correlations) == 6
 
 
-def test_it_is_said_on_the_terminal_and_can_be_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_interval_is_printed_and_can_be_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     run(tmp_path, RUN)
     said = capsys.readouterr().out
     assert "CL225" in said
@@ -142,7 +142,7 @@ def test_it_is_said_on_the_terminal_and_can_be_left_out(tmp_path: Path, capsys: 
 
 
 @pytest.mark.parametrize("words", [("compare", "run.toml"), ("learn", "run.toml", "--trials", "1")])
-def test_wherever_schemes_are_run_it_can_be_left_out(
+def test_every_command_with_schemes_can_leave_the_interval_out(
     words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -162,7 +162,7 @@ def test_without_deviations_one_line_says_so(tmp_path: Path, capsys: pytest.Capt
 # --- the library ---------------------------------------------------------------------------------------------------------------------
 
 
-def test_every_shipped_file_is_listed_with_what_it_is(capsys: pytest.CaptureFixture[str]) -> None:
+def test_every_shipped_file_is_listed_with_its_kind(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["machines", "--json"]) == 0
     found = {one["name"]: one for one in json.loads(capsys.readouterr().out)}
     assert set(found) == set(builtin_names())
@@ -176,7 +176,7 @@ def test_every_shipped_file_is_listed_with_what_it_is(capsys: pytest.CaptureFixt
     assert "ghaffari/axis1" in capsys.readouterr().out
 
 
-def test_one_of_them_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_shipped_file_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["machines", "emps/axis"]) == 0
     said = capsys.readouterr().out
     assert "plant.mass" in said and "0.244 (0.26 %)" in said and "4 fitted" in said
@@ -187,13 +187,13 @@ def test_one_of_them_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.parametrize("name", ["emps/there-and-back", "backlash/part", "gecer-ulu/contour"])
-def test_a_copy_runs_where_it_lies(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_copy_of_a_shipped_file_runs(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["machines", name, "--copy", str(tmp_path), "--json"]) == 0
     first = json.loads(capsys.readouterr().out)[0]
     assert main(["run", first, "--check"]) == 0
     capsys.readouterr()
     assert main(["machines", name, "--copy", str(tmp_path)]) == 2
-    assert "there already" in capsys.readouterr().err
+    assert "already contains" in capsys.readouterr().err
     assert main(["machines", name, "--copy", str(tmp_path), "--force"]) == 0
     assert main(["machines", "--copy", str(tmp_path)]) == 2
 

@@ -1,4 +1,4 @@
-"""``contourlab tune`` as a user types it: the answer, the file, and what is refused."""
+"""``contourlab tune`` as a user types it: the answer, the file, and refusals."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def test_every_kind_of_controller_is_calibrated_and_its_file_runs(kind: str, tmp
         assert number["low"] * (1.0 - 1e-5) <= value <= number["high"] * (1.0 + 1e-5), number["name"]  # six digits
 
 
-def test_the_text_shows_the_way_and_drive_terms(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_text_shows_the_search_and_drive_terms(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path)
     words = ["tune", str(file), "--method", "both", "--budget", "400", "--plots", "svg", "--folder", str(tmp_path / "pictures")]
     assert main(words) == 0
@@ -105,8 +105,8 @@ def test_a_tolerance_that_is_missed_is_a_failed_verdict(tmp_path: Path, capsys: 
     assert not found["passed"] and "CL608" in codes(found)
 
 
-def test_what_becomes_larger_is_called_larger(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Energy is saved at the cost of the path: what was asked for comes first."""
+def test_figures_that_grow_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Energy is saved at the cost of the path; the objective is listed first."""
     words = ["tune", str(written(tmp_path)), "--objective", "energy", "--parameter", "y.model_gain", "--parameter", "y.model_damping"]
     assert main([*words, "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
@@ -115,7 +115,7 @@ def test_what_becomes_larger_is_called_larger(tmp_path: Path, capsys: pytest.Cap
     assert next(iter(ratios)) == "command energy" and energy < 1.0 < integral
 
 
-def test_an_end_of_a_range_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_optimum_at_a_bound_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["tune", str(written(tmp_path)), "--parameter", "x.model_gain=0.8 m/s^2/full_scale..1 m/s^2/full_scale"]
     assert main([*words, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
@@ -123,7 +123,7 @@ def test_an_end_of_a_range_is_told(tmp_path: Path, capsys: pytest.CaptureFixture
     assert [one["values"]["parameters"] for one in found["findings"] if one["code"] == "CL602"] == [["x.model_gain"]]
 
 
-def test_what_does_not_keep_the_bounds_is_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_result_that_violates_a_bound_is_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "tuned.toml"
     words = ["tune", str(written(tmp_path)), "--parameter", "x.model_gain", "--phase-margin", "85", "--out", str(out), "--json"]
     assert main(words) == 1
@@ -167,7 +167,7 @@ def test_a_scheme_is_chosen_by_its_name(capsys: pytest.CaptureFixture[str]) -> N
         (["--out", "tuned.txt"], ".toml"),
         (["--machine", "xyz"], "leave --machine out"),
         (["--parameter", "x.position_gian"], "controller.axes.x.controller.position_gain"),
-        (["--parameter", "x.plant.gain"], "a number of the controller"),
+        (["--parameter", "x.plant.gain"], "a parameter of the controller"),
         (["--parameter", "x.integral_gain=9 1/s..2 1/s"], "bounds 9 to 2 1/s: must be in order, the lower one first"),
         (["--parameter", "x.integral_gain=2 1/s..2 1/s"], "bounds 2 to 2 1/s: must be two that differ"),
         (["--parameter", "x.integral_gain=nan 1/s..2 1/s"], "not a finite number"),
@@ -179,11 +179,11 @@ def test_a_scheme_is_chosen_by_its_name(capsys: pytest.CaptureFixture[str]) -> N
         (["--command", "0"], "--command = 0: must be > 0"),
     ],
 )
-def test_wrong_words_are_refused(words: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_wrong_options_are_refused(words: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["tune", str(written(tmp_path)), *words]) == 2
-    told = capsys.readouterr().err
-    assert said in told
-    assert "Traceback" not in told
+    message = capsys.readouterr().err
+    assert said in message
+    assert "Traceback" not in message
 
 
 @pytest.mark.parametrize(
@@ -194,7 +194,7 @@ def test_wrong_words_are_refused(words: list[str], said: str, tmp_path: Path, ca
         (["--plots", "svg", "--folder", "file"], "choose another folder with --folder"),
     ],
 )
-def test_a_place_that_cannot_be_written_is_told_before_anything_runs(
+def test_an_unwritable_target_is_refused_before_anything_runs(
     words: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -205,7 +205,7 @@ def test_a_place_that_cannot_be_written_is_told_before_anything_runs(
     assert said in capsys.readouterr().err
 
 
-def test_pictures_leave_the_results_beside_them_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_pictures_leave_other_results_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "results").mkdir()
     (tmp_path / "results" / "report.html").write_text("older")
     words = ["--parameter", "x.integral_gain", "--plots", "svg", "--folder", str(tmp_path / "results")]
@@ -214,7 +214,7 @@ def test_pictures_leave_the_results_beside_them_alone(tmp_path: Path, capsys: py
     assert (tmp_path / "results" / "report.html").read_text() == "older"
 
 
-def test_a_start_beyond_its_bounds_is_begun_within_and_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_start_beyond_its_bounds_is_moved_inside_and_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["--parameter", "x.integral_gain=8 1/s..12 1/s", "--json"]
     assert main(["tune", str(written(tmp_path)), *words]) == 0
     found = json.loads(capsys.readouterr().out)
@@ -233,7 +233,7 @@ def test_the_scenario_and_its_files_are_not_written_over(name: str, tmp_path: Pa
     assert str(tmp_path / name) in said and "--out" in said and said.count("\n") == 1
 
 
-def test_placing_is_refused_where_a_kind_places_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_placing_is_refused_for_kinds_without_placement(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["tune", str(written(tmp_path, "pid")), "--start", "placed"]) == 2
     said = capsys.readouterr().err
     assert "pid" in said and "axis x" in said and said.count("\n") == 1

@@ -1,4 +1,4 @@
-"""`contourlab run` along drawings and points: from the file of a drawing to signals that lie on what was drawn."""
+"""`contourlab run` along drawings and points: from a drawing file to signals on the drawn contour."""
 
 from __future__ import annotations
 
@@ -42,12 +42,12 @@ def draw_slot(folder: Path) -> None:
 
 
 def from_slot(points: np.ndarray) -> np.ndarray:
-    """Distance of points from the slot's edge: that from its middle line, less its radius."""
+    """Return the distance of points from the slot's edge: the distance from its middle line minus its radius."""
     inner = np.column_stack([np.clip(points[:, 0], -0.01, 0.01), np.zeros(len(points))])
     return np.abs(np.linalg.norm(points - inner, axis=1) - 0.01)
 
 
-def test_a_drawing_is_driven_along(contourlab: Run, tmp_path: Path) -> None:
+def test_the_tool_follows_a_drawing(contourlab: Run, tmp_path: Path) -> None:
     draw_slot(tmp_path / "drawings")
     (tmp_path / "slot.toml").write_text(SLOT, encoding="utf-8")
     said = contourlab("run", "slot.toml", "--out", "results")
@@ -63,7 +63,7 @@ def test_a_drawing_is_driven_along(contourlab: Run, tmp_path: Path) -> None:
     assert figures["schemes"]
 
 
-def test_points_are_driven_along_from_rest_to_rest(contourlab: Run, tmp_path: Path) -> None:
+def test_the_tool_follows_points_from_rest_to_rest(contourlab: Run, tmp_path: Path) -> None:
     rows = "\n".join(f"{x},{x * x / 20},0" for x in np.linspace(0.0, 10.0, 21))
     (tmp_path / "points.csv").write_text(f"x [mm],y [mm],z [mm]\n{rows}\n", encoding="utf-8")
     text = 'machine = "builtin:xyz"\ncontroller = "builtin:xyz-controller"\ncontour = "points.csv"\n[feed]\nfeedrate = "1 m/min"\n'

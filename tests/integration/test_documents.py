@@ -1,4 +1,4 @@
-"""The examples of the documents do what is said of them."""
+"""The examples of the documents work as described."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_the_files_of_the_manual_make_a_scenario(folder: Path) -> None:
     assert found.base.machine.carried_mass("x") == 8.0
     assert found.base.machine.squareness == {("x", "y"): pytest.approx(2e-5)}
     assert found.base.reference().path.length == pytest.approx(0.02 + 0.01 * np.sqrt(2.0))
-    # The last block stands for `program = "part.ngc"`.
+    # The last block replaces `program = "part.ngc"`.
     (folder / "other.toml").write_text(scenario.replace('program = "part.ngc"', "").split("[schemes")[0] + program.replace('"z"', '"y"'))
     assert cl.load_scenario("other.toml").base.reference().n_sample == found.base.reference().n_sample
 
@@ -93,7 +93,7 @@ def test_every_contour_is_in_the_manual_with_its_parameters() -> None:
         assert set(re.findall(r"`([a-z_]+)`", rows[name])) == set(contour_parameters(name)), name
 
 
-def test_the_tutorial_gives_the_figures_that_it_prints(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_tutorial_reproduces_its_printed_figures(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     from contourlab.cli.main import main
 
     answers, compare, _ = blocks("docs/tutorial.md", "toml")
@@ -118,7 +118,7 @@ def test_the_tutorial_gives_the_figures_that_it_prints(folder: Path, capsys: pyt
 
 
 @pytest.mark.slow
-def test_the_tutorial_learns_as_it_says(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_tutorial_learns_as_described(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     from contourlab.cli.main import main
 
     answers, _, learn = blocks("docs/tutorial.md", "toml")

@@ -1,4 +1,4 @@
-"""``contourlab identify`` as typed: from a log to an axis file that a machine can be made of."""
+"""``contourlab identify`` as typed: from a log to an axis file for a machine."""
 
 from __future__ import annotations
 
@@ -47,14 +47,14 @@ def test_known_figures_are_found_and_make_an_axis(tmp_path: Path, capsys: pytest
     assert axis.disturbance.values()["force"] == pytest.approx(-found["parameters"]["offset"]["value"], rel=1e-5)
     assert axis.sensor.values()["resolution"] == pytest.approx(1e-7)
     for part, name, figure in ((axis.plant, "mass", "M"), (axis.friction, "coulomb", "Fc"), (axis.disturbance, "force", "offset")):
-        origin, told = part.origins[name], found["parameters"][figure]
+        origin, estimate = part.origins[name], found["parameters"][figure]
         assert (origin.source, origin.reference) == ("fitted", "log-0.csv")
-        assert origin.deviation == pytest.approx(max(told["deviation"], told["robust_deviation"]), rel=5e-3)
+        assert origin.deviation == pytest.approx(max(estimate["deviation"], estimate["robust_deviation"]), rel=5e-3)
     assert axis.limits.origins["velocity"].note.startswith("20 %")
     assert {frozenset(pair[:2]) for pair in axis.correlations} >= {frozenset(("plant.damping", "friction.coulomb"))}
 
 
-def test_the_table_says_what_stands_against_the_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_table_shows_what_weakens_the_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["identify", str(written(tmp_path)), "--column", "command.x=push [A]", "--gain", "2 N/A", "--model", "rigid-by-direction"]
     assert main(words) == 0
     said = capsys.readouterr().out
@@ -115,10 +115,10 @@ def test_the_measured_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureF
 
 @pytest.mark.parametrize("model", ["rigid", "rigid-by-direction", "first-order"])
 @pytest.mark.parametrize("asked", [[], ["--column", "reference.x=qg [m]"]])
-def test_the_measured_axis_can_be_asked_for_its_motion_again(
+def test_the_measured_axis_can_repeat_its_motion(
     shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, asked: list[str]
 ) -> None:
-    """The built-in scenario of the same motion with the file as it was written: planned as fast as the log and faster, never saturated."""
+    """The built-in scenario of the same motion with the written file: planned as fast as the log and faster, it never saturates."""
     from contourlab.loop import simulate
     from contourlab.scenario import load_scenario
 
@@ -146,22 +146,22 @@ def test_the_measured_axis_can_be_asked_for_its_motion_again(
         (["--column", "force.x=push", "--cutoff", "700 Hz"], "Nyquist"),
         (["--column", "force.x=push", "--decimation", "0"], "decimation"),
         (["--column", "force.x=push", "--axis", "q"], "no axis q"),
-        (["--column", "force.x=push", "--lead", "10 mm"], "must be left out, or beside a command in N*m, for model rigid: the command of"),
-        (["--model", "friction", "--side", "load"], "--side = load: must be left out: it is for two-inertia"),
-        (["--model", "first-order", "--validation", "more.csv"], "it is for rigid, rigid-by-direction, and the model is first-order"),
-        (["--column", "command.x=push [V]"], "Give --gain"),
+        (["--column", "force.x=push", "--lead", "10 mm"], "must be omitted, or used with a command in N*m, for model rigid: the command"),
+        (["--model", "friction", "--side", "load"], "--side = load: must be omitted: it applies to two-inertia"),
+        (["--model", "first-order", "--validation", "more.csv"], "it applies to rigid, rigid-by-direction, and the model is first-order"),
+        (["--column", "command.x=push [V]"], "give --gain"),
         (["--column", "command.x=push [V]", "--gain", "three"], "--gain"),
         (["--column", "command.x=push [V]", "--gain", "0 N/V"], "--gain"),
         ([], "no force, torque or command"),
     ],
 )
-def test_what_is_wrong_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str], words: list[str], said: str) -> None:
+def test_faults_are_refused_with_a_message(tmp_path: Path, capsys: pytest.CaptureFixture[str], words: list[str], said: str) -> None:
     assert main(["identify", str(written(tmp_path, seconds=2.0)), *words, "--out", str(tmp_path / "axis.toml")]) == 2
     assert said in capsys.readouterr().err
     assert not (tmp_path / "axis.toml").exists()
 
 
-def test_a_force_counted_the_other_way_round_is_no_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_force_with_the_wrong_sign_is_no_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = written(tmp_path, sign=-1.0)
     assert main(["identify", str(log), "--column", "force.x=push", "--out", str(tmp_path / "axis.toml")]) == 2
     said = capsys.readouterr().err
@@ -170,7 +170,7 @@ def test_a_force_counted_the_other_way_round_is_no_axis(tmp_path: Path, capsys: 
 
 
 def test_samples_at_rest_are_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """An axis that waits between its moves under a force below its friction: the sign of v says nothing there."""
+    """The axis waits between moves under a force below its friction, where the sign of v means nothing."""
     time = np.arange(0.0, 8.0, 1e-3)
     waits = (time % 2.0) > 1.2
     there = np.where(time % 2.0 < 0.6, 0.1, -0.1)
@@ -191,13 +191,13 @@ def test_samples_at_rest_are_left_out(tmp_path: Path, capsys: pytest.CaptureFixt
     assert "--slowest" in capsys.readouterr().err
 
 
-def test_the_same_samples_again_validate_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_validation_with_the_same_samples_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = written(tmp_path)
     again = tmp_path / "again.csv"
     again.write_bytes(log.read_bytes())
-    for second, told in ((log, True), (again, True), (written(tmp_path, 1), False)):
+    for second, same in ((log, True), (again, True), (written(tmp_path, 1), False)):
         assert main(["identify", str(log), "--column", "force.x=push", "--validation", str(second), "--json"]) == 0
-        assert ("CL516" in codes(json.loads(capsys.readouterr().out))) == told
+        assert ("CL516" in codes(json.loads(capsys.readouterr().out))) == same
 
 
 def test_the_reference_in_place_of_the_position_makes_no_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -211,8 +211,8 @@ def test_the_reference_in_place_of_the_position_makes_no_axis(shared: Path, tmp_
     assert "CL404" in codes(json.loads(capsys.readouterr().out))
 
 
-def test_a_model_that_leaves_more_than_a_tenth_is_remarked_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A ripple of the force that is no friction: a fit of 80 to 90 % is told, and usable."""
+def test_a_fit_below_ninety_percent_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A force ripple that is not friction: a fit of 80 to 90 % is reported, and usable."""
     lines = written(tmp_path).read_text().splitlines()
     rows = np.array([[float(cell) for cell in line.split(",")] for line in lines[1:]])
     size = float(rows[:, 2].std())
@@ -225,7 +225,7 @@ def test_a_model_that_leaves_more_than_a_tenth_is_remarked_on(tmp_path: Path, ca
 
 
 @pytest.mark.parametrize("option", ["--out", "--folder"])
-def test_what_cannot_be_written_is_told_before_a_log_is_read(tmp_path: Path, capsys: pytest.CaptureFixture[str], option: str) -> None:
+def test_an_unwritable_target_is_refused_before_a_log_is_read(tmp_path: Path, capsys: pytest.CaptureFixture[str], option: str) -> None:
     (tmp_path / "taken").mkdir()
     (tmp_path / "file").write_text("")
     bad = {"--out": [str(tmp_path / "taken"), str(tmp_path / "file" / "axis.toml")], "--folder": [str(tmp_path / "file")]}
@@ -240,14 +240,14 @@ def test_what_cannot_be_written_is_told_before_a_log_is_read(tmp_path: Path, cap
 def test_folders_above_the_file_are_made_where_it_is_written(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], sign: float, code: int
 ) -> None:
-    """As of every command; nothing is left behind where nothing is written."""
+    """As for every command; if nothing is written, no folder is left behind."""
     log, out = str(written(tmp_path, sign=sign)), tmp_path / "new" / "below" / "axis.toml"
     assert main(["identify", log, "--column", "force.x=push", "--out", str(out)]) == code
     capsys.readouterr()
     assert out.is_file() == (tmp_path / "new").exists() == (code == 0)
 
 
-def test_settings_are_called_as_the_options_are(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_settings_have_the_names_of_the_options(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = str(written(tmp_path, seconds=2.0))
     assert main(["identify", log, "--column", "force.x=push", "--slowest", "10 m/s"]) == 2
     assert "--slowest = 10 m/s" in capsys.readouterr().err

@@ -1,4 +1,4 @@
-"""Logs that tell no axis, or not the one that is asked for: refused or flagged in words by every model of ``contourlab identify``."""
+"""Logs that show no axis, or not the requested one: every model of ``contourlab identify`` refuses or flags them."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def moved(u: np.ndarray, friction: float = 0.0) -> np.ndarray:
 
 
 def good(model: str) -> Log:
-    """Return a log that the model is found from, its command in volts, ten for full scale."""
+    """Return a log that identifies the model, its command in volts, 10 V for full scale."""
     if model == "friction":
         v = np.repeat([0.01, -0.01, 0.03, -0.03, 0.06, -0.06, 0.1, -0.1], 800)
         u = 0.5 * np.sign(v) + 5.0 * v + 0.02 + 0.01 * np.random.default_rng(1).standard_normal(v.size)
@@ -64,7 +64,7 @@ def written(folder: Path, log: Log) -> str:
 
 
 def identified(folder: Path, model: str, log: Log, capsys: pytest.CaptureFixture[str]) -> tuple[int, dict, str]:  # type: ignore[type-arg]
-    """Return the exit code, what stands in the JSON, and what is said of an error; no traceback, and no file but from what is usable."""
+    """Return exit code, JSON and error text; assert that there is no traceback, and a file only from a usable result."""
     out = folder / "axis.toml"
     words = ["identify", written(folder, log), "--column", "command.x=cmd", "--model", model, "--json"]
     file = [] if model in ("closed-loop", "frequency-response") else ["--out", str(out)]  # those two have no axis file
@@ -80,7 +80,7 @@ def each(log: Log, change: Callable[[np.ndarray], np.ndarray]) -> Log:
 
 
 def unrelated(log: Log) -> Log:
-    """Put the position of an axis that moves on its own in its place."""
+    """Replace the position by that of an axis that moves independently."""
     t = log["t"]
     return {**log, "pos": np.round((0.03 * np.sin(8.6 * t) + 0.01 * np.sin(2.3 * t)) / 1e-7) * 1e-7}
 
@@ -105,7 +105,7 @@ REFUSED: dict[str, tuple[Callable[[Log], Log], str]] = {
     "five rows": (lambda log: each(log, lambda v: v[:5]), "at least"),
     "zeros": (lambda log: {**each(log, np.zeros_like), "t": log["t"]}, "must be"),
     "constants": (flat, "must be"),
-    "no numbers": (lambda log: {**log, "pos": np.full(log["pos"].size, np.nan)}, "holds no numbers"),
+    "no numbers": (lambda log: {**log, "pos": np.full(log["pos"].size, np.nan)}, "contains no numbers"),
     "time goes back": (back, "time goes back from"),
     "two records": (lambda log: each(log, lambda v: np.r_[v, v]), "two records in one file"),
     "a fifth missing": (thin, "samples of 'cmd' are missing"),
@@ -114,14 +114,14 @@ REFUSED: dict[str, tuple[Callable[[Log], Log], str]] = {
 
 @pytest.mark.parametrize("model", [*MODELS, "two-inertia"])
 @pytest.mark.parametrize("case", REFUSED)
-def test_what_tells_nothing_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, case: str) -> None:
+def test_logs_without_information_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, case: str) -> None:
     spoil, words = REFUSED[case]
     code, _, said = identified(tmp_path, model, spoil(good(model)), capsys)
     assert code == 2 and words in said and "log.csv: " in said
 
 
 @pytest.mark.parametrize("model", MODELS)
-def test_an_axis_that_goes_against_its_command_is_none(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
+def test_an_axis_that_moves_against_its_command_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
     log = good(model)
     code, found, said = identified(tmp_path, model, {**log, "pos": -log["pos"]}, capsys)
     if model in ("frequency-response", "closed-loop"):
@@ -145,7 +145,7 @@ def test_a_command_that_has_nothing_to_do_with_the_motion_makes_no_file(
     noise = np.random.default_rng(4).standard_normal(log["t"].size)
     code, found, said = identified(tmp_path, model, {**log, "cmd": noise, **({"ref": 1e-4 * noise} if "ref" in log else {})}, capsys)
     assert (code == 2 and len(said) > 40) or (code == 1 and found["findings"] and not found["usable"])
-    # Whatever is told of it, no mass and no gain is below zero.
+    # In any case no mass and no gain is below zero.
     for name in ("M", "a", "a'"):
         assert found.get("parameters", {}).get(name, {"value": 1.0})["value"] > 0.0
 
@@ -155,7 +155,7 @@ def test_a_command_that_has_nothing_to_do_with_the_motion_makes_no_file(
     ("key", "factor", "words"),
     [("pos", 1e-3, "is the unit of the position right?"), ("cmd", 1e3, "unit"), ("t", 1e3, "is the unit of the time right?")],
 )
-def test_units_a_thousand_times_off_are_asked_about(
+def test_units_off_by_a_thousand_are_questioned(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, key: str, factor: float, words: str
 ) -> None:
     log = good(model)
@@ -164,7 +164,7 @@ def test_units_a_thousand_times_off_are_asked_about(
 
 
 @pytest.mark.parametrize("model", MODELS)
-def test_a_likely_log_is_not_asked_about(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
+def test_a_plausible_log_is_not_questioned(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
     code, found, _ = identified(tmp_path, model, good(model), capsys)
     assert code == 0 and codes(found).isdisjoint({"CL401", "CL402", "CL403", "CL502", "CL509", "CL532"})
 
@@ -201,7 +201,7 @@ def test_columns_that_are_exchanged_are_no_response(tmp_path: Path, capsys: pyte
 
 
 def test_a_few_counts_of_motion_are_too_little(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A hundred newtons that move an axis by some counts: the mass is hardly told, and that is said."""
+    """A hundred newtons move the axis by a few counts: a finding says that the mass is poorly determined."""
     log = good("rigid")
     place = np.round(log["pos"] * 2e-5 / 1e-7) * 1e-7
     code, found, said = identified(tmp_path, "rigid", {**log, "pos": place}, capsys)

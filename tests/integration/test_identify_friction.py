@@ -1,4 +1,4 @@
-"""Friction out of logs as typed: over speed, from rest, in the file and beside a plant."""
+"""Friction from logs as typed: over speed, from rest, in the file and together with a plant."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def test_stiction_over_ramps(tmp_path: Path, capsys: pytest.CaptureFixture[str])
 def test_an_axis_that_slows_down_without_stopping_has_no_friction_of_its_own_there(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """From a fast run into a slow one: what brakes in between is mass, not friction, without a reference too."""
+    """From a fast run into a slow one: the mass, not friction, determines the braking in between, without a reference too."""
     levels = np.array([0.04, 0.12, 0.04, -0.04, -0.12, -0.04, 0.04, 0.08, -0.08])
     v = np.convolve(np.repeat(levels, 600), np.ones(150) / 150.0, mode="same")
     u = 10.0 * np.sign(v) + 100.0 * v + 90.0 * np.gradient(v, PERIOD) + 0.2 * np.random.default_rng(2).standard_normal(v.size)
@@ -57,7 +57,7 @@ def test_friction_of_the_measured_table(
 
 
 @pytest.mark.parametrize("kind", ["friction", "stiction"])
-def test_the_file_of_a_friction_runs_beside_a_plant(tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str) -> None:
+def test_a_friction_file_runs_together_with_a_plant(tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str) -> None:
     out = tmp_path / "axis.toml"
     if kind == "friction":
         speeds = np.array([0.01, -0.01, 0.03, -0.03, 0.06, -0.06, 0.1, -0.1])
@@ -81,8 +81,8 @@ def test_the_file_of_a_friction_runs_beside_a_plant(tmp_path: Path, capsys: pyte
 
 
 @pytest.mark.parametrize(("seed", "said"), [(3, "CL511"), (1, "CL533")])
-def test_levels_of_force_at_random_tell_no_friction(tmp_path: Path, capsys: pytest.CaptureFixture[str], seed: int, said: str) -> None:
-    """What looks straight on the whole is no constant speed where a mass follows steps of force."""
+def test_random_force_steps_identify_no_friction(tmp_path: Path, capsys: pytest.CaptureFixture[str], seed: int, said: str) -> None:
+    """A mass under force steps has no constant speed, even where its position looks straight."""
     u = np.repeat(np.random.default_rng(seed).uniform(-200.0, 200.0, 60), 300)
     v = np.zeros(u.size)
     for k in range(1, u.size):
@@ -117,7 +117,7 @@ def test_friction_that_rises_from_rest_keeps_its_rise_in_the_file(tmp_path: Path
     assert (friction["coulomb"], friction["viscous"]) == pytest.approx((figures["Fc"], figures["Fv"]), rel=1e-4)
     assert friction["breakaway"] == pytest.approx(figures["Fc"] + figures["drop"], rel=1e-4)
     assert friction["rise_velocity"] == pytest.approx(figures["vs"], rel=1e-4)
-    # At rest the curve is better known than its level at speed and the rise from there, which go together.
+    # The friction at rest is better known than its level at speed and the rise, which are correlated.
     assert origins["breakaway"].deviation < found["parameters"]["drop"]["deviation"]
     assert {frozenset(pair[:2]) for pair in axis.correlations} >= {frozenset(("friction.breakaway", "friction.rise_velocity"))}
     assert driven(tmp_path) < 0.2e-3
@@ -132,7 +132,7 @@ def test_a_curve_below_zero_at_rest_is_no_component(tmp_path: Path, capsys: pyte
 
 
 @pytest.mark.parametrize("model", ["rigid-by-direction", "friction"])
-def test_friction_that_is_averaged_over_directions_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
+def test_friction_averaged_over_directions_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
     out = tmp_path / "axis.toml"
     if model == "friction":
         words = [jogged(tmp_path, lambda v: np.where(v > 0.0, 0.5 + 4.0 * v, -0.7 + 8.0 * v)), "--column", "command.x=cmd"]

@@ -47,7 +47,7 @@ def test_closed_loop_takes_the_gains_of_the_loop(tmp_path: Path, capsys: pytest.
         assert said in capsys.readouterr().err
 
 
-def test_a_log_given_twice_is_refused_and_one_of_the_same_samples_remarked_on(
+def test_a_log_given_twice_is_refused_and_one_of_the_same_samples_reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     log = Path(jogged(tmp_path, lambda v: 0.5 * np.sign(v) + 4.0 * v))
@@ -114,7 +114,7 @@ def test_the_file_of_an_axis_runs(
     if "--gain" in more and model == "first-order":
         assert axis.plant.values()["mass"] == pytest.approx(50.0 / 1.695, rel=1e-2)
         assert axis.disturbance.values()["force"] == pytest.approx(0.5, rel=0.05)
-        # 1/a and b/a: relative deviations of mass and damping are nearly those of a, and of b with a's share.
+        # Mass is 1/a and damping b/a: their relative deviations are nearly those of a, and of b with a's share.
         a = found["parameters"]["a"]
         assert axis.plant.origins["mass"].deviation / axis.plant.values()["mass"] == pytest.approx(
             a["robust_deviation"] / a["value"], rel=0.01
@@ -165,13 +165,13 @@ def test_deviations_are_the_spread_over_many_logs() -> None:
             found.setdefault(name, []).append((figure.value, figure.robust_deviation))
     for name, rows in found.items():
         values, deviations = np.array(rows).T
-        # The spread of thirty is itself known to 13 %; the damping's deviation is on the safe side.
+        # The spread of thirty is known to 13 %; the damping's deviation is on the safe side.
         assert 0.6 < np.median(deviations) / values.std(ddof=1) < (6.0 if name == "B" else 1.6), name
 
 
 @pytest.mark.parametrize("model", ["rigid", "first-order", "linear-motor"])
-def test_units_that_cannot_be_right_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
-    """The same log with its millimetres taken for nanometres: 30 kg become 30 thousand tonnes."""
+def test_impossible_units_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
+    """The same log with millimetres read as nanometres: 30 kg become 30 thousand tonnes."""
     out = tmp_path / "axis.toml"
     words = [stepped(tmp_path, "V", 10.0), "--column", "command.x=cmd", "--gain", "5 N/V", "--model", model, "--out", str(out)]
     assert "CL532" not in codes(found_by(words, capsys)) and out.exists()
@@ -182,7 +182,7 @@ def test_units_that_cannot_be_right_are_told(tmp_path: Path, capsys: pytest.Capt
 
 @pytest.mark.parametrize("more", [["--gain", "5 N/V"], ["--gain", "-5 N/V", "--column", "command.x=-cmd"]])
 def test_a_gain_makes_the_same_kind_of_axis_by_every_model(tmp_path: Path, capsys: pytest.CaptureFixture[str], more: list[str]) -> None:
-    """An axis of 50/1.695 kg in a log in volts: force constant, limit and offset of its file do not hang on the model."""
+    """An axis of 50/1.695 kg in a log in volts: force constant, limit and offset of its file do not depend on the model."""
     column = [] if "--column" in more else ["--column", "command.x=cmd"]
     log, found = stepped(tmp_path, "V", 10.0), {}
     for model in ("rigid", "first-order", "linear-motor"):
@@ -196,7 +196,7 @@ def test_a_gain_makes_the_same_kind_of_axis_by_every_model(tmp_path: Path, capsy
         assert axis.drive.values()["limit"] == pytest.approx(1.5 * largest)
         assert "50 %" in axis.drive.origins["limit"].note
         assert axis.limits.velocity == pytest.approx(load_axis(tmp_path / "rigid.toml").limits.velocity, rel=0.1)
-        if model != "linear-motor":  # a command of half a newton is what the constant force of the axis takes
+        if model != "linear-motor":  # a command of half a newton balances the constant force of the axis
             assert axis.disturbance.values()["force"] == pytest.approx(0.5, rel=0.05)
     assert found["rigid"]["parameters"]["offset"]["value"] == pytest.approx(-0.5, rel=0.05)
     assert found["first-order"]["parameters"]["offset"]["value"] == pytest.approx(-0.5, rel=0.05)
@@ -207,9 +207,9 @@ def test_a_gain_makes_the_same_kind_of_axis_by_every_model(tmp_path: Path, capsy
 def test_an_identified_axis_follows_plans_at_its_limits(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, full_scale: bool
 ) -> None:
-    """Velocity and acceleration at once are less than the drive gives, whatever the log: here steps in open loop, which have them apart."""
+    """The drive can give both limits at once, for any log: in these open-loop steps they occur separately."""
     if model == "rigid" and full_scale:
-        return  # takes forces
+        return  # the rigid model takes forces
     out, mass = tmp_path / "axis.toml", 1.0 if full_scale else 50.0
     log = stepped(tmp_path, "full_scale" if full_scale else "N", mass)
     column = "force.x=cmd" if model == "rigid" else "command.x=cmd"
@@ -225,7 +225,7 @@ def test_an_identified_axis_follows_plans_at_its_limits(
     assert Machine("m", (axis,), PERIOD).planner_limits().acceleration[0] == limits.acceleration
 
 
-def test_a_limit_that_is_missing_is_told_with_its_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_missing_limit_is_reported_with_its_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "axis.toml").write_text(PLANT + '[limits]\nvelocity = "50 mm/s"\n')
     text = SCENARIO.replace("GAIN", "1.695 m/s^2/full_scale").replace("RATE", "10.1").replace("limits =", "#")
     (tmp_path / "way.ngc").write_text("G21 G90\nG1 X20 F1800\nX0\nM2\n")
@@ -235,7 +235,7 @@ def test_a_limit_that_is_missing_is_told_with_its_file(tmp_path: Path, capsys: p
     assert f"{tmp_path / 'axis.toml'}: axis x" in said and "limits.acceleration" in said and said.count("\n") == 1
 
 
-def test_logs_of_one_name_are_told_apart_by_their_folders(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_logs_of_one_name_are_named_by_their_folders(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for name, speeds in (("slow", [10, 20, 40]), ("fast", [80, 120, 160])):
         (tmp_path / name).mkdir()
         v = np.repeat(np.ravel(np.column_stack([speeds, np.negative(speeds)])), 600) * 1e-3
@@ -249,7 +249,7 @@ def test_logs_of_one_name_are_told_apart_by_their_folders(tmp_path: Path, capsys
     assert 'from = "slow/jog.csv and 1 more"' in out.read_text() and str(tmp_path) not in out.read_text()
     assert main(["identify", *words]) == 0
     assert "slow/jog.csv, fast/jog.csv, " in capsys.readouterr().out
-    # What is to be said of one log only names it.
+    # A finding about one log names it.
     rows = (tmp_path / "fast" / "jog.csv").read_text().splitlines()
     (tmp_path / "fast" / "jog.csv").write_text("\n".join([*rows[:700], *rows[703:]]) + "\n")
     of_one = [one["text"] for one in found_by(words, capsys)["findings"] if one["place"] == "fast/jog.csv"]
@@ -271,11 +271,11 @@ def test_pictures_have_points_labels_and_a_folder(
     assert main(["identify", *logs, *UBC, "--model", model, *more, "--plots", "svg", "--folder", str(tmp_path / "seen")]) == 0
     assert sorted(file.stem for file in (tmp_path / "seen" / "plots").iterdir()) == files
     drawn = "".join((tmp_path / "seen" / "plots" / f"{file}.svg").read_text() for file in files)
-    assert all(f">{label}<" in drawn for label in labels) and ">measured, " in drawn
+    assert all(f">{label}<" in drawn for label in labels) and ">measured" in drawn
     assert f"{tmp_path / 'seen' / 'plots' / files[0]}.svg" in capsys.readouterr().out
 
 
-def test_a_file_that_was_asked_for_and_is_not_written_is_no_success(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_requested_file_that_is_not_written_is_no_success(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "axis.toml"
     out.write_text("older")
     words = [stepped(tmp_path, "V", 10.0), "--column", "command.x=cmd", "--model", "frequency-response"]

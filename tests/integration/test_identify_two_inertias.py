@@ -1,4 +1,4 @@
-"""Drives of two inertias, told from what they do over frequency, as typed."""
+"""Drives of two inertias, identified from their frequency response, as typed."""
 
 from __future__ import annotations
 
@@ -84,10 +84,10 @@ def turning_drive(tmp_path: Path, damping: float) -> tuple[list[str], dict[str, 
 
 
 @pytest.mark.parametrize("damping", [1e-3, 5e-3])
-def test_the_shaft_is_told_from_what_the_motor_damps_at_the_load(
+def test_shaft_damping_is_separated_from_motor_damping_at_the_load(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], damping: float
 ) -> None:
-    """A motor that is damped damps the resonance by its share: what is given of the motor tells that from the shaft's part."""
+    """A damped motor also damps the resonance; the given motor inertia separates this share from the shaft's."""
     words, x = turning_drive(tmp_path, damping)
     out = tmp_path / "drive.toml"
     found_by([*words, "--lead", "10 mm", "--motor-inertia", "2 kg*cm^2", "--out", str(out)], capsys)
@@ -95,7 +95,7 @@ def test_the_shaft_is_told_from_what_the_motor_damps_at_the_load(
     for name, key in (("load_inertia", "load"), ("stiffness", "stiffness"), ("shaft_damping", "shaft"), ("motor_damping", "damping")):
         assert plant.values()[name] == pytest.approx(x[key], rel=0.01), name
         assert abs(plant.values()[name] - x[key]) < 5.0 * plant.origins[name].deviation + 1e-3 * x[key], name
-    # Without the share the damping ratio is that of the resonance itself, whoever damps it.
+    # Without it the damping ratio is that of the resonance, from both sources.
     reduced = x["motor"] * x["load"] / (x["motor"] + x["load"])
     w = math.sqrt(x["stiffness"] / reduced)
     ratio = x["shaft"] / (2.0 * w * reduced) + damping * x["load"] / (2.0 * w * x["motor"] * (x["motor"] + x["load"]))
@@ -104,7 +104,7 @@ def test_the_shaft_is_told_from_what_the_motor_damps_at_the_load(
     assert figures["resonance"]["value"] == pytest.approx(w / math.tau, rel=2e-3)
 
 
-def test_an_inertia_says_nothing_of_masses_in_volts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_inertia_does_not_scale_masses_in_volts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words, _ = turning_drive(tmp_path, 1e-3)
     words[words.index("torque.x=T")] = "command.x=T [V]"
     found = found_by([*words, "--lead", "10 mm", "--motor-inertia", "2 kg*cm^2"], capsys)
@@ -112,7 +112,7 @@ def test_an_inertia_says_nothing_of_masses_in_volts(tmp_path: Path, capsys: pyte
 
 
 def test_a_number_at_its_bound_is_not_written_as_fitted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A motor said to be three times too light leaves less damping to its resonance than the motor's own: none is told of the shaft."""
+    """With a motor inertia three times too small, the motor alone damps more than the resonance shows: the shaft's damping is unknown."""
     words, _ = turning_drive(tmp_path, 5e-3)
     out = tmp_path / "drive.toml"
     words += ["--lead", "10 mm", "--motor-inertia", "0.6 kg*cm^2", "--out", str(out)]

@@ -1,4 +1,4 @@
-"""What a command reads it never writes over, and what contourlab did not write it leaves alone."""
+"""Commands never overwrite their inputs, nor files that contourlab did not write."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ IDENTIFY = ("identify", "log.csv", "--validation", "second.csv", "--columns", "c
 
 @pytest.fixture
 def here(circle: Finished, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A working folder with the results of a run, and those of a swap that wrote a controller."""
+    """A working folder with the results of a run and of a swap, which wrote a controller."""
     shutil.copytree(circle.folder, tmp_path / "results")
     with staged(tmp_path / "results", "swap.json") as stage:
         (stage / "controllers").mkdir()
@@ -70,7 +70,7 @@ def test_the_list_of_a_folder_may_be_lost(here: Path, capsys: pytest.CaptureFixt
 
 
 def test_a_measured_run_takes_the_place_of_a_run_only(here: Path) -> None:
-    """A controller of a swap stays, and so does a file of the user where results are kept."""
+    """A controller of a swap stays, and so does a user's file in the results folder."""
     (here / "results" / "signals" / "bench.nc").write_text("of the user", encoding="utf-8")
     (here / "run.nc").write_bytes((here / "results" / "signals" / "position-loop.nc").read_bytes())
     before = contents(here)

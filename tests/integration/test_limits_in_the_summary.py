@@ -1,4 +1,4 @@
-"""`limits` of summary.json: what the verifier says of a motion whose peaks are known in closed form."""
+"""`limits` of summary.json: the verifier's report on a motion with peaks known in closed form."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_the_peaks_of_a_line_and_half_a_circle(part: Finished) -> None:
     assert (jerk["value"], jerk["limit"], jerk["ratio"]) == pytest.approx((JERK, JERK, 1.0), rel=1e-6)
     line = PART.splitlines().index("G1 X5 F1000") + 1
     assert (acceleration["line"], jerk["line"]) == (line, line)
-    # The line goes over into the arc in a tangent: only the centripetal acceleration, along y, begins at once.
+    # The line is tangent to the arc: only the centripetal acceleration, along y, jumps.
     assert (step["axis"], step["limit"]) == ("y", ACCELERATION)
     assert step["value"] == pytest.approx(FEED**2 / RADIUS, rel=1e-3)
     # Five millimetres, and half a rise of 2 sqrt(v / J), during which the mean speed is half of the feed.

@@ -1,4 +1,4 @@
-"""Motions of real part programs, held against the machine's limits by the independent verifier."""
+"""Motions of real part programs, checked against the machine's limits by the independent verifier."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ FEEDS: tuple[dict[str, Any], ...] = ({}, {"path_control": "blend", "corner_toler
 def test_no_limit_is_passed_by_more_than_half_a_percent(name: str, feed: dict[str, Any]) -> None:
     found = sorted(PROGRAMS.glob(f"*_{name}"))
     if not found:
-        pytest.skip("the shared part programs are not beside this checkout")
+        pytest.skip("the shared part programs are not next to this checkout")
     options = {"fit": True, "require_end": False}
     (case,) = scenario_from_parts(str(found[0]), "builtin:xyz", "xyz-controller", options=options, feed=feed).cases()
     report = limit_report(case.reference(), case.limits)
     assert report.ok(0.005), max(report.all(), key=lambda worst: worst.ratio)
-    # A motion that used none of its limits would pass as well.
+    # A motion far below its limits would pass as well.
     assert max(worst.ratio for worst in report.jerk) > 0.99

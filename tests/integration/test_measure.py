@@ -1,4 +1,4 @@
-"""``contourlab measure`` as typed, on the measured runs of a two-axis table and on logs that are at fault."""
+"""``contourlab measure`` as typed, on the measured runs of a two-axis table and on faulty logs."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def test_the_measured_runs_of_the_table(
 
 
 def as_table(run: np.ndarray, stamp: str, heads: str) -> str:
-    """Write the run at 1 kHz; `stamp` is the form of its time, from two seconds before midnight on."""
+    """Write the run at 1 kHz; `stamp` formats its time, which starts two seconds before midnight."""
     start = datetime(2024, 5, 31, 23, 59, 58)
     stamps = [(start + timedelta(milliseconds=k)).strftime(stamp.replace("%f", f"{k % 1000:03d}")) for k in range(len(run))]
     rows = [";".join([stamp, *(f"{value:.9f}" for value in row)]) for stamp, row in zip(stamps, run.tolist(), strict=True)]
@@ -70,7 +70,7 @@ def as_scope(run: np.ndarray) -> str:
 
 
 def as_trace(run: np.ndarray) -> str:
-    """Write what is new in each sample, as the control does."""
+    """Write only changed values in each sample, as the control does."""
     ids = ("f1", "f2", "f3", "f4")
     shown = "".join(
         f'<signal key="s{k}" name="/Nck/!SD/{name} [u1, {axis}]" description="{name} (64 bit)" unitsType="mm"/>'
@@ -113,7 +113,7 @@ def test_the_same_run_in_other_forms(
     written: Callable[[np.ndarray], str],
     words: list[str],
 ) -> None:
-    """The pole-placement run of the table, every tenth sample of it: its contour error does not hang on how its log is written."""
+    """Every tenth sample of the table's pole-placement run: the contour error does not depend on the log's format."""
     record = read_record(shared / "data" / "ubc-xy-table" / "line_circle_pp.mat")
     (tmp_path / name).write_text(written(np.column_stack([channel.values[::10] for channel in record.channels])))
     assert main(["measure", str(tmp_path / name), *words, "--out", str(tmp_path / "out"), "--json"]) == 0
@@ -123,8 +123,8 @@ def test_the_same_run_in_other_forms(
     assert (error["rms"], error["max"]) == pytest.approx((48.2416e-6, 95.3252e-6), rel=1e-5)
 
 
-def test_an_error_that_is_known() -> None:
-    """A circle that is 30 um too large and a tenth of a second late: contour error 30 um, whatever the lag."""
+def test_a_known_error() -> None:
+    """A circle that is 30 um too large and a tenth of a second late: the contour error is 30 um at any lag."""
     wanted = np.vstack([circle(), np.repeat(circle()[-1:], 100, axis=0)])
     late = np.vstack([np.repeat(wanted[:1], 100, axis=0), wanted[:-100]])
     found = measure(run_of(late * (1.0 + 30e-6 / 0.02), wanted))
@@ -133,7 +133,7 @@ def test_an_error_that_is_known() -> None:
     assert found.metrics.tracking_error[0].rms > 1e-3
 
 
-def test_a_largest_error_of_one_sample_is_asked_about() -> None:
+def test_a_largest_error_of_one_sample_is_questioned() -> None:
     wanted = circle()
     wavy = wanted * (1.0 + 1e-3 * np.sin(np.arange(len(wanted)) / 40.0)[:, None])
     assert "CL410" not in {one.code for one in measure(run_of(wavy, wanted)).findings}
@@ -151,7 +151,7 @@ def test_the_path_of_samples_leaves_out_what_lies_on_a_line() -> None:
 
 
 def test_a_slow_arc_is_no_chord() -> None:
-    """Each of many close samples on an arc is on a line with its neighbours; together they are not."""
+    """Each of many close samples on an arc is collinear with its neighbours; together they are not."""
     angle = np.linspace(0.0, np.pi, 200_001)
     path, along = path_of_samples(0.02 * np.column_stack([np.cos(angle), np.sin(angle)]))
     assert path.length == pytest.approx(0.02 * np.pi, rel=1e-6)
@@ -186,7 +186,7 @@ def test_a_part_program_as_the_reference(tmp_path: Path, capsys: pytest.CaptureF
 
 
 def test_runs_of_a_part_program_are_compared_from_their_folders(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """What was judged against a program has no reference of the drives: no tracking error, neither alone nor beside another."""
+    """A run judged against a program has no drive reference, so neither a run nor a comparison has a tracking error."""
     (tmp_path / "part.ngc").write_text("G21 G90 G64\nG1 X0 Y0 F3000\nG1 X40\nG1 Y30\nG1 X0\nG1 Y0\nM2\n")
     from contourlab.features.measure.log_choice import program_path
 
@@ -206,7 +206,7 @@ def test_runs_of_a_part_program_are_compared_from_their_folders(tmp_path: Path, 
 
 
 def test_a_part_program_in_other_coordinates(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The same with the part anywhere on the table: fitted, the error is the same as with the shift given."""
+    """The part lies anywhere on the table: with the shift fitted, the error is the same as with the shift given."""
     program = tmp_path / "part.ngc"
     program.write_text("G21 G90 G64 P0.01\nG0 X0 Y0\nG1 X40 F3000\nG3 X40 Y30 J15\nG1 X10\nG1 X0 Y0\nM2\n")
     from contourlab.features.measure.log_choice import program_path
@@ -236,7 +236,7 @@ def test_a_part_program_in_other_coordinates(tmp_path: Path, capsys: pytest.Capt
     assert "--shift" in said and "x, y" in said and said.count("\n") == 1
 
 
-def test_a_straight_path_does_not_tell_its_shift() -> None:
+def test_a_straight_path_does_not_determine_its_shift() -> None:
     along = np.linspace(0.0, 0.1, 500)
     with pytest.raises(ResultError, match="straight"):
         fitted_shift(Path_([Line((0.0, 0.0), (0.1, 0.0))]), np.column_stack([along, np.full(500, 0.01)]))
@@ -246,7 +246,7 @@ def test_a_straight_path_does_not_tell_its_shift() -> None:
     ("content", "words", "said"),
     [
         ("x pos [mm]\n1\n2\n3\n", ["--period", "1 ms"], "no reference in log.csv"),
-        ("x pos [mm],x ref [mm]\n1,1\n2,1\n3,1\n", ["--period", "1 ms"], "log.csv: nothing is asked to move"),
+        ("x pos [mm],x ref [mm]\n1,1\n2,1\n3,1\n", ["--period", "1 ms"], "log.csv: the reference does not move"),
         ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", [], "has no sample times"),
         ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1"], "--period"),
         ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1 ms", "--axes", "q"], "no axis q"),
@@ -259,7 +259,7 @@ def test_a_straight_path_does_not_tell_its_shift() -> None:
         ("t,x pos [mm],x ref [mm]\n0,1,1\n1,2,2\n2,3,3\n", ["--column", "reference.x=x ref", "--reference", "x pos"], "given twice, as"),
     ],
 )
-def test_what_is_wrong_is_said_and_nothing_is_written(
+def test_faults_are_refused_and_nothing_is_written(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], content: str, words: list[str], said: str
 ) -> None:
     log = tmp_path / "log.csv"
@@ -269,16 +269,16 @@ def test_what_is_wrong_is_said_and_nothing_is_written(
     assert not (tmp_path / "out").exists()
 
 
-def test_a_simulated_run_goes_through_the_same_door(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """What `run` wrote and `measure` reads has the contour error that `run` told."""
+def test_a_simulated_run_can_be_measured(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """`measure` finds the contour error that `run` printed in the signals that `run` wrote."""
     kept = ["--signals", "reference", "--signals", "tool_position"]
     assert main(["run", "builtin:demo-part", "--out", str(tmp_path / "run"), "--json", *kept]) in (0, 1)
-    told = json.loads(capsys.readouterr().out)["schemes"]["with disturbance observer"]
+    printed = json.loads(capsys.readouterr().out)["schemes"]["with disturbance observer"]
     log = load_log(tmp_path / "run" / "signals" / "with-disturbance-observer.nc")
-    assert log.result.servo_period == told["servo_period"]
+    assert log.result.servo_period == printed["servo_period"]
     found = measure(log.result)
-    assert found.metrics.contour_error.max == pytest.approx(told["metrics"]["contour_error"]["max"], rel=1e-3)
-    assert found.metrics.contour_error.rms == pytest.approx(told["metrics"]["contour_error"]["rms"], rel=1e-2)
+    assert found.metrics.contour_error.max == pytest.approx(printed["metrics"]["contour_error"]["max"], rel=1e-3)
+    assert found.metrics.contour_error.rms == pytest.approx(printed["metrics"]["contour_error"]["rms"], rel=1e-2)
 
 
 def test_two_measured_runs_side_by_side(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -304,7 +304,7 @@ def test_runs_that_cannot_be_compared(tmp_path: Path, capsys: pytest.CaptureFixt
     second.write_text("time [s],y pos [mm],y ref [mm]\n0,0,0\n1,1,1\n2,2,2\n")
     out = ["--out", str(tmp_path / "out")]
     for words, said in (
-        ([str(first), str(second)], "has the axes y, a has x"),
+        ([str(first), str(second)], "has axes y, but a has x"),
         ([str(first), str(first)], "is given twice"),
         ([str(first), str(tmp_path)], "is a folder with 0 runs"),
         ([str(first), str(second), "--trials", "3"], "--trials"),
@@ -315,7 +315,7 @@ def test_runs_that_cannot_be_compared(tmp_path: Path, capsys: pytest.CaptureFixt
 
 
 def test_a_log_that_begins_in_motion() -> None:
-    """A tool 12 um outside and 30 ms late: at the first samples it is where the recorded path is not yet, 1.9 mm behind its start."""
+    """A tool 12 um outside and 30 ms late: its first samples lie 1.9 mm before the start of the recorded path."""
     n, late = 4000, 30
     angle = np.linspace(0.0, 4.0 * np.pi, n + late)
     whole = 0.02 * np.column_stack([np.cos(angle), np.sin(angle)])
@@ -324,13 +324,13 @@ def test_a_log_that_begins_in_motion() -> None:
     assert found.metrics.contour_error.max == pytest.approx(12e-6, abs=0.1e-6)
     assert found.findings[-1].code == "CL408" and found.findings[-1].values["samples"] in (late, late + 1)
     at_rest = measure(run_of(np.vstack([tool[:1]] * 2 + [tool]), np.vstack([wanted[:1]] * 2 + [wanted])))
-    assert at_rest.metrics.contour_error.max > 1e-3  # the reference began from rest, and the tool was not there
+    assert at_rest.metrics.contour_error.max > 1e-3  # the reference starts from rest, away from the tool
     ended = measure(run_of(whole[late:], whole[:-late]))
     assert ended.metrics.contour_error.max < 0.1e-6 and ended.findings[-1].code == "CL408"
 
 
-def test_a_largest_error_that_nobody_measured(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A run of missing samples on a circle is bridged by a chord: what that is off is said to be no measurement."""
+def test_a_largest_error_inside_a_gap_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A chord bridges missing samples on a circle; a finding says that its error is not measured."""
     wanted = np.vstack([circle(), np.repeat(circle()[-1:], 20, axis=0)]) * 1e3
     lines = [f"{k * 1e-3:.4f},{x:.6f},{y:.6f},{x:.6f},{y:.6f}" for k, (x, y) in enumerate(wanted)]
     lines[700:760] = [",".join([*line.split(",")[:3], "", "nan"]) for line in lines[700:760]]
@@ -345,7 +345,7 @@ def test_a_largest_error_that_nobody_measured(tmp_path: Path, capsys: pytest.Cap
 
 @pytest.mark.parametrize(("late", "when"), [(-5, 1.5), (25, 1.53)])
 def test_a_largest_error_against_the_chord_of_a_gap(tmp_path: Path, capsys: pytest.CaptureFixture[str], late: int, when: float) -> None:
-    """Rows left out leave a chord in the reference: a tool that is ahead is on it at the edge of the gap, one that is late behind it."""
+    """Missing rows leave a chord in the reference. A tool that is ahead is on it at the edge of the gap, a late one after the gap."""
     angle = 2.0 * np.pi * (np.arange(2000)[:, None] - [0.0, late]) / 2000.0
     wanted, place = (20.0 * np.column_stack([np.cos(turned), np.sin(turned)]) for turned in angle.T)
     rows = np.column_stack([1e-3 * np.arange(2000), wanted, 1.0001 * place])
@@ -354,9 +354,9 @@ def test_a_largest_error_against_the_chord_of_a_gap(tmp_path: Path, capsys: pyte
     heads = "t [s],x ref [mm],y ref [mm],x pos [mm],y pos [mm]"
     np.savetxt(log, rows, delimiter=",", comments="", header=heads)
     assert main(["measure", str(log), "--out", str(tmp_path / "out"), "--json"]) == 0
-    (beside,) = (one["values"] for one in json.loads(capsys.readouterr().out)["schemes"]["log"]["findings"] if one["code"] == "CL412")
-    assert beside == {"time": pytest.approx(when, abs=0.01), "channels": ["x ref", "y ref"]}
-    rows[1000:1010, 3] += 0.05  # a larger one elsewhere is none of the gap's
+    (near_gap,) = (one["values"] for one in json.loads(capsys.readouterr().out)["schemes"]["log"]["findings"] if one["code"] == "CL412")
+    assert near_gap == {"time": pytest.approx(when, abs=0.01), "channels": ["x ref", "y ref"]}
+    rows[1000:1010, 3] += 0.05  # a larger error elsewhere has nothing to do with the gap
     np.savetxt(log, rows, delimiter=",", comments="", header=heads)
     assert main(["measure", str(log), "--out", str(tmp_path / "out"), "--json"]) == 0
     assert "CL412" not in {one["code"] for one in json.loads(capsys.readouterr().out)["schemes"]["log"]["findings"]}
@@ -372,7 +372,7 @@ def test_a_largest_error_against_the_chord_of_a_gap(tmp_path: Path, capsys: pyte
         ([1e3, 1.0, 1.0], "t [ms],{} [mm]", ""),
     ],
 )
-def test_units_that_are_wrong_of_all_columns_are_asked_about(
+def test_wrong_units_of_all_columns_are_questioned(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], factor: list[float], heads: str, code: str
 ) -> None:
     wanted = 1e3 * circle()
@@ -401,7 +401,7 @@ def test_an_axis_that_is_named_twice() -> None:
         (lambda place: place * [1.0, -1.0], "y"),
     ],
 )
-def test_a_position_that_does_not_go_with_its_reference(
+def test_a_position_that_does_not_match_its_reference(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], spoil: Callable[[np.ndarray], np.ndarray], axes: str
 ) -> None:
     wanted = circle(800)
@@ -427,7 +427,7 @@ def named(folder: Path, heads: str, *columns: np.ndarray) -> str:
     return str(log)
 
 
-def test_wrong_columns_are_refused_or_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_wrong_columns_are_refused_or_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Positions of x and y exchanged on a path longer than it is wide; the reference in place of the position; a reference left out."""
     wanted = circle(800) * [3.0, 1.0]
     place = np.vstack([np.repeat(wanted[:1], 10, axis=0), wanted[:-10]])

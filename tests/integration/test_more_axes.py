@@ -1,4 +1,4 @@
-"""Cross-coupled control and learning in three and five axes, as typed; a real part program; and what a single axis has no use for."""
+"""Cross-coupled control and learning in three and five axes, as typed; a real part program; a report for a single axis."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def write(folder: Path, n: int, contour: str) -> str:
     return "s.toml"
 
 
-def of(said: Any) -> dict[str, Any]:
+def schemes_of(said: Any) -> dict[str, Any]:
     assert said.code == 0, said.err
     found: dict[str, Any] = json.loads(said.out)["schemes"]
     return found
@@ -83,11 +83,12 @@ def of(said: Any) -> dict[str, Any]:
     ],
 )
 def test_every_scheme_runs_in_more_axes(contourlab: Run, tmp_path: Path, n: int, contour: str) -> None:
-    found = of(contourlab("compare", write(tmp_path, n, contour), "--schemes", ",".join(SCHEMES), "--signals", "position", "--json"))
+    said = contourlab("compare", write(tmp_path, n, contour), "--schemes", ",".join(SCHEMES), "--signals", "position", "--json")
+    found = schemes_of(said)
     assert list(found) == list(SCHEMES)
     assert all(scheme["axes"] == list("xyzuv"[:n]) for scheme in found.values())
     rms = {name: scheme["metrics"]["contour_error"]["rms"] for name, scheme in found.items()}
-    # Friction is what is left of a loop with full feedforward: coupling halves it or nearly so, learning takes all but a few per cent away.
+    # With full feedforward only the friction error is left: coupling nearly halves it, learning removes all but a few per cent.
     assert rms["ccc"] < 0.75 * rms["fb"]
     assert rms["mr"] < 1.2 * rms["fb"]
     assert rms["ilc"] < 0.05 * rms["fb"]
@@ -95,7 +96,7 @@ def test_every_scheme_runs_in_more_axes(contourlab: Run, tmp_path: Path, n: int,
     for name in ("ilc", "ccc+ilc"):
         trials = [trial["contour_rms"] for trial in found[name]["learning"]["trials"]]
         assert all(later < earlier for earlier, later in pairwise(trials))
-        # Each trial takes off some 40 % of what is left, as gain = 0.4 says, until the encoder's 0.1 um is felt.
+        # With gain = 0.4 each trial removes about 40 % of the error, down to the encoder's 0.1 um.
         assert trials[1] / trials[0] == pytest.approx(0.6, abs=0.03)
     assert found["ccc"]["tick"] > found["fb"]["tick"]
 
@@ -109,7 +110,7 @@ def test_more_axes_are_analysed(contourlab: Run, tmp_path: Path, n: int, contour
     assert found["coupling"]["stable"]
     codes = [finding["code"] for finding in found["findings"]]
     assert "CL350" not in codes
-    # Behind the average's first zero, at 143 Hz, a loop with a delay learns nothing with the right sign everywhere.
+    # Above the average's first zero, at 143 Hz, a loop with a delay cannot learn with the right sign everywhere.
     learning = found["learning"]
     assert 143.0 < learning["worst_frequency"] < 500.0 and 1.0 < learning["worst_factor"] < 1.002
     assert "CL312" in codes
@@ -120,10 +121,10 @@ def test_more_axes_are_analysed(contourlab: Run, tmp_path: Path, n: int, contour
 def test_a_part_program_of_three_axes_is_learned(contourlab: Run, tmp_path: Path, shared: Path, machine: str, left: float) -> None:
     program = shared / "gcode" / "linuxcnc__nc_files_3dtest.ngc"
     (tmp_path / "part.toml").write_text(REAL_PART.format(machine=machine, program=program.as_posix()), encoding="utf-8")
-    found = of(contourlab("learn", "part.toml", "--signals", "part_error", "--json"))
+    found = schemes_of(contourlab("learn", "part.toml", "--signals", "part_error", "--json"))
     before, after = (found[name]["metrics"] for name in ("before learning", "after learning"))
     assert after["part_error"]["max"] < left * before["part_error"]["max"]
-    # What the planner gives away at rounded corners is not learned.
+    # Learning does not remove the planner's deviation at rounded corners.
     assert after["planning_deviation"]["max"] == before["planning_deviation"]["max"]
     assert (tmp_path / "results" / "learned").is_dir() and (tmp_path / "results" / "report.html").stat().st_size > 100_000
 

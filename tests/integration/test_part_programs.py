@@ -1,4 +1,4 @@
-"""`contourlab canon` and `contourlab check`, and programs brought into the travel of a machine, as typed."""
+"""`contourlab canon` and `contourlab check`, and programs fitted into the travel of a machine, as typed."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_canonical_moves_as_json(contourlab: Run, tmp_path: Path) -> None:
     assert validator("canon").is_valid(json.loads(said.out))
     assert (said.code, said.err) == (0, "")
     rapid, feed, arc, dwell, home = json.loads(said.out)["moves"]
-    # G55 stands at (10, 20) and is turned by 90 degrees: its X is the machine's Y.
+    # G55 has its origin at (10, 20) and is rotated by 90 degrees: its X is the machine's Y.
     assert rapid["kind"] == "traverse"
     assert rapid["end"] == [10.0, 21.0, 0.0]
     assert feed["start"] == rapid["end"]
@@ -76,7 +76,7 @@ def test_a_fault_prints_no_moves(contourlab: Run, tmp_path: Path) -> None:
     assert "part.ngc:3:1: " in said.err and "G1" in said.err and said.err.count("\n") == 1
 
 
-def test_where_the_reader_is_lenient_it_says_so(contourlab: Run, tmp_path: Path) -> None:
+def test_leniency_of_the_reader_is_reported(contourlab: Run, tmp_path: Path) -> None:
     said = contourlab("canon", write(tmp_path, "$H\nX5 (no end\nG1 F10 Y1\n"), "--dialect", "grbl")
     assert said.code == 0
     assert len(said.out.splitlines()) == 2
@@ -87,12 +87,12 @@ def test_where_the_reader_is_lenient_it_says_so(contourlab: Run, tmp_path: Path)
 def test_check_finds_every_fault(contourlab: Run, tmp_path: Path) -> None:
     said = contourlab("check", write(tmp_path, FAULTY))
     assert said.code == 2
-    for place in ("part.ngc:2:7: Q has no", "part.ngc:5:10: W (secondary axis)", "part.ngc:8:1: G41 (cutter compensation)"):
+    for place in ("part.ngc:2:7: no active code uses Q", "part.ngc:5:10: W (secondary axis)", "part.ngc:8:1: G41 (cutter compensation)"):
         assert said.out.count(place) == 1, said.out
     assert "3 faults" in said.out
 
 
-def test_check_says_what_a_program_does(contourlab: Run, tmp_path: Path) -> None:
+def test_check_describes_a_program(contourlab: Run, tmp_path: Path) -> None:
     text = "G21 G90 T2 M6 S3000 M3 F1200\nG0 X-100\nG1 X20\nG3 X20 I-10\nG4 P0.5\nM2\n"
     said = contourlab("check", write(tmp_path, text), "--json")
     assert said.code == 0, said.out
@@ -103,7 +103,7 @@ def test_check_says_what_a_program_does(contourlab: Run, tmp_path: Path) -> None
     assert found["length"]["feed"] == pytest.approx(0.12 + 0.02 * math.pi)
     assert found["feeds_mm_per_min"] == [1200.0]
     assert (found["tools"], found["spindle_speeds"]) == ([2], [3000.0])
-    # Rapids at 0.2 m/s, feed at 20 mm/s, a dwell; what speeding up costs comes on top.
+    # Rapids at 0.2 m/s, feed at 20 mm/s, a dwell; acceleration adds more time.
     least = 0.1 / 0.2 + found["length"]["feed"] / 0.02 + 0.5
     assert least < found["cycle_time"] < least + 1.0
     assert found["problems"] == found["notices"] == found["findings"] == []
@@ -125,7 +125,7 @@ def test_a_part_that_is_too_large_is_fitted_on_request(contourlab: Run, tmp_path
     assert " 0.294" in said.out
     result = Result.load(tmp_path / "results" / "signals" / "base.nc")
     reference = np.asarray(result["reference"])
-    # 1000 mm of x come into 98 % of 300 mm; y keeps the same scale.
+    # 1000 mm of x fit into 98 % of 300 mm; y keeps the same scale.
     assert np.ptp(reference[:, 0]) == pytest.approx(0.294, abs=1e-6)
     assert np.ptp(reference[:, 1]) == pytest.approx(0.294 * 0.27, abs=1e-6)
     assert json.loads((tmp_path / "results" / "summary.json").read_text(encoding="utf-8"))["notes"]
@@ -138,14 +138,14 @@ def test_fit_leaves_alone_what_fits(contourlab: Run, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("text", ["M2\n", "(nothing)\nG21\nM2\n"])
-def test_a_program_without_moves_is_a_document_too(contourlab: Run, tmp_path: Path, text: str) -> None:
+def test_a_program_without_moves_gives_an_empty_document(contourlab: Run, tmp_path: Path, text: str) -> None:
     said = contourlab("canon", write(tmp_path, text), "--json")
     assert (said.code, json.loads(said.out)) == (0, {"moves": []})
 
 
-def test_travel_is_a_fault_on_a_machine_that_was_named(contourlab: Run, tmp_path: Path) -> None:
+def test_travel_is_a_fault_on_a_given_machine(contourlab: Run, tmp_path: Path) -> None:
     file = write(tmp_path, "G1 F100 X5000\nM2\n")
-    told = contourlab("check", file)
-    assert told.code == 0 and "CL471" in told.out
+    said = contourlab("check", file)
+    assert said.code == 0 and "CL471" in said.out
     held = contourlab("check", file, "--machine", "xyz")
     assert held.code == 2 and "CL470" in held.out

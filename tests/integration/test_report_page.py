@@ -1,4 +1,4 @@
-"""The report as its reader meets it: a simulated result in, one file out, opened by a browser without a network."""
+"""The report as its reader sees it: one file from a simulated result, opened by a browser without a network."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def page(data, tmp_path_factory) -> Path:
 
 
 def browse(page: Path, *options: str) -> subprocess.CompletedProcess[str]:
-    """Open a page and return what the browser says."""
+    """Open a page and return the browser's output."""
     command = [BROWSER, *QUIET, f"--user-data-dir={page.parent / 'profile'}", *options, page.as_uri()]
     return subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
 
@@ -63,7 +63,7 @@ def test_a_browser_draws_every_picture(data, page):
 def test_a_browser_paints_the_curves_in_their_colours(page, tmp_path):
     from PIL import Image
 
-    # The browser's clock does not wait for its painter: on a busy machine a picture may be taken ahead of the curves.
+    # On a busy machine the browser may take the picture before it has painted the curves.
     for turn in range(3):
         browse(page, f"--screenshot={tmp_path / f'page-{turn}.png'}")
         with Image.open(tmp_path / f"page-{turn}.png") as picture:
@@ -74,7 +74,7 @@ def test_a_browser_paints_the_curves_in_their_colours(page, tmp_path):
     assert min(painted) > 3000
 
 
-def test_a_result_that_went_through_a_file_gives_the_same_page(data, page, tmp_path):
+def test_a_result_saved_and_loaded_gives_the_same_page(data, page, tmp_path):
     from dataclasses import replace
 
     schemes = []
@@ -94,7 +94,7 @@ def test_the_report_of_a_minute_at_ten_kilohertz_is_quick_and_small(tmp_path):
     assert file.stat().st_size < 9e6
 
 
-def test_the_page_and_the_table_tell_the_same_figures(data, page):
+def test_the_page_and_the_table_show_the_same_figures(data, page):
     text = page.read_text(encoding="utf-8")
     for row in compare(data).rows[:12]:
         for cell in (row.label, row.unit, *(cell.text for cell in row.cells)):

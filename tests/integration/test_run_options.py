@@ -1,4 +1,4 @@
-"""`contourlab run` of part programs as they are found: without an end, with a tool table, and drawings given in their place."""
+"""`contourlab run` of part programs without an end or with a tool table, and of drawings in their place."""
 
 from __future__ import annotations
 
@@ -49,13 +49,13 @@ def test_in_a_scenario_the_key_is_named(tmp_path: Path, capsys: pytest.CaptureFi
     assert "require_end = false" in capsys.readouterr().err
 
 
-def test_another_fault_says_nothing_of_ends(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_another_fault_does_not_mention_ends(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", str(tmp_path / write(tmp_path, "G1 X5\nM2\n")), *ON_XYZ]) == 2
     assert "require" not in capsys.readouterr().err
 
 
-def test_lines_with_a_slash_and_lengths_of_tools(contourlab: Run, tmp_path: Path) -> None:
-    """The tool of 12 mm moves Z up by its length; the line with / would have gone to X40."""
+def test_block_delete_and_tool_lengths(contourlab: Run, tmp_path: Path) -> None:
+    """The tool of 12 mm moves Z up by its length; the line with / would move to X40."""
     write(tmp_path, "T1 P1 Z12 D6 ; mill\n", "mill.tbl")
     write(tmp_path, "G21 G90 F2000\nG43 H1 G1 X5 Z-10\n/G1 X40\nG1 Z-5\nM2\n")
     said = contourlab("run", "part.ngc", *ON_XYZ, "--block-delete", "--tools", "mill.tbl")
@@ -69,7 +69,7 @@ def test_lines_with_a_slash_and_lengths_of_tools(contourlab: Run, tmp_path: Path
 
 @pytest.mark.parametrize("command", [("run", *ON_XYZ), ("run",), ("check",), ("canon",)])
 @pytest.mark.parametrize("name", ["part.dxf", "PART.SVG", "points.csv"])
-def test_a_drawing_is_told_from_a_program(tmp_path: Path, capsys: pytest.CaptureFixture[str], command: tuple[str, ...], name: str) -> None:
+def test_a_drawing_is_no_part_program(tmp_path: Path, capsys: pytest.CaptureFixture[str], command: tuple[str, ...], name: str) -> None:
     assert main([command[0], str(tmp_path / write(tmp_path, "0\nSECTION\n", name)), *command[1:]]) == 2
     said = capsys.readouterr()
     assert said.out == ""
@@ -90,8 +90,8 @@ def test_the_lines_for_a_drawing_run_as_they_are(contourlab: Run, tmp_path: Path
     assert "62.8319 mm" in done.out
 
 
-@pytest.mark.skipif(os.name == "nt", reason="a terminal of its own is made as POSIX has it")
-def test_a_terminal_sees_what_a_long_run_is_busy_with(tmp_path: Path) -> None:
+@pytest.mark.skipif(os.name == "nt", reason="needs a POSIX pseudo-terminal")
+def test_a_terminal_shows_the_stages_of_a_long_run(tmp_path: Path) -> None:
     ours, theirs = os.openpty()
     write(tmp_path, PART)
     words = [str(COMMAND), "run", "part.ngc", *ON_XYZ, "--tolerance", "0.1 um"]
@@ -103,7 +103,7 @@ def test_a_terminal_sees_what_a_long_run_is_busy_with(tmp_path: Path) -> None:
         while True:
             try:
                 piece = os.read(ours, 65536)
-            except OSError:  # as Linux says that the other end is closed
+            except OSError:  # Linux raises this when the other end is closed
                 break
             if not piece:
                 break

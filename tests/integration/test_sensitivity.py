@@ -1,4 +1,4 @@
-"""``contourlab sensitivity`` as typed: from a scenario to what matters, with runs that are kept."""
+"""``contourlab sensitivity`` as typed: from a scenario to its important parameters, with saved runs."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_the_text_has_the_tables_and_the_words(circle: Path, capsys: pytest.Capt
     assert "0 failed" in said and "CL667" in said
 
 
-def test_what_was_interrupted_goes_on(circle: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_interrupted_study_continues(circle: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     words = ["sensitivity", str(circle), *SMALL, "--json"]
     whole, calls = evaluator.simulate_batch, 0
 
@@ -79,7 +79,7 @@ def test_what_was_interrupted_goes_on(circle: Path, capsys: pytest.CaptureFixtur
     assert resumed["study"] == fresh["study"]
 
 
-def test_runs_of_another_scenario_are_left_alone_and_told(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_runs_of_another_scenario_are_not_used_and_reported(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["sensitivity", str(circle), *TWO, "--parts", "local", "--out", "out"]
     assert main(words) == 0
     circle.write_text(CIRCLE.replace('frequency = "0.5 Hz"', 'frequency = "0.4 Hz"'), encoding="utf-8")
@@ -89,13 +89,13 @@ def test_runs_of_another_scenario_are_left_alone_and_told(circle: Path, capsys: 
     assert "CL901" in said and "CL900" not in said
 
 
-def test_runs_of_a_plugin_that_has_changed_are_not_taken_for_its_own(contourlab: Run, circle: Path) -> None:
+def test_runs_of_a_changed_plugin_are_not_reused(contourlab: Run, circle: Path) -> None:
     circle.write_text(
         CIRCLE + '[axes.3]\nfriction = {kind = "drag-of-sensitivity", coefficient = "0.02 full_scale*s/m"}\n', encoding="utf-8"
     )
     words = ["sensitivity", circle, "--plugin", "drag.py", "--parameter", "3.model_gain", "--parts", "local", "--out", "out", "--json"]
     found = []
-    for factor in (1.0, 1.0, 20.0):  # each in a process of its own: a plugin is loaded once
+    for factor in (1.0, 1.0, 20.0):  # each in its own process, because a plugin is loaded once
         circle.with_name("drag.py").write_text(drag("drag-of-sensitivity", factor), encoding="utf-8")
         said = contourlab(*words)
         assert (said.code, said.err) == (0, "")
@@ -129,15 +129,15 @@ def test_a_scenario_that_runs_away_says_where(circle: Path, capsys: pytest.Captu
         (["--parameter", "3.nothing"], "such as"),
         (["--parameter", "3.model_gain=1 mm..2 mm"], "mm/s^2"),
         ([*TWO, "--base", "100"], "64 or 128"),
-        ([*TWO, "--deviation", "nan %"], "above 0, as 5 %"),
-        ([*TWO, "--deviation", "-5 %"], "above 0, as 5 %"),
+        ([*TWO, "--deviation", "nan %"], "above 0, such as 5 %"),
+        ([*TWO, "--deviation", "-5 %"], "above 0, such as 5 %"),
         ([*TWO, "--plots", "gif"], "--plots"),
         ([*TWO, "--values", "3"], "5 or more"),
         ([*TWO, "--trajectories", "1"], "4 or more"),
         ([*TWO, "--figure", "mean"], "integral, rms, max"),
         ([*TWO, "--parts", "curves,all"], "curves, local, morris, sobol"),
         ([*TWO, "--distribution", "normal"], "--deviation"),
-        ([*TWO, "--deviation", "x=5 %"], "parameters that are varied"),
+        ([*TWO, "--deviation", "x=5 %"], "with a varied parameter"),
         ([*TWO, "--transform", "square"], "log or none"),
         ([*TWO, "--servo-period", "1 mm"], "--servo-period"),
         ([*TWO, "--threads", "0"], "1 or more"),
@@ -148,8 +148,8 @@ def test_a_scenario_that_runs_away_says_where(circle: Path, capsys: pytest.Captu
         (["--parameter", "3.model_gain"], "two or more"),
     ],
 )
-def test_what_cannot_be_is_refused(circle: Path, words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_invalid_options_are_refused(circle: Path, words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["sensitivity", str(circle), *words]) == 2
-    told = capsys.readouterr()
-    assert said in told.err and "Traceback" not in told.err and not told.out
+    streams = capsys.readouterr()
+    assert said in streams.err and "Traceback" not in streams.err and not streams.out
     assert not Path("results").exists()

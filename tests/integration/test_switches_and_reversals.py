@@ -1,4 +1,4 @@
-"""What a user sees of backlash: switches with their reasons, reversal spikes by quadrant, the loop of motor and load."""
+"""Backlash in the results: switches with their reasons, reversal spikes by quadrant, the loop of motor and load."""
 
 from __future__ import annotations
 
@@ -50,9 +50,9 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> Finished:
 
 @pytest.fixture(scope="module")
 def schemes(found: Finished) -> dict[str, Any]:
-    told = json.loads((found.folder / "summary.json").read_text(encoding="utf-8"))["schemes"]
-    assert isinstance(told, dict)
-    return told
+    values = json.loads((found.folder / "summary.json").read_text(encoding="utf-8"))["schemes"]
+    assert isinstance(values, dict)
+    return values
 
 
 def rows(found: Finished, name: str) -> list[dict[str, str]]:
@@ -68,11 +68,11 @@ def test_each_scheme_with_several_controllers_leaves_a_table_of_its_switches(fou
     }
     signals = Result.load(found.folder / "signals" / "by-the-gap.nc")
     active = np.vstack([np.zeros(3), signals["active_controller"]])  # a run begins with the first controller
-    told = rows(found, "by-the-gap")
+    listed = rows(found, "by-the-gap")
     changed = np.argwhere(np.diff(active, axis=0) != 0.0)
-    assert [(int(row["sample"]), row["axis"]) for row in told] == [(k, signals.axes[j]) for k, j in changed.tolist()]
-    assert {row["axis"] for row in told} == {"x"} and len(told) > 4
-    for row in told:
+    assert [(int(row["sample"]), row["axis"]) for row in listed] == [(k, signals.axes[j]) for k, j in changed.tolist()]
+    assert {row["axis"] for row in listed} == {"x"} and len(listed) > 4
+    for row in listed:
         k = int(row["sample"])
         names = tuple("gap" if number == 1.0 else "controller" for number in active[k : k + 2, 0])
         assert (row["from"], row["to"]) == names
@@ -80,21 +80,21 @@ def test_each_scheme_with_several_controllers_leaves_a_table_of_its_switches(fou
         assert float(row["arc_length_m"]) == pytest.approx(signals["arc_length"][k], rel=1e-9)
 
 
-def test_a_place_that_was_laid_down_is_where_the_switch_is(found: Finished) -> None:
-    told = rows(found, "by-the-place")
-    assert [(row["axis"], row["from"], row["to"]) for row in told] == [(axis, "controller", "level") for axis in "xyz"]
-    for row in told:
+def test_a_pre_routed_switch_is_at_its_place(found: Finished) -> None:
+    listed = rows(found, "by-the-place")
+    assert [(row["axis"], row["from"], row["to"]) for row in listed] == [(axis, "controller", "level") for axis in "xyz"]
+    for row in listed:
         assert 0.03 <= float(row["arc_length_m"]) < 0.03 + 0.02 * np.pi * PERIOD * 1.001
 
 
 def test_the_summary_counts_what_the_table_lists(found: Finished, schemes: dict[str, Any]) -> None:
     assert schemes["PI cascade"]["switches"] is None
-    told, listed = schemes["by the gap"]["switches"], rows(found, "by-the-gap")
-    assert set(told) == {"axes", "listed", "left_out"} and set(told["axes"]) == {"x"}
-    x = told["axes"]["x"]
-    assert x["count"] == len(listed) == sum(kind["count"] for kind in x["kinds"]) == len(told["listed"]) + told["left_out"]
+    summary, listed = schemes["by the gap"]["switches"], rows(found, "by-the-gap")
+    assert set(summary) == {"axes", "listed", "left_out"} and set(summary["axes"]) == {"x"}
+    x = summary["axes"]["x"]
+    assert x["count"] == len(listed) == sum(kind["count"] for kind in x["kinds"]) == len(summary["listed"]) + summary["left_out"]
     assert x["first"] == "controller" and sum(x["active"].values()) == pytest.approx(2 * LAP * PERIOD)
-    for one, row in zip(told["listed"], listed, strict=False):
+    for one, row in zip(summary["listed"], listed, strict=False):
         assert [str(one[key]) for key in ("sample", "axis", "from", "to", "reason")] == [
             row[key] for key in ("sample", "axis", "from", "to", "reason")
         ]
@@ -109,8 +109,8 @@ def test_the_printed_text_has_a_line_for_each_axis(found: Finished, schemes: dic
     assert "PI cascade: x:" not in found.said.out
 
 
-def test_reversals_are_told_by_quadrant(found: Finished, schemes: dict[str, Any]) -> None:
-    """The last lap turns x at 0 and 180 degrees and y at 90 and 270, once each."""
+def test_reversals_are_listed_by_quadrant(found: Finished, schemes: dict[str, Any]) -> None:
+    """In the last lap x reverses at 0 and 180 degrees and y at 90 and 270, once each."""
     for scheme in schemes.values():
         figures = {round(np.degrees(one["angle"])): one for one in scheme["reversal_figures"]}
         assert {degrees: (one["axis"], one["direction"], one["count"]) for degrees, one in figures.items()} == {
@@ -122,7 +122,7 @@ def test_reversals_are_told_by_quadrant(found: Finished, schemes: dict[str, Any]
         spikes = {round(np.degrees(one["angle"])): one for one in scheme["reversals"]}
         for degrees, one in figures.items():
             assert one["largest"] == one["mean"] == pytest.approx(abs(spikes[degrees]["height"]))
-        # The tool swings through all of its radial deviation, and about once a quadrant.
+        # The tool swings through its whole radial deviation, about once per quadrant.
         (circle,) = scheme["circles"]
         swing = circle["radial deviation F_max"] - circle["radial deviation F_min"]
         assert 0.5 * swing < max(one["largest"] for one in figures.values()) <= swing
@@ -131,11 +131,11 @@ def test_reversals_are_told_by_quadrant(found: Finished, schemes: dict[str, Any]
     assert all(line.count("/") == 3 for line in table)
 
 
-def test_the_page_shows_them(found: Finished) -> None:
+def test_the_page_shows_switches_reversals_and_backlash(found: Finished) -> None:
     page = (found.folder / "report.html").read_text(encoding="utf-8")
     for key in ("switches", "reversals", "backlash", "active-time", "active-arc", "backlash-0", "backlash-1"):
         assert f'id="{key}"' in page, key
-    for words in ("controller → gap", "controller → level", "x at 180 deg", "free travel 20 um"):
+    for words in ("controller → gap", "controller → level", "x at 180 deg", "backlash gap 20 um"):
         assert words in page, words
 
 
@@ -148,12 +148,12 @@ def test_a_browser_draws_every_picture(found: Finished) -> None:
     assert {"active-time", "active-arc", "backlash-0", "backlash-1", "backlash-2", "circle-0"} <= drawn
 
 
-def test_the_linear_loop_of_a_supervised_axis_is_called_what_it_is(found: Finished) -> None:
+def test_the_linear_loop_of_a_supervised_axis_is_labelled(found: Finished) -> None:
     page = (found.folder / "report.html").read_text(encoding="utf-8")
     assert all(re.search(rf"{scheme}: [^<]*contact", page) for scheme in ("PI cascade", "by the gap"))
 
 
-def test_a_later_run_takes_the_tables_of_an_older_one_away(found: Finished, tmp_path: Path) -> None:
+def test_a_later_run_removes_the_tables_of_an_older_one(found: Finished, tmp_path: Path) -> None:
     results = tmp_path / "results"
     shutil.copytree(found.folder, results)
     assert (results / "switches").exists()

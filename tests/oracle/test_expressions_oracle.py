@@ -1,4 +1,4 @@
-"""Expressions against LinuxCNC's own interpreter: random ones give the number that it prints, or are refused by both."""
+"""Random expressions against LinuxCNC's interpreter: both give the same number, or both refuse."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ for setting in SETTINGS.splitlines():
 
 
 def value(dice: random.Random, depth: int) -> str:
-    """Return a value as somebody might write it."""
+    """Return a random value as a person might write it."""
     kind = dice.randrange(9 if depth else 5)
     if kind < 2:
         return dice.choice(["", "-", "+", "- -"]) + dice.choice(["0", "1", "2", "3.5", ".25", "7.", "12.125", "1 0"])
@@ -77,12 +77,12 @@ def test_random_expressions_have_the_same_value(seed: int, tmp_path: Path) -> No
         assert abs(found - other) < 6e-5, text
 
 
-def test_what_is_refused_here_is_refused_there(tmp_path: Path) -> None:
-    """But for remainders by zero and the like, which it carries on until a comparison hides them, and numbers beyond any machine."""
+def test_linuxcnc_also_refuses_what_we_refuse(tmp_path: Path) -> None:
+    """Except for remainders by zero and zero to a negative power, which LinuxCNC keeps until a comparison hides them, and huge numbers."""
     dice = random.Random(7)
     refused = [text for text in (value(dice, 3) for _ in range(400)) if len(text) < LONGEST and isinstance(ours(text), str)][:60]
     assert len(refused) > 30
     accepted = [text for text in refused if theirs([text], tmp_path) is not None]
-    known = r"MOD 0 |0 \*\* -|sensible number"
+    known = r"MOD 0 |0 \*\* -|too large: keep"
     assert all(re.search(known, str(ours(text))) for text in accepted)
     assert len(accepted) < 15

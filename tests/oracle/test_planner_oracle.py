@@ -1,4 +1,4 @@
-"""The planner against LinuxCNC's own, on the same moves with the same limits: its cycle time, and its samples before our judge."""
+"""The planner against LinuxCNC's, with the same moves and limits: cycle time, and LinuxCNC's samples under our judge."""
 
 import math
 import shutil
@@ -27,10 +27,10 @@ PROGRAMS = {
 pytestmark = [
     pytest.mark.oracle,
     pytest.mark.slow,  # LinuxCNC runs in real time
-    # The shared tool leaves the closing of its files to the interpreter.
+    # The shared tool does not close its files.
     pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::pytest.PytestUnraisableExceptionWarning"),
     pytest.mark.skipif(shutil.which("linuxcnc") is None, reason="LinuxCNC is not installed"),
-    pytest.mark.skipif(not TOOL.is_file(), reason="the shared oracle tools are not beside the repository"),
+    pytest.mark.skipif(not TOOL.is_file(), reason="the shared oracle tools are not next to the repository"),
 ]
 
 
@@ -49,13 +49,13 @@ def theirs_of(planning: ModuleType, program: Program, mode: str) -> np.ndarray:
 
 
 def rates(points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The worst velocity, acceleration and jerk of each axis, by differences."""
+    """Return the worst velocity, acceleration and jerk of each axis, by differences."""
     found = [np.abs(np.diff(points, order, axis=0)).max(axis=0) / PERIOD**order for order in (1, 2, 3)]
     return found[0], found[1], found[2]
 
 
-def assert_told(report: LimitReport, points: np.ndarray, smooth: bool) -> None:
-    """The report says what the differences say; jerk is told apart where the curvature jumps."""
+def assert_matches_differences(report: LimitReport, points: np.ndarray, smooth: bool) -> None:
+    """Check the report against plain differences; where the curvature jumps, its jerk is smaller, as it lists the jump apart."""
     velocity, acceleration, jerk = rates(points)
     assert [w.value for w in report.velocity] == pytest.approx(velocity, rel=1e-9, abs=1e-12)
     assert [w.value for w in report.acceleration] == pytest.approx(acceleration, rel=1e-9, abs=1e-9)
@@ -73,7 +73,7 @@ def test_exact_path(planning: ModuleType, name: str) -> None:
     route, limits = planning.driven(program), planning.limits()
     theirs = theirs_of(planning, program, "G61")
 
-    # Not slower, with a jerk limit that costs a ramp one servo period.
+    # Not slower, although the jerk limit costs each ramp one servo period.
     ours = plan(route, limits, PERIOD)
     assert ours.duration <= 1.05 * (len(theirs) - 1) * PERIOD
 
@@ -91,7 +91,7 @@ def test_exact_path(planning: ModuleType, name: str) -> None:
     assert planning.deviation(theirs, route.path) <= 0.5e-6
 
     report = limit_report(Reference.from_samples(theirs, PERIOD, route.path), limits)
-    assert_told(report, theirs, smooth=len(route.path.curves) == 1)
+    assert_matches_differences(report, theirs, smooth=len(route.path.curves) == 1)
 
 
 def test_blended_corners_are_seen_by_the_judge(planning: ModuleType) -> None:
@@ -101,6 +101,6 @@ def test_blended_corners_are_seen_by_the_judge(planning: ModuleType) -> None:
     theirs = theirs_of(planning, program, "G64 P0.1")
     assert planning.deviation(theirs, route.path) == pytest.approx(1e-4 / math.sqrt(2.0), rel=0.02)
     report = limit_report(Reference.from_samples(theirs, PERIOD, route.path), planning.limits())
-    assert_told(report, theirs, smooth=False)
-    # They reach 100 mm/s, which half of that as a limit does not allow.
+    assert_matches_differences(report, theirs, smooth=False)
+    # LinuxCNC reaches 100 mm/s, so a limit of half that must fail.
     assert not limit_report(Reference.from_samples(theirs, PERIOD, route.path), planning.limits(velocity=0.05, jerk=math.inf)).ok()

@@ -1,4 +1,4 @@
-"""Programs of other people, as they are: LinuxCNC's interpreter makes the same moves, or the unsupported word is named."""
+"""Third-party programs, unchanged: LinuxCNC's interpreter makes the same moves, or the unsupported word is named."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from types import ModuleType
 import pytest
 from program_oracle import NEEDED, SHARED, compare, load_oracle, our_moves, their_moves
 
-from contourlab.errors import ProgramError
+from contourlab.errors import ProgramEndError, ProgramError
 from contourlab.program import read_program
 
 pytestmark = NEEDED
@@ -62,11 +62,11 @@ OTHERS = [key for key in FILES if key not in UNSUPPORTED.keys() | ONLY_CLOSING_P
 
 @pytest.mark.parametrize("key", OTHERS)
 def test_the_same_moves(oracle: ModuleType, key: str) -> None:
-    """Four decimals, and inches for machine units: the stand-alone program alone reads tool changes."""
+    """Only the stand-alone program reads tool changes; it prints four decimals and has inches as machine units."""
     file = FILES[key]
     _, complaint = their_moves(oracle, file, "rs274")
     if complaint:
-        # Subprograms in files of their own, and faults: refused here too.
+        # Subprograms in separate files, and faults: refused here too.
         with pytest.raises(ProgramError):
             read_program(file)
         return
@@ -75,7 +75,7 @@ def test_the_same_moves(oracle: ModuleType, key: str) -> None:
 
 
 @pytest.mark.parametrize("key", [key for key in FILES if key in UNSUPPORTED])
-def test_unsupported_words_are_named_where_they_stand(key: str) -> None:
+def test_unsupported_words_are_reported_at_their_place(key: str) -> None:
     file, word = FILES[key], UNSUPPORTED[key]
     with pytest.raises(ProgramError) as caught:
         read_program(file)
@@ -97,18 +97,18 @@ def test_a_percent_that_only_closes_is_refused(name: str) -> None:
     """The interpreter refuses it, too; without that line the moves are the same."""
     if name not in FILES:
         pytest.skip("the file is not there")
-    with pytest.raises(ProgramError, match=r"% .*closes"):
+    with pytest.raises(ProgramEndError, match="%"):
         read_program(FILES[name])
 
 
 GIVES_UP = {"linuxcnc__nc_files_3D_Chips.ngc"}
-"""Outside LinuxCNC the module gives up on a word of these."""
+"""Outside LinuxCNC the module stops at a word in these files."""
 DOUBLES = [key for key, file in FILES.items() if file.parent == GCODE and key in OTHERS and key not in GIVES_UP]
 
 
 @pytest.mark.parametrize("key", DOUBLES)
 def test_the_same_moves_in_full_doubles(oracle: ModuleType, tmp_path: Path, key: str) -> None:
-    """Without the words that the module cannot stand outside LinuxCNC, which move nothing: tools of no length."""
+    """Remove the tool words, which the module cannot run outside LinuxCNC; the tools have zero length, so nothing else changes."""
     text = FILES[key].read_text(encoding="latin-1")
     file = tmp_path / "program.ngc"
     file.write_text(re.sub(r"\bT[0-9]+\b|\bM0?6(?![0-9])|G43\s*H[0-9]+|(?<![A-Z])G43(?![.0-9])", " ", text), encoding="latin-1")

@@ -1,4 +1,4 @@
-"""The reader against LinuxCNC's own interpreter, rule by rule: bounds of what is an arc, order of execution, refusals on the same line."""
+"""The reader against LinuxCNC's interpreter, rule by rule: limits of valid arcs, order of execution, refusals on the same line."""
 
 from __future__ import annotations
 

@@ -38,7 +38,7 @@ def test_same_moves_or_the_same_refusal(oracle: ModuleType, tmp_path: Path, firs
 @settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(seed=st.integers(48, 2**63))
 def test_same_moves_of_programs_never_seen_before(oracle: ModuleType, tmp_path_factory: pytest.TempPathFactory, seed: int) -> None:
-    """The same of other programs each time; hypothesis keeps those that fail."""
+    """The same with new programs each time; hypothesis keeps those that fail."""
     file = tmp_path_factory.mktemp("random") / "program.ngc"
     file.write_text(Writer(seed).program(), encoding="utf-8")
     _, wrong = compare(oracle, file)
@@ -46,7 +46,7 @@ def test_same_moves_of_programs_never_seen_before(oracle: ModuleType, tmp_path_f
 
 
 def test_the_generator_reaches_the_whole_language() -> None:
-    """Arcs of all planes, splines, dwells and faults do occur: no kind of block is refused before it is seen."""
+    """Arcs of all planes, splines, dwells and faults do occur: no kind of block is always refused."""
     kinds: set[object] = set()
     whole = refused = 0
     for seed in range(60):
@@ -62,7 +62,7 @@ def test_the_generator_reaches_the_whole_language() -> None:
 
 @pytest.mark.parametrize("seed", range(8))
 def test_subprograms_of_m98(oracle: ModuleType, tmp_path: Path, seed: int) -> None:
-    """Read by the stand-alone program alone, which prints four decimals and keeps its parameters in inches."""
+    """Only the stand-alone program reads these; it prints four decimals and keeps its parameters in inches."""
     dice = random.Random(seed)
     lines = ["G21 F100 S200 M3", "#7 = 1"]
     for _ in range(12):
@@ -92,7 +92,7 @@ def test_path_control_tolerances_and_merging(oracle: ModuleType, tmp_path: Path)
             mode = mine.move.mode  # type: ignore[union-attr]
             assert (mode.control or "exact_path") == control
             if control == "blend":
-                # The interpreter means 0 where there is no P; merging is printed where it is given or follows P.
+                # The interpreter prints 0 without P; it prints merging if it is given or follows P.
                 assert 1e3 * (mode.tolerance or 0.0) == pytest.approx(tolerance or 0.0, abs=2e-3)
                 assert 1e3 * (mode.merge or 0.0) == pytest.approx(merge or 0.0, abs=2e-3)
 
@@ -102,9 +102,9 @@ TABLE = "T1 P1 D6 Z20.5 ; mill\nT2 P2 X1.5 Y-2 Z11 D3\nT7 P7 Z-3 D10\n"
 
 @pytest.mark.parametrize("seed", range(8))
 def test_tool_lengths_from_a_table(oracle: ModuleType, tmp_path: Path, seed: int) -> None:
-    """G43, G43 H, G43.2 H, G10 L1 and L10 with tools of a table; the stand-alone program wants one in its own units, inches.
+    """G43, G43 H, G43.2 H, G10 L1 and L10 with tools of a table; the stand-alone program needs the table in inches.
 
-    G43 stands on no line with M6: behind that line the stand-alone program takes its position from a stub that knows no offset.
+    No line has both G43 and M6: after it the stand-alone program would take its position from a stub without offsets.
     """
     dice = random.Random(seed)
     table, file = tmp_path / "mm.tbl", tmp_path / "program.ngc"
@@ -128,5 +128,5 @@ def test_tool_lengths_from_a_table(oracle: ModuleType, tmp_path: Path, seed: int
 
 
 def _in_inches(table: str) -> str:
-    """Return a tool table in inches; lengths are written with all their digits."""
+    """Return a tool table in inches; lengths keep all their digits."""
     return re.sub(r"([XYZD])([-.0-9]+)", lambda word: f"{word[1]}{float(word[2]) / 25.4:.12f}", table.replace(" ; mill", ""))

@@ -16,12 +16,12 @@ pytestmark = pytest.mark.oracle
 SLOT = "G21 G90 F12000\nG1 X50\nG3 X50 Y20 I0 J10\nG1 X0\nG3 X0 Y0 I0 J-10\nM2\n"
 ACCELERATION = 2.0
 SHARP = ACCELERATION / 1e-3
-"""A jerk limit with which the acceleration rises to its limit in 1 ms, the time in which 100 mm/s goes 0.1 mm."""
+"""A jerk limit that reaches the acceleration limit in 1 ms, in which 100 mm/s covers 0.1 mm."""
 INSIDE = 1e-12
 
 
 class _AsToppra:
-    """A path by arc length, as toppra asks for one."""
+    """A path by arc length, with toppra's interface."""
 
     def __init__(self, path: Path) -> None:
         self.path, self.dof = path, path.n_axis
@@ -41,7 +41,7 @@ def least_time(route: Route, limits: AxisLimits, n: int) -> float:
     path, feed = _AsToppra(route.path), float(route.feedrate[0])
 
     class PathSpeed(toppra.constraint.LinearConstraint):  # type: ignore[misc]
-        """The programmed feed: toppra knows speeds of axes only."""
+        """Limit the path speed to the programmed feed: toppra limits axis speeds only."""
 
         def compute_constraint_params(self, _: Any, gridpoints: Any) -> Any:
             bound = np.column_stack([np.zeros(gridpoints.size), np.full(gridpoints.size, feed**2)])
@@ -61,7 +61,7 @@ def least_time(route: Route, limits: AxisLimits, n: int) -> float:
 
 
 def demanded(route: Route, limits: AxisLimits) -> float:
-    """Return our time [s] after a look at the limits."""
+    """Return our time [s]; assert that no limit is broken."""
     reference = plan(route, limits, 2.5e-4)
     assert limit_report(reference, limits).ok()
     return reference.duration

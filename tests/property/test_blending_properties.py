@@ -52,14 +52,14 @@ def test_no_point_is_further_from_the_programmed_path_than_the_tolerances(route:
     found = blended(route)
     path = found.path
     s = (path.breaks[:-1, None] + np.diff(path.breaks)[:, None] * np.linspace(0.0, 1.0, 41)).ravel()
-    # Anywhere on the path: that it is near in the order of travel is said below.
+    # Distance to any point of the path; a test below checks the order of travel.
     distance = route.path.foot_point(path.position(s), found.programmed_arc_length(s), route.path.length).distance
     assert distance.max() <= reach(route) * (1.0 + 1e-9) + 1e-15
 
 
 @few
 @given(routes())
-def test_no_point_of_the_programmed_path_is_left_further_behind(route: Route) -> None:
+def test_no_programmed_corner_is_further_away_than_the_tolerances(route: Route) -> None:
     found = blended(route)
     joints = route.path.breaks[1:-1]
     if found.correspondence is None or not joints.size:
@@ -70,7 +70,7 @@ def test_no_point_of_the_programmed_path_is_left_further_behind(route: Route) ->
 
 @few
 @given(routes())
-def test_the_map_rises_and_leads_to_a_place_nearby(route: Route) -> None:
+def test_the_arc_length_map_rises_and_leads_to_nearby_points(route: Route) -> None:
     found = blended(route)
     s = np.unique(np.concatenate([np.linspace(0.0, found.path.length, 201), found.path.breaks]))
     at = found.programmed_arc_length(s)
@@ -78,7 +78,7 @@ def test_the_map_rises_and_leads_to_a_place_nearby(route: Route) -> None:
     np.testing.assert_allclose(at[[0, -1]], [0.0, route.path.length], rtol=1e-14, atol=1e-18)
     ends = [path.position([0.0, path.length]) for path in (found.path, route.path)]
     np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-15)
-    # On what is left of lines and arcs that were not merged the place is the very same.
+    # On the remaining parts of unmerged lines and arcs the positions are identical.
     if route.merge_tolerance[0] == 0.0:
         kept = np.array([not isinstance(curve, Blend) for curve in found.path.curves])[found.path.curve_index(s)]
         kept &= np.abs(s[:, None] - found.path.breaks).min(axis=1) > 1e-12
@@ -87,7 +87,7 @@ def test_the_map_rises_and_leads_to_a_place_nearby(route: Route) -> None:
 
 @few
 @given(routes())
-def test_joints_are_smooth_up_to_curvature_but_for_corners_that_stay(route: Route) -> None:
+def test_joints_are_smooth_up_to_curvature_except_at_kept_corners(route: Route) -> None:
     found = blended(route)
     path = found.path
     curve, span = np.arange(found.n_curve - 1), np.diff(path.breaks)
@@ -95,10 +95,10 @@ def test_joints_are_smooth_up_to_curvature_but_for_corners_that_stay(route: Rout
     blend = np.array([isinstance(c, Blend) for c in path.curves])
     joint = np.flatnonzero(blend[1:] | blend[:-1])
     turned = np.linalg.norm(after[1] - before[1], axis=1)[joint]
-    # Only a corner of its own stands beside a blend: then the two curves were neighbours before.
+    # A joint next to a blend is smooth, or it is a corner of the programmed path.
     smooth = joint[turned < 1e-6]
     assert np.isin(found.programmed_arc_length(path.breaks[1:-1][joint[turned >= 1e-6]]).round(13), route.path.breaks.round(13)).all()
-    # Curvature by arc length, against the sharpest bend nearby and the digits of a coordinate at that size.
+    # Compare curvatures relative to the sharpest bend nearby and to the rounding of coordinates.
     size = np.abs(path.derivatives((path.breaks[:-1, None] + span[:, None] * np.linspace(0.01, 0.99, 25)).ravel(), 2)[2])
     local = size.reshape(found.n_curve, -1).max(axis=1)
     limit = 1e-7 * np.maximum(local[smooth], local[smooth + 1]) + 1e-6

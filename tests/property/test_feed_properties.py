@@ -33,7 +33,7 @@ def routes(draw: st.DrawFn) -> tuple[Route, AxisLimits]:
     return Route(path, feeds, np.zeros(n_line, bool), np.zeros(n_line), lines), AxisLimits(velocity, acceleration, jerk)
 
 
-def lasting(reference: Reference) -> np.ndarray:
+def durations(reference: Reference) -> np.ndarray:
     profile = reference.profile
     assert profile is not None
     return np.diff(np.append(profile.t0, profile.duration))
@@ -47,7 +47,7 @@ def test_no_limit_is_broken(case: tuple[Route, AxisLimits]) -> None:
     report = limit_report(reference, limits)
     assert report.ok(1e-6), report
     # Along each line the axes' share of the path's derivatives is constant: look inside every span.
-    profile, last = reference.profile, lasting(reference)
+    profile, last = reference.profile, durations(reference)
     assert profile is not None
     middle = 0.5 * (profile.s0 + np.append(profile.s0[1:], profile.length))
     tangent = np.abs(reference.path.derivatives(middle, 1)[1])
@@ -63,7 +63,7 @@ def test_no_limit_is_broken(case: tuple[Route, AxisLimits]) -> None:
 def test_spans_cover_the_path_and_stop_at_corners(case: tuple[Route, AxisLimits]) -> None:
     route, limits = case
     reference = plan(route, limits, PERIOD)
-    profile, last = reference.profile, lasting(reference)
+    profile, last = reference.profile, durations(reference)
     assert profile is not None
     gone = last * (profile.v0 + last * (profile.a0 / 2 + last * profile.j / 6))
     np.testing.assert_allclose(gone.sum(), route.path.length, rtol=1e-12)
@@ -81,7 +81,7 @@ def test_spans_cover_the_path_and_stop_at_corners(case: tuple[Route, AxisLimits]
 @given(routes(), st.floats(0.2, 5.0))
 def test_a_faster_machine_drives_the_same_motion_in_less_time(case: tuple[Route, AxisLimits], factor: float) -> None:
     route, limits = case
-    # A kink is passed at a speed that a fixed time decides.
+    # The speed at a kink follows from a fixed time, which does not scale.
     assume(not junctions(route).kink.any())
     fast = Route(route.path, route.feedrate * factor, route.rapid, route.dwell, route.source_line)
     scaled = AxisLimits(limits.velocity * factor, limits.acceleration * factor**2, limits.jerk * factor**3)
@@ -139,7 +139,7 @@ def test_chains_of_lines_and_arcs_break_no_limit(
 ) -> None:
     limits = AxisLimits(velocity, acceleration, [jerk, jerk])
     reference = plan(route_from_path(path, feedrate), limits, PERIOD)
-    profile, last = reference.profile, lasting(reference)
+    profile, last = reference.profile, durations(reference)
     assert profile is not None
     time = (profile.t0[:, None] + last[:, None] * np.linspace(1e-4, 1 - 1e-4, 15)).ravel()
     motion = profile.motion(time)
@@ -159,7 +159,7 @@ shapes = st.tuples(st.floats(0.1, 50.0), st.floats(1.0, 1e4), st.floats(0.05, 1.
 
 @few
 @given(st.floats(0.0, 1.0), st.floats(0.0, 1.0), st.floats(1e-6, 1.0), shapes)
-def test_what_is_reachable_fits(low: float, more: float, room: float, shape: tuple[float, float, float]) -> None:
+def test_a_ramp_to_the_reachable_speed_fits(low: float, more: float, room: float, shape: tuple[float, float, float]) -> None:
     acceleration, rise, part = shape
     high = reachable_speed(low, low + more, room, acceleration, rise, rise * part)
     assert low <= high <= low + more

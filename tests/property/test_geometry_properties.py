@@ -65,7 +65,7 @@ PLAIN = mixed_path()
 @given(
     st.floats(-7.0, 7.0), st.tuples(st.floats(-2.0, 2.0), st.floats(-2.0, 2.0)), st.sampled_from([1e-3, 0.1, 1.0, 30.0]), st.integers(0, 99)
 )
-def test_motion_and_scale_carry_everything_along(angle: float, shift: tuple[float, float], scale: float, seed: int) -> None:
+def test_curves_follow_motion_and_scale(angle: float, shift: tuple[float, float], scale: float, seed: int) -> None:
     path, rng = mixed_path(angle, shift, scale), np.random.default_rng(seed)
     s = rng.uniform(0.0, PLAIN.length, 12)
     # A shift of metres costs digits in the data of a curve of a tenth of a millimetre.
@@ -82,7 +82,7 @@ def test_motion_and_scale_carry_everything_along(angle: float, shift: tuple[floa
 
 @few
 @given(st.integers(0, 10_000))
-def test_run_backwards_a_path_is_the_same_with_its_sides_changed(seed: int) -> None:
+def test_a_reversed_path_is_the_same_with_exchanged_sides(seed: int) -> None:
     path, back, rng = PLAIN, mixed_path(reverse=True), np.random.default_rng(seed)
     length = path.length
     assert math.isclose(back.length, length, rel_tol=1e-13)
@@ -112,7 +112,7 @@ def test_the_foot_is_no_further_than_any_point_of_its_window(
     samples = np.append(np.linspace(low, high, 3000), np.clip(s, low, high))
     least = np.linalg.norm(path.position(samples) - point, axis=1).min()
     assert found.distance[0] <= least + 1e-15
-    # And it lies in the window, is on the path, and is as far as it says.
+    # It also lies in the window and on the path, at the reported distance.
     assert low - 1e-12 * path.length <= found.arc_length[0] <= high + 1e-12 * path.length
     np.testing.assert_allclose(path.position(found.arc_length), found.position, rtol=0, atol=1e-12 * path.length)
     assert math.isclose(float(np.linalg.norm(found.position[0] - point)), found.distance[0], rel_tol=1e-12, abs_tol=1e-17)
@@ -165,7 +165,7 @@ def test_arc_length_is_arc_length(path: Path) -> None:
 
 @few
 @given(smooth_paths(), unit)
-def test_a_closed_path_does_not_care_in_which_lap_it_is_asked(path: Path, part: float) -> None:
+def test_a_closed_path_is_the_same_in_every_lap(path: Path, part: float) -> None:
     if not path.closed:
         return
     s = part * path.length
@@ -177,7 +177,7 @@ def test_a_closed_path_does_not_care_in_which_lap_it_is_asked(path: Path, part: 
 
 @few
 @given(st.integers(1, 5), st.integers(0, 1000))
-def test_knots_inserted_leave_the_curve_alone(n: int, seed: int) -> None:
+def test_knot_insertion_does_not_change_the_curve(n: int, seed: int) -> None:
     # Boehm's insertion, one knot at a time, on the control polygon alone.
     rng = np.random.default_rng(seed)
     points, knots, degree = POINTS, KNOTS, 3

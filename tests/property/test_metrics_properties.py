@@ -1,4 +1,4 @@
-"""What the judge must not depend on: where the machine stands, which way it faces, how fast the clock runs."""
+"""Invariances of the judge: position and orientation of the machine, speed of the clock."""
 
 from __future__ import annotations
 
@@ -74,14 +74,14 @@ N = 300
 @few
 @given(angle=angles, shift=shifts, seed=seeds)
 def test_moved_and_turned(angle: float, shift: tuple[float, float], seed: int) -> None:
-    """The same errors on a machine that stands and faces otherwise, with their side."""
+    """Errors and their sides are the same on a moved and rotated machine."""
     here = a_path()
     along = np.linspace(0.0, here.length, N)
     tool = here.position(along) + wander(seed, N)
     there = a_path(angle, shift)
     one, figures = judged(here, along, tool)
     other, figures_there = judged(there, along, tool @ turned(angle).T + shift)
-    # Positions of half a metre are rounded to 1e-16 m, and foot points taken from them to some of these.
+    # Positions of half a metre are rounded to 1e-16 m; foot points add up several such roundings.
     assert np.abs(one["contour_error"] - other["contour_error"]).max() < 5e-15
     # Where two samples are equally bad, either may be named.
     worst = figures_there.contour_error.worst.sample
@@ -124,7 +124,7 @@ def backwards(curve: Any) -> Arc:
 @few
 @given(seed=seeds, scale=st.floats(0.1, 10.0))
 def test_scaled(seed: int, scale: float) -> None:
-    """All lengths in another scale: all errors in that scale."""
+    """If all lengths are scaled, all errors are scaled alike."""
     here, there = a_path(), a_path(scale=scale)
     along = np.linspace(0.0, here.length, N)
     tool = here.position(along) + wander(seed, N)
@@ -136,7 +136,7 @@ def test_scaled(seed: int, scale: float) -> None:
 @few
 @given(seed=seeds, factor=st.floats(0.01, 100.0))
 def test_clock(seed: int, factor: float) -> None:
-    """A clock that runs otherwise: integrals and times go with the period, speeds against it, errors not at all."""
+    """With another clock, integrals and times scale with the period and speeds inversely; errors do not change."""
     path = a_path()
     along = np.linspace(0.0, path.length, N)
     tool = path.position(along) + wander(seed, N)
@@ -153,7 +153,7 @@ def test_clock(seed: int, factor: float) -> None:
 @few
 @given(error=st.lists(st.floats(-1e-3, 1e-3), min_size=3, max_size=200))
 def test_order_of_the_figures(error: list[float]) -> None:
-    """mean <= rms <= max, p95 <= max, |signed mean| <= mean, on the line where the error is what was asked for."""
+    """mean <= rms <= max, p95 <= max, |signed mean| <= mean, on a line, where the error is the given one."""
     path = Path([Line((0.0, 0.0), (1.0, 0.0))])
     along = np.linspace(0.0, 1.0, len(error))
     figures = judged(path, along, np.column_stack([along, error]))[1].contour_error
@@ -163,7 +163,7 @@ def test_order_of_the_figures(error: list[float]) -> None:
     assert figures.rms <= figures.max + rounding
     assert figures.p95 <= figures.max
     assert abs(figures.max - max(abs(e) for e in error)) < rounding
-    # 95 % of the samples do not pass it, and more than 5 % would pass any smaller one of them.
+    # 95 % of the samples do not exceed it, and at least 5 % reach it.
     assert sum(abs(e) <= figures.p95 + rounding for e in error) >= 0.95 * (len(error) - 1)
     assert sum(abs(e) >= figures.p95 - rounding for e in error) >= 0.05 * (len(error) - 1)
     assert abs(figures.integral - math.fsum(abs(e) for e in error) * 1e-3) < rounding
@@ -189,8 +189,8 @@ def test_no_point_of_the_path_is_nearer(seed: int, name: str) -> None:
 
 @settings(max_examples=25, deadline=None)
 @given(seed=seeds, angle=angles, shift=shifts)
-def test_roundness_stands_anywhere(seed: int, angle: float, shift: tuple[float, float]) -> None:
-    """Both circular deviations are those of the shape; minimum zone <= least squares <= F_max - F_min around any centre."""
+def test_roundness_is_the_same_anywhere(seed: int, angle: float, shift: tuple[float, float]) -> None:
+    """Both circular deviations depend on the shape alone; minimum zone <= least squares <= F_max - F_min around any centre."""
     rng = np.random.default_rng(seed)
     a = np.linspace(0.0, 2.0 * np.pi, 200, endpoint=False)
     shape = 0.03 + sum(rng.normal(0.0, 3e-6) * np.cos(k * a + rng.uniform(0.0, 6.0)) for k in range(1, 7))

@@ -1,4 +1,4 @@
-"""Whatever the text, the reader answers with a program or a ProgramError, soon; and what is written is read back."""
+"""For any text, the reader soon returns a program or a ProgramError; written moves are read back."""
 
 import itertools
 import math
@@ -24,12 +24,12 @@ MODERATE = settings(max_examples=150, deadline=2000, suppress_health_check=[Heal
 
 
 def answer(text: str) -> None:
-    """Read `text`: a sound program, or an error with a place inside the text."""
+    """Read `text`; expect a sound program, or an error with a place inside the text."""
     answer_within(text, 200_000)
 
 
 def answer_within(text: str, most: int) -> None:
-    """The same for at most so many moves: damage may make a loop endless."""
+    """Do the same for at most `most` moves: damage may make a loop endless."""
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     made: list[Move] = []
     try:
@@ -72,7 +72,7 @@ def test_any_text(text: str) -> None:
 def test_any_bytes(tmp_path_factory: pytest.TempPathFactory, content: bytes) -> None:
     file = tmp_path_factory.getbasetemp() / "fuzz.ngc"
     file.write_bytes(content)
-    with pytest.raises(ProgramError):  # random bytes are no program: an end and a motion are asked for
+    with pytest.raises(ProgramError):  # random bytes are no program: it needs an end and a motion
         read_program(file)
 
 
@@ -111,7 +111,7 @@ FLOW = st.sampled_from(
 @settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.lists(FLOW, max_size=14))
 def test_any_flow(lines: list[str]) -> None:
-    """Loops that never end but move are the caller's to stop, after any number of moves: a thousand will do."""
+    """The caller has to stop endless loops that move; this test stops after a thousand moves."""
     begun = time.perf_counter()
     moves = iter_moves(["F100", *lines, "G1 X1", "M2"])
     try:
@@ -179,16 +179,16 @@ def test_damaged_programs(data: st.DataObject) -> None:
     ids=lambda line: repr(line[:12]),
 )  # fmt: skip
 def test_endless_lines_do_not_hang(line: str) -> None:
-    answer(f"{line}\nM2")  # a quadratic scan of a million characters would not come back
+    answer(f"{line}\nM2")  # a quadratic scan of a million characters would not finish
 
 
-# --- what is written is read back -----------------------------------------------------------------------------------
+# --- written moves are read back ------------------------------------------------------------------------------------
 
 DIRECTIONS = [(1, 0), (0, 1), (-1, 0), (0, -1)]
 
 
 class Writer:
-    """Writes moves as blocks, in either unit and distance mode, in a careless hand."""
+    """Writes moves as blocks, carelessly, in both units and both distance modes."""
 
     def __init__(self, rng: random.Random) -> None:
         self.rng, self.lines, self.place = rng, [""], (0.0, 0.0, 0.0)

@@ -1,4 +1,4 @@
-"""Energy and soundness of the drive of two masses: what is stored rises by the work of the motor at most, whatever happens in a step."""
+"""Energy and soundness of the two-mass drive: the stored energy rises at most by the motor's work, for any events in a step."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from contourlab.components.plant.two_inertia import TwoInertia
 
 Array = NDArray[np.float64]
 ROUNDING = 1e-13
-"""Part of the numbers an energy is made of that it may rise by: some hundred roundings."""
+"""Allowed rise of the energy relative to its terms: some hundred roundings."""
 BLOCK = 125_000
 
 RUBBING = Coulomb(coulomb=60.0, breakaway=60.0, viscous=100.0)
@@ -40,7 +40,7 @@ DRIVES = {
 
 
 def scale(plant: TwoInertia, run: dict[str, Array], command: Array) -> Array:
-    """Return the size of the numbers that the energy of each tick but the first is made of [J]."""
+    """Return the size of the terms in the energy of each tick but the first [J]."""
     d, held = plant.constants(), energy(plant, run)
     place = np.abs(run["motor_position"]) + d.half_gap
     pushed = np.abs(d.force_value * command) + np.abs(run["shaft_force"]) + np.sqrt(2.0 * held * d.stiffness_value)
@@ -101,7 +101,7 @@ def any_drive(draw: st.DrawFn, damped: bool, rubbing: bool) -> Drive:
         contact_model=draw(st.sampled_from(("physical", "dead-zone"))) if damped else "physical",
     )
     period = 0.5 / fast * draw(st.floats(0.02, 1.0))
-    # The drop from F_s to F_c is one that a step resolves.
+    # A step resolves the drop from F_s to F_c.
     force, mobility = 10.0 ** draw(st.floats(-1.0, 3.0)), max(plant.mobilities())
     drop = max(1e-3, 5.0 * period * mobility * (force + 20.0 * plant.constants().stiffness_value * gap))
     some = (Coulomb(coulomb=force * draw(st.floats(0.0, 1.0)), breakaway=force, stribeck_velocity=drop) for _ in range(2))
@@ -117,8 +117,8 @@ def test_no_drive_gains_energy(drive: Drive, seed: int) -> None:
 
 
 @pytest.mark.parametrize("model", ["physical", "dead-zone"])
-def test_damping_and_friction_take_what_they_should(model: str) -> None:
-    """What is missing in the balance is the work of viscous and dry friction and of the shaft's damper, each worked out by itself."""
+def test_damping_and_friction_dissipate_their_work(model: str) -> None:
+    """The lost energy is the work of viscous and dry friction and of the shaft's damper, each computed separately."""
     plant = TwoInertia(**DRIVE, shaft_damping=0.3, motor_damping=0.02, load_damping=0.03, contact_model=model)
     drive, command = Drive(plant, RUBBING, RUBBING, period=2e-6), np.repeat(sampled(5, 400, 3.0), 100)
     run = drive.run(command)
@@ -136,7 +136,7 @@ def test_damping_and_friction_take_what_they_should(model: str) -> None:
 
 
 def test_only_the_dead_zone_model_pulls_at_a_flank_that_it_leaves() -> None:
-    """Nordin, Galic & Gutman: a flank can push alone. A motor braked in contact leaves it with torque of the wrong sign, or without."""
+    """Nordin, Galic & Gutman: a flank can only push. In the dead zone a motor braked in contact leaves with the wrong torque sign."""
     command = np.r_[np.full(300, 2.0), np.full(100, -6.0)]
     pulls = {}
     for model in ("physical", "dead-zone"):
@@ -148,7 +148,7 @@ def test_only_the_dead_zone_model_pulls_at_a_flank_that_it_leaves() -> None:
 
 
 def test_a_step_with_more_events_than_are_located_is_sound_and_of_second_order(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With a single stretch each contact is left to the rest of the step, which looks the gap up at every stage."""
+    """With a single stretch, the rest of the step handles each contact by evaluating the gap at every stage."""
     monkeypatch.setattr("contourlab.components.mechanics.two_mass_mechanics.STRETCHES", 1)
     command = sampled(3, 80, 3.0)
     exact = Drive(TwoInertia(**DRIVE), substeps=200).run(command)["position"]
@@ -163,7 +163,7 @@ def test_a_step_with_more_events_than_are_located_is_sound_and_of_second_order(m
 
 
 def test_many_tiny_bounces_and_stops_within_a_step_stay_sound() -> None:
-    """A gap of a nanometre between sticking sides, in steps of half a radian: stops, releases and contacts crowd."""
+    """A gap of a nanometre between sticking sides, in steps of half a radian: many stops, releases and contacts within a step."""
     plant = TwoInertia(**{**DRIVE, "backlash_gap": 1e-9})
     drive = Drive(plant, STICKY, RUBBING, period=7.5e-4)
     for seed in range(4):
@@ -203,7 +203,7 @@ def test_a_flank_that_is_pressed_on_is_not_left_and_bounces_die_out(frictions: t
     assert counts[0] == counts[1]
 
 
-def test_a_load_at_rest_in_its_gap_is_left_alone() -> None:
+def test_a_load_at_rest_in_its_gap_stays_at_rest() -> None:
     """Friction holds both sides wherever they came to rest: nothing creeps, nothing changes."""
     drive = Drive(TwoInertia(**DRIVE), STICKY, STICKY, period=1e-4)
     run = drive.run(np.r_[random_command(np.random.default_rng(8), 4000, 0.3), np.zeros(30_000)])

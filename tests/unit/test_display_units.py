@@ -1,4 +1,4 @@
-"""Figures in print keep their value and their unit."""
+"""Printed figures keep their value and unit."""
 
 from __future__ import annotations
 

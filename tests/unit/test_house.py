@@ -1,5 +1,6 @@
-"""The house rules that a machine can check."""
+"""House rules that can be checked automatically."""
 
+import ast
 import importlib.metadata
 import importlib.util
 import re
@@ -24,13 +25,13 @@ HEAVY = ("numba", "llvmlite", "numpy", "scipy", "matplotlib", "plotly", "pandas"
 
 
 def fresh_python(code: str) -> str:
-    """Run code in a process of its own; return what it prints."""
+    """Run code in a separate process and return what it prints."""
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
     return done.stdout
 
 
 def modules_after(code: str) -> set[str]:
-    """Return the top-level modules that are loaded after some code."""
+    """Return the top-level modules loaded after some code."""
     tail = "import sys; print('\\nloaded', *sorted({name.partition('.')[0] for name in sys.modules}))"
     return set(fresh_python(f"{code}\n{tail}").splitlines()[-1].split())
 
@@ -45,7 +46,15 @@ def test_a_module_is_one_room(path: Path):
     assert len(path.read_text(encoding="utf-8").splitlines()) < 400, "past 400 lines it is two rooms"
 
 
-def test_rooms_keep_their_order():
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: path.relative_to(SOURCE).as_posix())
+def test_a_module_defines_a_constant_once(path: Path):
+    body = ast.parse(path.read_text(encoding="utf-8")).body
+    targets = [target for line in body if isinstance(line, ast.Assign) for target in line.targets]
+    names = [target.id for target in targets if isinstance(target, ast.Name) and target.id != "_"]
+    assert sorted(names) == sorted(set(names))
+
+
+def test_rooms_import_in_their_order():
     linter = Path(sys.executable).with_name("lint-imports")
     done = subprocess.run([linter, "--no-cache"], cwd=ROOT, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-1000:]
@@ -60,8 +69,8 @@ def test_the_version_is_the_same_everywhere():
     assert {contourlab.__version__, importlib.metadata.version("contourlab"), citation[1], newest[1]} == {project}
 
 
-def test_no_file_speaks_of_the_machine_it_was_written_on():
-    # Put together here, so that this file does not find itself.
+def test_no_file_mentions_the_machine_it_was_written_on():
+    # Assembled here, so that this file does not match.
     folders = "|".join(("home", "work", "root", "Users", "tmp"))
     private = re.compile(rf"(?<![\w.:/~$}}-])/(?:{folders})/\w|[A-Z]:\\Users\\")
     allowed = {ROOT / ".ci" / "run"}
@@ -103,9 +112,9 @@ def test_importing_contourlab_loads_nothing_heavy():
     assert not modules_after("import contourlab") & {*HEAVY, "typer", "rich"}
 
 
-def test_every_public_name_is_there_and_documented():
+def test_every_public_name_exists_and_is_documented():
     assert len(set(contourlab.__all__)) == len(contourlab.__all__)
-    # Importing a sub-package puts it in place of a name of the same spelling.
+    # Importing a sub-package replaces a name of the same spelling.
     assert not set(contourlab.__all__) & {path.name.removesuffix(".py") for path in SOURCE.iterdir()}
     for name in contourlab.__all__:
         thing = getattr(contourlab, name)
@@ -115,7 +124,7 @@ def test_every_public_name_is_there_and_documented():
         contourlab.no_such_name  # noqa: B018
 
 
-def test_the_exception_tree_is_drawn_and_complete():
+def test_the_documented_exception_tree_is_complete():
     assert errors.__doc__ is not None
     for name in errors.__all__:
         kind = getattr(errors, name)
@@ -129,7 +138,7 @@ def test_the_component_of_the_contributing_guide_keeps_the_contract(tmp_path: Pa
     block = next(found for found in re.findall(r"```python\n(.*?)```", guide, re.DOTALL) if "(Component)" in found)
     file = tmp_path / "drag.py"
     file.write_text(block, encoding="utf-8")
-    # In a process of its own: a plug-in stays known for the life of one.
+    # In a separate process: a loaded plug-in stays registered.
     code = f"""
 import contourlab as cl
 kinds = cl.load_plugin({str(file)!r})

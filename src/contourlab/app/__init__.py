@@ -1,1 +1,1 @@
-"""What features share as an application: staging of results, checkpoints, progress, inputs."""
+"""Services that features share: folders of results, checkpoints, progress, JSON."""

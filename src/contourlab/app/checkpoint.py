@@ -1,4 +1,4 @@
-"""Checkpoints of long work: its pieces are kept on disk as they are done, and the same command continues behind the last one."""
+"""Checkpoints of long work: finished pieces stay on disk, and the same command continues after the last one."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ if TYPE_CHECKING:
     from contourlab.loop import Controller, Machine
 
 _ROOMS = ("native", "primitives", "geometry", "feed", "engine", "components", "metrics", "loop")
-"""Rooms whose source decides the figures of a run."""
+"""Rooms whose source affects the figures of a run."""
 
 
 @dataclass(eq=False)
 class Checkpoint:
-    """Arrays of finished pieces in a folder, one file each; a sub-folder for each study.
+    """Arrays of finished pieces in a folder, one file each, in one sub-folder per study.
 
     Parameters
     ----------
     folder : Path
-        Made with the first piece.
+        Created with the first piece.
     study : str
-        All that decides the pieces, except what names the piece itself. Pieces of another study are never used.
+        Everything that affects the pieces, except the key of each piece. Pieces of another study are never used.
     reused, damaged : int
-        Pieces that were read, and files that could not be read: their pieces are computed again.
+        Number of pieces read from disk, and of unreadable files, whose pieces are computed again.
     """
 
     folder: Path
@@ -52,11 +52,11 @@ class Checkpoint:
 
     @property
     def others(self) -> int:
-        """How many other studies have pieces in the folder."""
+        """Number of other studies with pieces in the folder."""
         return sum(path != self.home and path.is_dir() for path in self.folder.glob("?" * 16))
 
     def path(self, *key: bytes) -> Path:
-        """Return the file of a piece: a digest of the study and of what decides the piece."""
+        """Return the file of a piece, named by a digest of the study and of the key of the piece."""
         digest = hashlib.sha256(self.study.encode())
         for part in key:
             digest.update(part)
@@ -69,20 +69,20 @@ class Checkpoint:
         try:
             with np.load(io.BytesIO(file.read_bytes()), allow_pickle=False) as data:  # a zip: damage fails its checksum
                 arrays = dict(data)
-        except Exception:  # zipfile, zlib, NumPy and the system each raise errors of their own for a damaged file
+        except Exception:  # zipfile, zlib, NumPy and the system raise different errors for a damaged file
             self.damaged += 1
             return None
         self.reused += 1
         return arrays
 
     def store(self, file: Path, arrays: Mapping[str, ArrayLike]) -> None:
-        """Write the arrays of a piece, whole or not at all."""
+        """Write the arrays of a piece, completely or not at all."""
         buffer = io.BytesIO()
         np.savez(buffer, allow_pickle=False, **{name: np.asarray(values) for name, values in arrays.items()})
         write_bytes_atomic(file, buffer.getvalue())
 
     def findings(self, pieces: str, reused: int | None = None) -> tuple[Finding, ...]:
-        """Return what was reused, left alone and damaged; `pieces` is what they are called, and `reused` their number if not files."""
+        """Return the findings on reused, damaged and other studies' pieces; `reused` replaces the number of files read."""
         count = self.reused if reused is None else reused
         found = [finding("CL900", pieces=pieces, count=count, folder=str(self.home))] if count else []
         found += [finding("CL901", pieces=pieces, folder=str(self.folder))] if self.others else []
@@ -92,21 +92,21 @@ class Checkpoint:
 
 @contextmanager
 def resumable(folder: Path, pieces: str) -> Iterator[None]:
-    """If the block is interrupted and `folder` keeps pieces, add to the interrupt that the same command continues."""
+    """If the block is interrupted and `folder` has pieces, add a note to the interrupt: the same command continues."""
     try:
         yield
     except KeyboardInterrupt as stop:
         if any(folder.glob("*/*.npz")):
-            stop.add_note(f"The {pieces} that had ended are kept in {folder}: the same command continues from there.")
+            stop.add_note(f"The finished {pieces} are kept in {folder}. Run the same command again to continue.")
         raise
 
 
 def run_identity(
     machines: Iterable[Machine], controller: Controller, reference: Reference, *, seed: int, moving: bool, rooms: Iterable[str] = ()
 ) -> str:
-    """Return, as text, all that decides runs except the parameters that a study varies.
+    """Return as text everything that affects runs, except the parameters that a study varies.
 
-    That is machines, controller, motion, noise, plugins, and the version and source of the program.
+    This includes machines, controller, motion, noise, plugins, and the version and source of the program.
 
     Parameters
     ----------
@@ -115,9 +115,9 @@ def run_identity(
     reference : Reference
     seed : int
     moving : bool
-        As of `contourlab.loop.simulate_batch`.
+        As in `contourlab.loop.simulate_batch`.
     rooms : iterable of str
-        Further rooms of the program that decide the result, such as ``"features/swap"``.
+        Further rooms of the program that affect the result, such as ``"features/swap"``.
     """
     from contourlab.scenario.dump import dump
 
@@ -127,7 +127,7 @@ def run_identity(
 
 
 def _plugins(machines: Iterable[Machine], controller: Controller) -> list[str]:
-    """Return name and digest of the file of each component in use that is not contourlab's; what such a file imports is not looked at."""
+    """Return name and digest of the file of each plugin component in use; files that it imports are ignored."""
     from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS
 
     parts = [getattr(axis, slot) for machine in machines for axis in machine.axes for slot in AXIS_SLOTS]
@@ -141,7 +141,7 @@ def _plugins(machines: Iterable[Machine], controller: Controller) -> list[str]:
 
 
 def _program(rooms: Iterable[str]) -> list[str]:
-    """Return the versions of contourlab and of what searches use, and a digest of the source of some rooms."""
+    """Return the versions of contourlab, cma and numpy, and a digest of the source of the rooms."""
     import contourlab
 
     root, digest = Path(contourlab.__file__).parent, hashlib.sha256()

@@ -1,4 +1,4 @@
-"""JSON Schema (draft 2020-12) of results, from their types: the walk of `contourlab.app.json_values` over types in place of values."""
+"""JSON Schema (draft 2020-12) of results, derived from their types by the rules of `contourlab.app.json_values`."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def json_schema(result: Any, title: str = "") -> dict[str, Any]:
     Parameters
     ----------
     result : type
-        A dataclass or TypedDict, or a union or collection of such.
+        A dataclass or TypedDict, or a union or collection of these.
     title : str
 
     Raises
@@ -71,7 +71,7 @@ def _schema(kind: Any, definitions: _Definitions) -> dict[str, Any]:
     if is_typeddict(origin) or (isinstance(origin, type) and is_dataclass(origin)):
         return {"$ref": f"#/$defs/{_define(origin, definitions)}"}
     if not isinstance(origin, type) or not issubclass(origin, Collection):
-        raise TypeError(f"{kind} has no form in JSON")
+        raise TypeError(f"{kind} has no JSON Schema")
     if issubclass(origin, Mapping):
         return {"type": "object", "additionalProperties": _schema(arguments[1], definitions)}
     if hasattr(origin, "_fields"):
@@ -83,12 +83,12 @@ def _schema(kind: Any, definitions: _Definitions) -> dict[str, Any]:
 
 
 def _define(kind: type, definitions: _Definitions) -> str:
-    """Add a dataclass unless it is there, and return its name: with its module's where another class has it."""
+    """Add the definition of a dataclass if missing, and return its name, prefixed by its module if another class has the same name."""
     name = kind.__name__
     if name in definitions and definitions[name][0] is not kind:
         name = f"{kind.__module__.rpartition('.')[2]}.{name}"
     if name not in definitions:
-        definitions[name] = (kind, {})  # a type that holds its own kind ends here
+        definitions[name] = (kind, {})  # ends the recursion for a type that contains itself
         definitions[name] = (kind, _FINDING if kind is Finding else _object(kind, definitions))
     return name
 

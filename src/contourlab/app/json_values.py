@@ -15,8 +15,8 @@ from contourlab.findings import Finding
 def json_values(value: Any) -> Any:
     """Return a value that JSON can hold.
 
-    Dataclasses become objects, see `json_keys`. Findings become their code, name, severity, place, values and text; numbers of NumPy become
-    Python's; nan and infinities become null.
+    Dataclasses become objects, see `json_keys`. Findings become objects of code, name, severity, place, values and text. NumPy numbers
+    become Python numbers. nan and infinities become null.
 
     >>> json_values({"gain": float("inf"), "axes": ("x", "y")})
     {'gain': None, 'axes': ['x', 'y']}
@@ -48,12 +48,12 @@ def json_values(value: Any) -> Any:
         return value
     if isinstance(value, os.PathLike):
         return os.fspath(value)
-    raise TypeError(f"{type(value).__name__} has no form in JSON: {value!r}")
+    raise TypeError(f"{type(value).__name__} cannot be written as JSON: {value!r}")
 
 
 @cache
 def _names(kind: type) -> dict[str, str]:
-    """Return the keys of a dataclass, and the attribute that each holds."""
+    """Return the JSON keys of a dataclass, each with its attribute."""
     derived = getattr(kind, "json_derived", {})
     derived = derived if isinstance(derived, dict) else {name: name for name in derived}
     keys = {part.name: part.metadata.get("json", part.name) for part in fields(kind)}
@@ -61,10 +61,10 @@ def _names(kind: type) -> dict[str, str]:
 
 
 def json_keys(kind: type) -> dict[str, tuple[str, Any]]:
-    """Return for each key that a dataclass has in JSON the attribute and its type.
+    """Return the JSON keys of a dataclass, each with its attribute and type.
 
-    Keys are the names of the fields, without those marked ``field(metadata={"json": False})``; the metadata may give another name. The
-    properties in the class variable ``json_derived`` follow: their names, or a mapping of keys to names.
+    Keys are the names of the fields, except those marked ``field(metadata={"json": False})``; the metadata may also give another name. Then
+    follow the properties in the class variable ``json_derived``: a sequence of names, or a mapping of keys to names.
     """
     hints = get_type_hints(kind)
     types = {key: hints.get(name) or get_type_hints(getattr(kind, name).fget)["return"] for key, name in _names(kind).items()}

@@ -1,7 +1,7 @@
 """Folders of results: new results replace those of the previous run all at once, and only if the run succeeds.
 
-A run writes into a temporary folder inside the folder of results; its files are then renamed into place. A list in the folder says which
-files contourlab wrote, and with which summary, so that nothing else is ever replaced.
+A run writes into a temporary folder inside the folder of results, and its files are then renamed into place. A list in the folder holds
+the files that contourlab wrote, each with its summary. No other file is ever replaced.
 """
 
 from __future__ import annotations
@@ -17,37 +17,37 @@ from pathlib import Path
 from contourlab.errors import OutputError, ParameterError
 
 LIST = ".contourlab.json"
-"""Name of the list."""
+"""File name of the list."""
 _RESULTS = (
     *("report.html", "signals/*.nc", "switches/*.csv", "learned/*.nc", "controllers/*.toml"),
     *("plots/*.png", "plots/*.svg", "plots/*.pdf"),
     *("swap.json", "summary.json"),
 )
-"""All that a run may write; a summary is moved last, so that where it is the rest is complete."""
+"""All files that a run may write. Summaries are last: if one is in place, the rest is complete."""
 _SINGLE = "single"
-"""Stands in the list for the summary of files that were written without one."""
+"""Summary in the list for files written without one."""
 _PRODUCTS = "learned/"
-"""What is a product rather than a report: it stays when the next run replaces its summary."""
+"""Folder of files that stay when the next run replaces their summary."""
 
 
 def check_file(file: str | Path, inputs: Iterable[str | Path] = (), option: str = "--out") -> None:
-    """Check, before the work, that a file can be written. Leave nothing behind.
+    """Check before the work that a file can be written, and leave nothing behind.
 
     Parameters
     ----------
     file : str or Path
-        Missing parent folders are no fault: they are made when the file is written.
+        Missing parent folders are allowed; writing the file creates them.
     inputs : iterable of str or Path
-        What the command reads and must not overwrite.
+        Files that the command reads and must not overwrite.
     option : str
-        The option that named it, for the message.
+        Option that names the file, for messages.
 
     Raises
     ------
     ParameterError
         If it is one of `inputs`.
     OutputError
-        If it is a folder, or cannot be made or replaced.
+        If it is a folder, or cannot be created or replaced.
     """
     target = Path(file)
     if target.is_dir():
@@ -58,9 +58,9 @@ def check_file(file: str | Path, inputs: Iterable[str | Path] = (), option: str 
 
 
 def spared(file: str | Path, inputs: Iterable[str | Path], option: str = "--out") -> None:
-    """Refuse to write a file that the command reads, by whatever name: a link or another spelling.
+    """Refuse to write a file that the command reads, also under another name, such as a link.
 
-    Names in `inputs` without a file, such as those of built-in scenarios, are passed over.
+    Names in `inputs` that are not files, such as built-in scenarios, are ignored.
 
     Raises
     ------
@@ -69,34 +69,34 @@ def spared(file: str | Path, inputs: Iterable[str | Path], option: str = "--out"
     """
     for given in inputs:
         if _is_same(file, given):
-            raise ParameterError(option, repr(str(file)), f"another file than {given}, which is read")
+            raise ParameterError(option, repr(str(file)), f"a different file: the command reads {given}")
 
 
 def _is_same(one: str | Path, other: str | Path) -> bool:
     try:
         return Path(one).samefile(other)
-    except (OSError, ValueError):  # one of them does not exist, or is no file name
+    except (OSError, ValueError):  # one of them does not exist, or is not a file name
         return False
 
 
 @contextmanager
 def staged(out: str | Path, *names: str, inputs: Iterable[str | Path] = (), option: str = "--out") -> Iterator[Path]:
-    """Give a temporary folder to write results into; if the block succeeds, they replace the previous ones in `out`.
+    """Yield a temporary folder for results; if the block succeeds, they replace the previous results in `out`.
 
-    Replaced is what contourlab wrote into `out` with the same summary. Every other file stays. If the block fails, is interrupted or
-    writes nothing, `out` stays as it was.
+    Files that contourlab wrote into `out` with the same summary are replaced. All other files stay. If the block fails, is interrupted or
+    writes nothing, `out` does not change.
 
     Parameters
     ----------
     out : str or Path
-        Made if missing.
+        Created if missing.
     names : str
-        Files that will be written for certain, the summary first: what stands in their way is reported before the work. Without names the
-        results belong to no summary (pictures alone, for example) and replace only files of the same name.
+        Files that are certain to be written, the summary first; conflicts are reported before the work. Without names the results have no
+        summary (pictures alone, for example), and replace only files of the same name.
     inputs : iterable of str or Path
-        What the command reads and must not replace.
+        Files that the command reads and must not replace.
     option : str
-        The option that named the folder, for the message.
+        Option that names the folder, for messages.
 
     Raises
     ------
@@ -116,20 +116,20 @@ def staged(out: str | Path, *names: str, inputs: Iterable[str | Path] = (), opti
 
 
 def _check(folder: Path, summary: str, names: Iterable[str], inputs: Iterable[str | Path], option: str) -> None:
-    """Refuse to replace what is read, and what contourlab did not write."""
+    """Refuse to replace input files, and files that contourlab did not write."""
     listed = _listed(folder)
     for name in (*names, *_written_with(summary, listed)):
         for given in inputs:
             if _is_same(folder / name, given):
-                raise ParameterError(option, repr(str(folder)), f"another folder: {given} is read, and would be replaced")
+                raise ParameterError(option, repr(str(folder)), f"a different folder: the command reads {given}, which would be replaced")
     for name in names:
         if name not in listed and os.path.lexists(folder / name):
-            cure = f"choose another folder with {option}, or move it away"
-            raise OutputError(f"{folder / name}: would be replaced, and is not known to be contourlab's: {cure}")
+            cure = f"choose another folder with {option}, or move the file"
+            raise OutputError(f"{folder / name}: would be replaced, but contourlab did not write it: {cure}")
 
 
 def _listed(folder: Path) -> dict[str, str]:
-    """Return the files that contourlab wrote and that still exist, each with its summary; none if the list is missing or damaged."""
+    """Return the existing files that contourlab wrote, each with its summary; none if the list is missing or damaged."""
     try:
         sets = json.loads((folder / LIST).read_text(encoding="utf-8"))["files"]
         listed = {name: str(summary) for summary, names in sets.items() for name in names}
@@ -152,7 +152,7 @@ def _written_with(summary: str, listed: Mapping[str, str]) -> list[str]:
 
 
 def _exchange(stage: Path, folder: Path, summary: str, new: Iterable[str]) -> None:
-    """Rename the previous results into the temporary folder and the new ones out of it; undo it all at an error or interrupt."""
+    """Swap the previous results in `folder` for the new ones in `stage` by renaming; undo everything on an error or interrupt."""
     before = _listed(folder)
     previous = _written_with(summary, before)
     added = {name: _SINGLE if not summary or name.startswith(_PRODUCTS) else summary for name in new}
@@ -160,7 +160,7 @@ def _exchange(stage: Path, folder: Path, summary: str, new: Iterable[str]) -> No
     moved: list[tuple[Path, Path]] = []
 
     def move(path: Path, target: Path) -> None:
-        moved.append((path, target))  # ahead of the rename: an interrupt may come between the two
+        moved.append((path, target))  # before the rename: an interrupt may come between the two
         path.replace(target)
 
     def put_away(name: str) -> None:
@@ -168,7 +168,7 @@ def _exchange(stage: Path, folder: Path, summary: str, new: Iterable[str]) -> No
             move(folder / name, stage / f"previous-{len(moved)}")
 
     try:
-        # Killed from here on, the folder holds previous and new results, and the list names both.
+        # If the process is killed below, the folder may hold previous and new results; the list names both.
         _save_list({**before, **added}, stage, folder)
         for name in previous:
             put_away(name)
@@ -191,7 +191,7 @@ def _exchange(stage: Path, folder: Path, summary: str, new: Iterable[str]) -> No
 
 @contextmanager
 def _temporary(folder: Path, option: str) -> Iterator[Path]:
-    """Give a temporary folder inside `folder`, which is made if missing, and removed again if it is empty in the end."""
+    """Yield a temporary folder inside `folder`; create `folder` if missing, and remove it again if it stays empty."""
     made = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)

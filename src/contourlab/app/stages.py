@@ -1,4 +1,4 @@
-"""What a long run is busy with, on a terminal: a bar where the end is known, a clock where it is not."""
+"""Progress of a long run on a terminal: a bar if the total is known, else a clock."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ if TYPE_CHECKING:
 
 
 class Stages:
-    """One stage of a run after another; says nothing where nobody looks.
+    """The stages of a run, one after another; without a bar nothing is shown.
 
     Parameters
     ----------
     bar : rich.progress.Progress, optional
-        Where stages are shown; by default nowhere.
+        Shows the stages.
     """
 
     def __init__(self, bar: Progress | None = None) -> None:
@@ -25,16 +25,16 @@ class Stages:
         self._task: TaskID | None = None
 
     def begin(self, words: str) -> None:
-        """End the stage before, if any, and show this one with the time it takes."""
+        """End the previous stage, and show a new one with its elapsed time."""
         if self._bar is None:
             return
         if self._task is not None:
             self._bar.remove_task(self._task)
-        # A stage without a total is shown as busy, not as empty.
+        # Without a total the bar pulses instead of being empty.
         self._task = self._bar.add_task(words, total=None)
 
     def advance(self, done: int, total: int) -> None:
-        """Show how much of the stage is done."""
+        """Show the progress of the stage."""
         if self._bar is not None and self._task is not None:
             self._bar.update(self._task, completed=done, total=total)
 
@@ -46,9 +46,9 @@ def shown(wanted: bool, console: Console | None = None) -> Iterator[Stages]:
     Parameters
     ----------
     wanted : bool
-        Whether anybody looks.
+        Whether to show anything.
     console : rich.console.Console, optional
-        Instead of standard error.
+        By default standard error.
     """
     if not wanted:
         yield Stages()
@@ -56,7 +56,7 @@ def shown(wanted: bool, console: Console | None = None) -> Iterator[Stages]:
     from rich.console import Console as Terminal
     from rich.progress import BarColumn, Progress, SpinnerColumn, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
-    # Names of schemes are shown as they are, not as markup.
+    # Brackets in names of schemes are text, not markup.
     columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console or Terminal(stderr=True), transient=True) as bar:
         yield Stages(bar)

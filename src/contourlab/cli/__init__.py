@@ -1,1 +1,1 @@
-"""The command line: parse, call, print. Inside: `main` (entry and exit codes), `output` (what goes to stdout), one file a command."""
+"""The command line: `main` (entry and exit codes), `options`, `output` (printing), and one file per command in `commands`."""

@@ -1,7 +1,7 @@
-"""The entry of ``contourlab``: commands, exit codes, and errors as one clean message.
+"""The entry of ``contourlab``: commands, exit codes, and errors as one short message.
 
 Exit codes: 0 done, 1 verdict failed, 2 bad input or output, 3 diverged, 70 a fault in contourlab itself, 130 interrupted. Only Typer is
-imported here; what a command needs is imported when it runs, so that ``--help`` answers at once.
+imported here; a command imports the rest when it runs, so ``--help`` answers at once.
 """
 
 from __future__ import annotations
@@ -97,18 +97,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Parameters
     ----------
     arguments : sequence of str, optional
-        As typed after ``contourlab``; those of the process if not given.
+        Words after ``contourlab``; by default those of the process.
 
     Returns
     -------
     int
-        The exit code: see the module's text.
+        The exit code; see the module docstring.
     """
     given, debug = _take_debug(sys.argv[1:] if arguments is None else arguments)
-    # A stream that came closed is None: what is said there goes nowhere, and no file of ours takes its place.
+    # A closed stream is None: discard its output, and keep its file descriptor from being reused for a file of ours.
     sys.stdout, sys.stderr = (stream or Path(os.devnull).open("w") for stream in (sys.stdout, sys.stderr))  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):  # a terminal that cannot show a sign shows a question mark instead of failing
+        if hasattr(stream, "reconfigure"):  # unsupported characters become question marks instead of errors
             stream.reconfigure(errors="replace")
     try:
         code = _call(given or ["--help"])
@@ -126,7 +126,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _take_debug(arguments: Sequence[str]) -> tuple[list[str], bool]:
-    """Return the arguments without ``--debug``, and whether it was there; what follows ``--`` is left alone."""
+    """Return the arguments without ``--debug``, and whether it was given; arguments after ``--`` stay."""
     given = list(arguments)
     end = given.index("--") if "--" in given else len(given)
     options = [word for word in given[:end] if word != "--debug"]
@@ -134,7 +134,7 @@ def _take_debug(arguments: Sequence[str]) -> tuple[list[str], bool]:
 
 
 def _call(arguments: list[str]) -> int:
-    """Parse and run; the commands return their exit codes, 0 where they return none."""
+    """Parse and run; return the exit code of the command, 0 if it returns None."""
     command = typer.main.get_command(app)
     try:
         with command.make_context(NAME, arguments) as context:
@@ -144,7 +144,7 @@ def _call(arguments: list[str]) -> int:
 
 
 def _in_typed_words(error: BaseException, typed: Sequence[str]) -> str:
-    """Return the message of an error, in which a parameter that was typed as an option is called so."""
+    """Return the message of an error; a parameter given as an option gets the name of that option."""
     text = str(error)
     if not isinstance(error, ParameterError) or not text.startswith(error.name):
         return text
@@ -154,7 +154,7 @@ def _in_typed_words(error: BaseException, typed: Sequence[str]) -> str:
 
 
 def _explain(error: BaseException, debug: bool, typed: Sequence[str] = ()) -> int:
-    """Say on standard error what went wrong; return the exit code."""
+    """Print the error on standard error; return the exit code."""
     code, lines = BAD_INPUT, [f"{NAME}: {_in_typed_words(error, typed)}"]
     if isinstance(error, ContourlabError):
         code = error.exit_code
@@ -167,11 +167,10 @@ def _explain(error: BaseException, debug: bool, typed: Sequence[str] = ()) -> in
     elif isinstance(error, OSError):
         lines = [f"{NAME}: {error.filename or 'standard output'}: {error.strerror or error}"]
         if error.filename is None:
-            silence()  # what is left in the buffer would fail again at exit
+            silence()  # else flushing the buffer at exit would fail again
     elif isinstance(error, MemoryError):
-        lines = [
-            f"{NAME}: not enough memory: {str(error) or 'a smaller run is wanted'}; take fewer laps or schemes, or a longer servo period"
-        ]
+        detail = f" ({error})" if str(error) else ""
+        lines = [f"{NAME}: not enough memory{detail}: use fewer laps or schemes, or a longer servo period"]
     else:
         code, lines = INTERNAL, [f"{NAME}: internal error: {type(error).__name__}: {error}"]
         if not debug:

@@ -1,4 +1,4 @@
-"""Options that several commands have."""
+"""Options shared by several commands."""
 
 from __future__ import annotations
 
@@ -25,16 +25,16 @@ Schemes: TypeAlias = Annotated[
 ]
 Trials: TypeAlias = Annotated[int | None, typer.Option(help="Largest number of trials after the first; by default as in the scenario.")]
 Out: TypeAlias = Annotated[Path, typer.Option(help="Folder for the results; created if missing.")]
-Json: TypeAlias = Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")]
+Json: TypeAlias = Annotated[bool, typer.Option("--json", help="Print only JSON on standard output.")]
 Plots: TypeAlias = Annotated[list[str] | None, typer.Option(help="Also write plots as png, svg or pdf; repeatable.")]
-Signals: TypeAlias = Annotated[list[str] | None, typer.Option(help="Write this signal only; repeatable; by default all.")]
+Signals: TypeAlias = Annotated[list[str] | None, typer.Option(help="Write only this signal; repeatable; by default all.")]
 Plugins: TypeAlias = Annotated[list[Path] | None, typer.Option("--plugin", help="Load components from a Python file; repeatable.")]
 
 WithInterval: TypeAlias = Annotated[
     bool | None,
     typer.Option(
         "--interval/--no-interval",
-        help="Compute the interval of the contour error from the stated deviations; by default where it is quick.",
+        help="Compute an uncertainty interval of the contour error from the stated deviations; by default if it is quick.",
         show_default=False,
     ),
 ]
@@ -50,7 +50,7 @@ def options_of(
 
 
 def listed(schemes: str | None) -> tuple[str, ...]:
-    """Return the names in a list with commas."""
+    """Return the names in a comma-separated list."""
     return tuple(name.strip() for name in schemes.split(",")) if schemes else ()
 
 
@@ -59,21 +59,21 @@ Parameters: TypeAlias = Annotated[
     typer.Option(
         "--parameter",
         metavar="NAME[=LOW..HIGH]",
-        help='Parameter to vary, as "3.position_gain=2 full_scale/mm..8 full_scale/mm"; repeatable; by default all that is calibrated.',
+        help='Parameter to vary, e.g. "3.position_gain=2 full_scale/mm..8 full_scale/mm"; repeatable; by default all calibrated.',
         show_default=False,
     ),
 ]
-Width: TypeAlias = Annotated[float, typer.Option(help="Range of a parameter without bounds: its value divided and multiplied by this.")]
-GainMargin: TypeAlias = Annotated[float, typer.Option(help="Least gain margin of an axis, in dB.")]
-PhaseMargin: TypeAlias = Annotated[float, typer.Option(help="Least phase margin of an axis, in degrees.")]
+Width: TypeAlias = Annotated[float, typer.Option(help="Range of a parameter without bounds: from value / WIDTH to value * WIDTH.")]
+GainMargin: TypeAlias = Annotated[float, typer.Option(help="Smallest allowed gain margin of an axis, in dB.")]
+PhaseMargin: TypeAlias = Annotated[float, typer.Option(help="Smallest allowed phase margin of an axis, in degrees.")]
 Seed: TypeAlias = Annotated[int, typer.Option(help="Seed of sampling and search; the same seed gives the same result.")]
 Threads: TypeAlias = Annotated[
-    int | None, typer.Option(help="By default one per processor; results do not depend on it.", show_default=False)
+    int | None, typer.Option(help="Number of threads; by default one per processor. Results do not depend on it.", show_default=False)
 ]
 
 ColumnTexts: TypeAlias = Annotated[
     list[str] | None,
-    typer.Option("--column", help="Signal of a column, as position.x='NAME \\[mm]'; repeatable.", show_default=False),
+    typer.Option("--column", help="Signal of a column, e.g. position.x='NAME \\[mm]'; repeatable.", show_default=False),
 ]
 ColumnFile: TypeAlias = Annotated[
     Path | None, typer.Option("--columns", help="A TOML file with the signals of the columns.", show_default=False)
@@ -82,17 +82,17 @@ LogFormat: TypeAlias = Annotated[
     str | None, typer.Option("--format", help="Format of the file, if it is not recognised.", show_default=False)
 ]
 SamplePeriod: TypeAlias = Annotated[
-    str | None, typer.Option("--period", help='Time between samples, as "1 ms", if the log has no times.', show_default=False)
+    str | None, typer.Option("--period", help='Time between samples, e.g. "1 ms", if the log has no times.', show_default=False)
 ]
 
 Part: TypeAlias = Annotated[Path, typer.Argument(metavar="PART", help="A part program in G-code.", show_default=False)]
-Dialect: TypeAlias = Annotated[str, typer.Option(help="linuxcnc, or the more lenient grbl, which reports each place.")]
+Dialect: TypeAlias = Annotated[str, typer.Option(help="linuxcnc, or grbl, which is more lenient and reports each deviation.")]
 BlockDelete: TypeAlias = Annotated[bool, typer.Option("--block-delete", help="Skip lines that begin with /.")]
-ToolTable: TypeAlias = Annotated[Path | None, typer.Option(help="LinuxCNC tool table, for G43; tools without it have no length.")]
+ToolTable: TypeAlias = Annotated[Path | None, typer.Option(help="LinuxCNC tool table, for G43; without it, tools have length 0.")]
 
 
 def reading_of(file: Path, dialect: str, block_delete: bool, tools: Path | None) -> Reading:
-    """Return the options of the reader: a missing end is a notice only, a drawing is refused."""
+    """Return the options of the reader, which reports a missing end as a notice only; refuse a drawing."""
     from contourlab.features.run.command import refuse_drawing
     from contourlab.program import Reading
 

@@ -1,4 +1,4 @@
-"""What the commands print: text and JSON on standard output, never half of both."""
+"""Output of the commands: either text or JSON on standard output."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ class HasText(Protocol):
 
     @property
     def text(self) -> str:
-        """What the terminal shows."""
+        """Text for the terminal."""
 
 
 def silence() -> None:
-    """Send what is still to come on standard output nowhere: its reader has gone."""
+    """Discard further standard output, because its reader is gone."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     try:
         os.dup2(nowhere, sys.stdout.fileno())
@@ -31,12 +31,12 @@ def silence() -> None:
 
 
 def say(text: str) -> None:
-    """Print text and a newline; a reader that has gone (``| head``) is no error, so the command's own exit code stands.
+    """Print text and a newline. A closed pipe (``| head``) is not an error, so the command keeps its exit code.
 
     Raises
     ------
     OSError
-        If standard output cannot be written, such as a full disk.
+        If standard output cannot be written, for example to a full disk.
     """
     try:
         sys.stdout.write(text + "\n")
@@ -46,7 +46,7 @@ def say(text: str) -> None:
 
 
 def emit_json(value: Any) -> None:
-    """Print one JSON document, strict: readers without an extension for nan can read it."""
+    """Print one strict JSON document, without NaN or infinity."""
     say(json.dumps(json_values(value), indent=2, allow_nan=False))
 
 
@@ -59,12 +59,12 @@ def show_result(result: HasText, as_json: bool) -> None:
 
 
 def conclude(outcome: RunOutcome, as_json: bool) -> int:
-    """Print what a command found, and return its exit code: 0, or 1 where a verdict is not passed.
+    """Print the outcome of a command, and return its exit code: 0, or 1 if a verdict fails.
 
     Raises
     ------
     DivergenceError
-        After the printing, if a scheme ran away.
+        If a scheme ran away; raised after printing.
     """
     if as_json:
         emit_json(outcome.summary)
@@ -76,5 +76,5 @@ def conclude(outcome: RunOutcome, as_json: bool) -> int:
 
 
 def wants_progress(as_json: bool) -> bool:
-    """Tell whether a progress line has a reader: a terminal on standard error, and nobody who parses the output."""
+    """Tell whether to show progress: standard error is a terminal, and no JSON is wanted."""
     return sys.stderr.isatty() and not as_json

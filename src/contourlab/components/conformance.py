@@ -1,4 +1,4 @@
-"""One conformance test for our components and those of others."""
+"""Conformance test of components, built-in and third-party."""
 
 from __future__ import annotations
 
@@ -61,10 +61,10 @@ SLOTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 CHOOSING = ("gap_observer", "feedforward", "compensation", "supervisor", "controller", "coupling")
 """Families that may leave inputs out."""
 EITHER = ("feedforward", "compensation", "coupling")
-"""Families that may leave outputs out, but not all."""
+"""Families that need only one of their outputs."""
 
 UNWIRED = {("velocity", "true")}
-"""Ideal parts without a node in the loop, which have ports of their own."""
+"""Ideal parts with ports of their own; the loop runs no node for them."""
 
 
 def check_component(kind: type[Component], *, jit: bool = True) -> None:
@@ -72,7 +72,7 @@ def check_component(kind: type[Component], *, jit: bool = True) -> None:
 
     Runs the `example` and checks: declarations (family, ports, bounds, documentation), sizes, finite outputs and states, determinism, save
     and restore in mid-run, agreement of lanes, compiled scalar and plain Python to 1e-9, the linear model against the step, that friction
-    takes energy, and that every parameter has an effect. Plants and frictions are linked to each other, estimators run on an ellipse,
+    dissipates energy, and that every parameter has an effect. Plants and frictions are linked to each other, estimators run on an ellipse,
     learning laws on a trial.
 
     Parameters
@@ -93,7 +93,7 @@ def check_component(kind: type[Component], *, jit: bool = True) -> None:
     try:
         part = kind(**kind.example)
     except ContourlabError as error:
-        raise _fault(kind, f"its example does not make a component: {error}") from error
+        raise _fault(kind, f"its example is not valid: {error}") from error
     if kind.family == "learning":  # it has no step: it runs between trials
         fault = learning_fault(part, _others)
         if fault:
@@ -112,20 +112,20 @@ def _fault(kind: type[Component], message: str) -> ComponentError:
 
 def _check_declaration(kind: type[Component]) -> None:
     if not (isinstance(kind, type) and issubclass(kind, Component) and kind.kind):
-        raise ComponentError(f"{kind!r} is no component: a class with family and kind is wanted")
+        raise ComponentError(f"{kind!r} is not a component: write a class with family and kind")
     if kind.family not in FAMILIES:
-        raise _fault(kind, f"family {kind.family!r} is none of {', '.join(FAMILIES)}")
+        raise _fault(kind, f"family {kind.family!r} is not one of {', '.join(FAMILIES)}")
     # Not inspect.getdoc, which would find the docstring of a parent.
     if not (kind.__doc__ or "").strip():
-        raise _fault(kind, "has no docstring")
+        raise _fault(kind, "has no docstring: write one")
     _check_ports(kind)
     for name, parameter in kind.parameters.items():
         if not parameter.doc:
-            raise _fault(kind, f"parameter {name} has no doc")
+            raise _fault(kind, f"parameter {name} has no doc: write one")
         _check_bounds(kind, name, parameter)
     for name in (*kind.calibrated, *kind.calibrated_ahead):
         if name not in kind.numeric():
-            raise _fault(kind, f"what is calibrated, {name}, is none of its numbers: {', '.join(kind.numeric())}")
+            raise _fault(kind, f"the calibrated parameter {name} is not one of its numbers: {', '.join(kind.numeric())}")
 
 
 def _check_ports(kind: type[Component]) -> None:
@@ -136,13 +136,13 @@ def _check_ports(kind: type[Component]) -> None:
     takes, gives = ([port.name for port in ports] for ports in (kind.inputs, kind.outputs))
     for name in takes:
         if name not in offered:
-            raise _fault(kind, f"no input {name!r} is offered to a {kind.family}; there are: {', '.join(offered) or 'none'}")
+            raise _fault(kind, f"a {kind.family} cannot have the input {name!r}; its inputs are: {', '.join(offered) or 'none'}")
     if kind.family in EITHER and any(name in gives for name in wanted):
         wanted = tuple(name for name in wanted if name in gives)
     for what, names, needed in (("inputs", takes, () if kind.family in CHOOSING else offered), ("outputs", gives, wanted)):
         missing = [name for name in needed if name not in names]
         if missing:
-            raise _fault(kind, f"{missing[0]!r} is missing in its {what}, which a {kind.family} has to name")
+            raise _fault(kind, f"a {kind.family} must declare {missing[0]!r} in its {what}")
 
 
 def _check_bounds(kind: type[Component], name: str, parameter: Parameter) -> None:
@@ -153,11 +153,11 @@ def _check_bounds(kind: type[Component], name: str, parameter: Parameter) -> Non
         try:
             parameter.check(parameter.default)
         except ContourlabError as error:
-            raise _fault(kind, f"default of {name} is out of its own range: {error}") from error
+            raise _fault(kind, f"the default of {name} is out of range: {error}") from error
 
 
 def subject(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
-    """Return step, parameter values and tables of a component, linked to a partner where it cannot run alone."""
+    """Return step, parameter values and tables of a component; a plant gets a friction, and a friction a plant."""
     if part.family in ("plant", "friction"):
         return _linked(part)
     if part.family == "estimator":
@@ -180,16 +180,16 @@ def _linked(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
 
 
 def _sized(step: Step) -> Step:
-    """Return the step with a check of its tuples against its ports: a wrong length would shift numbers silently."""
+    """Return the step with a check of tuple lengths against ports: a wrong length would shift numbers silently."""
 
     def function(*given: Any) -> Any:
         returned = step.function(*given)
         for what, ports, values in (("state", step.own_states, returned[0]), ("output", step.outputs, returned[1])):
             if len(values) != len(ports):
-                raise ValueError(f"{len(values)} {what}s are returned, {len(ports)} declared")
+                raise ValueError(f"the step returns {len(values)} {what}s, but declares {len(ports)}")
             for port, value in zip(ports, values, strict=True):
                 if port.size and len(value) != port.size:
-                    raise ValueError(f"{len(value)} numbers are returned for {what} {port.name}, which has {port.size}")
+                    raise ValueError(f"the step returns {len(value)} numbers for {what} {port.name}, which has {port.size}")
         return returned
 
     return replace(step, function=function, bank=_sized_bank(step.bank) if step.bank else None)
@@ -200,7 +200,7 @@ def _sized_bank(bank: Bank) -> Bank:
         kept, found = bank.function(*given)
         for what, values, wanted in (("kept", kept, bank.size), ("found", found, bank.n_found)):
             if len(values) != wanted:
-                raise ValueError(f"{len(values)} numbers are {what} by a member, {wanted} declared")
+                raise ValueError(f"a member has {len(values)} numbers {what}, but {wanted} are declared")
         return kept, found
 
     return replace(bank, function=member)
@@ -222,7 +222,7 @@ def _outputs(group: Group) -> list[int]:
 
 
 def _excitation(group: Group, scale: float) -> Array:
-    """Return inputs that wander and turn: sums of sines of different frequencies."""
+    """Return test inputs: sums of two sines, with different frequencies for each row."""
     n = rows(group.schedule.externals)
     t = np.arange(TICKS)[:, None] * 0.05
     channel = np.arange(n)[None, :]
@@ -230,24 +230,24 @@ def _excitation(group: Group, scale: float) -> Array:
 
 
 def _run(part: Component, scale: float, jit: bool, width: int = 1) -> Array:
-    """Return the outputs and, behind them, the last states: (n_number, width)."""
+    """Return all outputs, then the final states: (n_number, width)."""
     group = _group(part, jit, width)
     log = group.run(_excitation(group, scale), _outputs(group))
     return np.concatenate([log.reshape(-1, width), group.state[0]])
 
 
 def _gap(one: Array, other: Array) -> float:
-    """Return the largest difference over the size of the numbers; NaN if either has one."""
+    """Return the largest difference over the largest magnitude (at least 1); NaN if either array has one."""
     return float(np.abs(one - other).max(initial=0.0)) / max(1.0, float(np.abs(other).max(initial=0.0)))
 
 
 def _check_running(kind: type[Component], part: Component, scale: float, jit: bool) -> None:
     try:
         plain = _run(part, scale, False)
-    except Exception as error:  # whatever a stranger's step raises belongs in the message
+    except Exception as error:  # third-party code may raise anything
         raise _fault(kind, f"its step fails in plain Python: {type(error).__name__}: {error}") from error
     if not np.isfinite(plain).all():
-        raise _fault(kind, "its outputs and states are not all finite")
+        raise _fault(kind, "an output or a state is not finite")
     if not np.array_equal(plain, _run(part, scale, False)):
         raise _fault(kind, "two runs differ: a step must depend on its arguments alone")
     _check_resume(kind, part, scale, False)
@@ -256,7 +256,7 @@ def _check_running(kind: type[Component], part: Component, scale: float, jit: bo
             fast = _run(part, scale, True, width)
         except EngineError as error:
             raise _fault(kind, str(error)) from error
-        except Exception as error:  # the compiler has exceptions of its own, which the engine alone knows
+        except Exception as error:  # the compiler has exceptions of its own
             raise _fault(kind, f"its step cannot be compiled: {error}") from error
         gap = _gap(fast, plain)
         if not gap <= AGREEMENT:
@@ -275,14 +275,14 @@ def _check_resume(kind: type[Component], part: Component, scale: float, jit: boo
     group.restore(saved)
     again = group.run(inputs[half:], _outputs(group))
     if not np.array_equal(rest, again):
-        raise _fault(kind, "a run that is saved and restored goes on differently: all it remembers must be in its states or its ring")
+        raise _fault(kind, "a restored run differs from the original: keep all memory in its states or its ring")
     if not np.array_equal(np.concatenate([first, rest]), whole):
-        raise _fault(kind, "a run in two halves differs from a run in one")
+        raise _fault(kind, "a run in two halves differs from one run: keep all memory in its states or its ring")
 
 
 def _check_linear(kind: type[Component], part: Component) -> None:
     model = part.linearize()
-    # The past of a ring is outside the states, so that a delay's model has nothing to be held against.
+    # A ring is not part of the states, so the model of a delay cannot be checked.
     if model is None or kind.ring or kind.family not in SLOTS:
         return
     step = part.make_step(2)
@@ -295,11 +295,11 @@ def _check_linear(kind: type[Component], part: Component) -> None:
     tables = {name: Table(values) for name, values in part.table_values().items()}
     fault = linear_fault(model, step, lambda dt: {**part.block(dt), **tables})
     if fault:
-        raise _fault(kind, f"its linear model is not that of its step: {fault}")
+        raise _fault(kind, f"its linear model differs from its step: {fault}")
 
 
 def _check_passive(kind: type[Component], part: Component) -> None:
-    """Check that friction takes energy at any speed; a bristle depends on its past and is left out."""
+    """Check that friction dissipates energy at every speed; skip bristles, whose force depends on their past."""
     law = getattr(kind, "law", "")
     force: Any = getattr(kind, {"smooth": "force", "sticking": "sliding"}.get(law, ""), None)
     if kind.family != "friction" or force is None:
@@ -307,7 +307,7 @@ def _check_passive(kind: type[Component], part: Component) -> None:
     par = part.constants()
     for speed in np.geomspace(1e-7, 10.0, 33):
         if not force(par, float(speed)) >= 0.0 or (law == "smooth" and not force(par, -float(speed)) <= 0.0):
-            raise _fault(kind, f"feeds energy in at {speed:.3g} m/s: a friction force is counted against the motion")
+            raise _fault(kind, f"adds energy at {speed:.3g} m/s: a friction force must oppose the motion")
 
 
 def _check_effects(kind: type[Component], part: Component) -> None:

@@ -1,4 +1,4 @@
-"""What a component is, and how it is declared.
+"""The component contract: parameters, ports and step.
 
 A component is one frozen class in one file::
 
@@ -10,8 +10,8 @@ A component is one frozen class in one file::
         viscous: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous coefficient")
         ...
 
-Its parameters are validated, in SI, and constant. Its `step` is a pure function over tuples of floats, written with the names of
-`contourlab.primitives`: the engine compiles it, plain Python runs it unchanged.
+Parameters are validated, constant and in SI. `step` is a pure function over tuples of floats, written with the functions of
+`contourlab.primitives`: the engine compiles it, and plain Python runs it unchanged.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ REFERENCE = ports("reference", "reference_velocity", "reference_acceleration")
 """Input ports with the reference of an axis."""
 
 BOTH_SIDES = ports("motor_position", "motor_velocity", "load_position", "load_velocity")
-"""Input ports with what is measured on both sides of a drive."""
+"""Input ports with position and velocity of motor and load."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class LinearModel:
 
 @dataclass_transform(field_specifiers=(param, text_param), kw_only_default=True, frozen_default=True)
 class Component(Traced):
-    """Base of all components; see the module's text.
+    """Base of all components; the module docstring has an example.
 
     Class attributes that a component sets
     --------------------------------------
@@ -90,7 +90,7 @@ class Component(Traced):
     ring : str
         Input port whose past values are kept.
     reference : str
-        Paper and equation, for people.
+        Paper and equation.
     example : dict
         Values for `check_component` and the documentation; every parameter must have an effect.
     unbounded : tuple of str
@@ -131,13 +131,13 @@ class Component(Traced):
                 delattr(cls, name)
         cls.parameters = found
         if cls.kind and cls.family not in FAMILIES:
-            raise ComponentError(f"{cls.__name__}: family {cls.family!r} is none of {', '.join(FAMILIES)}")
+            raise ComponentError(f"{cls.__name__}: family {cls.family!r} is not one of {', '.join(FAMILIES)}")
 
     def __init__(self, **values: Any) -> None:
         unknown = sorted(set(values) - set(self.parameters))
         if unknown:
             known = ", ".join(self.parameters) or "none"
-            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}; there are: {known}")
+            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}; its parameters are: {known}")
         for name, parameter in self.parameters.items():
             value = values.get(name, parameter.default)
             if value is None:
@@ -171,7 +171,7 @@ class Component(Traced):
     @classmethod
     @cache
     def numeric(cls) -> tuple[str, ...]:
-        """Names of the parameters that are rows of numbers in compiled code."""
+        """Return the names of the parameters that are rows of numbers in compiled code."""
         return tuple(name for name, p in cls.parameters.items() if not p.choices and not p.structural)
 
     def step_function(self) -> Callable[..., Any]:
@@ -187,7 +187,7 @@ class Component(Traced):
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         """Return the derived constants from the numeric parameters and the period of the step.
 
-        The parameters are numbers, or arrays over the variants of a batch: write it with numpy's functions.
+        The parameters are numbers or arrays (n_variant,): use numpy functions.
         """
         return ()
 
@@ -205,12 +205,12 @@ class Component(Traced):
 
     @staticmethod
     def designed(wishes: Mapping[str, float], model_gain: float, model_damping: float) -> dict[str, float]:
-        """Return the parameters that fulfil wishes on the axis v' = model_gain u - model_damping v, all in SI."""
-        # Only kinds that have wishes are asked.
+        """Return the parameters that meet `wishes` on the axis v' = model_gain u - model_damping v, all in SI."""
+        # Called only for kinds with `wishes`.
         raise NotImplementedError
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
-        """Return states, and outputs before the first tick, of an axis at rest at `position` [m]; missing ones are zero."""
+        """Return states, and outputs before the first tick, of an axis at rest at `position` [m]; missing values are zero."""
         return {}, {}
 
     def linear(self) -> Any:
@@ -231,7 +231,7 @@ class Component(Traced):
         return sized(cls.states), sized(cls.inputs), sized(cls.outputs)
 
     def make_step(self, n_axis: int = 1) -> Step:
-        """Return what the engine compiles."""
+        """Return the step for the engine."""
         kind: Any = type(self)
         return _step_of(kind, self.step_function(), n_axis)
 

@@ -1,4 +1,4 @@
-"""Ideal parts: what goes in comes out. The loop runs no node for them."""
+"""Ideal parts: the output equals the input. The loop runs no node for them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class _Identity(Component):
 
 
 class IdealSensor(_Identity):
-    """The controller sees the axis' position as it is."""
+    """Ideal sensor: the controller sees the true position."""
 
     family = "sensor"
     kind = "ideal"
@@ -26,7 +26,7 @@ class IdealSensor(_Identity):
 
 
 class TrueVelocity(_Identity):
-    """The controller sees the plant's velocity itself, as from an ideal tachometer."""
+    """Ideal tachometer: the controller sees the plant's velocity."""
 
     family = "velocity"
     kind = "true"
@@ -35,7 +35,7 @@ class TrueVelocity(_Identity):
 
 
 class IdealLink(_Identity):
-    """The other side sees the signal as it is, at the same tick."""
+    """Ideal link: the receiver sees the signal unchanged, at the same tick."""
 
     family = "link"
     kind = "ideal"

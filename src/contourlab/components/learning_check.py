@@ -1,4 +1,4 @@
-"""The contract of a learning law. It has no step, so its updates after a trial are checked."""
+"""Check the contract of a learning law by its table updates; it has no step."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ AXES = (1, 2, 3)
 
 
 def _problem(n_axis: int) -> LearningProblem:
-    """A path that turns, and axes that settle in some tens of milliseconds, each in a time of its own."""
+    """Return a test problem: a curved path, and axes with different settling times of some tens of milliseconds."""
     angle = np.linspace(0.0, 4.0, SAMPLES)
     columns = np.column_stack([np.cos(angle + 1.3 * j) for j in range(n_axis)])
     tangent = columns / np.linalg.norm(columns, axis=1, keepdims=True)
@@ -43,17 +43,17 @@ def _next(law: LearningLaw, n_axis: int) -> Array:
 
 
 def learning_fault(law: Any, others: Any) -> str:
-    """Return the clause that a law breaks, as text; empty if none.
+    """Return the first broken clause of the contract as text; empty if there is none.
 
-    It is held to one, two and three axes: shape, finite numbers, determinism, arguments left as they are, nothing learned from nothing,
-    no winding up where the drive saturated, and an effect of every parameter, with either target.
+    Checks with one, two and three axes: shape, finite numbers, determinism, unchanged arguments, a zero table after a zero table and a
+    trial without errors, and no wind-up where the drive saturated. Every parameter must have an effect with at least one target.
 
     Parameters
     ----------
     law : LearningLaw
-        Made of its example.
+        With the parameters of its example.
     others : callable
-        Gives other values of a parameter, from its declaration and its value.
+        Returns other values of a parameter, given its declaration and its value.
     """
     if not isinstance(law, LearningLaw):
         return "a learning law is a subclass of LearningLaw"
@@ -74,15 +74,15 @@ def _fault(law: LearningLaw, n_axis: int) -> str:
     try:
         found = law.update(table, trial, problem)
         rest = law.update(none, _trial(n_axis, problem, 0.0), problem)
-    except Exception as error:  # whatever a stranger's law raises belongs in the message
+    except Exception as error:  # third-party code may raise anything
         return f"its update fails: {type(error).__name__}: {error}"
     given = (table, trial.tracking_error, trial.feedback_command, trial.excess)
     if not isinstance(found, np.ndarray) or found.shape != table.shape or found.dtype != np.float64:
-        return f"its table is no array of numbers of shape {table.shape}"
+        return f"its table is not an array of numbers of shape {table.shape}"
     if not np.isfinite(found).all():
         return "its table is not finite"
     if any(not np.array_equal(before, now) for before, now in zip(kept, given, strict=True)) or found is table:
-        return "it writes into its arguments: an update gives a new array"
+        return "it writes into its arguments: return a new array"
     if not np.array_equal(found, _next(law, n_axis)):
         return "two updates from the same trial differ"
     if rest.any():

@@ -1,4 +1,4 @@
-"""Does a linear model belong to the step beside it? Both are asked for the same frequency responses."""
+"""Check the linear model of a component against its step, by frequency responses."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from contourlab.engine.step import Step, record
 from contourlab.primitives import Clock
 
 NUDGE = 1e-9
-"""Small enough to stay where a step is linear around rest; what is compared is a ratio."""
+"""Perturbation of states and inputs: small enough for a step to be linear around rest."""
 
 TICKS_PER_RADIAN = 1e5
 TOLERANCE = 1e-3
-"""A hundred times what sampling adds at the fastest frequency."""
+"""Relative tolerance: a hundred times the sampling error at the highest frequency."""
 
 
 def linear_fault(model: LinearModel, step: Step, block: Callable[[float], dict[str, Any]]) -> str:
@@ -28,15 +28,15 @@ def linear_fault(model: LinearModel, step: Step, block: Callable[[float], dict[s
     model : LinearModel
         Continuous time.
     step : Step
-        Of scalar ports; it is moved by a little from zero, at a period far below the model's own times.
+        Perturbed around zero, at a period far below the model's time constants. Steps with vector ports are not compared.
     block : callable
-        Gives the step's parameter values for a period.
+        Returns the step's parameter values for a period.
     """
     inputs, outputs = ([port.name for port in ports] for ports in (step.inputs, step.outputs))
     for what, named, known in (("input", model.inputs, inputs), ("output", model.outputs, outputs)):
         for name in named:
             if name not in known:
-                return f"it names {what} {name!r}; there are: {', '.join(known)}"
+                return f"it has no {what} {name!r}; the {what}s are: {', '.join(known)}"
     n, m, p = len(model.a), len(model.inputs), len(model.outputs)
     shapes = tuple(np.shape(matrix) for matrix in (model.a, model.b, model.c, model.d))
     if shapes != ((n, n), (n, m), (p, n), (p, m)):
@@ -52,7 +52,7 @@ def linear_fault(model: LinearModel, step: Step, block: Callable[[float], dict[s
         expected = _response(model.a, model.b, model.c, model.d, 1j * w)
         actual = _response(*sampled, np.exp(1j * w * period))[np.ix_(rows, columns)]
         for i, j in np.argwhere(~(np.abs(actual - expected) <= TOLERANCE * np.abs(expected))):
-            return f"from {model.inputs[j]} to {model.outputs[i]} at {w:.3g} rad/s {expected[i, j]:.4g}, the step {actual[i, j]:.4g}"
+            return f"from {model.inputs[j]} to {model.outputs[i]} at {w:.3g} rad/s {expected[i, j]:.4g}, but the step {actual[i, j]:.4g}"
     return ""
 
 
@@ -61,7 +61,7 @@ def _response(a: Array, b: Array, c: Array, d: Array, point: complex) -> Complex
 
 
 def _sampled(step: Step, values: dict[str, Any], period: float) -> tuple[Array, Array, Array, Array]:
-    """Return the matrices of one tick, by differences from rest."""
+    """Return the matrices of one tick, by finite differences at rest."""
     par = step.par_type(**values)
     state_type, input_type = (record(tuple(port.name for port in ports)) for ports in (step.states, step.inputs))
     n, size = len(step.states), len(step.states) + len(step.inputs)

@@ -1,4 +1,4 @@
-"""Where a number is from, and how far it may be off."""
+"""Source and uncertainty of parameter values."""
 
 from __future__ import annotations
 
@@ -9,27 +9,27 @@ from typing import Any, ClassVar
 from contourlab.errors import ComponentError, ParameterError
 
 SOURCES = {
-    "measured": "read off an instrument",
-    "fitted": "worked out from a log",
-    "datasheet": "printed by the maker, or in a paper",
-    "assumed": "taken for want of better",
-    "design": "chosen: exact",
+    "measured": "read from an instrument",
+    "fitted": "computed from a log",
+    "datasheet": "published by the maker or in a paper",
+    "assumed": "for lack of better data",
+    "design": "chosen, exact",
 }
-"""Where a number can be from."""
+"""Sources of a value."""
 
 
 @dataclass(frozen=True)
 class Origin:
-    """Where a number is from, and how far it may be off; in the SI unit of the number.
+    """Source and uncertainty of a value, in its SI unit.
 
     Parameters
     ----------
     source : str
-        Of `SOURCES`.
+        A key of `SOURCES`.
     deviation : float or None, > 0
-        One standard deviation of a normal distribution; None where none is stated.
+        Standard deviation of a normal distribution; None if not stated.
     span : (float, float) or None
-        Lowest and highest value of a uniform distribution, in place of a deviation.
+        Lowest and highest value of a uniform distribution, instead of a deviation.
     reference : str
         The log, table or page.
     note : str
@@ -37,7 +37,7 @@ class Origin:
     Raises
     ------
     ParameterError
-        If the source is unknown, both distributions are given, one has no width, or a number from design has an uncertainty.
+        If the source is unknown, both distributions are given, one has no finite width, or a design value has an uncertainty.
 
     >>> Origin("fitted", deviation=0.11, reference="DATA_EMPS.mat").uncertain
     True
@@ -53,24 +53,24 @@ class Origin:
         if self.source not in SOURCES:
             raise ParameterError("source", repr(self.source), f"one of {', '.join(SOURCES)}")
         if self.deviation is not None and self.span is not None:
-            raise ParameterError("range", "given beside deviation", "left out: a number has one distribution")
+            raise ParameterError("range", "given with deviation", "left out: a number has only one distribution")
         if self.deviation is not None and not 0.0 < self.deviation < float("inf"):
             raise ParameterError("deviation", f"{self.deviation:g}", "> 0 and finite")
         if self.span is not None and not -float("inf") < self.span[0] < self.span[1] < float("inf"):
             raise ParameterError("range", f"{list(self.span)}", "two finite values, the lower one first")
         if self.uncertain and self.source == "design":
-            raise ParameterError("source", "'design'", "another one: what is chosen has no deviation")
+            raise ParameterError("source", "'design'", "another source: a chosen number has no deviation")
 
     @property
     def uncertain(self) -> bool:
-        """Whether it says how far the number may be off."""
+        """Whether the value has an uncertainty."""
         return self.deviation is not None or self.span is not None
 
 
 class Traced:
-    """What every component has besides its numbers: where these are from, as far as that was stated.
+    """Base of components: origins of parameter values, where stated.
 
-    It is no part of what a component is: two that differ in nothing else are equal and run the same.
+    Origins have no effect on a run: components that differ only in origins are equal.
     """
 
     kind: ClassVar[str] = ""
@@ -79,29 +79,29 @@ class Traced:
 
     @property
     def origins(self) -> Mapping[str, Origin]:
-        """Where its numbers are from, by parameter."""
+        """Origins of the values, by parameter."""
         return self._origins
 
     def values(self) -> dict[str, Any]:
         """Return every parameter with its value in SI."""
-        raise NotImplementedError  # of a component
+        raise NotImplementedError  # see Component
 
     def replace(self, **changes: Any) -> Any:
-        """Return a copy with other parameters; where a changed number is from is not known any more."""
+        """Return a copy with changed parameters; a changed value loses its origin."""
         kind: Any = type(self)
         return kind(**{**self.values(), **changes}).traced({k: v for k, v in self._origins.items() if k not in changes})
 
     def traced(self, origins: Mapping[str, Origin]) -> Any:
-        """Return a copy whose numbers are from there.
+        """Return a copy with these origins.
 
         Raises
         ------
         ComponentError
-            If one is no parameter.
+            If a name is not a parameter.
         """
         unknown = [name for name in origins if name not in self.parameters]
         if unknown:
-            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}; there are: {', '.join(self.parameters) or 'none'}")
+            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}; its parameters are: {', '.join(self.parameters) or 'none'}")
         if not origins and not self._origins:
             return self
         kind: Any = type(self)

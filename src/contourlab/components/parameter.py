@@ -36,7 +36,7 @@ class Parameter:
     vector : bool
         Whether it is a list of numbers, each in range; then it is structural.
     display : str
-        Unit for people.
+        Display unit.
     doc, source : str
         Meaning, and where the value comes from.
     """
@@ -70,7 +70,7 @@ class Parameter:
     def check(self, value: Any) -> Any:
         """Return the value if it is in range: a float, a word, or a tuple of floats for a vector.
 
-        Infinity is allowed only where it is the default, for no limit.
+        Infinity is allowed only if it is the default; it means no limit.
 
         Raises
         ------
@@ -83,11 +83,11 @@ class Parameter:
             return str(value)
         if self.vector:
             if isinstance(value, str) or not hasattr(value, "__len__") or len(value) == 0:
-                raise ParameterError(self.name, repr(value), "a list of numbers", self._unit_in_words)
+                raise ParameterError(self.name, repr(value), "a list of numbers" + self._in_unit, self._unit_in_words)
             scalar = replace(self, vector=False)
             return tuple(scalar.check(item) for item in value)
         if isinstance(value, bool | str) or not isinstance(value, float | int | np.floating | np.integer):
-            raise ParameterError(self.name, repr(value), "a number", self._unit_in_words)
+            raise ParameterError(self.name, repr(value), "a number" + self._in_unit, self._unit_in_words)
         try:
             number = float(value)
         except OverflowError:  # an int beyond any float
@@ -101,17 +101,21 @@ class Parameter:
 
     @property
     def _unit_in_words(self) -> str:
-        """The unit without a plant."""
+        """Unit with plain words for the units of the plant."""
         return self.unit.format(command="command", force="force")
 
     @property
+    def _in_unit(self) -> str:
+        return f" in {self._unit_in_words}" if self._unit_in_words else ""
+
+    @property
     def needed(self) -> str:
-        """The bound for a message about a missing value."""
+        """Bound in the message about a missing value."""
         return f"given{', ' if self.bound else ''}{self.bound}{' ' if self._unit_in_words else ''}{self._unit_in_words}"
 
     @property
     def bound(self) -> str:
-        """The range, as text."""
+        """Range as text."""
         if self.choices:
             return "one of " + ", ".join(self.choices)
         limits = [f"{'>' if self.exclusive else '>='} {self.minimum:g}"] if self.minimum > -math.inf else []
@@ -140,7 +144,7 @@ def param(
 
 
 def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, source: str = "") -> Any:
-    """Declare a choice of words; it changes the structure of the step."""
+    """Declare a choice of words; it is structural."""
     return Parameter("", "", default, -math.inf, math.inf, False, choices, False, True, False, "", doc, source)
 
 

@@ -42,7 +42,7 @@ def _built_in() -> dict[tuple[str, str], type[Component]]:
             raise ComponentError(f"entry point {entry.name} = {entry.value} cannot be loaded: {error}") from error
         kinds = _declared(loaded) if isinstance(loaded, ModuleType) else [loaded]
         if not kinds:
-            raise ComponentError(f"entry point {entry.name}: defines no component (a subclass of Component with family and kind)")
+            raise ComponentError(f"entry point {entry.name}: defines no component: write a subclass of Component with family and kind")
         for kind in kinds:
             _add(found, kind, f"entry point {entry.name}")
     return found
@@ -50,26 +50,26 @@ def _built_in() -> dict[tuple[str, str], type[Component]]:
 
 def _add(found: dict[tuple[str, str], type[Component]], kind: type[Component], where: str) -> None:
     if not (isinstance(kind, type) and issubclass(kind, Component) and kind.kind):
-        raise ComponentError(f"{where}: {kind!r} is no component: write a class with family and kind")
+        raise ComponentError(f"{where}: {kind!r} is not a component: write a class with family and kind")
     key = (kind.family, kind.kind)
     if key in found and found[key] is not kind:
-        raise ComponentError(f"{where}: there is a {kind.family} {kind.kind!r} already, in {found[key].__module__}; choose another kind")
+        raise ComponentError(f"{where}: {kind.family} {kind.kind!r} already exists in {found[key].__module__}: choose another kind")
     found[key] = kind
 
 
 def load_plugin(file: str | Path) -> list[type[Component]]:
-    """Load and return the components of a loose Python file. A file that is loaded again replaces itself.
+    """Load and return the components of a loose Python file. Loading a file again replaces its components.
 
     Raises
     ------
     ComponentError
-        If the file cannot be imported, defines no component, or uses a name that is taken; then nothing is kept.
+        If the file cannot be imported, defines no component, or uses a name that is taken; then nothing is registered.
     """
     path = Path(file).resolve()
     name = f"contourlab_plugin_{path.stem}_{abs(hash(str(path))):x}"
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None or spec.loader is None or not path.is_file():
-        raise ComponentError(f"{file}: no Python file to load components from")
+        raise ComponentError(f"{file}: not a Python file: name one that defines components")
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
     try:
@@ -79,7 +79,7 @@ def load_plugin(file: str | Path) -> list[type[Component]]:
         raise ComponentError(f"{file}: cannot be imported: {type(error).__name__}: {error}") from error
     kinds = _declared(module)
     if not kinds:
-        raise ComponentError(f"{file}: defines no component (a subclass of Component with family and kind)")
+        raise ComponentError(f"{file}: defines no component: write a subclass of Component with family and kind")
     known = {**_built_in(), **{key: kind for key, kind in _plugins.items() if kind.__module__ != name}}
     for kind in kinds:
         _add(known, kind, str(file))
@@ -98,7 +98,7 @@ def components(family: str | None = None) -> list[type[Component]]:
         If there is no such family.
     """
     if family is not None and family not in FAMILIES:
-        raise ComponentError(f"no family {family!r}; there are: {', '.join(FAMILIES)}")
+        raise ComponentError(f"no family {family!r}; the families are: {', '.join(FAMILIES)}")
     everything = {**_built_in(), **_plugins}
     chosen = [kind for (slot, _), kind in everything.items() if family in (None, slot)]
     return sorted(chosen, key=lambda kind: (FAMILIES.index(kind.family), kind.kind))
@@ -110,12 +110,12 @@ def component(family: str, kind: str) -> type[Component]:
     Raises
     ------
     ComponentError
-        If there is none; the message lists those there are.
+        If there is none; the message lists the known kinds.
 
     >>> component("plant", "rigid-axis").kind
     'rigid-axis'
     """
     found = {c.kind: c for c in components(family)}
     if kind not in found:
-        raise ComponentError(f"no {family} {kind!r}; there are: {', '.join(found) or 'none'}")
+        raise ComponentError(f"no {family} {kind!r}; the kinds are: {', '.join(found) or 'none'}")
     return found[kind]

@@ -14,9 +14,9 @@ from contourlab.errors import GeometryError
 from contourlab.geometry import Curve, Line, Path, backwards, with_ends
 
 CLOSE = 2e-10
-"""Gap [m] that stays; a path accepts 1e-9 m."""
+"""Gaps up to this size [m] stay; a path accepts 1e-9 m."""
 FURTHEST = 5.0
-"""Largest gap that is closed, in tolerances; entities shorter than the tolerance may be missing in it."""
+"""Largest closed gap, in tolerances; closed entities of up to two tolerances may be missing there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,10 +73,10 @@ class Chain:
     Attributes
     ----------
     strands : tuple of (Strand, bool)
-        In the order of travel, and whether each is run backwards.
+        In order of travel, and whether each runs backwards.
     closed : bool
     tolerance : float [m]
-        Largest gap that is closed.
+        Largest gap between ends that meet; `FURTHEST` times as much is closed.
     """
 
     strands: tuple[tuple[Strand, bool], ...]
@@ -124,7 +124,7 @@ def chains_of(strands: Sequence[Strand], tolerance: float) -> tuple[list[Chain],
     list of Chain
         Each runs in the direction of its first strand in the drawing; a closed one starts there. Chains end where more than two ends meet.
     list of str
-        Omitted strands: shorter than the tolerance, or on top of another.
+        Omitted strands: up to two tolerances long with ends that meet, or on top of another.
     """
     if not strands:
         return [], []
@@ -181,11 +181,11 @@ def _without_doubles(strands: Sequence[Strand], node: Index, tolerance: float) -
     for i, strand in enumerate(strands):
         key = (int(node[i].min()), int(node[i].max()))
         if key[0] == key[1] and strand.length <= 2.0 * tolerance:
-            left_out.append(f"{strand.what}: shorter than the tolerance")
+            left_out.append(f"{strand.what}: left out, because its ends meet and it is at most two tolerances long")
             continue
         twin = next((j for j in seen[key] if _coincide(strand, strands[j], tolerance)), None)
         if twin is not None:
-            left_out.append(f"{strand.what}: lies on {strands[twin].what}")
+            left_out.append(f"{strand.what}: left out, because it lies on {strands[twin].what}")
             continue
         seen[key].append(i)
         kept.append(i)
@@ -207,9 +207,9 @@ def _joined(curves: list[Curve], closed: bool, tolerance: float) -> list[Curve]:
         return curves
     for i, j in joints:
         if gaps[i] > FURTHEST * tolerance:  # within one entity
-            raise GeometryError(f"there is a gap of {1e3 * gaps[i]:.3g} mm at {ends[i, 1].tolist()} m")
+            raise GeometryError(f"there is a gap of {1e3 * gaps[i]:.3g} mm at {ends[i, 1].tolist()} m: close it in the drawing")
         if gaps[i] > CLOSE:
-            # Beside a line, an arc or a spline stays and the line moves.
+            # Where a line meets an arc or a spline, only the line moves.
             share = {(True, False): 0.0, (False, True): 1.0}.get((isinstance(curves[i], Line), isinstance(curves[j], Line)), 0.5)
             wanted[i, 1] = wanted[j, 0] = ends[j, 0] + share * (ends[i, 1] - ends[j, 0])
     moved = [_moved(curve, ends[i], wanted[i]) for i, curve in enumerate(curves)]

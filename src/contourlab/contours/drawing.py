@@ -17,7 +17,7 @@ from contourlab.errors import GeometryError, UnitError
 from contourlab.units import to_si
 
 TOLERANCE = 1e-6
-"""Default of the largest gap [m] between ends that meet."""
+"""Default largest gap [m] between ends that meet."""
 OUTERMOST = 1e9
 """Larger coordinates [m] are mistakes."""
 LISTED = 20
@@ -30,7 +30,7 @@ class LeftOut:
     Attributes
     ----------
     kind : str
-        As the file calls it: ``TEXT``.
+        Name in the file: ``TEXT``.
     layer : str
     why : str
     """
@@ -74,7 +74,7 @@ class Drawing:
         ]
         kinds = ", ".join(f'"{kind}"' for kind in dict.fromkeys(kind for kind, _, _ in counts))
         choice = "choose a layer without them, or " if self.layers else ""
-        raise GeometryError(f"{self.file}: holds {_some(listed)}, which are no contours: {choice}write ignore = [{kinds}]")
+        raise GeometryError(f"{self.file}: contains {_some(listed)}, which are not contours: {choice}write ignore = [{kinds}]")
 
     def chosen(self, chain: int | None = None) -> Chain:
         """Return the only chain, or the one with a number, counted from 1.
@@ -86,14 +86,14 @@ class Drawing:
         """
         if not self.chains:
             layers = f"; its layers are {', '.join(self.layers)}" if self.layers else ""
-            omitted = f"; omitted: {_some(self.notes)}" if self.notes else ""
-            raise GeometryError(f"{self.file}: holds no contour{layers}{omitted}")
+            notes = f"; notes: {_some(self.notes)}" if self.notes else ""
+            raise GeometryError(f"{self.file}: contains no contour{layers}{notes}")
         if chain is None and len(self.chains) == 1:
             return self.chains[0]
         if chain is not None and 1 <= chain <= len(self.chains):
             return self.chains[chain - 1]
         if chain is not None:
-            raise GeometryError(f"{self.file}: chain = {chain}: {self._listed()}")
+            raise GeometryError(f"{self.file}: chain = {chain} does not exist: {self._listed()}")
         layer = ', layer = "..."' if len(self.layers) > 1 else ""
         raise GeometryError(f"{self.file}: {self._listed()}; write for example chain = 1{layer}, or a tolerance above the gaps")
 
@@ -124,7 +124,7 @@ def strand_of(shapes: Iterable[Shape], file: File, what: str, layer: str = "") -
         shapes = list(shapes)
         reach = max((float(np.abs(bound).max()) for shape in shapes for bound in shape.extent()), default=0.0)
         if not reach <= OUTERMOST:
-            raise GeometryError(f"reaches {reach:.3g} m from the origin, more than {OUTERMOST:g} m: is the unit right?")
+            raise GeometryError(f"reaches {reach:.3g} m from the origin, more than {OUTERMOST:g} m: check the unit")
         return Strand(tuple(curve for shape in shapes for curve in shape.curves()), what, layer)
     except GeometryError as error:
         raise GeometryError(f"{file}: {what}{f' on layer {layer}' if layer else ''}: {error}") from error

@@ -42,7 +42,7 @@ def read_dxf(
     ----------
     file : str or Path
     unit : str, optional
-        Of the numbers in the file; by default ``$INSUNITS``.
+        Unit of the numbers in the file; by default ``$INSUNITS``.
     tolerance : float [m], > 0
         Largest gap between ends that meet, 1 um by default.
     layer : str, optional
@@ -79,7 +79,7 @@ def read_dxf(
     except Exception as error:  # dangling references
         raise _damaged(path, error) from error
     if layer is not None and entities.layer not in {name.casefold() for name in entities.layers}:
-        raise GeometryError(f"{path}: nothing on layer {layer!r}: there are {', '.join(entities.layers) or 'none'}")
+        raise GeometryError(f"{path}: layer {layer!r} is missing or empty; the layers are {', '.join(entities.layers) or 'all empty'}")
     matrix = size * np.eye(3)[:axes]
     if axes == 2:
         _check_flat(path, entities.shapes, size)
@@ -110,7 +110,7 @@ def _opened(path: File) -> Any:
 
 def _damaged(path: File, error: Exception) -> GeometryError:
     why = str(error).strip() or "it is truncated or inconsistent"
-    return GeometryError(f"{path}: is not a readable DXF drawing, or is damaged: {why}: export it again")
+    return GeometryError(f"{path}: is damaged or not a DXF drawing ({why}): export it again")
 
 
 def _unit_of(document: Any, path: File, unit: str | None) -> float:
@@ -118,8 +118,8 @@ def _unit_of(document: Any, path: File, unit: str | None) -> float:
         return unit_size(unit)
     code = document.header.get("$INSUNITS", 0)
     if code not in UNITS:
-        unit_stated = "no unit" if code == 0 else f"a unit unfit for parts ($INSUNITS = {code})"
-        raise GeometryError(f'{path}: states {unit_stated}: write unit = "mm", or the unit of its numbers')
+        unit_stated = "no unit" if code == 0 else f"an unsuitable unit ($INSUNITS = {code})"
+        raise GeometryError(f'{path}: has {unit_stated}: write unit = "mm", or the unit of its numbers')
     return UNITS[code]
 
 
@@ -188,7 +188,7 @@ class _Entities:
         if shapes:
             self.shapes.append((shapes, what, layer))
         else:
-            self.notes.append(f"{what}: has no length")
+            self.notes.append(f"{what}: left out, because it has no length")
 
 
 # --- entities ------------------------------------------------------------------------------------------------------------------------
@@ -199,7 +199,7 @@ def _check_finite(shapes: Iterable[Shape]) -> None:
         low, high = shape.extent()
         angles = (shape.start, shape.end) if isinstance(shape, ConicShape) else ()
         if not (np.isfinite(low).all() and np.isfinite(high).all() and np.isfinite(angles).all()):
-            raise GeometryError("one of its numbers is not finite")
+            raise GeometryError("a coordinate or angle is not finite: correct the drawing")
 
 
 def _point(vector: Any) -> Array:
@@ -221,7 +221,7 @@ def _circle(entity: Any) -> list[Shape]:
     ux, uy, _ = _axes(entity)
     centre, radius = _point(entity.ocs().to_wcs(entity.dxf.center)), abs(entity.dxf.radius)
     if not math.isfinite(radius):
-        raise GeometryError(f"its radius, {radius:g}, is not finite")
+        raise GeometryError(f"its radius, {radius:g}, is not finite: correct the drawing")
     start, sweep = 0.0, 2.0 * math.pi
     if entity.dxftype() == "ARC":
         start = math.radians(entity.dxf.start_angle)

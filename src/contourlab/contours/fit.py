@@ -57,11 +57,11 @@ class PointFit:
     def note(self) -> str:
         """A summary in one line."""
         how = f"smoothed by up to {1e6 * self.deviation:.3g} um" if self.smoothed else "interpolated"
-        parts = [f"{self.n_point} points", how, f"curve within {1e6 * self.bulge:.3g} um of their chords", f"{self.n_corner} corners"]
+        parts = [f"{self.n_point} points", how, f"curve within {1e6 * self.bulge:.3g} um of the chords", f"{self.n_corner} corners"]
         if self.n_straight:
-            parts.append(f"{self.n_straight} straight stretches")
+            parts.append(f"{self.n_straight} straight segments")
         if self.n_divided:
-            parts.append(f"splines divided at {self.n_divided} points to keep to the polygon")
+            parts.append(f"splines divided at {self.n_divided} points to follow the polygon")
         return ", ".join([*parts, "closed" if self.path.closed else "open"])
 
 
@@ -151,7 +151,7 @@ def _breaks(polygon: Polygon) -> tuple[list[tuple[int, int]], list[int]]:
 
 
 class _Fitting:
-    """Splines between marks: points where a spline ends, with its tangent there or None.
+    """Splines between marks. A mark is a point where splines end, with their tangent there or None.
 
     Only splines that leave their polygon are divided and fitted again.
     """
@@ -223,8 +223,8 @@ class _Fitting:
     def _refusal(self, first: int, last: int, bulge: float) -> str:
         a, b = self.place(first % self.n), self.place(last % self.n if self.polygon.closed else last)
         return (
-            f"between {a} and {b} no curve keeps to the points: it would leave their chord by {1e6 * bulge:.3g} um. "
-            "Denser points, a smaller corner_angle, or a larger tolerance for noisy points may help"
+            f"between {a} and {b} no curve follows the points: it would leave their chord by {1e6 * bulge:.3g} um. "
+            "Add points, reduce corner_angle, or raise the tolerance for noisy points"
         )
 
     def curves(self) -> list[Curve]:

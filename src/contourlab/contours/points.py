@@ -13,7 +13,7 @@ from contourlab.contours.fit import PointFit, fit_points
 from contourlab.errors import GeometryError, UnitError
 
 CORNER_ANGLE = math.radians(30.0)
-"""Default of the least turn at a corner."""
+"""Default least turn at a corner."""
 OUTERMOST = 1e6
 """Larger coordinates [m] are mistakes, or in the wrong unit."""
 _HEAD = re.compile(r"\s*\"?\s*([A-Za-z_]\w*)\s*(?:[\[(]\s*([^\])]*?)\s*[\])])?\s*\"?\s*\Z")
@@ -36,7 +36,7 @@ def read_points(
         One row per point, separated by commas, semicolons (then with decimal points or commas), tabs or blanks. The first row may name the
         axes, with units: ``x [mm],y [mm]``. Empty rows and comments after # are ignored.
     unit : str, optional
-        Of columns without a unit in the file.
+        Unit of columns without one in the file.
     tolerance, corner_angle
         See `contourlab.contours.fit.fit_points`.
     scale : float, > 0
@@ -60,13 +60,13 @@ def read_points(
     if far.size:
         line, cells = rows[int(far[0])]
         i = int(np.argmax(np.abs(points[far[0]])))
-        raise GeometryError(f"{path}:{line}: {cells[i]} is {points[far[0], i]:.3g} m, beyond {OUTERMOST:g} m: is the unit right?")
+        raise GeometryError(f"{path}:{line}: {cells[i]} is {points[far[0], i]:.3g} m, beyond {OUTERMOST:g} m: check the unit")
     again = np.flatnonzero((points[1:] == points[:-1]).all(axis=1))
     if again.size:
         i = int(again[0])
-        raise GeometryError(f"{path}:{rows[i + 1][0]}: repeats the point of line {rows[i][0]}: leave one out")
+        raise GeometryError(f"{path}:{rows[i + 1][0]}: repeats the point of line {rows[i][0]}: delete one of them")
     if len(points) < 2:
-        raise GeometryError(f"{path}: holds {len(points)} points: give two or more")
+        raise GeometryError(f"{path}: needs at least two points, but has {len(points)}")
     points = points[:, _order(names)]
     lines = [line for line, _ in rows]
     if reverse:
@@ -81,7 +81,7 @@ def _rows(path: File) -> list[tuple[int, list[str]]]:
     try:
         text = path.read_bytes().decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise GeometryError(f"{path}: is not UTF-8 text (byte {error.start})") from error
+        raise GeometryError(f"{path}: is not UTF-8 text (byte {error.start}): save it as UTF-8") from error
     except OSError as error:
         raise GeometryError(f"{path}: cannot be read: {error.strerror or error}") from error
     lines = [(number, line.partition("#")[0].strip()) for number, line in enumerate(text.splitlines(), 1)]
@@ -102,7 +102,7 @@ def _rows(path: File) -> list[tuple[int, list[str]]]:
 def _head(rows: list[tuple[int, list[str]]], path: File, unit: str | None) -> tuple[list[str], list[float], list[tuple[int, list[str]]]]:
     """Return names and units [m] of the columns, and the rows below the header."""
     if not rows:
-        raise GeometryError(f"{path}: holds no points")
+        raise GeometryError(f"{path}: contains no points: write one point on each line")
     line, cells = rows[0]
     heads = [_HEAD.match(cell) for cell in cells]
     is_head = any(head is not None and head[1].lower() not in ("nan", "inf", "infinity") for head in heads)
@@ -112,28 +112,28 @@ def _head(rows: list[tuple[int, list[str]]], path: File, unit: str | None) -> tu
     else:
         for cell, head in zip(cells, heads, strict=True):
             if head is None:
-                raise GeometryError(f"{path}:{line}: {cell!r} names no axis: write for example x [mm],y [mm]")
+                raise GeometryError(f"{path}:{line}: {cell!r} does not name an axis: write for example x [mm],y [mm]")
         names = [head[1].lower() for head in heads if head]
         units = [head[2] for head in heads if head]
         rows = rows[1:]
     if len(names) < 2 or len(names) > 3:
         raise GeometryError(f"{path}:{line}: has {len(names)} columns: give two or three, one for each axis")
     if len(set(names)) != len(names):
-        raise GeometryError(f"{path}:{line}: an axis is named twice")
+        raise GeometryError(f"{path}:{line}: an axis is named twice: rename one column")
     return names, [_factor(name, own, unit, path, line) for name, own in zip(names, units, strict=True)], rows
 
 
 def _factor(name: str, own: str | None, unit: str | None, path: File, line: int) -> float:
     stated = own or unit
     if own and unit and own != unit:
-        raise GeometryError(f"{path}:{line}: states {own}, and unit = {unit!r} is given: leave one out")
+        raise GeometryError(f"{path}:{line}: the header says {own}, but unit = {unit!r} is given: delete one of them")
     if not stated:
-        raise GeometryError(f'{path}:{line}: states no unit: write unit = "mm", or a header such as x [mm],y [mm]')
+        raise GeometryError(f'{path}:{line}: has no unit: write unit = "mm", or a header such as x [mm],y [mm]')
     try:
         return unit_size(stated)
     except UnitError as error:
         if own:
-            cure = "write for example mm" if name in ("x", "y", "z") else "leave the column out"
+            cure = "write for example mm" if name in ("x", "y", "z") else "delete the column"
             raise GeometryError(f"{path}:{line}: column {name} is in {own}, which is not a unit of length: {cure}") from error
         raise
 
@@ -145,7 +145,7 @@ def _order(names: list[str]) -> list[int]:
 
 def _numbers(cells: list[str], n: int, path: File, line: int) -> list[float]:
     if len(cells) != n:
-        raise GeometryError(f"{path}:{line}: has {len(cells)} columns instead of {n}")
+        raise GeometryError(f"{path}:{line}: has {len(cells)} columns, but {n} are expected")
     numbers = []
     for cell in cells:
         try:

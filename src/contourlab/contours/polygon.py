@@ -45,9 +45,9 @@ class Polygon:
     Attributes
     ----------
     length, direction : ndarray (n - 1,), (n - 1, n_axis)
-        Of the chords; chord i runs from point i to i + 1.
+        Length and direction of the chords; chord i runs from point i to i + 1.
     turn : ndarray (n,) [rad]
-        Of the polygon at each point; 0 at the ends of an open one and at corners.
+        Turn of the polygon at each point; 0 at the ends of an open one and at corners.
     corners : list of int
         In a closed polygon 0 is its first and last point.
     """

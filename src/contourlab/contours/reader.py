@@ -58,7 +58,7 @@ def read_contour(
     ----------
     file : str or Path
     unit : str, optional
-        Of the numbers in the file, such as ``"mm"`` or ``"inch"``; overrides the unit of a drawing.
+        Unit of the numbers in the file, such as ``"mm"`` or ``"inch"``; overrides the unit of a drawing.
     tolerance : float [m], optional
         Drawings: largest gap between ends that meet, 1 um by default. Points: largest distance from a smoothing spline; by default the
         curve passes through them.
@@ -136,7 +136,7 @@ def _checked(path: File, given: Sequence[str], scale: float) -> str:
         raise GeometryError(f"{path}: unknown suffix: use one of {', '.join(SUFFIXES)}")
     for name in given:
         if name not in SUFFIXES[suffix]:
-            raise GeometryError(f"{path}: {name} does not apply to a {suffix} file: leave it out")
+            raise GeometryError(f"{path}: {name} does not apply to a {suffix} file: delete it")
     if not (scale > 0.0 and math.isfinite(scale)):
         raise GeometryError(f"scale = {scale!r}: must be > 0 and finite")
     try:

@@ -1,4 +1,4 @@
-"""Shapes of drawings: an affine map turns each into one of the same kind, then they become curves."""
+"""Shapes of drawings: an affine map keeps the kind of a shape; then the shapes become curves."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ class ConicShape:
 
 @dataclass(frozen=True, eq=False)
 class SplineShape:
-    """A B-spline: control points (n, n_axis), knots (n + degree + 1,), and weights (n,) where it is rational."""
+    """A B-spline: control points (n, n_axis), knots (n + degree + 1,), and weights (n,) if it is rational."""
 
     degree: int
     points: Array
@@ -125,7 +125,7 @@ def spline_curves(degree: int, points: Array, knots: Array, weights: Array | Non
     points : ndarray (n, n_axis) [m]
     knots : ndarray (n + degree + 1,)
     weights : ndarray (n,) or None
-        None or all equal for a polynomial spline.
+        None, or all equal, for a polynomial spline.
 
     Raises
     ------
@@ -151,10 +151,10 @@ def spline_curves(degree: int, points: Array, knots: Array, weights: Array | Non
 
 
 def _settled(knots: Array) -> Array:
-    """Return the knots, equal where they differ by rounding alone."""
+    """Return the knots; make those equal that differ only by rounding."""
     t = np.array(knots, dtype=float)
     if not np.isfinite(t).all() or np.any(np.diff(t) < -SAME_KNOT * max(np.ptp(t), 1e-300)):
-        raise GeometryError("knots must be finite and must not fall")
+        raise GeometryError("knots must be finite and must not decrease")
     for i in range(1, t.size):
         if t[i] - t[i - 1] <= SAME_KNOT * (t[-1] - t[0]):
             t[i] = t[i - 1]

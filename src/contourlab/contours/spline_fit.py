@@ -106,7 +106,7 @@ def interpolated(points: Array, ends: Ends, periodic: bool = False) -> FittedSpl
 def disagreement(points: Array, periodic: bool) -> Array:
     """Return the difference of a quintic and a cubic spline through the points at each chord (n - 1,), relative to their bulge.
 
-    Both agree if the points are dense enough for their curve; where they oscillate, they do so differently.
+    Both agree if the points are dense enough for their curve; otherwise they oscillate differently.
     """
     from scipy.interpolate import CubicSpline
 

@@ -57,7 +57,7 @@ def read_svg(file: str | File, *, unit: str | None = None, tolerance: float | No
     ----------
     file : str or Path
     unit : str, optional
-        Of the user units; by default from width, height and viewBox, else 1/96 inch.
+        Size of the user unit; by default from width, height and viewBox, else 1/96 inch.
     tolerance : float [m], > 0
         Largest gap between ends that meet, 1 um by default.
     scale : float, > 0
@@ -90,9 +90,9 @@ def read_svg(file: str | File, *, unit: str | None = None, tolerance: float | No
     except GeometryError:
         raise
     except RecursionError as error:
-        raise GeometryError(f"{path}: has a use that draws itself, or uses nested too deep") from error
+        raise GeometryError(f"{path}: has a <use> element that refers to itself, or nests <use> too deep: delete or expand it") from error
     except Exception as error:  # svgelements may raise anything
-        raise GeometryError(f"{path}: is no readable SVG drawing: {error}") from error
+        raise GeometryError(f"{path}: is not a readable SVG drawing: {error}") from error
     left_out = [*painter.hidden, *(LeftOut(tag) for tag in painter.foreign), *painter.left_out]
     return drawing_of(path, painter.strands, tolerance, left_out, painter.notes)
 
@@ -103,10 +103,10 @@ def _parsed(path: File) -> Element:
     except OSError as error:
         raise GeometryError(f"{path}: cannot be read: {error.strerror or error}") from error
     except (ElementTree.ParseError, ValueError, LookupError) as error:
-        raise GeometryError(f"{path}: is no SVG drawing: {error}") from error
+        raise GeometryError(f"{path}: is not an SVG drawing: {error}") from error
     tag = root.tag.rpartition("}")[2]
     if tag != "svg":
-        raise GeometryError(f"{path}: is no SVG drawing: its root is <{tag}>")
+        raise GeometryError(f"{path}: is not an SVG drawing: its root is <{tag}>")
     level, depth = [root], 0
     while level:
         depth += 1
@@ -164,7 +164,7 @@ def _root_box(root: Element, path: File) -> list[float] | None:
         return None
     box = _box(root)
     if box is None or not (math.isfinite(sum(box)) and box[2] > 0.0 and box[3] > 0.0):
-        raise GeometryError(f'{path}: viewBox = "{root.get("viewBox")}": write four numbers, width and height > 0')
+        raise GeometryError(f'{path}: viewBox = "{root.get("viewBox")}" is not valid: write four numbers, width and height > 0')
     return box
 
 
@@ -269,7 +269,7 @@ class _Painter:
         whole = width if name in ACROSS else height if name in DOWN else diagonal
         if whole is None:
             what = _name(self._tag(element), element.attrib)
-            raise GeometryError(f'{self.file}: {what}: {name} = "{text}" of a size that the drawing does not state: write a number')
+            raise GeometryError(f'{self.file}: {what}: {name} = "{text}" of a size that the drawing does not give: write a length')
         return whole
 
     def _nested(self, element: Element, values: Mapping[str, str], context: _Context) -> None:
@@ -290,7 +290,8 @@ class _Painter:
         href = next((values[name] for name in HREFS if name in values), None)
         target = self.by_id.get(href[1:]) if href and href.startswith("#") else None
         if target is None:
-            self.notes.append(f"use: {href!r} is not in the drawing: left out" if href else "use: refers to nothing: left out")
+            why = f"{href!r} is not in the drawing" if href else "it refers to nothing"
+            self.notes.append(f"use: left out, because {why}")
             return
         x, y = _number(values, "x", 0.0), _number(values, "y", 0.0)
         if x or y:
@@ -309,7 +310,7 @@ class _Painter:
         if tag in SHAPES and tag != "path":
             shape = self._shape(tag, values)
             if shape is None:
-                self.notes.append(f"{_name(tag, values)}: has no size, or cannot be read: left out")
+                self.notes.append(f"{_name(tag, values)}: left out, because it has no size or cannot be read")
                 return
         self.count += 1
         if context.hidden or not context.visible:
@@ -320,7 +321,7 @@ class _Painter:
             what = _name(tag, values) if values.get("id") else f"{tag}, element {self.count}"
             parts, trouble = path_shapes(values.get("d", "")) if shape is None else (list(_subpaths(tag, shape)), None)
             if trouble or not parts:
-                self.notes.append(f"{what}: {trouble or 'has no length'}")
+                self.notes.append(f"{what}: {trouble or 'left out, because it has no length'}")
             self._keep(parts, what, context)
 
     def _keep(self, parts: list[list[Shape]], what: str, context: _Context) -> None:

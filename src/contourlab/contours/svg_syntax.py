@@ -23,7 +23,7 @@ class _DataError(Exception):
     """Place and cause of an error in path data."""
 
     def __init__(self, at: int, why: str) -> None:
-        super().__init__(f"stops at character {at + 1}: {why}")
+        super().__init__(f"invalid at character {at + 1}: {why}; the rest is ignored")
 
 
 def path_shapes(data: str) -> tuple[list[list[Shape]], str | None]:
@@ -216,7 +216,7 @@ class StyleSheet:
         text = _COMMENT.sub("", text).replace("<!--", "").replace("-->", "")
         for rule in _AT_RULE.finditer(text):
             if any(word in rule[0] for word in _SEEN):
-                self.notes.append(f"style sheet: {rule[0].split('{')[0].strip()!r} is passed over")
+                self.notes.append(f"style sheet: {rule[0].split('{')[0].strip()!r} is ignored")
         for rule in _RULE.finditer(_AT_RULE.sub("", text)):
             self._add(rule[1], _declarations(rule[2]))
 
@@ -224,7 +224,7 @@ class StyleSheet:
         for selector in (word.strip() for word in selectors.split(",")):
             match = _SELECTOR.match(selector)
             if not match or not selector:
-                self.notes += [f"style sheet: {name} of {selector!r} is passed over" for name in _SEEN if name in declared]
+                self.notes += [f"style sheet: {name} of {selector!r} is ignored" for name in _SEEN if name in declared]
                 continue
             parts = tuple(re.findall(r"[#.][\w-]+", match[2]))
             ids = sum(part.startswith("#") for part in parts)

@@ -1,4 +1,4 @@
-"""What calibration, sensitivity and swapping share: design variables, the runs that judge them, guards, and a search."""
+"""Shared tools of calibration, sensitivity and swapping: design variables, evaluation of candidates, guards, and a search."""
 
 from contourlab.design.evaluator import Evaluator
 from contourlab.design.search import Found, search

@@ -1,4 +1,4 @@
-"""Runs of many candidates, in lanes."""
+"""Simulation of many candidates in parallel lanes."""
 
 from __future__ import annotations
 
@@ -13,29 +13,29 @@ from contourlab.geometry.view import PathView, view_of
 from contourlab.loop import Controller, Machine, simulate_batch
 
 CHUNK = 1024
-"""Candidates in memory at once."""
+"""Largest number of candidates in memory."""
 
 
 @dataclass(eq=False)
 class Evaluator:
-    """Runs a machine and its controller along a reference with any values of their parameters, and returns the figures of each run.
+    """Run a machine and its controller along a reference with many sets of parameters, and return the figures of each run.
 
-    The same values give the same figures bit for bit, with any other candidates and on any number of threads.
+    The same values give the same figures bit for bit, independent of the other candidates and of the number of threads.
 
     Attributes
     ----------
     machine, controller, reference
-        As of `contourlab.loop.simulate_batch`.
+        As in `contourlab.loop.simulate_batch`.
     window : (int, int), optional
-        Samples that count; by default the last whole lap, or all samples.
+        Samples that the figures cover; by default the last whole lap, or all samples.
     moving : bool
         Whether the axes start with the velocity of the reference.
     seed : int
         Of all noise, the same for all candidates.
     threads : int, optional
-        One for each processor by default.
+        One per processor by default.
     effort : bool
-        Whether figures of the drives are computed, too.
+        Whether to compute figures of the drives as well.
     runs : int
         Runs so far.
     """
@@ -55,14 +55,14 @@ class Evaluator:
         self.view = view_of(self.reference.path)
 
     def __call__(self, columns: Mapping[str, Array], threads: int | None = None) -> dict[str, Array]:
-        """Return the figures of `contourlab.loop.BatchResult`, each (n,), and ``failed_at``; nan where a run failed.
+        """Return the figures of `contourlab.loop.BatchResult`, each (n,), and ``failed_at``; figures of a failed run are nan.
 
         Parameters
         ----------
         columns : mapping of str to ndarray (n,)
             Values [SI] by dotted names.
         threads : int, optional
-            In place of `threads` of the evaluator.
+            By default `threads` of the evaluator.
 
         Raises
         ------

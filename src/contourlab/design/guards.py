@@ -1,4 +1,4 @@
-"""Guards: what a design must keep besides a small error: margins of every axis, a stable coupling, drives below their limits."""
+"""Guards, the constraints on a design: margins of every axis, a stable coupling, drives below their limits."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Controller, Machine
 
 SLACK = (0.02, 0.05)
-"""A search reads margins off a grid and asks for this much more: dB, degrees."""
+"""Additional margin [dB, degrees] required in a search, where margins come from a grid."""
 
 
 @dataclass(frozen=True)
@@ -29,12 +29,12 @@ class Bounds:
     Attributes
     ----------
     gain_margin : float [dB], >= 0
-        Of each axis, opened at its drive.
+        Of each axis, with the loop opened at its drive.
     phase_margin : float [deg], >= 0
     limited : float, 0 to 1
-        Largest part of the counted time during which a drive is at its limit.
+        Largest share of the evaluated time for which a drive is at its limit.
     command : float, > 0
-        Largest command, as a part of the drive's limit.
+        Largest command, as a share of the drive's limit.
     """
 
     gain_margin: float = 6.0
@@ -53,13 +53,14 @@ class Bounds:
     def words(self) -> str:
         """The guards in words."""
         parts = [f"gain margin at least {self.gain_margin:g} dB", f"phase margin at least {self.phase_margin:g} deg"]
-        parts.append(f"a drive at its limit for at most {100.0 * self.limited:g} % of the time")
+        limited = f"drives at their limits for at most {100.0 * self.limited:g} % of the time"
+        parts.append(limited if self.limited else "drives never at their limits")
         if math.isfinite(self.command):
             parts.append(f"commands up to {100.0 * self.command:g} % of the drive")
         return ", ".join(parts)
 
     def missing(self, margins: Margins, slack: tuple[float, float] = (0.0, 0.0)) -> float:
-        """Return by which part margins fall short: 0 if they are kept, infinite for an unstable loop."""
+        """Return the relative shortfall of margins: 0 if they are kept, infinite for an unstable loop."""
         if not margins.stable:
             return math.inf
         gain, phase = 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
@@ -68,7 +69,7 @@ class Bounds:
         return short + turn
 
     def broken(self, margins: Margins) -> str:
-        """Name the margins that fall short, with their values; empty if none does."""
+        """Return the margins that are too small, with their values; empty if there are none."""
         if not margins.stable:
             return "unstable"
         gain, phase = 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
@@ -85,9 +86,9 @@ class Guards:
     cases : sequence of (Machine, Controller)
     bounds : Bounds
     unknown : dict of str to str
-        Axes without a linear model, and why: their margins are not checked.
+        Axes without a linear model, with the reason: their margins are not checked.
     checks : int
-        Loops checked so far.
+        Number of loops checked.
     """
 
     cases: Sequence[tuple[Machine, Controller]]
@@ -109,20 +110,20 @@ class Guards:
         return tuple(dict.fromkeys(name for machine, _ in self.cases for name in machine.axis_names))
 
     def concerned(self, name: str) -> tuple[str, ...]:
-        """Return the axes whose loop a parameter belongs to."""
+        """Return the axes that a parameter affects."""
         return tuple(dict.fromkeys(axis for machine, _ in self.cases for axis in axes_of(name, machine)))
 
     # --- many designs at once, for searches ---
 
     def excess(self, columns: Mapping[str, Array], known: dict[tuple[object, ...], Array] | None = None) -> Array:
-        """Return by how much each design (n,) breaks a margin: above 0 if it does.
+        """Return the largest violation of the margins by each design (n,): above 0 if a margin is broken.
 
         Parameters
         ----------
         columns : mapping of str to ndarray (n,)
             Values [SI] by dotted names.
         known : dict, optional
-            Earlier results for the same axes and values, also of another machine that shares them; new ones are added.
+            Earlier results for the same axes and values, also from another machine that shares them; new results are added.
         """
         worst = np.full(len(next(iter(columns.values()))), -math.inf)
         factors = margin_factors(10.0 ** (self.bounds.gain_margin / 20.0), math.radians(self.bounds.phase_margin))
@@ -140,12 +141,12 @@ class Guards:
         return worst
 
     def limited(self, figures: Mapping[str, Array]) -> Array:
-        """Return by how much each design (n,) has a drive at its limit for too long: above 0 if it does."""
+        """Return how far each design (n,) exceeds the share of time with a drive at its limit: above 0 if it does."""
         share = figures.get("limited_share")
         return np.asarray(share - self.bounds.limited) if share is not None else np.zeros(1)
 
     def loops(self, columns: Mapping[str, Array], axes: Sequence[str]) -> list[list[SampledLoop]]:
-        """Return for each design (n,) the loops of some axes of all machines."""
+        """Return for each design (n,) the loops of the given axes of all machines."""
         loops: list[list[SampledLoop]] = [[] for _ in range(len(next(iter(columns.values()))))]
         for machine, controller in self.cases:
             for axis in machine.axes:
@@ -157,7 +158,7 @@ class Guards:
         return loops
 
     def missing(self, loops: Sequence[SampledLoop]) -> tuple[float, float]:
-        """Return by how much margins fall short, and the smallest distance of a loop from -1, both read off a grid."""
+        """Return the largest relative shortfall of margins, and the smallest distance of a loop from -1, both on a grid."""
         short, nearest = 0.0, math.inf
         for loop in loops:
             self.checks += 1
@@ -171,7 +172,7 @@ class Guards:
     # --- one design, exactly ---
 
     def exact(self, values: Mapping[str, float]) -> dict[str, Margins]:
-        """Return the exact margins of every axis with values [SI]; of several machines the worst."""
+        """Return the exact margins of every axis with values [SI], the worst over all machines."""
         worst: dict[str, Margins] = {}
         for case in self.cases:
             machine, controller = with_values(*case, values)
@@ -186,7 +187,7 @@ class Guards:
         return self.bounds.missing(margins), -margins.modulus if margins.stable else 0.0
 
     def uncoupled(self, values: Mapping[str, float]) -> str:
-        """Return the verdict on a coupling of the axes that is unstable with values [SI]; empty if it is stable or there is none."""
+        """Return the verdict on a coupling that is unstable with values [SI]; empty if the coupling is stable or absent."""
         for case in self.cases:
             machine, controller = with_values(*case, values)
             if controller.coupling is None or self.unknown:
@@ -202,7 +203,7 @@ class Guards:
     def broken(
         self, values: Mapping[str, float], limited: float, largest: float, exact: Mapping[str, Margins] | None = None
     ) -> tuple[str, ...]:
-        """Name all guards that values [SI] break, by the exact analysis; `exact` are the margins if they are known already."""
+        """Return all guards that values [SI] break, from the exact analysis; `exact` gives margins that are already known."""
         margins = self.exact(values) if exact is None else exact
         found = [f"axis {axis}: {words}" for axis, of_axis in margins.items() if (words := self.bounds.broken(of_axis))]
         coupled = self.uncoupled(values)

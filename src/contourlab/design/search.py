@@ -1,4 +1,4 @@
-"""Global search in a box, many points at a time: CMA-ES (covariance matrix adaptation) from several starts side by side."""
+"""Global search in a box, many points at a time: CMA-ES (covariance matrix adaptation) from several starts in parallel."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from contourlab.errors import ParameterError
 
 Objective = Callable[[Array], Array]
 SPREAD = 0.2
-"""First standard deviation, as a part of the box."""
+"""Initial standard deviation, as a share of the box."""
 
 
 @dataclass(frozen=True)
@@ -29,13 +29,13 @@ class Found:
     value : float
         Its value.
     per_start : ndarray (n_start,)
-        The best value that each start reached.
+        The best value from each start.
     points : ndarray (n_start, n)
-        And where it was.
+        The point of each of these values.
     runs : int
-        Points tried.
+        Number of points tried.
     course : ndarray (n_generation, 2)
-        Points tried so far, and the best value until then.
+        Number of points tried and best value, after each generation.
     """
 
     point: Array
@@ -58,24 +58,24 @@ def search(
     target: float = -math.inf,
     progress: Callable[[int], None] | None = None,
 ) -> Found:
-    """Minimise in the box from 0 to 1.
+    """Minimise an objective in the box from 0 to 1.
 
     Parameters
     ----------
     objective : callable
         Returns the values (n,) of points (n, n_number); a value that is not finite counts as the worst.
     starts : ndarray (n_start, n_number)
-        Each is tried itself, so the result is never worse than the best of them.
+        Each start is evaluated itself, so the result is never worse than the best start.
     budget : int, > 0
-        Points to try.
+        Largest number of points to try, starts included; every start is tried in any case.
     seed : int
         The same seed gives the same search.
     population : int
-        Points of a generation and start.
+        Points per generation and start.
     spread : float
-        First standard deviation.
+        Initial standard deviation.
     tolerance : float
-        A start ends when its best value has improved by less than this part over ten generations.
+        A start ends, after 20 generations at the earliest, when its best value has improved by at most this share over ten generations.
     target : float
         The search ends with the generation that reaches this value.
     progress : callable, optional
@@ -88,7 +88,7 @@ def search(
 
     References
     ----------
-    N. Hansen, "The CMA evolution strategy: a tutorial", arXiv 1604.00772; here by its author's package cma.
+    N. Hansen, "The CMA evolution strategy: a tutorial", arXiv 1604.00772; this function uses the author's package cma.
     """
     starts = np.clip(np.atleast_2d(np.asarray(starts, dtype=float)), 0.0, 1.0)
     if starts.size == 0 or budget < 1:
@@ -98,10 +98,11 @@ def search(
     running = list(range(len(starts)))
     while running and best.values.min() > target and best.runs + population * len(running) <= budget:
         asked = {i: np.clip(np.asarray(strategies[i].ask()), 0.0, 1.0) for i in running}
-        values = _finite(objective(np.concatenate(list(asked.values()))))
+        tried = {i: points[:, : starts.shape[1]] for i, points in asked.items()}
+        values = _finite(objective(np.concatenate(list(tried.values()))))
         for i, mine in zip(running, np.split(values, len(running)), strict=True):
             strategies[i].tell(list(asked[i]), _ranked(mine).tolist())
-            best.tell(i, asked[i], mine)
+            best.tell(i, tried[i], mine)
         best.close_generation()
         running = [i for i in running if not best.settled(i, tolerance) and not strategies[i].stop()]
         if progress is not None:
@@ -110,7 +111,7 @@ def search(
 
 
 class _Best:
-    """The best of each start so far."""
+    """The best point of each start so far."""
 
     def __init__(self, starts: Array, values: Array) -> None:
         self.points, self.values, self.runs = starts.copy(), values.copy(), len(starts)
@@ -128,7 +129,7 @@ class _Best:
         self.course.append((float(self.runs), float(self.values.min())))
 
     def settled(self, i: int, tolerance: float) -> bool:
-        """Tell whether a start has not improved over ten generations."""
+        """Return whether a start has not improved over ten generations."""
         past = self.history[i]
         return len(past) > 20 and past[-11] - past[-1] <= tolerance * abs(past[-1])
 
@@ -148,10 +149,11 @@ def _strategy(start: Array, seed: int, population: int, spread: float) -> Any:
     logging.getLogger("cma").setLevel(logging.ERROR)
     generator = np.random.default_rng(seed)
     options = {"bounds": [0.0, 1.0], "popsize": population, "verbose": -9, "tolfun": 0.0, "tolfunhist": 0.0}
-    # A generator of its own: the package would otherwise seed that of numpy for the whole process.
+    # Use a separate generator: otherwise the package seeds numpy's global generator.
     options |= {"seed": np.nan, "randn": lambda *shape: generator.standard_normal(shape)}
-    # On a bound the transformation of the box has no slope.
-    return cma.CMAEvolutionStrategy(np.clip(start, 1e-3, 1.0 - 1e-3).tolist(), spread, options)
+    # On a bound the transformation of the box has zero slope. The package needs two dimensions: a lone parameter gets an idle one.
+    inside = [*np.clip(start, 1e-3, 1.0 - 1e-3), *([0.5] if start.size == 1 else [])]
+    return cma.CMAEvolutionStrategy(inside, spread, options)
 
 
 def _finite(values: Array) -> Array:
@@ -159,7 +161,7 @@ def _finite(values: Array) -> Array:
 
 
 def _ranked(values: Array) -> Array:
-    """Replace values that are not finite by one that is a little worse than the worst finite one."""
+    """Replace values that are not finite by a value worse than the worst finite value."""
     good = values[np.isfinite(values)]
     worst = float(good.max()) if good.size else 1.0
     return np.where(np.isfinite(values), values, worst + abs(worst) + 1.0)

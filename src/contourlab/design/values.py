@@ -1,4 +1,4 @@
-"""Parameters of a machine and its controller by dotted name: set them, order them, tell which axes they concern."""
+"""Parameters of a machine and its controller by dotted name: set and order them, and find the axes they affect."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from contourlab.loop import Axis, AxisController, Controller, Machine
 def with_values(machine: Machine, controller: Controller, values: Mapping[str, float]) -> tuple[Machine, Controller]:
     """Set parameters of a machine and its controller to values [SI].
 
-    Parameters of one component are set together, so that its own checks hold. A parameter whose value stays the same keeps its source.
+    Parameters of one component are set together, so that its checks see all of them. A parameter whose value does not change keeps its
+    source.
 
     Raises
     ------
@@ -85,7 +86,7 @@ def _unknown(name: str) -> ParameterError:
 
 
 def axes_of(name: str, machine: Machine) -> tuple[str, ...]:
-    """Return the axes that a parameter concerns: its own, or all if it belongs to their coupling."""
+    """Return the axes that a parameter affects: its own axis, or all axes for a parameter of the coupling."""
     words = name.split(".")
     return (words[words.index("axes") + 1],) if "axes" in words[:-1] else machine.axis_names
 
@@ -96,7 +97,7 @@ def calibration_order(machine: Machine, controller: Controller) -> tuple[str, ..
     Notes
     -----
     First the disturbance observers, then the position controllers, then a coupling that corrects commands, then feedforward; in each group
-    the last axis comes first. On the paper's stage this is its own order (section IV): b_hat_3, a_hat_3, b_hat_2, a_hat_2, K_V3, K_P3,
+    the last axis comes first. For the paper's stage this is the paper's order (section IV): b_hat_3, a_hat_3, b_hat_2, a_hat_2, K_V3, K_P3,
     K_I3, K_V2, K_P2, K_I2, b'_3, a'_3, b'_2, a'_2. Its lambda, a choice between contour and tracking error, is not calibrated.
 
     A component names its parameters to calibrate in `calibrated` and `calibrated_ahead`.

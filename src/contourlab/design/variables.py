@@ -21,15 +21,15 @@ from contourlab.scenario.quantities import read_number
 from contourlab.units import from_si, in_si
 
 WIDTH = 4.0
-"""Bounds without a text: the value divided and multiplied by this."""
+"""Default bounds are the value divided and multiplied by this."""
 NEAR = 0.005
-"""Distance to a bound, as a part of the range, that counts as on it."""
+"""Largest distance to a bound, as a share of the range, that counts as on it."""
 DIGITS = 6
 """Digits of a value in a file."""
 ROUNDING = 1e-9
-"""Part of a bound by which a value may lie beyond it."""
+"""Share of a bound by which a value may exceed it."""
 MOST_NAMES = 8
-"""Names suggested for one that is wrong, at most."""
+"""Largest number of names suggested for an unknown name."""
 
 
 @dataclass(frozen=True)
@@ -39,9 +39,9 @@ class DesignVariable:
     Attributes
     ----------
     name : str
-        Dotted name, as of `contourlab.loop.parameter_names`.
+        Dotted name, as in `contourlab.loop.parameter_names`.
     value : float [SI]
-        Value of the scenario.
+        Value in the scenario.
     low, high : float [SI]
         Bounds, `low` < `high`.
     unit : str
@@ -51,7 +51,7 @@ class DesignVariable:
     logarithmic : bool
         Whether equal steps are equal factors.
     least, most : float [SI]
-        Limits of the component itself.
+        Limits of the component's parameter.
     """
 
     name: str
@@ -75,7 +75,7 @@ class DesignVariable:
 
     @property
     def short(self) -> str:
-        """The short name: axis, slot unless it is the controller, parameter."""
+        """The short name: axis, slot (unless it is the controller) and parameter."""
         words = self.name.removeprefix("controller.").removeprefix("axes.").split(".")
         return ".".join(word for word in words if word != "controller")
 
@@ -86,7 +86,7 @@ class DesignVariable:
 
     @property
     def nearest(self) -> float:
-        """The value [SI], or the nearest bound if it lies outside."""
+        """The value [SI], or the nearest bound if the value lies outside."""
         return min(max(self.value, self.low), self.high)
 
     @property
@@ -99,7 +99,7 @@ class DesignVariable:
         return from_si(value, self.display_unit)
 
     def end(self, value: float) -> str:
-        """Name the end of the range within `NEAR` of a value [SI]; empty if neither is."""
+        """Return the name of the bound within `NEAR` of a value [SI]; empty if neither bound is."""
         place = float(self.normalise(value))
         if place < NEAR:
             return "lower end of its range" if self.low > self.least else "the least it may be"
@@ -108,13 +108,13 @@ class DesignVariable:
         return ""
 
     def cramped(self, value: float) -> bool:
-        """Tell whether a value [SI] lies on a bound that could be wider."""
+        """Return whether a value [SI] lies on a bound that could be wider."""
         return self.end(value).endswith("its range")
 
     def written(self, values: ArrayLike) -> Array:
-        """Round values [SI] to the digits that a file has, within the bounds.
+        """Round values [SI] to the digits of a file, within the bounds.
 
-        A value with the same digits as the scenario's becomes the scenario's own, unrounded.
+        A value that rounds to the scenario's value becomes that value, unrounded.
         """
         made = np.clip(with_digits(values, self.display_unit, self.low, self.high), self.least, self.most)
         if not math.isfinite(self.value):
@@ -129,7 +129,7 @@ class DesignVariable:
         return np.asarray(np.clip(self.low + (self.high - self.low) * x, self.low, self.high))
 
     def normalise(self, value: ArrayLike) -> Array:
-        """Return the positions from 0 to 1 of values [SI]; values outside are clipped to the bound."""
+        """Return the positions from 0 to 1 of values [SI]; values outside are clipped to the bounds."""
         v = np.clip(np.asarray(value, dtype=float), self.low, self.high)
         if self.logarithmic:
             return np.asarray(np.log(v / self.low) / math.log(self.high / self.low))
@@ -163,7 +163,7 @@ class Space:
 
     @cached_property
     def start(self) -> Array:
-        """Positions of the scenario's own values (n_variable,)."""
+        """Positions of the scenario's values (n_variable,)."""
         return np.array([float(variable.normalise(variable.value)) for variable in self.numbers])
 
     def columns(self, points: ArrayLike) -> dict[str, Array]:
@@ -177,7 +177,7 @@ class Space:
         return {name: float(column[0]) for name, column in self.columns(point).items()}
 
     def points(self, values: Mapping[str, ArrayLike]) -> Array:
-        """Return the positions (n, n_variable) of values [SI]; for missing names those of the scenario."""
+        """Return the positions (n, n_variable) of values [SI]; missing names have the scenario's values."""
         given = [np.atleast_1d(variable.normalise(values.get(variable.name, variable.value))) for variable in self.numbers]
         return np.stack(np.broadcast_arrays(*given), axis=1)
 
@@ -196,22 +196,23 @@ class Space:
         Parameters
         ----------
         machine, controller
-            Their owners.
+            Owners of the parameters.
         texts : sequence of str
             ``NAME`` or ``NAME=LOW..HIGH`` with units, such as ``"3.observer.model_damping=5 1/s..50 1/s"``. A name may be the end of a
-            dotted name and may contain ``*``; it stands for all that match. By default all of `calibration_order` that are not zero.
+            dotted name and may contain ``*``; it selects all matches. By default all parameters of `calibration_order` with a finite
+            value other than zero.
         width : float, > 1
-            Bounds are the value divided and multiplied by it where the text has none.
+            Default bounds are the value divided and multiplied by this.
         called : str
-            Name of the texts in an error.
+            Name of a text in an error message.
         machine_only : bool
             Whether only parameters of the machine may be chosen.
 
         Raises
         ------
         ParameterError
-            If a name matches nothing, a bound has the wrong unit or is out of range, a variable gets two pairs of bounds, or a value of
-            zero gets none.
+            If a name matches nothing, a bound has the wrong unit or is out of range, a variable has two pairs of bounds, or a value that is
+            zero or not finite has none.
         """
         if not (width > 1.0 and math.isfinite(width)):
             raise ParameterError("width", f"{width:g}", "above 1 and finite: a factor either side of a value")
@@ -238,11 +239,11 @@ class Space:
         return replace(self, numbers=tuple(variable for variable in self.numbers if variable.name in wanted))
 
 
-# --- values as a file has them -----------------------------------------------------------------------------------------------------------
+# --- values as in a file ----------------------------------------------------------------------------------------------------------------
 
 
 def with_digits(values: ArrayLike, unit: str, low: float = -np.inf, high: float = np.inf) -> Array:
-    """Round values [SI] to six digits in a display unit: the result is, bit for bit, what their text is read as.
+    """Round values [SI] to six digits in a display unit: reading their text gives the result bit for bit.
 
     Parameters
     ----------
@@ -250,7 +251,7 @@ def with_digits(values: ArrayLike, unit: str, low: float = -np.inf, high: float 
     unit : str
         The display unit.
     low, high : float [SI]
-        A value that would be rounded beyond one of them is rounded inwards, or left as it is if no six digits lie between.
+        A value that rounds beyond one of them is rounded inwards; it is left unchanged if the bounds contain no value of six digits.
 
     >>> with_digits([0.0123456789, 0.99999996], "m", high=1.0).tolist()
     [0.0123457, 1.0]
@@ -265,13 +266,13 @@ def with_digits(values: ArrayLike, unit: str, low: float = -np.inf, high: float 
 
 
 def _split(values: Array) -> tuple[Array, Array]:
-    """Return values as whole numbers of `DIGITS` digits, and the powers of ten that these count."""
+    """Return values as whole numbers of `DIGITS` digits, and the powers of ten that multiply them."""
     power = np.floor(np.log10(np.where(values == 0.0, 1.0, np.abs(values)))) - (DIGITS - 1)
     return np.rint(_over(values, power)), power
 
 
 def _over(values: Array, power: Array) -> Array:
-    """Divide values by powers of ten with one rounding, as their text has."""
+    """Divide values by powers of ten with a single rounding, as in reading text."""
     return np.where(power < 0.0, values * 10.0 ** np.maximum(-power, 0.0), values / 10.0 ** np.maximum(power, 0.0))
 
 
@@ -287,15 +288,15 @@ def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]], called: st
     if wanted in known:
         return [wanted]
     found = [name for name in known if fnmatchcase(name, wanted) or fnmatchcase(name, f"*.{wanted}")]
-    # "3.position_gain" means controller.axes.3.controller.position_gain: the slot of the controller may be left out.
+    # "3.position_gain" means controller.axes.3.controller.position_gain: the slot "controller" may be left out.
     found += [name for name in known if name not in found and fnmatchcase(name.replace(".controller.", "."), f"*.{wanted}")]
     if not wanted or not found:
-        raise ParameterError(called, repr(wanted), f"a number of {whose}, such as {', '.join(_near(wanted, known))}")
+        raise ParameterError(called, repr(wanted), f"a parameter of {whose}, such as {', '.join(_near(wanted, known))}")
     return found
 
 
 def _near(wanted: str, known: Iterable[str]) -> list[str]:
-    """Return the names nearest to an unknown one: with the same last word, or spelt alike, or else the first few."""
+    """Return the names nearest to an unknown name: with the same last word or a similar one, or else the first few."""
     names = sorted(known, key=lambda name: name.startswith("axes."))  # gains first
     ends = {name: name.rpartition(".")[2] for name in names}
     word = wanted.rpartition(".")[2]
@@ -305,7 +306,7 @@ def _near(wanted: str, known: Iterable[str]) -> list[str]:
 
 
 def _variable(name: str, known: tuple[Component, str], units: Mapping[str, tuple[str, str]], bounds: str, width: float) -> DesignVariable:
-    """Make a variable with the bounds of a text, or else a factor either side of its value."""
+    """Return a variable with the bounds of a text, by default its value divided and multiplied by `width`."""
     part, word = known
     axis = next((axis for axis in units if f".axes.{axis}." in f".{name}"), next(iter(units)))
     parameter = replace(part.parameters[word].for_plant(*units[axis]), name=name)

@@ -1,7 +1,7 @@
-"""The one door to the compiler: a plain step becomes a machine-code function over lanes.
+"""Compile a plain step to a machine-code function over lanes.
 
-A step's source is compiled unchanged: its functions are rebuilt with the primitives they name replaced by compiled ones, and wrapped in a
-loop over lanes. The wrapper is a C function of addresses, so that the loop that calls it never has to be compiled again.
+The source of a step is compiled unchanged: its functions are rebuilt with compiled primitives and wrapped in a loop over lanes. The wrapper
+is a C function of addresses, so that the tick loop that calls it is never compiled again.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def _walk(function: Any, seen: dict[Any, None]) -> None:
 
 
 def _code_words(code: python_types.CodeType) -> list[str]:
-    """Return what a code object does, without where it stands in its file."""
+    """Return the content of a code object without its place in the file."""
     constants = [c if not isinstance(c, python_types.CodeType) else _code_words(c) for c in code.co_consts]
     return [code.co_code.hex(), repr(constants), repr((code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars))]
 
@@ -67,7 +67,7 @@ def _engine_sources() -> str:
 
 
 def source_key(step: Step, width: int) -> str:
-    """Return the key of a step's machine code: its transitive sources, layout, lanes, and the tool chain."""
+    """Return the key of a step's machine code: a hash of its transitive sources, layout, lanes, and tool chain."""
     seen: dict[Any, None] = {}
     _walk(step.function, seen)
     if step.bank:
@@ -129,9 +129,9 @@ def _write(storer: str, address: str, value: str, ports: tuple[Port, ...], width
 
 
 def wrapper_source(step: Step, width: int) -> str:
-    """Return the lane loop around a step, as plain source that can be printed and read.
+    """Return the readable source of the lane loop around a step.
 
-    `inp` is the address of a list of row addresses (inputs stand anywhere in the signal table); the others are contiguous rows of lanes.
+    `inp` is the address of a list of row addresses (inputs can be anywhere in the signal table); the others are contiguous rows of lanes.
     """
 
     def contiguous(region: str, address: str) -> Callable[[int], str]:
@@ -190,24 +190,24 @@ def _compile(step: Step, width: int) -> Any:
     except (NumbaError, UnsupportedBytecodeError, NotImplementedError) as error:
         raise EngineError(f"{step.name} cannot be compiled: {_first_words(error)}") from error
     if "NRT_" in compiled._library.get_llvm_str():
-        # Code that asks for memory would also crash when it is loaded from the cache into a process that has no memory manager yet.
+        # Code that allocates memory would also crash when loaded from the cache into a process without a memory manager.
         raise EngineError(f"{step.name} makes a list, a dict or an array: a step works on numbers and tuples of numbers")
     return compiled
 
 
 def _first_words(error: Exception) -> str:
-    """Return the line of a compiler's message that says what is wrong; those before it say where it was at the time."""
+    """Return the line of a compiler's message that states the error; the lines before it give its place."""
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]
     return next((line for line in lines if not line.startswith(("Failed in ", "During:", "File "))), type(error).__name__)
 
 
 @cache
 def compile_step(step: Step, width: int) -> int:
-    """Return the address of a step compiled over `width` lanes, from the cache on disk where it is there.
+    """Return the address of a step compiled over `width` lanes, from the cache on disk if possible.
 
     Raises
     ------
     EngineError
-        If the step uses what cannot be compiled, or its tuples do not fit its ports.
+        If the step uses something that cannot be compiled, or its tuples do not fit its ports.
     """
     return store.address(source_key(step, width), lambda: _compile(step, width), step.name, inner=True)

@@ -1,4 +1,4 @@
-"""The primitives in compiled code: LLVM instructions, libm calls, branch-free polynomials for lanes, vectors written out."""
+"""The primitives in compiled code: LLVM instructions, libm calls, branch-free polynomials for lanes, unrolled vectors."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def fma(builder: Any, a: Any, b: Any, c: Any) -> Any:
 
 @instruction(NUMBER, types.boolean, NUMBER, NUMBER)
 def select(builder: Any, condition: Any, a: Any, b: Any) -> Any:
-    """Evaluate both sides, keep one: never a branch."""
+    """Return one of two evaluated sides, without a branch."""
     flag = condition if condition.type == ir.IntType(1) else builder.trunc(condition, ir.IntType(1))
     return builder.select(flag, a, b)
 
@@ -72,7 +72,7 @@ def clip(x: float, low: float, high: float) -> float:
 
 @njit(**INLINE)
 def lookup(table: int, index: float) -> float:
-    """An entry of a table by its address; a gather where the index differs by lane."""
+    """Return an entry of the table at an address; a gather if the index differs by lane."""
     return load_table(table, truncate(index))
 
 
@@ -146,15 +146,15 @@ def libm_tanh(x: float) -> float:
     return math.tanh(x)
 
 
-# --- polynomials: what lanes need, since the vectoriser cannot see into libm -------------------------------------------------------
+# --- polynomials: for lanes, since the vectoriser cannot see into libm --------------------------------------------------------------
 
 
 @njit(**INLINE)
 def _expm1_reduced(x: float) -> tuple[float, float]:
-    """x = n ln 2 + r with |r| <= ln 2 / 2; returns n and e**r - 1.
+    """Return n and e**r - 1 for x = n ln 2 + r with |r| <= ln 2 / 2.
 
-    (e**r - 1 - r) / r**2 as the polynomial that interpolates it at ten Chebyshev points: e**r to 1.3e-17. In Estrin's scheme, pairs and
-    then pairs of pairs, terms do not wait for each other as in Horner's.
+    (e**r - 1 - r) / r**2 is the polynomial that interpolates it at ten Chebyshev points: e**r to 1.3e-17. Estrin's scheme (pairs, then
+    pairs of pairs) lets terms run in parallel, unlike Horner's.
     """
     n = rint(x * 1.4426950408889634074)
     r = fma(-n, 6.93147180369123816490e-01, x)
@@ -186,7 +186,7 @@ def poly_tanh(x: float) -> float:
 
 @njit(**INLINE)
 def poly_log(x: float) -> float:
-    """log x = e ln 2 + 2 artanh((m - 1)/(m + 1)), m in [sqrt(1/2), sqrt 2): odd series to the 23rd power."""
+    """Return log x = e ln 2 + 2 artanh((m - 1)/(m + 1)), m in [sqrt(1/2), sqrt 2): odd series to the 23rd power."""
     e = exponent_of(x)
     m = x * pow2(-e)
     high = m > 1.4142135623730951
@@ -211,7 +211,7 @@ def poly_log(x: float) -> float:
 
 @njit(**INLINE)
 def _sincos_reduced(x: float) -> tuple[float, float, float]:
-    """x = n pi/2 + r, Cody-Waite in three parts; returns n, sin r, cos r."""
+    """Return n, sin r and cos r for x = n pi/2 + r, by Cody-Waite in three parts."""
     n = rint(x * 0.63661977236758134308)
     r = fma(-n, 1.57079632673412561417e00, x)
     r = fma(-n, 6.07710050630396597660e-11, r)
@@ -246,7 +246,7 @@ def poly_cos(x: float) -> float:
 def maths(width: int) -> dict[str, Callable[..., Any]]:
     """Return the primitives for `width` variants.
 
-    For a single one libm's exp, log and tanh have less latency; sine and cosine together are faster as polynomials.
+    For a single variant libm's exp, log and tanh have less latency; sine and cosine together are faster as polynomials.
     """
     curves = (poly_exp, poly_log, poly_tanh) if width > 1 else (libm_exp, libm_log, libm_tanh)
     made = {**dict(zip(("exp", "log", "tanh"), curves, strict=True)), "sin": poly_sin, "cos": poly_cos, "uniform": hashed_uniform}
@@ -277,7 +277,7 @@ def lincomb(p, a, q, b): ...  # type: ignore[no-untyped-def]
 
 
 def _overloaded(operation: Any, term: str, total: bool = False) -> None:
-    """Write an operation of two vectors out for each length."""
+    """Unroll an operation on two vectors for each length."""
 
     @overload(operation, jit_options=INLINE)
     def written(a, b):  # type: ignore[no-untyped-def]

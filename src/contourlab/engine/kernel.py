@@ -1,4 +1,4 @@
-"""The tick loop: it knows addresses and row offsets only, so that no composition of components compiles it anew."""
+"""The tick loop: it uses only addresses and row offsets, so that no composition of components recompiles it."""
 
 from __future__ import annotations
 
@@ -57,9 +57,9 @@ def _source(width: int) -> Any:
 def kernel(width: int) -> Any:
     """Return the tick loop over `width` lanes as a C function that releases the interpreter lock.
 
-    Its arguments: address and number of node records (NODE_FIELDS), record point; address and number of external signals, and how many
-    numbers lie between two ticks and between two signals; address of the signal table; address of the log (n_tick, n_log, width), of its
-    row addresses, and their number; first tick, number of ticks; period [s].
+    Arguments: address and number of node records (NODE_FIELDS); record point; address and number of external signals; strides between ticks
+    and between signals, in numbers; address of the signal table; address of the log (n_tick, n_log, width); address and number of its row
+    addresses; first tick; number of ticks; period [s].
     """
     sources = (inspect.getsource(_source), inspect.getsource(inspect.getmodule(call_step) or _source), str(width))
     return compiled(_source(width), _SIGNATURE, sources=sources, options=OPTIONS)

@@ -1,4 +1,4 @@
-"""Loads and stores with alias scopes, so that the vectoriser knows that tables, states and signals never overlap."""
+"""Loads and stores with alias scopes: they tell the vectoriser that tables, states and signals never overlap."""
 
 from __future__ import annotations
 
@@ -79,13 +79,13 @@ load_ring, store_ring = make_load("ring"), make_store("ring")
 
 @instruction(WORD, WORD, WORD)
 def load_word(builder: Any, address: Any, index: Any) -> Any:
-    """Read entry `index` of an array of 64-bit words that may have been written to."""
+    """Read entry `index` of a writable array of 64-bit words."""
     return builder.load(builder.gep(builder.inttoptr(address, ir.IntType(64).as_pointer()), [index]))
 
 
 @instruction(WORD, WORD, WORD)
 def load_address(builder: Any, address: Any, index: Any) -> Any:
-    """Read entry `index` of an array of 64-bit words that nobody writes to."""
+    """Read entry `index` of a constant array of 64-bit words."""
     base = builder.inttoptr(address, ir.IntType(64).as_pointer())
     return _tag(builder, builder.load(builder.gep(base, [index])), "table")
 
@@ -99,7 +99,7 @@ def truncate(builder: Any, x: Any) -> Any:
 @instruction(types.void, *(WORD,) * 6, *(NUMBER,) * 3)
 def call_step(builder: Any, function: Any, par: Any, table: Any, x: Any, inp: Any, out: Any, k: Any, t: Any, dt: Any) -> None:
     """Call a compiled step: the function itself, not its C wrapper."""
-    # Its first two arguments are for a result and an exception that it never gives.
+    # The first two arguments are for a result and an exception; both are unused.
     pointer = ir.IntType(8).as_pointer()
     kinds = [pointer, pointer] + [ir.IntType(64)] * 5 + [_DOUBLE] * 3
     target = builder.inttoptr(function, ir.FunctionType(ir.IntType(32), kinds).as_pointer())

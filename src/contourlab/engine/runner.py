@@ -1,4 +1,4 @@
-"""Run a schedule over a group of lanes: in machine code, or in plain Python, which is slow and the oracle of the compiled engine."""
+"""Run a schedule over a group of lanes: in machine code, or in plain Python, the slow oracle of the compiled engine."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ _CACHE_LINE = 64
 class Group:
     """The memory of `width` variants and the tick loop over it.
 
-    One array holds, row by row, the signals, the states, the parameters, the constants on wires and the rings of all nodes: rows of whole
-    cache lines lie on their borders, and all that changes is copied in one piece.
+    One array holds, row by row, the signals, states, parameters, constants on wires and rings of all nodes. It is aligned to cache lines,
+    and everything that changes is copied in one piece.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ class Group:
     width : int
         Lanes: 1, or a multiple of 16.
     lanes : slice
-        Which of the variants this group carries; arrays of parameters are cut by it and padded with their last value.
+        The variants in this group; parameter arrays are cut to it and padded with their last value.
     """
 
     def __init__(self, schedule: Schedule, width: int, lanes: slice) -> None:
@@ -78,7 +78,7 @@ class Group:
         return np.concatenate([part, np.repeat(part[-1:], self.width - part.size)])
 
     def snapshot(self) -> tuple[int, Array]:
-        """Return all that changes while ticks run."""
+        """Return everything that changes while ticks run."""
         return self.tick, self.memory.copy()
 
     def restore(self, saved: tuple[int, Array]) -> None:
@@ -95,7 +95,7 @@ class Group:
         return self.state[next(i for i, known in enumerate(self.schedule.nodes) if known.name == node)]
 
     def first_bad_node(self) -> str:
-        """Return the name of the first node that holds a number that is not finite; empty if there is none."""
+        """Return the name of the first node with a non-finite number; empty if there is none."""
         for n, (node, x) in enumerate(zip(self.schedule.nodes, self.state, strict=True)):
             first = self.schedule.first_row[n]
             if not (np.isfinite(x).all() and np.isfinite(self.signals[first : first + rows(node.step.outputs)]).all()):
@@ -106,7 +106,7 @@ class Group:
         """Apply parameters that were written to `parameters`."""
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
-        """Run one tick per row of `external` (n_tick, n_external); return the log (n_tick, n_log, width), in `out` where it is given."""
+        """Run one tick per row of `external` (n_tick, n_external); return the log (n_tick, n_log, width), in `out` if given."""
         raise NotImplementedError
 
 
@@ -169,7 +169,7 @@ class CompiledGroup(Group):
         """Return the addresses of a node's tables, and of its ring with the mask of its index."""
         node = self.schedule.nodes[i]
         tables = [np.ascontiguousarray(node.tables[name], dtype=float) for name in node.step.tables]
-        self._tables += tables  # the machine code knows addresses only: keep what stands there
+        self._tables += tables  # the machine code holds addresses only: keep the arrays alive
         words = [table.ctypes.data for table in tables]
         if node.step.ring:
             words += [self._row_address(self.borders[2 * len(self.schedule.nodes) + 2 + i]), len(self.rings[i]) - 1]
@@ -180,7 +180,7 @@ class CompiledGroup(Group):
         n_tick = len(external)
         tick_stride, signal_stride = (stride // external.itemsize for stride in external.strides)
         log = np.empty((n_tick, len(log_rows), self.width)) if out is None else out
-        assert log.flags.c_contiguous  # the tick loop knows no strides
+        assert log.flags.c_contiguous  # the tick loop has no strides for the log
         addresses = np.array([self._row_address(row) for row in log_rows], dtype=np.int64)
         self._kernel(
             self._records.ctypes.data,
@@ -270,7 +270,7 @@ class InterpretedGroup(Group):
 
     @staticmethod
     def _run_bank(bank: Bank, kept: Array, par: object, states: object, inputs: object, clock: Clock) -> tuple[float, ...]:
-        """Advance the members in their part of the states, and return what the last one found."""
+        """Advance the members in their part of the states, and return what the last member found."""
         found = (0.0,) * bank.n_found
         for i, member in enumerate(kept.reshape(bank.count, bank.size)):
             member[:], found = bank.function(par, states, tuple(member.tolist()), found, float(i), inputs, clock)

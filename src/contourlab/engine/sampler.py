@@ -1,4 +1,4 @@
-"""The reference's samples in machine code: pieces of constant jerk along lines and arcs, evaluated over consecutive samples in lanes."""
+"""Sample the reference in machine code: spans of constant jerk along lines and arcs, with consecutive samples in lanes."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from contourlab.engine.memory import load_input, load_parameter, store_output, t
 from contourlab.native.compile import compiled
 
 SPAN_FIELDS = ("first", "last", "t0", "s0", "v0", "a0", "j", "end")
-"""Samples [first, last); start of the span: time, progress, speed, acceleration; its jerk; progress that it does not pass."""
+"""Samples [first, last); time, progress, speed and acceleration at the start of the span; its jerk; upper bound of progress."""
 CURVE_FIELDS = ("first", "last", "offset", "angle", "rate")
-"""Samples [first, last); progress at which the curve begins; angle there, and its rise by progress. Four numbers for each axis follow:
+"""Samples [first, last); progress at the start of the curve; angle there; change of angle per progress. Four numbers for each axis follow:
 
 position = base + d s + u cos(angle + rate s) + v sin(angle + rate s).
 """
@@ -70,13 +70,13 @@ def along_spans(spans: Array, period: float, origin: int, progress: Array, speed
     Parameters
     ----------
     spans : ndarray (n_span, 8)
-        SPAN_FIELDS of each; samples are counted from `origin`.
+        SPAN_FIELDS of each span; samples count from `origin`.
     period : float [s]
         Of the samples.
     origin : int
         Number of the first sample.
     progress, speed, acceleration : ndarray (n,) [m, m/s, m/s^2]
-        Filled.
+        Output.
     """
     spans = np.ascontiguousarray(spans)
     run = _compiled(_spans, "i8 i8 f8 i8 i8 i8 i8")
@@ -89,11 +89,11 @@ def along_curves(curves: Array, progress: Array, speed: Array, acceleration: Arr
     Parameters
     ----------
     curves : ndarray (n_curve, 5 + 4 n_axis)
-        CURVE_FIELDS of each, and base, d, u, v for each axis.
+        CURVE_FIELDS of each curve, and base, d, u, v for each axis.
     progress, speed, acceleration : ndarray (n,) [m, m/s, m/s^2]
         Along the path.
     out : ndarray (3 n_axis, n)
-        Filled in the samples of the curves: positions, velocities, accelerations; each row is contiguous.
+        Output at the samples of the curves: positions, velocities, accelerations; each row is contiguous.
     """
     curves = np.ascontiguousarray(curves)
     run = _compiled(_curves, " ".join(["i8"] * 8))

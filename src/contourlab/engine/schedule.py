@@ -1,8 +1,8 @@
 """The schedule: an ordered list of nodes over one table of signals.
 
-A node is a step with its wires, parameters and memory. Within a tick the nodes run in order; a wire to a node that stands later in the
-order is a feedback edge: it is one tick late, and has to be marked as `Late`, so that no delay slips in unseen. Nodes before the record
-point see the state of the machine at the tick; the plants stand behind it and carry the machine to the next tick.
+A node is a step with its wires, parameters and memory. Within a tick the nodes run in order. A wire from a later node is a feedback edge:
+it is one tick late and must be marked as `Late`, so that no delay is hidden. Nodes before the record point see the state of the machine at
+the tick; the plants come after it and advance the machine to the next tick.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _NUMBER = (float, int)
 
 @dataclass(frozen=True, slots=True)
 class Late:
-    """A wire from a signal of the previous tick: a feedback edge, named where it is closed."""
+    """A feedback edge: a wire from a signal of the previous tick."""
 
     signal: str
 
@@ -46,13 +46,13 @@ class Node:
     tables : mapping of str to ndarray
         Read-only tables, shared by all variants.
     initial : mapping of str to float or tuple of float
-        State at the first tick; zero where not given. Values may be arrays (n_variant,).
+        State at the first tick; zero by default. Values may be arrays (n_variant,).
     start : mapping of str to float or tuple of float
-        Outputs as they stand before the first tick, for feedback edges and plants.
+        Outputs before the first tick, for feedback edges and plants.
     ring_length : int
-        How many ticks of its ring port the node keeps (rounded up to a power of two).
+        Ticks of the ring port to keep (rounded up to a power of two).
     repeat : int
-        Sub-steps per run, each with the inputs held.
+        Sub-steps per tick, with the inputs held.
     """
 
     name: str
@@ -77,7 +77,7 @@ class Node:
 
 @dataclass(frozen=True)
 class Schedule:
-    """Nodes in their order, the external signals that are fed at each tick, and the record point.
+    """Nodes in order, external signals for each tick, and the record point.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ class Schedule:
     period : float [s], > 0
         Period of a tick.
     record_point : int
-        How many nodes run before signals are recorded.
+        Number of nodes that run before signals are recorded.
     """
 
     nodes: tuple[Node, ...]

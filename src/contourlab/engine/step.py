@@ -31,18 +31,18 @@ def ports(*names: str, size: int = 0) -> tuple[Port, ...]:
 
 @dataclass(frozen=True)
 class Bank:
-    """Alike members of a step, run one after the other in each tick before the step itself: compiled once, however many there are.
+    """Identical members of a step, run in order in each tick before the step; compiled once for any number of members.
 
     Parameters
     ----------
     function : callable
-        ``function(par, x, kept, found, index, inp, clock) -> (kept_next, found_next)``, x the states of the step that are not the members'.
+        ``function(par, x, kept, found, index, inp, clock) -> (kept_next, found_next)``, x the step's own states.
     count : int
         Number of members; `index` counts them from 0.0.
     size : int
-        Length of `kept`, what a member remembers: its part of the last port of the step's states.
+        Length of `kept`, the states of a member: its part of the step's last state port.
     n_found : int
-        Length of `found`, which goes from member to member, zeros to the first, and from the last to the step.
+        Length of `found`, passed from member to member (zeros to the first) and from the last to the step.
     """
 
     function: StepFunction
@@ -52,13 +52,13 @@ class Bank:
 
     @property
     def port(self) -> Port:
-        """The state in which a step keeps its members, one behind the other."""
+        """The state port of all members, in order."""
         return Port("members", self.count * self.size)
 
 
 @dataclass(frozen=True)
 class Step:
-    """A step function with its ports: all that is compiled, and the key of the compiled code.
+    """A step function with its ports: everything that is compiled, and the key of the compiled code.
 
     Parameters
     ----------
@@ -75,8 +75,8 @@ class Step:
     states, inputs, outputs : tuple of Port
         In the order in which the function takes and returns them.
     bank : Bank
-        Members that run before the function, which then is called as ``function(par, x, inp, clock, found)`` with what they found, and
-        neither sees nor returns the last of the states, theirs.
+        Members that run before the function. It is then called as ``function(par, x, inp, clock, found)`` and neither takes nor returns the
+        last state port, that of the members.
     """
 
     name: str
@@ -104,12 +104,12 @@ class Step:
 
     @property
     def own_states(self) -> tuple[Port, ...]:
-        """The states that the function itself takes and returns: all but those of the members of a bank."""
+        """The states that the function itself takes and returns: all except those of a bank."""
         return self.states[:-1] if self.bank else self.states
 
     @property
     def layout(self) -> tuple[Any, ...]:
-        """Everything besides the function that decides what code is made."""
+        """Everything besides the function that determines the compiled code."""
         bank = (self.bank.count, self.bank.size, self.bank.n_found) if self.bank else ()
         return (self.parameters, self.tables, self.ring, self.states, self.inputs, self.outputs, bank)
 

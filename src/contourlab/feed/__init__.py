@@ -1,8 +1,9 @@
-"""Feed: from a path with feedrates, and the limits of the axes, to a sampled reference.
+"""Feed planning: turn a path with feedrates, and the axis limits, into a sampled reference.
 
-`limits`, `route`: the inputs. `merging`, `blending`: short lines joined, corners rounded. `segments`: from stop to stop. Straight segments:
-`bounds`, `pieces`, `scurve`. Others: `smooth`, `kernels`, `speed_profile`. `planner` combines both; `profile`, `reference` are the outputs.
-`uniform`: constant speed. `binding`: what limits the speed. `verify`: an independent check.
+`limits` and `route` are the inputs. `merging` joins short lines, `blending` rounds corners. `segments` divides the route at its stops.
+`bounds`, `pieces` and `scurve` plan straight segments; `smooth`, `kernels` and `speed_profile` plan the others. `planner` combines both.
+`profile` and `reference` are the outputs. `uniform` moves at constant speed. `binding` finds what limits the speed. `verify` is an
+independent check.
 """
 
 from contourlab.feed.binding import Binding, limiting

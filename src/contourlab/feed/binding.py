@@ -13,10 +13,10 @@ from contourlab.feed.limits import AxisLimits
 from contourlab.feed.profile import Profile
 from contourlab.feed.route import Route
 
-NEAR_FEED = 0.98  # of the programmed feedrate: from here on the feedrate counts as the limit
-NEAR = 0.9  # of any other limit
-MARGIN = 1e-9  # [m] distance from a junction that counts as on it
-STILL = 1e-7  # [m/s] speed next to a stop that is rounding
+NEAR_FEED = 0.98  # of the programmed feedrate: at or above this, the feedrate is the limit
+NEAR = 0.9  # the same for any other limit
+MARGIN = 1e-9  # [m] places closer than this to a junction are on it
+STILL = 1e-7  # [m/s] slower is a standstill, up to rounding
 
 
 class Binding(IntEnum):
@@ -53,12 +53,12 @@ def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: Arr
     Returns
     -------
     ndarray (n,) of int8
-        Values of `Binding`: the limit used most; the feedrate within 2 % of it; the planner below 90 % of every limit.
+        Values of `Binding`: FEEDRATE within 2 % of the feedrate; else the most used limit, if used by at least 90 %; else PLANNER.
 
     Raises
     ------
     FeedError
-        If the limits are for another number of axes.
+        If the limits have a different number of axes.
 
     Notes
     -----
@@ -83,7 +83,7 @@ def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: Arr
         )
     codes = np.array([Binding.FEEDRATE, Binding.VELOCITY, Binding.ACCELERATION, Binding.JERK, Binding.CURVATURE_STEP])
     used[0] = np.where(used[0] >= NEAR_FEED, used[0], 0.0)
-    # In this order: a stop, the feedrate, a junction at this place, the limit used most.
+    # In this order: stop, feedrate, junction at this place, most used limit.
     rules = [v <= STILL, used[0] >= NEAR_FEED, used[4] >= NEAR, used.max(axis=0) >= NEAR]
     values = [Binding.REST, Binding.FEEDRATE, Binding.CURVATURE_STEP, codes[np.argmax(used, axis=0)]]
     return np.asarray(np.select(rules, values, Binding.PLANNER), dtype=np.int8)

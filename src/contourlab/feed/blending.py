@@ -21,7 +21,7 @@ from contourlab.geometry.path import CORNER_ANGLE
 _NEARLY_ALL = 0.99
 """Usable fraction of a curve with a blend at one end only."""
 _NEARLY_HALF = 0.495
-"""A blend that would end closer than this to the middle of its curve ends here, or at the middle itself: no sliver remains."""
+"""Blends that would end between here and the middle of the curve are shortened to end here, so that no sliver remains."""
 
 
 def blended(route: Route, limits: AxisLimits | None = None) -> Route:
@@ -32,7 +32,7 @@ def blended(route: Route, limits: AxisLimits | None = None) -> Route:
     route : Route
         With `merge_tolerance` and `corner_tolerance`; returned unchanged where both are 0 everywhere.
     limits : AxisLimits, optional
-        With these, a corner stays where a stop takes less time than its blend; see `contourlab.feed.corner_blend`.
+        If given, a corner is not rounded where a stop takes less time than the blend; see `contourlab.feed.corner_blend`.
 
     Returns
     -------
@@ -42,10 +42,10 @@ def blended(route: Route, limits: AxisLimits | None = None) -> Route:
 
     Notes
     -----
-    `contourlab.feed.merging` describes the merging. A corner between lines, arcs and helices is replaced by a quintic curve of continuous
-    tangent and curvature, which uses at most half of a curve at each end, or 99 % where only one end has a blend. Corners with a dwell or
-    an exact stop, corners between rapid and feed moves, reversals (more than 175 degrees) and corners of other curves stay. Where the
-    feedrate changes at a corner, it changes in the middle of the blend.
+    `contourlab.feed.merging` describes the merging. A quintic curve of continuous tangent and curvature replaces each corner between lines,
+    arcs and helices. It uses at most half of each curve, or 99 % of a curve with a blend at one end only. These corners stay: with a dwell
+    or an exact stop, between rapid and feed moves, reversals (more than 175 degrees), and at other curves. Where the feedrate changes at a
+    corner, it changes in the middle of the blend.
     """
     route = merged(route)
     corners = _corners(route)
@@ -69,14 +69,14 @@ def _corners(route: Route) -> Corners:
     turn = angle_between(path.ends[1][before], path.starts[1][after])
     plain = np.array([type(curve) in (Line, Arc) for curve in path.curves], dtype=bool)
     wanted = (route.corner_tolerance[before] > 0.0) & (route.dwell[before] == 0.0) & ~route.exact_stop[before]
-    # A rapid comes to rest before and after a cut.
+    # A rapid move stops before and after a cut.
     wanted &= route.rapid[before] == route.rapid[after]
     wanted &= (turn > CORNER_ANGLE) & (turn < MOST_TURN) & plain[before] & plain[after]
     return Corners(before, after, turn).only(np.flatnonzero(wanted))
 
 
 def _reach(route: Route, corners: Corners) -> Array:
-    """Return how much of its two curves each blend uses, without leaving slivers."""
+    """Return the length of each of its two curves that a blend uses, without leaving slivers."""
     number, span = np.arange(route.n_curve), np.diff(route.path.breaks)
     both = np.isin(number, corners.before) & np.isin(number, corners.after)
     usable = np.where(both, 0.5, _NEARLY_ALL) * span
@@ -92,7 +92,7 @@ def _reach(route: Route, corners: Corners) -> Array:
 def _assembled(route: Route, corners: Corners, reach: Array, points: Array) -> Route:
     """Return the route with the blends (n, 6, n_axis) in place of the corners."""
     path = route.path
-    # Where the feedrate changes at a corner, each half of the blend has that of its side.
+    # Where the feedrate changes at a corner, each half of the blend gets the feedrate of its side.
     coefficients, corner, second = _halved(quintic_bezier(points), route.feedrate[corners.before] != route.feedrate[corners.after])
     rounds, piece = blends(coefficients)
     corner, second = corner[piece], second[piece]
@@ -131,7 +131,7 @@ def _halved(coefficients: Array, wanted: Flags) -> tuple[Array, Index, Flags]:
 
 
 def _trimmed(path: Path, corners: Corners, reach: Array, points: Array) -> tuple[Index, Array, list[Curve]]:
-    """Return the parts of curves that the blends leave: number of the curve, where it starts on the path, and the curve."""
+    """Trim the curves by their blends; return the number, the start on the path, and the rest of each remaining curve."""
     span = np.diff(path.breaks)
     low, high = np.zeros_like(span), span.copy()
     low[corners.after], high[corners.before] = reach, span[corners.before] - reach

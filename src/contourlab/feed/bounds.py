@@ -1,4 +1,4 @@
-"""From limits of the axes to limits along the path.
+"""Convert axis limits to limits along the path.
 
 Along r(s) an axis moves with
 
@@ -92,7 +92,7 @@ def _taper(samples: Samples, speed: Array, acceleration: Array, limits: AxisLimi
     """Return at each sample the largest taper that keeps |t| a + |k| v^2 within the limit on the way up to `speed`.
 
     With g(v) = (limit - |k| v^2)/|t| the taper is the minimum of g^2 / (2 (V - v)) where g < A.
-    It lies at the larger root of 3 k v^2 - 4 k V v + limit = 0.
+    The minimum lies at the larger root of 3 k v^2 - 4 k V v + limit = 0.
     """
     t, k = np.abs(samples.tangent), np.abs(samples.second)
     V, A = speed[:, None], acceleration[:, None]
@@ -142,7 +142,7 @@ def _time(bounds: Bounds, length: Array, stops: Flags) -> Array:
 
 
 def piece_bounds(samples: Samples, starts: Index, length: Array, stops: Flags, limits: AxisLimits) -> Bounds:
-    """Return the limits along the path of each piece.
+    """Return the limits of each piece along the path.
 
     Parameters
     ----------
@@ -171,7 +171,7 @@ def piece_bounds(samples: Samples, starts: Index, length: Array, stops: Flags, l
 def _best(
     samples: Samples, starts: Index, length: Array, stops: Flags, limits: AxisLimits, shares: tuple[Share, ...]
 ) -> Bounds:
-    """Return for each piece the bounds of the quickest share."""
+    """Return the bounds of the quickest share for each piece."""
     trials = [_bounds(samples, starts, limits, share) for share in shares]
     if len(trials) == 1:
         return trials[0]

@@ -1,23 +1,23 @@
 """The shape of a blend: the quintic curve that rounds a corner within a tolerance.
 
 A corner of turning angle q is rounded between the points at arc length a before and after it. At these points the quintic Bezier curve with
-control points P0 ... P5 has the position, tangent and curvature vector of the path: P1, P2 lie on the tangent at (1 - b) a and (1 - c) a
-from P0, and P2 is moved by 5/4 ((1 - b) a)^2 times the curvature vector (from r' = 5 (P1 - P0), r'' = 20 (P2 - 2 P1 + P0)); the other end
-likewise. Between lines, b a and c a are the distances of P1 and P2 from the corner.
+control points P0 ... P5 has the position, tangent and curvature vector of the path. P1 and P2 lie on the tangent at (1 - b) a and
+(1 - c) a from P0; P2 is then moved by 5/4 ((1 - b) a)^2 times the curvature vector (from r' = 5 (P1 - P0), r'' = 20 (P2 - 2 P1 + P0)). P4
+and P3 follow in the same way from P5. Between lines, b a and c a are the distances of P1 and P2 from the corner.
 
 Between lines the curve is nearest to the corner at its middle, (P0 + 5 P1 + 10 P2 + 10 P3 + 5 P4 + P5)/32, at a distance of
-a (1 + 5 b + 10 c)/16 sin(q/2). It lies within the triangle of its ends and the corner, so nowhere further from the lines. This gives a for
-a tolerance.
+a (1 + 5 b + 10 c)/16 sin(q/2). It lies within the triangle of its ends and the corner, so it is nowhere further from the lines. This
+determines a from the tolerance.
 
 The shape b(q), c(q) determines the speed. For a given deviation, acceleration limits the speed by the root of 1/max|r''|, jerk by the cube
-root of 1/max|r'''|. The least curvature (b = 0.835, c = 0.393 at 90 degrees; Sencer, Ishizaki & Shamoto 2015,
-doi 10.1007/s00170-014-6386-2) comes within 0.3 % of the circular arc, but where jerk limits the speed it is 3 times slower than possible;
-the least |r'''| costs 20 % of curvature. The table below minimises the larger of the two speed losses: 4 to 7 % at any angle.
+root of 1/max|r'''|. The shape of least curvature (b = 0.835, c = 0.393 at 90 degrees; Sencer, Ishizaki & Shamoto 2015,
+doi 10.1007/s00170-014-6386-2) is within 0.3 % of the circular arc, but 3 times slower than possible where jerk limits the speed. The shape
+of least |r'''| loses 20 % in curvature. The table below minimises the larger of the two speed losses: 4 to 7 % at any angle.
 
-Where jerk is scarce, a stop at the corner can be quicker than a blend. `quicker_blended` compares both in closed form, for a corner between
-corners like itself, which owns half of its two curves. With a stop, each half is half of a move from rest to rest. With a blend, it is half
-of a move over the rest of the curve, from the speed at the end of the blend to the same speed, plus the time within the blend. For a
-regular polygon this is nearly exact.
+Where the jerk limit is low, a stop at the corner can be quicker than a blend. `quicker_blended` compares both in closed form. It assumes
+equal neighbouring corners, so that each corner owns half of its two curves. With a stop, each half is half of a move from rest to rest.
+With a blend, it is half of a move over the rest of the curve, from the speed at the end of the blend to the same speed, plus the time
+within the blend. For a regular polygon this is nearly exact.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from contourlab.geometry import Path
 from contourlab.geometry.blend import quintic_bezier, shapes
 
 MOST_TURN = np.radians(175.0)
-"""Corners that turn by more stay: their blend would almost stop at its tip."""
+"""Sharper corners are not rounded: the motion would almost stop at the tip of the blend."""
 LEAST_REACH = 1e-8
 """Shortest piece of a curve [m] that a blend may use."""
 _SHARPEST_BEND = 1.0
@@ -44,14 +44,14 @@ _TURN = np.radians([0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0, 105.0, 120.0, 135.0
 _B = np.array([0.5035, 0.5053, 0.5096, 0.5180, 0.5304, 0.5495, 0.5769, 0.6105, 0.6698, 0.7383, 0.8088, 0.8951, 0.9277, 0.9627])
 _C = np.array([0.2085, 0.2118, 0.2196, 0.2340, 0.2549, 0.2840, 0.3229, 0.3790, 0.4474, 0.5353, 0.6445, 0.7911, 0.8523, 0.9219])
 _ENOUGH, _AIM = 0.9955, 0.988
-"""Of the tolerance: samples miss at most 0.35 % of the largest deviation."""
+"""Accepted and targeted deviation, in tolerances: samples miss at most 0.35 % of the largest deviation."""
 _ROUNDS = 12
 _GRID = np.linspace(0.0, 1.0, 33)
 _COARSE = np.linspace(0.0, 1.0, 17)
 _CHUNK, _TIMED = 512, 1024  # corners measured, and timed, together
 _WHOLE = Share(1.0, 1.0, 1.0, 1.0)
 _BLEND = Share(1.0, 1.0, 0.8, 1.0)
-"""Limits for turning in a blend; the rest of the jerk is for braking and speeding up."""
+"""Shares for turning in a blend; the rest of the jerk is for braking and speeding up."""
 
 
 class Corners(NamedTuple):
@@ -72,7 +72,7 @@ def shape(turn: Array) -> tuple[Array, Array]:
 
 
 def control_points(path: Path, corners: Corners, reach: Array) -> Array:
-    """Return the control points (n, 6, n_axis) of blends that use `reach` (n,) [m] of both curves."""
+    """Return the control points (n, 6, n_axis) of blends that use `reach` (n,) [m] of each curve."""
     b, c = shape(corners.turn)
     h, k = ((1.0 - b) * reach)[:, None], ((1.0 - c) * reach)[:, None]
     p, d, bend = path.at(corners.before, np.diff(path.breaks)[corners.before] - reach, 2)
@@ -81,7 +81,7 @@ def control_points(path: Path, corners: Corners, reach: Array) -> Array:
 
 
 def largest_reach(path: Path, corners: Corners, tolerance: Array, room: Array) -> Array:
-    """Return how much of both curves the largest blend within the tolerance uses (n,) [m]; 0 where there is none.
+    """Return the length of each curve that the largest blend within the tolerance uses (n,) [m]; 0 without a blend.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def largest_reach(path: Path, corners: Corners, tolerance: Array, room: Array) -
     tolerance : ndarray (n,) [m], > 0
         Largest distance of the corner from its blend, and of the blend from the path.
     room : ndarray (n,) [m]
-        Usable length of both curves.
+        Usable length of each curve.
     """
     b, c = shape(corners.turn)
     in_closed_form = 16.0 * tolerance / ((1.0 + 5.0 * b + 10.0 * c) * np.sin(0.5 * corners.turn))
@@ -106,7 +106,7 @@ def largest_reach(path: Path, corners: Corners, tolerance: Array, room: Array) -
 
 
 def _measured_reach(path: Path, corners: Corners, tolerance: Array, most: Array) -> Array:
-    """Return reaches with a measured deviation just below the tolerance; the deviation grows almost in proportion to the reach."""
+    """Return reaches whose measured deviation is just below the tolerance; the deviation is almost proportional to the reach."""
     low, high = np.zeros_like(most), most.copy()
     reach = most.copy()
     on = np.arange(most.size)
@@ -162,7 +162,7 @@ def quicker_blended(route: Route, corners: Corners, reach: Array, points: Array,
     route : Route
     corners : Corners
     reach : ndarray (n,) [m]
-        Length of both curves that the blend uses.
+        Length of each curve that the blend uses.
     points : ndarray (n, 6, n_axis) [m]
         Control points of the blends.
     limits : AxisLimits
@@ -204,8 +204,8 @@ class _Side:
 def _times_and_speeds(points: Array, feedrate: Array, limits: AxisLimits) -> tuple[Array, Array, Array]:
     """Return the duration of each blend, and the speeds at its ends.
 
-    At the distance d from the slowest place, with speed v, the speed is limited by the bend, by the acceleration, v^2 + 2 A d, and by the
-    jerk that turning leaves, a fifth of J, acting for the time d/v: v + (J/5)/4 (d/v)^2.
+    With the speed v at the slowest place, three limits apply at the distance d from it: the bend; the acceleration, sqrt(v^2 + 2 A d); and
+    the jerk, v + (J/5)/4 (d/v)^2, because turning leaves a fifth of J, which acts for the time d/v.
     """
     n, m = len(points), _COARSE.size
     derivatives, stretch = shapes(quintic_bezier(points), _COARSE)

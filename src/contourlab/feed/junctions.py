@@ -17,7 +17,7 @@ NUDGE = 1e-7  # of a curve's length: evaluate the ends this far inside
 MOST_KINK = 0.1
 """Largest direction jump [rad] that is passed without a stop."""
 KINK_TIME = 1e-5
-"""At a kink an axis velocity may jump by what its acceleration limit gives in this time [s]."""
+"""At a kink an axis velocity may jump by its acceleration limit times this time [s]."""
 JUMP = 1e-6  # [1/m], and relative to the curvature: smaller jumps are rounding
 
 
@@ -74,8 +74,8 @@ def junctions(route: Route) -> Junctions:
     Notes
     -----
     The motion stops at direction jumps above `MOST_KINK`, at dwells and requested stops, between rapid and feed moves, and at the end of an
-    open path. Rounded coordinates cause smaller direction jumps. Like controls in exact path mode, the motion passes them at a speed where
-    no axis velocity jumps by more than its acceleration limit gives in `KINK_TIME`, or on the way to a nearer junction.
+    open path. Rounded coordinates cause smaller direction jumps. Like a control in exact path mode, the motion passes them at a speed where
+    no axis velocity jumps by more than its acceleration limit times `KINK_TIME`, or times the time to the nearer junction if this is less.
     """
     turn = direction_jump(route.path)
     angle = np.linalg.norm(turn, axis=1)
@@ -93,6 +93,6 @@ def junction_speed(at: Junctions, limits: AxisLimits, curvature_step: float) -> 
         square = np.where(at.jump == 0.0, np.inf, curvature_step * limits.acceleration / np.abs(at.jump))
         step = min(curvature_step, 1.0) * limits.acceleration * KINK_TIME
         speed = np.where(at.kink == 0.0, np.inf, step / np.abs(at.kink)).min(axis=1)
-        # Kinks in quick succession are a curve: turning from one to the next takes acceleration.
+        # Kinks in quick succession act like a curve: turning from one to the next takes acceleration.
         turning = np.where(at.kink == 0.0, np.inf, step / KINK_TIME / np.abs(at.kink)).min(axis=1) * at.room
     return np.asarray(np.minimum(np.sqrt(np.minimum(square.min(axis=1), turning)), speed))

@@ -17,7 +17,7 @@ N_NEWTON = 60
 def _tightest(x, i, double, sign, tangent, second, third, turning, speeding, reference, acceleration, jerk, period):
     """Return the upper limit of sign * a between the samples i and i + 1, for a given x at i, and its derivative by x.
 
-    The axis accelerations are limited at both ends of the interval; at the second, x is x + 2 a ds.
+    The axis accelerations are limited at both ends of the interval; at the second end, v^2 is x + 2 a ds.
     """
     best, slope = math.inf, 0.0
     for axis in range(acceleration.size):
@@ -99,14 +99,14 @@ def reach(
         Kept from call to call, nan before the first: the limits (the same array if `reference` and `ceiling` are the same), the largest
         v^2 from which the motion can stop, and the result v^2 [m^2/s^2].
     flags (n,)
-        Input: LOWERED where `turning` or `speeding` have changed since the last call. Output: MOVED where the result has changed. Others
-        are working memory.
+        Input: LOWERED where `turning` or `speeding` have changed since the last call. Output: MOVED where the result has changed. The
+        other flags are working memory.
     """
     n = arc_length.size
     _note(reference, ceiling, known_reference, known_ceiling, flags)
     moved = True
     for i in range(n - 1, -1, -1):
-        # A change behind an interval affects the interval too.
+        # A change at the end of an interval affects the interval too.
         if flags[i] & (LIMITED | BEHIND) == 0 and not moved:
             continue
         x = ceiling[i] * ceiling[i]
@@ -160,7 +160,7 @@ def lower(arc_length, faults, factors, half, haste, low, parts, flags):
     parts (3, n)
         Fractions of the acceleration, jerk and speed; lowered.
     flags (n,)
-        LOWERED is set where one of the first two is lowered.
+        LOWERED is set where the first or second fraction is lowered.
     """
     n = arc_length.size
     for part in range(3):
@@ -186,9 +186,9 @@ def lower(arc_length, faults, factors, half, haste, low, parts, flags):
 
 
 def spread(arc_length, value, half, result, queue):
-    """Fill the least speed in reach of each sample: the value of sample i reaches as far as that speed gets in the time `half`.
+    """Fill each sample with the least speed in reach: the speed of sample i reaches as far as it travels in the time `half`.
 
-    A smaller value hides larger ones that reach beyond it.
+    A smaller speed hides larger ones behind it, even where these reach further.
     """
     n = arc_length.size
     for i in range(n):
@@ -209,14 +209,14 @@ def spread(arc_length, value, half, result, queue):
 
 
 def _crossing(arc_length, speed, at, towards, level):
-    """Return where the speed falls to `level` between the samples `at` and `towards`; that of `at` if it is lower already."""
+    """Return where the speed falls to `level` between the samples `at` and `towards`; the place of `at` if it is lower there already."""
     if level >= speed[at]:
         return arc_length[at]
     return arc_length[at] + (arc_length[towards] - arc_length[at]) * (speed[at] - level) / (speed[at] - speed[towards])
 
 
 def flatten(arc_length, speed, lasting, ceiling):
-    """Lower the ceiling over each speed peak to the level that lasts `lasting` seconds: time for the acceleration to change its sign."""
+    """Lower the ceiling at each speed peak so that the peak lasts `lasting` seconds, in which the acceleration can change its sign."""
     n = speed.size
     i = 1
     while i < n - 1:
@@ -225,7 +225,7 @@ def flatten(arc_length, speed, lasting, ceiling):
             continue
         level = speed[i]
         left, right = i, i
-        # Move both ends down, the higher one first, until the way between takes long enough or another peak joins.
+        # Move both ends down, the higher one first, until the time between them is long enough or another peak joins.
         while left > 0 and right < n - 1 and speed[left - 1] <= speed[left] and speed[right + 1] <= speed[right]:
             lower = max(speed[left - 1], speed[right + 1])
             on_left = left - 1 if speed[left - 1] >= lower else left

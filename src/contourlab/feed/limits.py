@@ -75,7 +75,7 @@ class AxisLimits:
         Raises
         ------
         FeedError
-            If the limits are for another number of axes.
+            If the limits have a different number of axes.
         """
         if self.n_axis == n_axis:
             return self

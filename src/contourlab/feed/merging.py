@@ -1,12 +1,12 @@
 """Merge short lines within a tolerance (G64 Q), like LinuxCNC's naive CAM detector.
 
-A run of lines becomes one line if all points between are within the tolerance of it and follow one another along it. Seen from the start
-of the run, each point permits a cone of directions; one cone within their intersection is stored. In the plane it is the intersection
-itself. In space it is a little smaller, so a run may end early but never leaves the tolerance. The cost is linear in the points: runs end
-at every 2048th line at the latest, and all blocks of that length are processed side by side.
+A run of lines becomes one line if all points between its ends lie within the tolerance of that line, and in order along it. Seen from the
+start of the run, each point permits a cone of directions; one cone within their intersection is stored. In the plane this cone is the
+intersection itself. In space it is a little smaller, so a run may end early but never leaves the tolerance. The cost is linear in the
+points: blocks of 2048 lines are processed in parallel, and runs end with their block.
 
-Merging and rounding share the tolerance of a corner: with Q up to P a point lies at most P/2 off its line, and the blends next to it use
-the rest of P. The deviation from the programmed path is at most P, or Q + P/2 where Q is greater.
+Merging and rounding share the tolerance of a corner: with Q up to P, a point lies at most P/2 off its line, and the blends next to it use
+the rest of P. The deviation from the programmed path is at most P, or Q + P/2 where Q is greater than P.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def merged(route: Route) -> Route:
     """Merge successive feed lines within their `merge_tolerance`; return the route itself where nothing is merged.
 
     Lines are merged where feedrate, tolerances and mode are equal, none is rapid, and there is no dwell or exact stop between them. A
-    merged line has exactly the ends of its run, and the program line of its first.
+    merged line has exactly the ends of its run, and the program line of the first line.
     """
     linked = _linked(route)
     if not linked.any():
@@ -66,7 +66,7 @@ def merged(route: Route) -> Route:
 
 
 def _reach(route: Route) -> Array:
-    """Return the largest distance of a point from its merged line [m]: Q, but at most half of P where Q is not greater than P."""
+    """Return the largest distance of a point from its merged line [m]: Q if Q > P, else Q but at most P/2."""
     corner, merge = route.corner_tolerance, route.merge_tolerance
     return np.asarray(np.where(merge <= corner, np.minimum(merge, 0.5 * corner), merge))
 
@@ -84,7 +84,7 @@ def _linked(route: Route) -> Flags:
 
 
 def run_starts(points: Array, tolerance: Array, linked: Flags) -> Index:
-    """Return the first line of each run that becomes one line.
+    """Return the number of the first line of each run.
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ def _within(axis: Array, wide: Array, other: Array, also: Array) -> tuple[Array,
 
 
 def _feet(planned: Path, points: Array, first: Index, run: Index) -> tuple[Array, Array]:
-    """Return how far along the new line of its run the start of each old line lies, and how far beside it [m]."""
+    """Return the position along, and the distance from, the new line of its run for the start of each old line [m]."""
     direction, away = planned.starts[1][run], points[:-1] - points[first]
     foot = np.einsum("ij,ij->i", away, direction)
     return foot, np.asarray(np.linalg.norm(away - foot[:, None] * direction, axis=1))

@@ -75,12 +75,12 @@ class Survey(NamedTuple):
 
     @property
     def stop(self) -> Flags:
-        """Whether the motion stops at the end of each curve (n_curve,); on a closed path the end of the last lap is not counted."""
+        """Whether the motion stops at the end of each curve (n_curve,); the final stop on a closed path is not included."""
         return np.asarray(self.junctions.stop | (self.junction_speed == 0.0))
 
 
 def without_rounding(derivative: Array) -> Array:
-    """Return derivatives with rounding set to 0, so that it does not look like a curve."""
+    """Set derivatives that are only rounding to 0, so that straight parts do not look curved."""
     return np.where(np.abs(derivative) < FLAT, 0.0, derivative)
 
 
@@ -178,7 +178,7 @@ def cut(route: Route, surveyed: Survey, limits: AxisLimits, wanted: Flags) -> Pi
     limits : AxisLimits
         For the path's number of axes.
     wanted : ndarray (n_curve,) of bool
-        Curves to cut: from one stop to the next all of them, or none.
+        Curves to cut; between two stops either all curves or none.
     """
     junction, kind = surveyed.junctions, surveyed.kind
     nodes = sample_nodes(route, kind, limits, np.flatnonzero(wanted))

@@ -122,7 +122,7 @@ def _motions(route: Route, surveyed: Survey, limits: AxisLimits, laps: int) -> A
             of_segment = np.repeat(np.arange(bent.size), np.diff(motion.begin))
             moves.append(_Moves(motion.spans, bent[of_segment]).only(motion.good[of_segment]))
         del samples
-    # The closed form is exact on straight segments. On short ones, which have little to look ahead to, it may win too.
+    # The closed form is exact on straight segments. On short ones, with little to look ahead to, it may also be the fastest.
     missing = np.ones(segments.first.size, dtype=bool)
     for move in moves:
         missing[move.segment] = False
@@ -162,13 +162,13 @@ def plan(route: Route, limits: AxisLimits, servo_period: float, *, laps: int = 1
         Laps of a closed path, without a stop in between unless the closing point is a corner.
     curvature_step : float, >= 0
         Largest step of an axis acceleration where the curvature jumps (line to arc), as a fraction of its limit; 0 stops at each jump.
-        Like a control, the planner passes these places, although no finite jerk limit can hold there. `limit_report` lists the steps
+        Like a CNC, the planner passes these places, although no finite jerk limit can hold there. `limit_report` lists the steps
         separately.
 
     Returns
     -------
     Reference
-        Sample k belongs to ``k * servo_period``; the last sample is at rest at the end.
+        Sample k is at the time ``k * servo_period``; the last sample is at rest at the end.
 
     Raises
     ------

@@ -32,7 +32,7 @@ class ReferenceBlock(NamedTuple):
     feedrate : ndarray (n,) [m/s]
         Speed along the path.
     table : ndarray (n, 3 n_axis + 2)
-        All of these in this order; the others are views of it. Each signal is contiguous in memory.
+        All of the above in this order; they are views of this table. Each signal is contiguous in memory.
     """
 
     position: Array
@@ -74,7 +74,7 @@ def lap_ranges(profile: Profile, lap_length: float, laps: int, servo_period: flo
 
 
 def _differences(position: Array, servo_period: float, start: int, stop: int) -> tuple[Array, Array]:
-    """Return central differences of recorded positions, which rest before the first and after the last sample."""
+    """Return velocity and acceleration of recorded positions by central differences; before and after the samples the motion rests."""
     index = np.clip(np.arange(start - 1, stop + 1), 0, position.shape[0] - 1)
     around = position[index]
     velocity = (around[2:] - around[:-2]) / (2.0 * servo_period)
@@ -93,7 +93,7 @@ def along_path(path: Path, arc_length: Array, speed: Array, acceleration: Array,
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Reference:
-    """Set points of the axes; sample k belongs to the time ``k * servo_period``.
+    """Set points of the axes; sample k is at the time ``k * servo_period``.
 
     Memory holds only the spans of the profile; `block` computes samples, in any order. `plan`, `uniform` and `Reference.from_samples`
     create references.
@@ -233,9 +233,9 @@ class Reference:
         position : array_like (n_sample, n_axis) [m], n_sample >= 2
         servo_period : float [s], > 0
         path : Path
-            The path they follow.
+            The path that the positions follow.
         arc_length : array_like (n_sample,) [m], optional
-            Progress along the path; by default the length of the polygon through the positions, for positions without noise.
+            Progress along the path; by default the length of the polygon through the positions, which must then be free of noise.
         programmed : Path, optional
         source_lines : array_like (n_curve,) of int, optional
         correspondence : Correspondence, optional

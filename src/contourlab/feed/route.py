@@ -139,7 +139,7 @@ def route_from_path(path: Path, feedrate: float, *, dwell: float = 0.0, programm
 def _axis_columns(axes: Sequence[str]) -> list[int]:
     letters = [axis.lower() for axis in axes]
     if not letters or len(set(letters)) != len(letters) or not set(letters) <= set("xyz"):
-        raise FeedError(f"axes = {tuple(axes)}: give some of x, y, z, each once")
+        raise FeedError(f"axes = {tuple(axes)}: write some of x, y, z, each once")
     return ["xyz".index(letter) for letter in letters]
 
 
@@ -205,8 +205,8 @@ def _row(move: Any, default_tolerance: float) -> _Row:
 def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), *, default_tolerance: float = 0.0) -> Route:
     """Return the route of a part program, as programmed; `blended` then rounds its corners.
 
-    A traverse (G0) is a straight line at rapid rate. The tolerance of a corner is that of the move that ends there. The motion stops for
-    spindle, tool, coolant and pauses.
+    A traverse (G0) is a straight line at rapid rate. The move that ends at a corner sets its tolerance. The motion stops for spindle, tool,
+    coolant and pauses.
 
     Parameters
     ----------
@@ -219,7 +219,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
     Raises
     ------
     ProgramError
-        If the program moves an axis that is not among `axes`; names the line.
+        If the program moves an axis that is not in `axes`; the error names the line.
     FeedError
         If the program moves nothing, or `axes` is wrong.
     """
@@ -248,7 +248,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
             ends.append((move.start, move.end))
             rows.append(row)
     if not rows:
-        raise FeedError(f"{program.name}: the program moves no axis")
+        raise FeedError(f"{program.name}: the program moves no axis: add a move")
     starts, stops = np.array(ends).reshape(-1, 2, 3)[:, :, columns].transpose(1, 0, 2)
     lines = iter(Line.many(starts, stops))
     path = Path([next(lines) if curve is None else curve for curve in curves])
@@ -257,13 +257,13 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
 
 
 def controlled(route: Route, control: PathControl, corner_tolerance: float, merge_tolerance: float | None = None) -> Route:
-    """Return a route that treats all its corners in one way; `blended` does the rounding and merging.
+    """Return a route with one path control for all corners; `blended` does the rounding and merging.
 
     Parameters
     ----------
     route : Route
     control : {"program", "exact_path", "exact_stop", "blend"}
-        ``"program"`` leaves the route as it is; ``"exact_path"`` (G61) stops where the direction jumps; ``"exact_stop"`` (G61.1) stops at
+        ``"program"`` changes nothing; ``"exact_path"`` (G61) stops where the direction jumps; ``"exact_stop"`` (G61.1) stops at
         the end of every curve; ``"blend"`` (G64) rounds every corner.
     corner_tolerance : float [m], >= 0
         Largest deviation of a blend from its corner.
@@ -276,7 +276,7 @@ def controlled(route: Route, control: PathControl, corner_tolerance: float, merg
         If the control is unknown.
     """
     if control not in get_args(PathControl):
-        raise FeedError(f"path control {control!r}: one of {', '.join(get_args(PathControl))}")
+        raise FeedError(f"unknown path control {control!r}: use one of {', '.join(get_args(PathControl))}")
     if control == "program":
         return route
     corner = corner_tolerance if control == "blend" else 0.0

@@ -89,7 +89,7 @@ def reachable_speed(low: float, ceiling: float, room: float, acceleration: float
 
 
 def peak_speed(length: Array, start: Array, end: Array, ceiling: Array, acceleration: Array, rise: Array, taper: Array) -> Array:
-    """Return the highest cruise speed (n,) [m/s] of moves over `length` from speed `start` to `end`, each reachable from the other."""
+    """Return the highest cruise speed (n,) [m/s] of moves over `length`; the speeds `start` and `end` must be reachable from each other."""
 
     def fits(speed: Array) -> Flags:
         up = ramps(start, speed, acceleration, rise, taper).distance

@@ -14,10 +14,10 @@ from contourlab.feed.route import Route
 
 N_CURVE = 4  # least number of intervals of a curve
 N_LONG = 96  # most intervals that length alone requires
-N_RAMP = 12  # intervals on the way to full speed
+N_RAMP = 12  # intervals over the distance to full speed
 CHUNK = 32_768  # samples per pass
 WINDOW = 1024  # curves sampled at once
-REST = 1e-4  # [m] shortest way to full speed that is counted
+REST = 1e-4  # [m] lower bound of the distance to full speed
 
 
 class Segments(NamedTuple):
@@ -40,7 +40,7 @@ class SegmentSamples(NamedTuple):
     arc_length : ndarray (n,) [m]
     tangent, second, third : ndarray (n, n_axis)
     ceiling : ndarray (n,) [m/s]
-        Programmed speed, or that permitted at a curvature jump.
+        Programmed speed, or the speed permitted at a curvature jump.
     begin : ndarray (n_segment + 1,) of int
         First sample of each segment.
     """
@@ -80,7 +80,7 @@ class SegmentSamples(NamedTuple):
 
 def split_at_stops(surveyed: Survey, laps: int) -> Segments:
     """Divide the laps of a route at its stops."""
-    # The closing point may be passed between laps; the end of the last lap is a stop.
+    # The motion may pass the closing point between laps; the end of the last lap is a stop.
     stop = np.tile(surveyed.stop, laps)
     stop[-1] = True
     after = np.flatnonzero(stop) + 1
@@ -98,8 +98,8 @@ def ranges(first: Index, count: Index) -> Index:
 def _longest_intervals(route: Route, surveyed: Survey, limits: AxisLimits) -> Array:
     """Return the longest interval between samples of each curve [m].
 
-    It depends on the way to full speed. Next to a stop the acceleration alone gives this way, since time lost at low speed counts;
-    elsewhere the jerk lengthens it.
+    It depends on the distance to full speed. Next to a stop only the acceleration limit determines this distance, because time lost at low
+    speed matters; elsewhere the jerk limit lengthens it.
     """
     lengths = np.diff(np.asarray(route.path.breaks))
     speed = np.minimum(route.feedrate, float(np.linalg.norm(limits.velocity)))
@@ -165,7 +165,7 @@ def sample_segments(route: Route, surveyed: Survey, limits: AxisLimits, segments
 
 
 def _window(route: Route, surveyed: Survey, limits: AxisLimits, longest: Array, curves: Index) -> list[NDArray[Any]]:
-    """Return the number of samples of each curve; then of the samples arc length, ceiling, and three derivatives."""
+    """Sample curves; return the number of samples of each curve, then arc length, ceiling and three derivatives of the samples."""
     first = sample_nodes(route, surveyed.kind, limits, curves)
     sets = []
     for line in (True, False):

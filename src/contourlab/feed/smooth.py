@@ -6,9 +6,9 @@ For many segments at once, each from rest to rest:
    path parameterization based on reachability analysis", IEEE Transactions on Robotics 34(3), 2018). The jerk adds a third family of
    limits, linear in the acceleration and in v^2: |t| a/T + 3 |k| v a + |c| v^3 <= J.
 2. The motion is averaged over the time T: the mean speeds of time steps T/`STEPS` are averaged over `STEPS` neighbours and become the
-   coefficients of a cubic B-spline. The length is kept, the acceleration bounded, and the jerk constant in each span. To keep the average
-   below the speed ceiling, each narrow place of the ceiling is widened first by half the averaging time, and each speed peak is cut off
-   where it lasts T, so that the acceleration can change its sign.
+   coefficients of a cubic B-spline. This keeps the length, bounds the acceleration and makes the jerk constant in each span. To keep the
+   average below the speed ceiling, each narrow place of the ceiling is first widened by half the averaging time. Each speed peak is cut
+   off where it lasts T, so that the acceleration can change its sign.
 3. Every span and sample is checked against the true limits. Around a violation the limits of step 1 are lowered, and all steps repeat;
    other places stay unchanged. A final check evaluates the path itself.
 
@@ -35,13 +35,13 @@ STEPS = 4  # time steps in T
 ROUNDING = 1e-6  # of a limit
 CLOSE = 1e-3  # of a limit: permitted excess between the samples
 ROUNDS = 60  # most corrections
-BEND = 4000.0  # stretching a block by one step accelerates by 6 v h/D^2: the block is so long that this stays below 6/BEND of the limit
-BLOCK = 50  # periods in a block with a time grid of its own, which stretches it by half a step on average
-HASTE = 2.5  # rounds after which a correction counts twice, then three times
+BEND = 4000.0  # stretching a block of duration D by one step h adds 6 v h/D^2: blocks are so long that this is below 6/BEND of the limit
+BLOCK = 50  # periods in a block; each block has its own time grid, which stretches it by half a step on average
+HASTE = 2.5  # rounds after which the exponent of a correction grows by 1
 PER_SPAN = 4  # places checked in each span, besides the samples
 PER_SPAN_MOST = 24  # most places in a span at which the path is evaluated
-MOST_SPANS = (8, 10_000)  # per sample, and in addition: lower bound of T where jerk is plentiful
-MANY = (5_000, 200_000)  # samples above which only the two, and the one, most promising periods are tried
+MOST_SPANS = (8, 10_000)  # per sample, and in addition; this bounds T from below where the jerk limit is high
+MANY = (5_000, 200_000)  # with more samples, only the two most promising periods, or only the best one, are tried
 CHUNK = 32_768  # places per pass
 
 
@@ -53,7 +53,7 @@ class SmoothMotion(NamedTuple):
     begin : ndarray (n_segment + 1,) of int
         First span of each segment.
     good : ndarray (n_segment,) of bool
-        Whether the motion of the segment keeps to the limits.
+        Whether the motion of the segment is within the limits.
     """
 
     spans: Array
@@ -207,19 +207,19 @@ class _Planner:
     def divide(self, square: Array) -> None:
         """Divide the segments into blocks of about `BLOCK` periods, each of a whole number of steps.
 
-        A correction in one block then leaves the time grids of the others unchanged, and they need no new check.
+        A correction in one block then leaves the time grids of the other blocks unchanged, and these need no new check.
         """
         first, last = self.blocks.first, self.blocks.last
         time, duration, _ = self._clock(square)
         fastest = math.sqrt(float(square.max()))
         size = max(BLOCK * self.period, np.sqrt(BEND * fastest * self.period / STEPS / float(self.acceleration.min())))
         number = np.floor(np.divide(time, size, out=time), out=time)
-        # Make the last block of a segment a long one; `time` does not hold the time of its last sample.
+        # Join the rest of a segment to its last whole block; `time` does not hold the time of its last sample.
         most = np.maximum(np.floor(duration / size) - 1.0, 0.0)
         np.minimum(number, np.repeat(most, np.diff(self.begin)), out=number)
         number[last] = number[np.maximum(last - 1, 0)]
         further = number[1:] > number[:-1]
-        further[last[:-1]] = False  # there the next segment begins
+        further[last[:-1]] = False  # the next segment begins there
         starts = np.sort(np.concatenate([first, np.flatnonzero(further) + 1]))
         ends = np.append(starts[1:], self.begin[-1])
         free = np.isin(ends, self.begin[1:])
@@ -257,7 +257,7 @@ class _Planner:
             self.divide(square)
         time, duration, count = self._clock(square)
         first_block = np.searchsorted(self.blocks.first, self.begin[:-1])
-        # Enough zeros behind each segment keep its averages out of the next.
+        # Zeros after each segment keep its averages out of the next.
         begin = np.append(0, np.cumsum(np.add.reduceat(count, first_block) + STEPS + 1))
         shift = np.repeat((STEPS + 1) * np.arange(first_block.size), np.diff(np.append(first_block, count.size)))
         return _Grid(time, duration, count, np.cumsum(count) - count + shift, begin)
@@ -314,14 +314,14 @@ def _check_on_path(planner: _Planner, spans: Array, begin: Index) -> tuple[Array
 
 
 def _corrected(planner: _Planner) -> SmoothMotion:
-    """Lower the limits where the motion violates them, until it does not."""
+    """Lower the limits around violations until none is left, in at most `ROUNDS` rounds."""
     faults = np.empty((0, 7))
     for round_ in range(ROUNDS):
         square = planner.square()
         spans, begin = planner.spans(square)
         peak, faults = planner.check(spans, begin, planner.changed(faults))
         if len(faults) == 0 or round_ == ROUNDS - 1:
-            # The samples, which are cheap, show no violation; the path itself decides.
+            # The check at the samples is cheap; the check on the path itself decides.
             peak, faults = planner.check(spans, begin, np.ones_like(planner.flags))
             by_path, more = _check_on_path(planner, spans, begin)
             peak, faults = np.maximum(peak, by_path), np.concatenate([faults, more])
@@ -338,7 +338,7 @@ def _least_time(samples: SegmentSamples, limits: AxisLimits) -> float:
 
 
 def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> list[SmoothMotion]:
-    """Plan segments from rest to rest, once for each averaging period tried; not at all where an acceleration has no limit.
+    """Plan segments from rest to rest, once for each averaging period; return nothing if an axis has no acceleration limit.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Turn v^2 at samples into a motion, and check its demand on the limits: recursions like those of `kernels`."""
+"""Turn v^2 at samples into a motion, and check it against the limits: recursions like those of `kernels`."""
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
@@ -15,7 +15,7 @@ def clock(arc_length, square, first, last, free, period, time, lasting, count):
     first, last (n_block,)
         First and last sample of each block; a block starts at the last sample of the one before, or at a stop.
     free (n_block,)
-        Zero for a block that must take a whole number of periods: it is slowed down gently between its ends.
+        Zero for a block that must take a whole number of periods; such a block is slowed down smoothly between its ends.
     period [s]
         0: no block is slowed down.
     time (n,) [s]
@@ -83,7 +83,7 @@ def steps(arc_length, square, time, first, last, lasting, begin, count, period, 
 
 
 def _over(tangent, second, third, row, v, a, j, velocity, acceleration, jerk, worst):
-    """Raise `worst`: velocity, acceleration, jerk as fractions of the limits, and the fraction of the jerk limit that turning alone needs.
+    """Update `worst`: velocity, acceleration, jerk as fractions of the limits, and the fraction of the jerk limit that turning alone needs.
 
     `velocity`, `acceleration` and `jerk` are the inverses of the limits.
     """
@@ -99,7 +99,7 @@ def _over(tangent, second, third, row, v, a, j, velocity, acceleration, jerk, wo
 
 
 def _between(tangent, second, third, i, gap, part, here):
-    """Fill `here` with derivatives of the path between the samples i and i + 1: cubics and, for the third, a quadratic."""
+    """Fill `here` with derivatives of the path between the samples i and i + 1: by cubics, the third by a quadratic."""
     for axis in range(tangent.shape[1]):
         t0, t1 = tangent[i, axis], tangent[i + 1, axis]
         k0, k1 = second[i, axis], second[i + 1, axis]
@@ -125,7 +125,7 @@ def _along(span, i, last, arc_length, tangent, second, third, ceiling, spans, ve
     for step in range(per_span):
         dt = lasting * step / (per_span - 1)
         s = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
-        # The samples passed on the way, both curves at a junction.
+        # Check the samples passed on the way; at a junction, those of both curves.
         while i < last and arc_length[i + 1] <= s:
             i += 1
             part = min(max((arc_length[i] - at) / (s - at), 0.0), 1.0) if s > at else 1.0

@@ -1,7 +1,7 @@
 """Check a reference against the axis limits, independently of any planner.
 
 The check uses only position samples and their differences over the servo period, so it applies to planned, imported and measured
-references. Differences are weighted means of the derivatives over the samples they span, hence never above the true peak.
+references. Differences are weighted means of the derivatives over the samples they span, so they never exceed the true peak.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ class Worst:
     axis : int
     value, limit : float [m/s, m/s^2 or m/s^3]
     allowance : float
-        Contribution of rounded positions and, to a curvature step, of the permitted jerk.
+        Part of `value` due to rounded positions; for a curvature step also the part due to the permitted jerk.
     sample : int
         -1 if no sample counts.
     time : float [s]
@@ -62,13 +62,13 @@ class LimitReport:
     velocity, acceleration, jerk : tuple of Worst
         Acceleration without kinks, jerk without kinks and curvature steps.
     curvature_step : tuple of Worst
-        Steps of acceleration where the curvature jumps (line to arc), compared with the acceleration limit: there no finite jerk limit can
-        hold without a stop. Without a jerk limit their limit is inf.
+        Steps of acceleration where the curvature jumps (line to arc), compared with the acceleration limit, because no finite jerk limit
+        can hold there without a stop. Without a jerk limit this limit is inf.
     kink : tuple of Worst
-        Steps of velocity [m/s] where the direction jumps by up to `contourlab.feed.junctions.MOST_KINK`, compared with what the
-        acceleration limit gives in `KINK_TIME`.
+        Steps of velocity [m/s] where the direction jumps by up to `contourlab.feed.junctions.MOST_KINK`, compared with the acceleration
+        limit times `KINK_TIME`.
     n_step, n_kink : int
-        Number of such places passed.
+        Number of curvature steps and of kinks passed.
     """
 
     velocity: tuple[Worst, ...]
@@ -110,7 +110,7 @@ class _Jumps(NamedTuple):
 
 
 def _jumps(path: Path, step: Array, counted: Flags) -> _Jumps:
-    """Return the counted jumps among those at the ends of the curves (n_curve, n_axis)."""
+    """Select the `counted` jumps at the ends of the curves (n_curve, n_axis)."""
     at_start = np.roll(counted, 1)
     place = np.asarray(path.breaks, dtype=np.float64)[:-1][at_start]
     return _Jumps(place, np.abs(np.roll(step, 1, axis=0)[at_start]), float(path.length))
@@ -172,15 +172,15 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
     Raises
     ------
     FeedError
-        If the limits are for another number of axes.
+        If the limits have a different number of axes.
 
     Notes
     -----
     Sample k labels the differences p[k+1] - p[k], p[k+1] - 2 p[k] + p[k-1] and p[k+2] - 3 p[k+1] + 3 p[k] - p[k-1].
-    A curvature step between k and k+1 is the second difference at k+2 less the one at k-1, the nearest that are clear of it; its allowance
-    is three servo periods of permitted jerk. At a kink the velocity step of an axis is the direction jump times the speed, which is the
-    least of the samples around, less what the acceleration limit gives in half a period. The progress of recorded references is known to
-    about a sample only, so one more sample on each side is left out.
+    A curvature step between k and k+1 is the second difference at k+2 less the one at k-1, the nearest that do not span it; its allowance
+    is three servo periods of permitted jerk. At a kink the velocity step of an axis is the direction jump times a speed: the lowest speed
+    at the samples around, less half a servo period of the largest acceleration limit. Recorded references know their progress only to about
+    a sample, so one more sample on each side is left out.
     """
     limits = limits.for_axes(reference.n_axis)
     period, wide = reference.servo_period, 0 if reference.recorded is None else 1
@@ -212,7 +212,7 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
 def _check_block(
     reference: Reference, start: int, stop: int, records: _Records, bends: _Jumps, kinks: _Jumps, wide: int
 ) -> tuple[int, int]:
-    """Add the samples [start, stop), and enough of their neighbours, to the records; return the numbers of curvature steps and kinks."""
+    """Add the samples [start, stop), and the neighbours they need, to the records; return the numbers of curvature steps and kinks."""
     margin = 4 + wide
     low, high = max(start - margin, 0), min(stop + margin, reference.n_sample)
     block = reference.block(low, high)

@@ -1,10 +1,10 @@
-"""Findings: everything that contourlab remarks, warns of or concludes about a result, as values with a code.
+"""Findings: remarks, warnings and conclusions about a result, as values with a code.
 
-A finding is made where it is found, from its code and the values that its text needs:
+Create a finding where it is detected, from its code and the values for its text:
 
     finding("CL201", place="axis x", time=0.5)
 
-The catalogue (``catalogue/*.toml`` beside this file) has for each code a name, a severity, the text, what it means and what to do.
+The catalogue (``catalogue/*.toml`` beside this file) has a name, severity, text, meaning and remedy for each code.
 Terminal, report and JSON render the finding; ``contourlab explain CODE`` prints its page.
 """
 
@@ -28,18 +28,18 @@ SEVERITIES = ("info", "warning", "error")
 
 @dataclass(frozen=True)
 class Entry:
-    """What the catalogue has for a code.
+    """The catalogue entry of a code.
 
     Attributes
     ----------
     code, name : str
-        As ``CL201`` and ``change-after-the-end``.
+        For example ``CL201`` and ``change-after-the-end``.
     severity : str
         One of `SEVERITIES`.
     text : str
-        One line; fields as ``{time:s}`` take a value of the finding and a display unit.
+        One line; a field such as ``{time:s}`` takes a value of the finding and a display unit.
     meaning, remedy : str
-        What it means for the result, and what to do.
+        Meaning for the result, and what to do.
     """
 
     code: str
@@ -51,7 +51,7 @@ class Entry:
 
     @property
     def outline(self) -> str:
-        """The text with the names of its values, as ``<time>``."""
+        """The text with names in place of values, such as ``<time>``."""
         return re.sub(r"\{(\w+)[^}]*\}", lambda field: f"<{field[1].replace('_', ' ')}>", self.text)
 
 
@@ -62,11 +62,11 @@ class Finding:
     Attributes
     ----------
     code : str
-        Of the catalogue.
+        A code of the catalogue.
     values : mapping
-        What the text needs: numbers in SI, names, sequences of names.
+        Values for the text: numbers in SI, names, sequences of names.
     place : str
-        What it is about: ``axis x``, ``line 48``, the name of a log; empty for the whole.
+        What the finding concerns: ``axis x``, ``line 48``, the name of a log; empty for the whole.
     """
 
     code: str
@@ -75,12 +75,12 @@ class Finding:
 
     @property
     def entry(self) -> Entry:
-        """Its entry in the catalogue."""
+        """The entry in the catalogue."""
         return catalogue()[self.code]
 
     @property
     def text(self) -> str:
-        """Its one line, with the place ahead."""
+        """The line of text, with the place in front."""
         words = _Words().vformat(self.entry.text, (), self.values)
         return f"{self.place}: {words}" if self.place else words
 
@@ -89,13 +89,13 @@ class Finding:
 
 
 def finding(code: str, place: str = "", **values: Any) -> Finding:
-    """Make a finding; see `Finding`."""
+    """Create a finding; see `Finding`."""
     return Finding(code, values, place)
 
 
 @cache
 def catalogue() -> dict[str, Entry]:
-    """Return the entries of all codes, in order."""
+    """Return the entries of all codes, in order of code."""
     entries: dict[str, Entry] = {}
     for file in sorted(files(__package__).joinpath("catalogue").iterdir(), key=lambda file: file.name):
         for code, fields in tomllib.loads(file.read_text(encoding="utf-8")).items():
@@ -104,7 +104,7 @@ def catalogue() -> dict[str, Entry]:
 
 
 class _Words(string.Formatter):
-    """Format fields: numbers in the display unit that the field names, sequences as a list of names."""
+    """Format fields: numbers in the field's display unit, sequences as a list of names."""
 
     def format_field(self, value: Any, format_spec: str) -> str:
         if isinstance(value, bool | str):

@@ -1,4 +1,4 @@
-"""Geometry: curves, paths by arc length, the exact foot point, and the engine's table of a path."""
+"""Geometry: curves, paths by arc length, the exact foot point, and the path table of the engine."""
 
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.blend import Blend

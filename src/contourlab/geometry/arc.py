@@ -157,7 +157,6 @@ class Arc(Curve):
         return 1.0 / (self.radius * self.rate**2)
 
 
-
 class Arcs(CurveBatch):
     """Many arcs and helices at once."""
 
@@ -189,7 +188,7 @@ class Arcs(CurveBatch):
         return result
 
     def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
-        """Return the place on the spoke through the point, in the turn nearest to the progress; else the nearer end."""
+        """Return the arc length on the spoke through the point, in the turn nearest to the progress, or else of the nearer end."""
         centre, u, v = self.centre.T[slot], self.u.T[slot], self.v.T[slot]
         radius, rate = self.radius[slot], self.rate[slot]
         out = points - centre

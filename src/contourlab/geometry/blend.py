@@ -15,7 +15,7 @@ from contourlab.geometry.curve import Curve, CurveBatch, by_arc_length, clenshaw
 ACCURACY = 1e-12
 """Largest error of an arc length, relative to the length of the blend; a less accurate blend is divided."""
 DEPTH = 12
-"""Most halvings of a blend; one that is still inaccurate has a cusp."""
+"""Most halvings of a blend; a blend that is still inaccurate has a cusp."""
 # Each quarter of the parameter has its own series: several short series are more accurate than a long one.
 _SPEED_TERMS, _TERMS = 20, 16
 _CHUNK = 1 << 14
@@ -98,7 +98,7 @@ def _measured(c: Array) -> tuple[Array, Array, Flags]:
     """Return the lengths (n,) of quarters c (6, n_axis, n), the series (terms, n) of u over arc length, and which are accurate.
 
     The Chebyshev series of the speed is integrated term by term; Newton steps find the parameters of the Chebyshev points of arc length. A
-    Gauss rule checks the length, points in between the inverse.
+    Gauss rule checks the length; points in between check the inverse.
     """
     speed = _SPEED_MATRIX @ _speeds(c, 0.5 * (1.0 + _SPEED_NODES))
     # The integral of T_k is T_{k+1}/(2k + 2) - T_{k-1}/(2k - 2); the parameter runs over half the interval of x.
@@ -156,7 +156,7 @@ class Blend(Curve):
     Raises
     ------
     GeometryError
-        If it has no length, or so uneven a speed that u over arc length is not accurate to 1e-12; `blends` divides such curves.
+        If it has no length, or its speed is so uneven that u over arc length is not accurate to 1e-12; `blends` divides such curves.
 
     Notes
     -----
@@ -191,7 +191,6 @@ class Blend(Curve):
         return Blends([self]).derivatives(np.zeros(along.size, dtype=np.int64), along, order).transpose(0, 2, 1)
 
 
-
 class Blends(CurveBatch):
     """Many blends at once."""
 
@@ -213,7 +212,7 @@ class Blends(CurveBatch):
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
         if along.size > _CHUNK:
-            # Parts that stay in the processor's cache.
+            # Process parts that fit in the processor's cache.
             parts = [slice(i, i + _CHUNK) for i in range(0, along.size, _CHUNK)]
             return np.concatenate([self.derivatives(slot[part], along[part], order) for part in parts], axis=2)
         raw = _powers(self.coefficients[:, :, slot], self.parameter(slot, along), max(order, 1))
@@ -246,7 +245,7 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
     Raises
     ------
     GeometryError
-        If a curve has no length, a cusp, or a coordinate that is not finite; names it.
+        If a curve has no length, a cusp, or a non-finite coordinate; the error names the curve.
     """
     c = np.array(coefficients, dtype=float)
     if c.ndim != 3 or c.shape[1] != 6 or c.shape[2] < 1:

@@ -17,7 +17,7 @@ _HALVINGS = 45
 def box(path: Path) -> tuple[Array, Array]:
     """Return the lowest and the highest coordinates of a path (n_axis,), (n_axis,) [m].
 
-    Lines, arcs and helices in closed form; extremes of other curves by bisection between samples.
+    Lines, arcs and helices have a closed form; bisection between samples finds the extremes of other curves.
     """
     ends = path.derivatives(path.breaks, 0)[0]
     low, high = ends.min(axis=0), ends.max(axis=0)

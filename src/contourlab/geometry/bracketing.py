@@ -1,4 +1,4 @@
-"""Bracket the closest point on a curve, before the iteration to the last digit."""
+"""Bracket the closest point on a curve, for the iteration that then refines it."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from contourlab.geometry.table import PathTable
 Near = Callable[[Index, Array, int], Array]
 Width = Callable[[Index, Array, Array], Array]
 _MOST_CELLS = 1 << 21
-_SLACK = 1e-8  # [m] above the error of the table
+_SLACK = 1e-8  # [m] larger than the error of the table
 
 
 class Bends:
     """Largest curvature of a path between two arc lengths, from its table.
 
-    Level k holds the maximum over 2^k successive pieces; any range is covered by two entries.
+    Level k holds the maximum over 2^k successive pieces; two entries cover any range.
     """
 
     def __init__(self, table: PathTable) -> None:
@@ -43,7 +43,8 @@ class Bends:
 def brackets(points: Array, near: Near, width: Width, low: Array, high: Array, middle: Array) -> tuple[Index, Array, Array, Array]:
     """Return brackets of the closest points: pair, first guess, and both ends.
 
-    A cell of width `step` whose ends are d and e away is nowhere closer than (d + e - step) / 2, and is excluded if a sample is closer.
+    A cell of width `step` whose ends lie d and e from the point is nowhere closer than (d + e - step) / 2. It is excluded if a sample is
+    closer.
 
     Parameters
     ----------
@@ -60,7 +61,7 @@ def brackets(points: Array, near: Near, width: Width, low: Array, high: Array, m
     """
     row = np.arange(low.size)
     enough = width(row, low, high)
-    # Few samples for all; where these do not suffice, only the relevant cells are divided.
+    # Take few samples of all curves; where these do not suffice, divide only the relevant cells.
     ratio = (high - low) / np.maximum(enough, 1e-12)
     n = int(np.clip(np.ceil(np.median(ratio)), 4, 64)) if row.size else 4
     grid = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, n + 1)

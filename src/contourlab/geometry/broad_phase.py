@@ -1,7 +1,8 @@
 """Find the curves of a path that may hold the closest point, from distances to junctions alone.
 
-A part of the path with length L, whose ends are d and e away, is nowhere closer than (d + e - L) / 2, and is excluded if a junction is
-closer. Parts are halved, the better half first, until single curves remain: a few of thousands, after some tens of distances.
+A part of the path with length L, whose ends lie d and e from the point, is nowhere closer than (d + e - L) / 2. It is excluded if a
+junction is closer. The search halves parts, the better half first, until single curves remain: a few out of thousands, after some tens of
+distances.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
@@ -16,7 +17,7 @@ from contourlab.arrays import Array, Index
 from contourlab.geometry.curve_sequence import CurveSequence
 
 _FEW = 4
-"""Curves per sample, on average, up to which all are candidates."""
+"""Up to this mean number of curves per sample, all curves are candidates."""
 _DEPTH = 128
 _SLACK = 1e-9
 """Error of arc lengths and distances [m]."""
@@ -38,7 +39,7 @@ def curves_in_reach(path: CurveSequence, points: Array, around: Array, window: A
         Sorted by sample, then by curve.
     lap : ndarray (k,)
     low, high : ndarray (k,) [m]
-        Arc lengths along the curve between which it lies in the window.
+        Range of arc length along the curve that lies in the window.
     """
     first, last = around - window, around + window
     if path.closed:
@@ -82,7 +83,7 @@ def _searched(path: CurveSequence, points: Array, begin: Index, end: Index) -> t
         _kernel()(junctions, along, int(path.closed), points, begin, end, pairs, bound, state, ends, depths)
         samples.append(pairs[: state[1], 0])
         numbers.append(pairs[: state[1], 1])
-        # A sample may have more curves at the same distance than fit.
+        # A sample may have more curves at the same distance than `pairs` holds.
         room = 2 * room if state[0] == before else room
     return np.concatenate(samples), np.concatenate(numbers)
 
@@ -113,7 +114,7 @@ def _up_to(along, closed, k):
 
 
 def _least(along, closed, a, b, from_a, from_b):
-    """Return a lower bound of the distance of curves a to b - 1 from a point, by its distances to their ends."""
+    """Return a lower bound of the distance of curves a to b - 1 from a point, given its distances to their ends."""
     return 0.5 * (from_a + from_b - (_up_to(along, closed, b) - _up_to(along, closed, a)))
 
 

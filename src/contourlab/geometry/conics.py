@@ -41,7 +41,6 @@ class Ellipse(Parametric):
         return np.array([np.column_stack([self.a * x, self.b * y]) for x, y in _quarter_turns(u)[: order + 1]])
 
 
-
 class EllipticalArc(Parametric):
     """r = c + p cos t + q sin t: a part of any ellipse, in the plane or in space.
 
@@ -88,7 +87,6 @@ class EllipticalArc(Parametric):
         return result
 
 
-
 class Lemniscate(Parametric):
     """x = a sin u, y = a sin u cos u: a figure of eight that starts and crosses itself at the origin.
 
@@ -113,11 +111,10 @@ class Lemniscate(Parametric):
         return np.array([self.a * np.column_stack(row) for row in rows[: order + 1]])
 
 
-
 class Lissajous(Parametric):
     """A sine in each axis, x_j = A sin((k + j) u + j phase), j = 0, 1, ...: one period, in any number of axes.
 
-    All axes rest at once, in a cusp, only if k phase is 90 degrees or differs from it by a multiple of 180 degrees.
+    All axes stop at once, in a cusp, only if k phase is 90 degrees plus a multiple of 180 degrees.
 
     Parameters
     ----------
@@ -125,7 +122,7 @@ class Lissajous(Parametric):
     amplitude : float [m], > 0
         A, of each axis.
     lowest : int, 1 to 20
-        k: periods of the first axis in a lap; each further axis has one more.
+        k: periods of the first axis in a lap; each further axis has one period more.
     phase : float [rad]
         Between one axis and the next.
 
@@ -165,7 +162,6 @@ class Lissajous(Parametric):
         return np.array([s, k * c, -(k**2) * s, -(k**3) * c][: order + 1])
 
 
-
 class Star(Parametric):
     """A star with rounded lobes: radius R (1 + depth cos n u) at angle u.
 
@@ -197,7 +193,6 @@ class Star(Parametric):
         turn = [np.column_stack(pair) for pair in _quarter_turns(u)]
         # Leibniz: the m-th derivative of rho times (cos, sin).
         return np.array([sum(math.comb(m, j) * rho[m - j][:, None] * turn[j] for j in range(m + 1)) for m in range(order + 1)])
-
 
 
 class Spiral(Parametric):

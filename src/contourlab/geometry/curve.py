@@ -113,7 +113,7 @@ class CurveBatch:
         raise NotImplementedError
 
     def marks(self) -> tuple[Array, Index]:
-        """Return the arc lengths at which a table must cut the curves, ends included, and the number of these for each curve."""
+        """Return the arc lengths at which a table must cut the curves, ends included, and their number for each curve."""
         if not hasattr(self.curves[0], "marks"):
             return np.column_stack([np.zeros_like(self.length), self.length]).ravel(), np.full(self.length.size, 2)
         marks = [curve.marks for curve in self.curves]
@@ -130,7 +130,7 @@ def rows(curves: Sequence[Any], name: str) -> Array:
 
 
 def of_each(values: Array, slot: Index) -> Array:
-    """Return values (..., n_curve) of the curves in `slot`; those of a single curve, such as a circle, are broadcast, which is faster."""
+    """Return values (..., n_curve) of the curves in `slot`; values of a single curve are broadcast, which is faster."""
     return values if values.shape[-1] == 1 else values[..., slot]
 
 
@@ -140,7 +140,7 @@ def vector(values: ArrayLike, name: str) -> Array:
     Raises
     ------
     GeometryError
-        If it is not.
+        If `values` is no such vector.
     """
     try:
         coordinates = np.array(values, dtype=float)

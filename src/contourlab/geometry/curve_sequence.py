@@ -1,4 +1,4 @@
-"""Curves end to end, evaluated by arc length: the part of a path that searches and tables use."""
+"""Curves end to end, evaluated by arc length: the base of a path, used by searches and tables."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from contourlab.geometry.curve import Curve, CurveBatch
 
 
 class CurveSequence:
-    """Curves in succession, stored by kind, so that n samples over m curves cost n + m.
+    """Curves in succession, stored by kind, so that the cost of n samples over m curves is proportional to n + m.
 
     Attributes
     ----------
@@ -46,7 +46,7 @@ class CurveSequence:
         return self.n_axis == 2
 
     def _gather(self) -> None:
-        """Group the curves by kind: a curve is then a kind and a slot."""
+        """Group the curves by kind: a kind and a slot then identify a curve."""
         kinds: dict[type[Curve], list[int]] = {}
         for i, curve in enumerate(self.curves):
             kinds.setdefault(type(curve), []).append(i)

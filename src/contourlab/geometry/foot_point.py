@@ -1,8 +1,8 @@
 """The exact foot point: the closest point of a path, searched independently for each sample.
 
 In a window around the progress of a sample, each curve in reach gives its closest point: lines and flat arcs in closed form, other curves
-by sampling and a bracketed Newton iteration. The nearest is used; ties go to the one nearest to the progress, which selects the right
-branch where the path crosses itself.
+by sampling and a bracketed Newton iteration. The foot point is the nearest of these; ties go to the one nearest to the progress, which
+selects the right branch where the path crosses itself.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class FootPoint(NamedTuple):
     position : ndarray (n, n_axis) [m]
     distance : ndarray (n,) [m]
     signed : ndarray (n,) [m]
-        Positive to the left of the direction of travel; NaN unless the path is planar. At a corner the side is that of the bisector.
+        Positive to the left of the direction of travel; NaN unless the path is planar. At a corner the bisector decides the side.
     """
 
     arc_length: Array
@@ -123,7 +123,7 @@ def _on_curves(path: CurveSequence, points: Array, curve: Index, low: Array, hig
     s = _newton(points, near, pair, s, a, b, 60, 1e-12 * path.length)
     reach = 1e-7 * path.length
     fine = _newton(points, exact, pair, s, np.maximum(s - reach, low[pair]), np.minimum(s + reach, high[pair]), 3, 1e-15 * path.length)
-    # Near a centre of curvature, a nanometre in the table moves the foot further.
+    # Near a centre of curvature, a nanometre in the table moves the foot point by more.
     off = np.flatnonzero(np.abs(fine - s) > 0.5 * reach)
     if off.size:
         fine[off] = _newton(points, exact, pair[off], s[off], a[off], b[off], 60, 1e-15 * path.length)

@@ -155,7 +155,7 @@ def contour_parameters(name: str) -> dict[str, tuple[float, str]]:
         If there is no such contour.
     """
     if name not in _MAKERS:
-        raise GeometryError(f"no contour {name!r}; there are: {', '.join(_MAKERS)}")
+        raise GeometryError(f"no contour {name!r}; the contours are: {', '.join(_MAKERS)}")
     signature = inspect.signature(_MAKERS[name])
     return {p.name: (float(p.default), _UNITS.get(p.name, "")) for p in signature.parameters.values()}
 
@@ -181,5 +181,5 @@ def contour(name: str, **parameters: float) -> Path:
     known = contour_parameters(name)
     for given in parameters:
         if given not in known:
-            raise GeometryError(f"contour {name} has no parameter {given!r}; there are: {', '.join(known)}")
+            raise GeometryError(f"contour {name} has no parameter {given!r}; its parameters are: {', '.join(known)}")
     return _MAKERS[name](**parameters)

@@ -81,7 +81,6 @@ class Line(Curve):
         return float("inf")
 
 
-
 class Lines(CurveBatch):
     """Many lines at once."""
 

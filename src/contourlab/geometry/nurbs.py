@@ -58,11 +58,25 @@ def _checked(degree: int, points: ArrayLike, knots: ArrayLike) -> tuple[Array, A
         raise GeometryError(f"degree {degree} with {len(c)} control points needs {len(c) + degree + 1} knots, not {t.size}")
     inner = t[degree : len(c) + 1]
     if np.any(np.diff(t) < 0.0) or not inner[-1] > inner[0]:
-        raise GeometryError("knots must not fall, and must span an interval")
+        raise GeometryError("knots must not decrease, and must span an interval")
     return c, t
 
 
-class BSpline(Parametric):
+class _Knotted(Parametric):
+    """A curve over knots: its control points, its ends and the places where it is less smooth."""
+
+    def _lay(self, degree: int, points: ArrayLike, knots: ArrayLike) -> None:
+        self.degree = int(degree)
+        self.points, self.knots = _checked(self.degree, points, knots)
+        self.n_axis = self.points.shape[1]
+        self.first, self.last = float(self.knots[self.degree]), float(self.knots[len(self.points)])
+
+    def joints(self) -> Array:
+        inside = (self.knots >= self.first) & (self.knots <= self.last)
+        return np.unique(self.knots[inside])
+
+
+class BSpline(_Knotted):
     """A polynomial B-spline.
 
     Parameters
@@ -70,22 +84,15 @@ class BSpline(Parametric):
     degree : int, >= 1
     points : array_like (n, n_axis) [m]
     knots : array_like (n + degree + 1,)
-        Not falling.
+        Non-decreasing.
     """
 
     digest_parts = ("bspline", "degree", "points", "knots")
 
     def __init__(self, degree: int, points: ArrayLike, knots: ArrayLike) -> None:
-        self.degree = int(degree)
-        self.points, self.knots = _checked(self.degree, points, knots)
-        self.n_axis = self.points.shape[1]
+        self._lay(degree, points, knots)
         self._spline = _Spline(self.degree, self.points, self.knots)
-        self.first, self.last = float(self.knots[self.degree]), float(self.knots[len(self.points)])
         self.measure()
-
-    def joints(self) -> Array:
-        inside = (self.knots >= self.first) & (self.knots <= self.last)
-        return np.unique(self.knots[inside])
 
     def raw(self, u: Array, order: int) -> Array:
         return np.array([self._spline(u, k) for k in range(order + 1)])
@@ -95,8 +102,7 @@ class BSpline(Parametric):
         return np.asarray(np.linalg.norm(self._spline(u.ravel(), 1), axis=1).reshape(u.shape))
 
 
-
-class Nurbs(Parametric):
+class Nurbs(_Knotted):
     """A rational B-spline.
 
     Parameters
@@ -114,21 +120,14 @@ class Nurbs(Parametric):
     digest_parts = ("nurbs", "degree", "points", "knots", "weights")
 
     def __init__(self, degree: int, points: ArrayLike, knots: ArrayLike, weights: ArrayLike) -> None:
-        self.degree = int(degree)
-        self.points, self.knots = _checked(self.degree, points, knots)
+        self._lay(degree, points, knots)
         self.weights = np.array(weights, dtype=float)
         if self.weights.shape != (len(self.points),) or not (np.isfinite(self.weights).all() and (self.weights > 0.0).all()):
             raise GeometryError("give one weight > 0 for each control point")
-        self.n_axis = self.points.shape[1]
         # Relative to the first point, which keeps the digits of a small curve far from the origin.
         lifted = np.column_stack([(self.points - self.points[0]) * self.weights[:, None], self.weights])
         self._spline = _Spline(self.degree, lifted, self.knots)
-        self.first, self.last = float(self.knots[self.degree]), float(self.knots[len(self.points)])
         self.measure()
-
-    def joints(self) -> Array:
-        inside = (self.knots >= self.first) & (self.knots <= self.last)
-        return np.unique(self.knots[inside])
 
     def raw(self, u: Array, order: int) -> Array:
         lifted = [self._spline(u, k) for k in range(order + 1)]
@@ -139,7 +138,6 @@ class Nurbs(Parametric):
             result.append(rest / w[0])
         result[0] = result[0] + self.points[0]
         return np.array(result)
-
 
 
 def inner_knots(degree: int, t: Array) -> tuple[Array, Index]:

@@ -19,7 +19,7 @@ _CHEBYSHEV = np.cos(np.pi * (np.arange(_TERMS) + 0.5) / _TERMS)
 _TO_CHEBYSHEV = (2.0 / _TERMS) * np.cos(np.arange(_TERMS)[:, None] * np.arccos(_CHEBYSHEV)[None, :])
 _TO_CHEBYSHEV[0] *= 0.5
 _RISE = 16
-"""Terms of the series of the speed on an interval; that of the length has one more."""
+"""Terms of the series of the speed on an interval; the series of the length has one more."""
 _RISE_NODES = np.cos(np.pi * (np.arange(_RISE) + 0.5) / _RISE)
 _TO_SPEED = np.linalg.inv(np.polynomial.chebyshev.chebvander(_RISE_NODES, _RISE - 1))
 _TO_RISE = np.polynomial.chebyshev.chebint(_TO_SPEED, lbnd=-1)
@@ -78,7 +78,7 @@ class Parametric(Curve):
         self._check_smooth()
 
     def _check_smooth(self) -> None:
-        """Raise an error for corners, gaps and stationary points inside the curve: by arc length they would be hidden jumps."""
+        """Raise an error for corners, gaps and stationary points inside the curve, which would be hidden jumps by arc length."""
         name, slow = type(self).__name__, self._speed(self._knots) <= 1e-6 * self.length / (self.last - self.first)
         if slow.any():
             raise GeometryError(
@@ -123,7 +123,7 @@ class Parametric(Curve):
     def _rise(self, left: Array, right: Array) -> tuple[Array, Array, Flags]:
         """Return Chebyshev series of speed and length over intervals of the parameter, and whether they are accurate.
 
-        With these the curve is evaluated at a few places of an interval, instead of a dozen in each Newton step.
+        With these series, the curve is evaluated at a few places per interval instead of a dozen per Newton step.
         """
         middle, half = 0.5 * (left + right), 0.5 * (right - left)
         speed = self._speed(middle[:, None] + half[:, None] * _RISE_NODES)

@@ -38,7 +38,7 @@ class Path(CurveSequence):
     Raises
     ------
     GeometryError
-        If there is no curve, dimensions differ, or there is a gap; names the place.
+        If there is no curve, dimensions differ, or there is a gap; the error names the place.
 
     >>> from contourlab.geometry.line import Line
     >>> square = Path([Line((0, 0), (1, 0)), Line((1, 0), (1, 1))])

@@ -1,8 +1,9 @@
 """A path as quintic pieces in arc length, for the engine, with a branch-free look-up.
 
 Each piece matches position, tangent and curvature vector of the path at both ends and lies on one curve. The error of quintic Hermite
-interpolation over a length h is at most h^6 max|r^(6)| / 46080. For lines (0), arcs and helices, r^(6) = R rate^6, this gives the pieces;
-other curves are halved until twice the error at points inside is below the tolerance. All curves of a kind are divided at once.
+interpolation over a length h is at most h^6 max|r^(6)| / 46080. For lines (|r^(6)| = 0), arcs and helices (|r^(6)| = R rate^6) this gives
+the number of pieces. Other curves are halved until twice the error at points inside is below the tolerance. All curves of a kind are
+divided at once.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ class PathTable:
         cell, a look-up is ``i = cell[int(s * inverse_cell)]; i += s >= start[i + 1]``.
     inverse_cell : float [1/m]
     halvings : int
-        0 for that look-up; else the number of bisections between the pieces ``cell[i]`` and ``cell[i + 1]``, for paths whose shortest
+        0 for this look-up; else the number of bisections between the pieces ``cell[i]`` and ``cell[i + 1]``, for paths whose shortest
         pieces would need too many cells.
     error_bound : float [m]
         Largest distance of the table from the path.
@@ -137,7 +138,7 @@ def _spread(n: Index) -> tuple[Index, Index]:
 
 def _evenly(curves: CurveBatch, tolerance: float, longest: float) -> tuple[Index, Array, Array, float]:
     """Return pieces of curves with a known sixth derivative: curve, both ends, and a bound of the error."""
-    assert curves.sixth is not None  # the caller's choice
+    assert curves.sixth is not None  # the caller checks
     least = np.maximum(np.ceil(curves.length / longest - 1e-9), 1.0)
     n = np.maximum(least, np.ceil(curves.length * (curves.sixth / (46080.0 * tolerance)) ** (1.0 / 6.0)))
     width = curves.length / n

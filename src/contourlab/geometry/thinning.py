@@ -13,7 +13,7 @@ from contourlab.errors import GeometryError
 
 
 def polygon_corners(points: Array, tolerance: float) -> Index:
-    """Return the numbers (m,), rising, of points to keep so that all others lie within a tolerance of the polygon, in their order.
+    """Return the rising numbers (m,) of the points to keep; all others lie within the tolerance of the polygon, in order along it.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def polygon_corners(points: Array, tolerance: float) -> Index:
 
     Notes
     -----
-    Each line is found by doubling the number of its points, then by bisection: the time is that of n log(points of a line).
+    Each line is found by doubling the number of its points, then by bisection: the time grows as n log(points of a line).
     """
     if points.ndim != 2 or not len(points):
         raise GeometryError(f"points of shape {points.shape}: must be (n, n_axis), n >= 1")

@@ -1,4 +1,4 @@
-"""A path as functions of arc length that steps can compile, with parameters and tables.
+"""A path as functions of arc length for compiled steps, with parameters and tables.
 
 Any path is a table of quintic pieces; a circle is evaluated in closed form, which is faster and exact.
 """
@@ -16,6 +16,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.path import Path
+from contourlab.native.generated import generated
 from contourlab.primitives import clip, cos, floor, lookup, maximum, select, sin
 
 
@@ -95,12 +96,12 @@ def _quintic(table: Any, base: float, h: float) -> Any:
 
 
 def _gather(n_axis: int) -> Callable[..., Any]:
-    """Return a function that evaluates all axes of a piece, unrolled, since lanes have no loops."""
+    """Return a function that evaluates all axes of a piece, unrolled, because lanes have no loops."""
     lines = [f"    a{j} = quintic(table, base + {6.0 * j}, h)" for j in range(n_axis)]
     values = ", ".join(f"({', '.join(f'a{j}[{d}]' for j in range(n_axis))},)" for d in range(3))
     scope: dict[str, Any] = {"quintic": _quintic, "__name__": __name__}
-    exec("def gather(table, base, h):\n" + "\n".join(lines) + f"\n    return {values}\n", scope)
-    return scope["gather"]  # type: ignore[no-any-return]
+    source = "def gather(table, base, h):\n" + "\n".join(lines) + f"\n    return {values}\n"
+    return generated(source, scope, "gather")  # type: ignore[no-any-return]
 
 
 @cache

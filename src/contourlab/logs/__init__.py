@@ -1,4 +1,4 @@
-"""Measured logs: from files of many kinds to the result that a simulation gives."""
+"""Measured logs: read files of many formats into a `Result`, as a simulation gives."""
 
 from contourlab.logs.formats import read_record
 from contourlab.logs.load import Log, load_log, result_of

@@ -18,7 +18,7 @@ GAP = 1.5
 MOST_MISSING = 0.05
 """Largest accepted share of missing samples."""
 FEW = 3
-"""Up to so many gaps are gaps; more mean a wrong clock."""
+"""Most gaps that may be lost samples; more mean a wrong clock."""
 EVEN = 1e-3
 """Jitter over period below which samples are even: times are rounded when written."""
 
@@ -38,13 +38,13 @@ class ClockReport:
     Attributes
     ----------
     period : float [s]
-        Of the samples.
+        Sample period.
     n_sample : int
     jitter_rms, jitter_peak : float [s]
-        About an even clock, between gaps.
+        Deviation from an even clock between gaps.
     gaps : tuple of Gap
     repeated : int
-        Samples left out because they repeat the time before.
+        Omitted samples, which repeat the time before.
     resampled : bool
         Whether values were interpolated.
     """
@@ -65,14 +65,14 @@ class ClockReport:
         return sum(gap.missing for gap in self.gaps)
 
     def findings(self, period: float | None = None, place: str = "") -> list[Finding]:
-        """Return what is uneven; nothing for an even clock.
+        """Return the findings on uneven times; none for an even clock.
 
         Parameters
         ----------
         period : float [s], optional
-            Of the common clock; by default the channel's own.
+            Period of the common clock; by default the channel's own.
         place : str
-            The channels.
+            Names of the channels.
         """
         findings = []
         if self.jitter_peak > EVEN * self.period:
@@ -100,7 +100,7 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     ----------
     time : ndarray (n,) [s]
     name : str
-        Of the channel, for messages.
+        Name of the channel, for messages.
     file : Path
     period : float [s], > 0, optional
         Stated period; by default the median step.
@@ -117,7 +117,8 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     usual = float(np.median(step))
     if period is not None:
         if period > GAP * usual:
-            raise LogError(f"the times of {name!r} are {show(usual, 'us')} apart, the given period is {show(period, 'us')}", file=file)
+            apart = f"the times of {name!r} are {show(usual, 'us')} apart, but the given period is {show(period, 'us')}"
+            raise LogError(f"{apart}: correct the period, or leave it out", file=file)
         usual = period
     count = np.maximum(np.rint(step / usual), 1.0)
     wide = step > GAP * usual
@@ -129,7 +130,7 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     if report.missing > MOST_MISSING * (report.n_sample + report.missing):
         lost = f"{report.missing} of {report.n_sample + report.missing} samples of {name!r}"
         # A few gaps are lost samples; many mean a wrong clock.
-        cure = "cut the log there" if len(report.gaps) <= FEW else "the sampling is uneven, or the period is wrong"
+        cure = "cut the log there" if len(report.gaps) <= FEW else "check the period; the sampling may be uneven"
         raise LogError(f"{lost} are missing at a period of {show(usual, 'us')}, {report._gaps()}: {cure}", file=file)
     return report, kept
 
@@ -137,19 +138,19 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
 def _kept(time: Array, name: str, file: Path) -> Flags:
     """Return a mask of the samples later than the one before; refuse times that go back, stand still or are not finite."""
     if not np.isfinite(time).all():
-        raise LogError(f"the time of {name!r} is not finite at sample {int(np.argmin(np.isfinite(time)))}", file=file)
+        raise LogError(f"the time of {name!r} is not finite at sample {int(np.argmin(np.isfinite(time)))}: delete or correct it", file=file)
     step = np.diff(time)
     if (step < 0.0).any():
         k = int(np.argmax(step < 0.0))
         where = f"from {time[k]:.9g} s to {time[k + 1]:.9g} s at sample {k + 1} ({name!r})"
-        raise LogError(f"time goes back {where}: are two records in one file, or is the column no time?", file=file)
+        raise LogError(f"time goes back {where}: check for two records in one file, or a column that is not the time", file=file)
     kept = np.append(True, step > 0.0)
     n = int(np.count_nonzero(kept))
     if n < 3:
-        raise LogError(f"holds {n} samples of {name!r} at different times: at least three are needed", file=file)
+        raise LogError(f"has {n} samples of {name!r} at different times: at least three are needed", file=file)
     if repeats_too_often(time):
         count = f"{time.size - n} of {time.size} samples of {name!r}"
-        raise LogError(f"{count} repeat the time before: write the times with more digits", file=file)
+        raise LogError(f"{count} repeat the previous time: write the times with more digits", file=file)
     return np.asarray(kept)
 
 
@@ -194,7 +195,8 @@ def common_clock(reports: list[tuple[ClockReport, float, float]], file: Path) ->
     start, stop = max(first for _, first, _ in reports), min(last for _, _, last in reports)
     n = int(np.floor((stop - start) / period + EVEN)) + 1
     if n < 3:
-        raise LogError(f"its channels have less than three samples in common: from {start:.6g} s to {stop:.6g} s", file=file)
+        overlap = f"from {start:.6g} s to {stop:.6g} s"
+        raise LogError(f"its channels overlap by fewer than three samples, {overlap}: check their times", file=file)
     return period, start, n
 
 

@@ -53,7 +53,7 @@ def read(file: Path) -> Record:
     text = text_of(file)
     lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if _bare(line)]
     if not lines:
-        raise LogError("holds no samples", file=file)
+        raise LogError("contains no samples", file=file)
     first, mark = _first_row(lines, file)
     heads, rows = lines[:first], lines[first:]
     cut = len(rows) > 1 and not text.endswith(("\n", "\r"))
@@ -81,7 +81,7 @@ def _timestamps(
     table = [_cells(line, mark) for _, line in rows]
     for i, cells in zip(lines, table, strict=True):
         if len(cells) != len(names):
-            raise LogError(f"has {len(cells)} columns instead of {len(names)}", file=file, line=i)
+            raise LogError(f"has {len(cells)} columns, but {len(names)} are expected", file=file, line=i)
     channels = {j: timestamp_channel(names[j], [cells[j] for cells in table], lines, file) for j in columns}
     kept = [["0" if j in channels else f'"{cell}"' if (mark or " ") in cell else cell for j, cell in enumerate(cells)] for cells in table]
     return channels, [(i, (mark or " ").join(cells)) for i, cells in zip(lines, kept, strict=True)]
@@ -124,11 +124,11 @@ def _no_row(lines: list[tuple[int, str]], file: Path) -> LogError:
     right = [[_is_value(cell.strip().strip('"')) for cell in cells] for cells in parted]
     k = max(range(len(right)), key=lambda k: sum(right[k]))
     if not any(right[k]) or all(right[k]):
-        return LogError("holds no row of numbers", file=file, line=lines[0][0])
+        return LogError("contains no row of numbers", file=file, line=lines[0][0])
     j = right[k].index(False)
     name = parted[0][j].strip(' "') if k and len(parted[0]) == len(parted[k]) else str(j + 1)
     fault = f"{shown(parted[k][j])} in {called(name_and_unit(name)[0])} is neither a number nor a date and time such as {EXAMPLE}"
-    return LogError(f"holds no row of numbers: {fault}", file=file, line=lines[k][0])
+    return LogError(f"contains no row of numbers: {fault}", file=file, line=lines[k][0])
 
 
 def _is_closed(heads: list[tuple[int, str]], rows: list[tuple[int, str]], mark: str | None) -> bool:
@@ -205,16 +205,16 @@ def _values(lines: list[tuple[int, str]], names: list[str], mark: str | None, fi
     except ValueError:
         pass  # empty cells, words and faults: read cell by cell
     if repeated := next((i for i, line in lines if line in heads), 0):
-        raise LogError("the header is repeated here: two records are in one file", file=file, line=repeated)
+        raise LogError("the header is repeated here: split the file, it contains two records", file=file, line=repeated)
     return numbers([(i, _cells(line, mark)) for i, line in lines], names, file, comma)
 
 
 # --- dates and times of day --------------------------------------------------------------------------------------------------------
 
 DAY = 86_400 * 10**9
-"""Nanoseconds."""
+"""A day in nanoseconds."""
 EXAMPLE = "2024-05-31T14:03:21.250"
-CURE = f"write timestamps as {EXAMPLE}, with Z or +02:00 behind them or not, or as seconds; or give --period"
+CURE = f"write timestamps as {EXAMPLE}, with or without a zone (Z or +02:00), or as seconds; or give --period"
 
 _DATE = (
     r"(\d{1,4}[-/.]\d{1,2}[-/.]\d{1,4}|\d{8}(?=T)"
@@ -291,7 +291,7 @@ def _ticks(texts: list[str], name: str, lines: Sequence[int], file: Path) -> tup
     if any(wrong):
         k = wrong.index(True)
         other = ", in another format than the first," if forms[k] and forms[k] != forms[0] else ""
-        raise LogError(f"{shown(texts[k])} in column {name!r}{other} is no unambiguous timestamp: {CURE}", file=file, line=lines[k])
+        raise LogError(f"{shown(texts[k])} in column {name!r}{other} is not an unambiguous timestamp: {CURE}", file=file, line=lines[k])
     return ticks, is_clock
 
 

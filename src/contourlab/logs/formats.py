@@ -78,12 +78,12 @@ def format_of(file: str | Path) -> Format:
     """
     path = Path(file)
     if path.is_dir():
-        raise LogError("is a folder: name the file in it", file=path)
+        raise LogError("is a folder: name a file in it", file=path)
     head = head_of(path)
     for kind in FORMATS.values():
         if kind.matches(path, head):
             return kind
-    raise LogError(f"looks like none of the formats that are read: {', '.join(FORMATS)}; say which with --format", file=path)
+    raise LogError(f"has no known format: name it with --format, one of {', '.join(FORMATS)}", file=path)
 
 
 def read_record(file: str | Path, format: str | None = None) -> Record:  # noqa: A002

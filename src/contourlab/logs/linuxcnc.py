@@ -40,12 +40,12 @@ def read_scope(file: Path) -> Record:
     lines = [(i, line.strip()) for i, line in written]
     first = _FIRST.match(lines[0][1]) if lines else None
     if first is None:
-        raise LogError('does not begin with "Sampling period is ... ns"', file=file, line=1)
+        raise LogError('does not begin with "Sampling period is ... ns": save it again with halscope', file=file, line=1)
     if int(first[2]) == 0:
-        raise LogError("the sampling period is 0 ns: halscope had no thread to sample in", file=file, line=lines[0][0])
+        raise LogError("the sampling period is 0 ns: choose a thread in halscope and sample again", file=file, line=lines[0][0])
     body = [(i, line) for i, line in lines[1:] if not line.startswith("#")]
     if len(body) < (2 if first[1] else 1):
-        raise LogError("holds no samples", file=file)
+        raise LogError("contains no samples", file=file)
     if first[1]:  # since 2.10: a line of names, then numbers
         names, rows = body[0][1].split(";"), [(i, line.split(";")) for i, line in body[1:]]
     else:
@@ -62,7 +62,7 @@ def _labelled(body: list[tuple[int, str]], file: Path) -> tuple[list[str], list[
     for i, line in body:
         cells = line.split()
         if cells[::2] != names or len(cells) % 2:
-            raise LogError(f"must hold {', '.join(names)}, each with its number", file=file, line=i)
+            raise LogError(f"must contain {', '.join(names)}, each followed by its number", file=file, line=i)
     return names, [(i, line.split()[1::2]) for i, line in body]
 
 
@@ -99,7 +99,7 @@ def read_sampler(file: Path) -> Record:
     lines = [(i, line.split()) for i, line in written]
     rows = [(i, cells) for i, cells in lines if cells != [OVERRUN]]
     if not rows:
-        raise LogError("holds no samples", file=file)
+        raise LogError("contains no samples", file=file)
     values = numbers(rows, [str(j + 1) for j in range(len(rows[0][1]))], file)
     tagged = _is_numbered(rows, values[:, 0], file)
     lost = len(lines) - len(rows)
@@ -122,8 +122,8 @@ def _is_numbered(rows: list[tuple[int, list[str]]], first: Array, file: Path) ->
     if np.mean(step == 1.0) > MOSTLY and np.all(step[step != 1.0] < 0.0):
         back = int(np.argmin(step))
         raise LogError(
-            f"the sample number goes back from {first[back]:.0f} to {first[back + 1]:.0f}: are two records in one file? "
-            "If the first column is a pin, read it with --format csv",
+            f"the sample number goes back from {first[back]:.0f} to {first[back + 1]:.0f}: split the file if it contains two records; "
+            "if its first column is a pin, use --format csv",
             file=file,
             line=rows[back + 1][0],
         )

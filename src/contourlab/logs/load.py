@@ -36,17 +36,17 @@ class Log:
     ----------
     result : Result
     record : Record
-        As read.
+        The file as read.
     columns : tuple of Column
         The column of each signal.
     clocks : mapping of str to ClockReport
-        By channel.
+        Clock of each channel.
     findings : tuple of Finding
-        On the reading.
+        Findings on the reading.
     start : float [s]
         Time of the first sample in the file.
     doubtful : tuple of Finding
-        On each signal with several candidate columns; none is used.
+        Findings on signals with several candidate columns, which are not used.
     """
 
     result: Result
@@ -58,7 +58,7 @@ class Log:
     doubtful: tuple[Finding, ...] = ()
 
     def clock_findings(self) -> list[Finding]:
-        """Return what is uneven in the sample times, with the channels unless in all."""
+        """Return the findings on uneven sample times; they name the channels unless all are alike."""
         period = self.result.servo_period
         alike: list[tuple[ClockReport, list[str]]] = []
         for name, report in self.clocks.items():
@@ -179,7 +179,7 @@ def _order(axis: str) -> tuple[int, str]:
 
 
 def _times(record: Record, columns: Sequence[Column], given: Columns) -> tuple[Array | None, list[Finding]]:
-    """Return the times [s] of channels without their own, None to count samples by the period; and findings."""
+    """Return the times [s] for channels without their own (None: count samples by the period), and findings."""
     findings: list[Finding] = []
     column = next((c for c in columns if c.signal == TIME), None)
     if column is not None and any(record.channel(c.column).time is None for c in columns if c.signal != TIME):
@@ -201,11 +201,11 @@ def _times_in(channel: Channel, column: Column, record: Record) -> tuple[Array, 
         raise channel.fault
     missing = np.isnan(channel.values)
     if missing.all():
-        raise LogError(f"column {channel.name!r} holds no times: {CURE}", file=record.file)
+        raise LogError(f"column {channel.name!r} contains no times: {CURE}", file=record.file)
     if repeats_too_often(channel.values[~missing]):
         raise LogError(f"too many times in column {channel.name!r} repeat: {CURE}", file=record.file)
     if channel.is_timestamp and column.unit:
-        raise LogError(f"column {channel.name!r} holds dates and times of day: leave out {column.unit}", file=record.file)
+        raise LogError(f"column {channel.name!r} contains dates and times of day: leave out {column.unit}", file=record.file)
     unit = column.unit or channel.unit
     findings = [*channel.findings] if unit else [finding("CL433")]
     if missing.any():
@@ -239,7 +239,7 @@ def _timed(record: Record, name: str, times: Array | None, period: float | None,
         raise LogError(f"column {channel.name!r} has {channel.values.size} values for {time.size} times", file=record.file)
     valid = np.isfinite(channel.values)
     if not valid.any():
-        raise LogError(f"column {channel.name!r} holds no numbers", file=record.file)
+        raise LogError(f"column {channel.name!r} contains no numbers", file=record.file)
     valid &= ~np.isnan(time)
     values, time = channel.values[valid], time[valid]
     report, kept = look_at_clock(time, channel.name, record.file, period)

@@ -41,7 +41,7 @@ class Column:
     Attributes
     ----------
     signal : str
-        Of `SIGNALS`, or "time".
+        One of `SIGNALS`, or "time".
     axis : str
         Empty for a signal of all axes.
     column : str
@@ -119,7 +119,7 @@ def read_columns(file: str | Path) -> Columns:
         raise LogError(f"is not valid TOML: {error}", file=path) from error
     for key in content:
         if key not in ("period", "format", "columns"):
-            raise LogError(f"{key}: unknown key; there are period, format, columns", file=path)
+            raise LogError(f"{key}: unknown key; use period, format or columns", file=path)
     table = content.get("columns", {})
     if not isinstance(table, Mapping):
         raise LogError('columns: must be a table, such as [columns] with "position.x" = "enc_x [mm]"', file=path)
@@ -141,24 +141,25 @@ def _of_table(target: str, value: Any, path: Path) -> Column:
         raise LogError(f'columns.{target}: write "NAME [unit]" or {{column = "NAME", unit = "mm", factor = -1.0}}', file=path)
     for key in value:
         if key not in ("column", "unit", "factor"):
-            raise LogError(f"columns.{target}.{key}: unknown key; there are column, unit, factor", file=path)
+            raise LogError(f"columns.{target}.{key}: unknown key; use column, unit or factor", file=path)
     factor = value.get("factor", 1.0)
     if isinstance(factor, bool) or not isinstance(factor, int | float) or not abs(factor) > 0.0 or abs(factor) > 1e12:
-        raise LogError(f"columns.{target}.factor = {factor!r}: must be a number other than 0", file=path)
+        raise LogError(f"columns.{target}.factor = {factor!r}: must be a number other than 0, up to 1e12", file=path)
     return _column(target, value["column"], str(value.get("unit", "")), float(factor), path)
 
 
 def _column(target: str, name: str, unit: str, factor: float, where: str | Path) -> Column:
     match = _TARGET.match(target)
     if match is None or match["signal"] not in (TIME, *SIGNALS):
-        raise LogError(f"{target!r} is no signal: write one of {TIME}, {', '.join(SIGNALS)}, and its axis, such as position.x", file=where)
+        known = ", ".join((TIME, *SIGNALS))
+        raise LogError(f"{target!r} is not a signal: write one of {known}, and its axis, such as position.x", file=where)
     signal, axis = match["signal"], match["axis"] or ""
     if (signal == TIME) != (not axis):
-        raise LogError(f"{target!r}: " + ("time has no axis" if axis else f"write the axis, as in {signal}.x"), file=where)
+        raise LogError(f"{target!r}: " + ("time has no axis: write time=NAME" if axis else f"write the axis, as in {signal}.x"), file=where)
     expected = "s" if signal == TIME else SIGNALS[signal]
     try:
         if unit and not same_dimension(unit, expected or unit):
-            raise LogError(f"{target}: {unit} is no unit of {signal}; write one such as {expected}", file=where)
+            raise LogError(f"{target}: {unit} is not a unit of {signal}; write one such as {expected}", file=where)
     except UnitError as error:
         raise LogError(f"{target}: {error}", file=where) from error
     return Column(signal, axis, name, unit, factor)
@@ -178,7 +179,7 @@ def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
     """Return the candidate columns of each signal and axis, by name: time, reference, position, velocity.
 
     `meant` reads the name, or else the channel's path in the control. A column named ``position.x`` is that signal alone. Timestamps are
-    the time if no other column is. Several candidates are ambiguous.
+    the time if no other column is it. Several candidates are ambiguous.
     """
     candidates: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:
@@ -209,10 +210,10 @@ def _meaning(channel: Channel) -> tuple[str, str] | None:
 def unknown(record: Record) -> str:
     """Return the message that asks for columns."""
     cure = "write for example --column 'position.x=NAME [mm]', or name a file of columns with --columns"
-    return f"the signals of the columns are unknown: {cure}. There are {quoted(record.names)}"
+    return f"no column matches a signal: {cure}. The columns are {quoted(record.names)}"
 
 
-# --- what a name says --------------------------------------------------------------------------------------------------------------
+# --- meaning of a name -------------------------------------------------------------------------------------------------------------
 
 _TIME = {"t", "time", "zeit", "timestamp", "seconds", "datetime"}
 _VELOCITY = {"vel", "velo", "velocity", "speed", "geschwindigkeit"}
@@ -222,13 +223,13 @@ _REFERENCE = {
     *("desired", "target", "cmd", "demand", "commanded", "nominal", "noml"),
 }
 _ASKED = {"set", "command", "des"}
-"""Words of a reference together with a position or velocity; alone they may mean a force or a set of data."""
+"""Words that mean a reference beside a position or velocity; alone they may mean a force or a set of data."""
 _SEEN = {"feedback", "fbk", "actual", "act", "actl", "ist", "istposition", "lageistwert", "measured"}
 _MEASURED = _SEEN | {"fb"}  # a function block too: "MAIN.fbAxis1.NcToPlc.SetPos"
 _PLAIN = {"axis", "axes", "joint", "channel", "ch", "signal", "value", "data", "raw", "machine", "the", "of"}
 """Words that do not change the meaning."""
 _OF_MANY = {"motor", "servo", "drive", "main", "gvl", "nc", "to", "plc"}
-"""Words of units with many signals: ``motor cmd`` may be a torque, ``MAIN.fbAxis1.Cmd`` anything."""
+"""Words of devices and modules with many signals: ``motor cmd`` may be a torque, ``MAIN.fbAxis1.Cmd`` anything."""
 _LETTERS = frozenset(AXIS_LETTERS)
 _KNOWN = _VELOCITY | _PLACE | _REFERENCE | _ASKED | _MEASURED | _PLAIN | _OF_MANY | _LETTERS
 _KNOWN_BEFORE = {"current": {"position", "pos"} | _VELOCITY, "feed": {"reference"}, "st": {"axis"}, "lr": {"act", "set"}}

@@ -43,13 +43,13 @@ def read(file: Path) -> Record:
         try:
             channels, constants, period = _capture(tree)
         except (AttributeError, KeyError, TypeError, ValueError) as error:
-            raise LogError(f"looks like a capture (X, Y), but is not laid out as one: {error}", file=file) from error
+            raise LogError(f"looks like a capture (X and Y), but a part of it is missing or wrong: {error}", file=file) from error
     else:
         columns = list(_leaves(tree, ""))
         channels = [Channel(*_named(name, value)) for name, value in columns if value.size >= SHORTEST]
         constants = {name: float(value[0]) for name, value in columns if value.size == 1}
     if not channels:
-        raise LogError("holds no columns of numbers", file=file)
+        raise LogError("contains no columns of numbers", file=file)
     return Record(file, "matlab", tuple(channels), period, constants)
 
 

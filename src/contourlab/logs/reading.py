@@ -26,7 +26,7 @@ SHOWN = 40
 """Characters of a faulty cell that a message shows."""
 _UNIT = re.compile(r"\s*(?P<name>.*?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]\s*\Z")
 _NO_UNIT = re.compile(r".*,|\d+\s+[A-Za-z]|.*[A-Za-z]\s+\d+\Z|[XYZxyz]\Z")
-"""Text in brackets that is no unit: ``(64 bit)``, ``[u1, 1]``, ``PosFbk (X)``."""
+"""Text in brackets that is not a unit: ``(64 bit)``, ``[u1, 1]``, ``PosFbk (X)``."""
 _EMPTY = frozenset(("", "nan", "-nan", "na", "n/a", "null", "none", "#n/a", "-"))
 _BITS = {"true": 1.0, "false": 0.0}
 
@@ -40,7 +40,7 @@ def head_of(file: Path) -> bytes:
         If it cannot be read, is not a regular file, or is empty.
     """
     if file.exists() and not file.is_file():
-        raise LogError("is not a regular file: write its content to one", file=file)
+        raise LogError("is not a regular file: copy its content to one", file=file)
     with readable(file), file.open("rb") as stream:
         head = stream.read(HEAD)
     if not head.strip():
@@ -132,7 +132,7 @@ def number(text: str, comma: bool = False) -> float:
     if cell in _BITS:
         return _BITS[cell]
     if "_" in cell or (comma and cell.rfind(".") > cell.rfind(",") >= 0):
-        raise ValueError(f"{cell} is no number, or has commas between thousands")
+        raise ValueError(f"{cell} is not a number, or has commas between thousands")
     return float(cell.replace(".", "").replace(",", ".") if comma and "," in cell else cell)
 
 
@@ -142,13 +142,13 @@ def numbers(rows: Sequence[tuple[int, Sequence[str]]], names: Sequence[str], fil
     Raises
     ------
     LogError
-        If the number of cells is wrong, or a cell is no number.
+        If the number of cells is wrong, or a cell is not a number.
     """
     width = len(names)
     values = np.empty((len(rows), width))
     for i, (line, cells) in enumerate(rows):
         if len(cells) != width:
-            raise LogError(f"has {len(cells)} columns instead of {width}", file=file, line=line)
+            raise LogError(f"has {len(cells)} columns, but {width} are expected", file=file, line=line)
         try:
             values[i] = [float(cell.replace("_", "no digit")) for cell in cells]  # fast path for plain numbers
         except ValueError:
@@ -157,11 +157,11 @@ def numbers(rows: Sequence[tuple[int, Sequence[str]]], names: Sequence[str], fil
 
 
 def cell_number(cell: str, name: str, file: Path, line: int, comma: bool) -> float:
-    """Return the number in a cell; raise LogError with column and line if it is none."""
+    """Return the number in a cell; raise LogError with column and line if it is not a number."""
     try:
         return number(cell, comma)
     except ValueError:
-        raise LogError(f"{shown(cell)} in {called(name)} is no number", file=file, line=line) from None
+        raise LogError(f"{shown(cell)} in {called(name)} is not a number", file=file, line=line) from None
 
 
 def called(name: str) -> str:

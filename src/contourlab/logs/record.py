@@ -23,11 +23,11 @@ class Channel:
     Attributes
     ----------
     name : str
-        As the file has it.
+        Name in the file.
     values : ndarray (n,)
         In `unit`; NaN for missing values.
     unit : str
-        As the file states it; empty for none.
+        Unit stated in the file; empty for none.
     time : ndarray (n,) [s] or None
         Time of each value; None if the file has no times.
     is_timestamp : bool
@@ -60,9 +60,9 @@ class Record:
     format : str
         Name of the reader.
     channels : tuple of Channel
-        Those of the same name are numbered, ``x #1``, ``x #2``.
+        Channels with the same name are numbered, ``x #1``, ``x #2``.
     period : float [s] or None
-        Between samples, if the file states it.
+        Sample period, if the file states it.
     constants : mapping of str to float
         Single numbers of the file, such as gains and scales.
     findings : tuple of Finding
@@ -82,7 +82,7 @@ class Record:
     def __post_init__(self) -> None:
         object.__setattr__(self, "channels", _numbered(self.channels))
         if not any(channel.values.size for channel in self.channels):
-            raise LogError("holds no samples", file=self.file)
+            raise LogError("contains no samples", file=self.file)
 
     @property
     def names(self) -> list[str]:
@@ -105,8 +105,9 @@ class Record:
             if len(matches) == 1:
                 return matches[0]
             if matches:
-                raise LogError(f"column {name!r} may be {quoted(c.name for c in matches)}: write more of its name", file=self.file)
-        raise LogError(f"has no column {name!r}; there are {quoted(self.names)}", file=self.file)
+                matched = quoted(c.name for c in matches)
+                raise LogError(f"column {name!r} is ambiguous, it matches {matched}: write the full name", file=self.file)
+        raise LogError(f"has no column {name!r}; the columns are {quoted(self.names)}", file=self.file)
 
 
 def _numbered(channels: tuple[Channel, ...]) -> tuple[Channel, ...]:

@@ -47,7 +47,7 @@ def read(file: Path) -> Record:
     Raises
     ------
     LogError
-        If it is not XML, a value is no number, or there is not exactly one trace.
+        If it is not XML, a value is not a number, or there is not exactly one trace.
     """
     trace = _Trace(file)
     trace.parse()
@@ -56,7 +56,7 @@ def read(file: Path) -> Record:
     described = list(zip(keys, signals, _names(signals), strict=True))
     channels = tuple(_channel(key, signal, name, trace) for key, signal, name in described if key in trace.samples)
     if not channels:
-        raise LogError("holds no trace: no rec has values of a dataSignal", file=file)
+        raise LogError("contains no trace: no rec element has values of a dataSignal", file=file)
     silent = [name or key for key, _, name in described if key not in trace.samples]
     return Record(file, "sinumerik", channels, findings=_findings(trace, silent))
 
@@ -96,7 +96,7 @@ class _Trace:
             with readable(self.file), self.file.open("rb") as stream:
                 parser.ParseFile(stream)
         except expat.ExpatError as error:
-            raise LogError(f"is no complete XML: {expat.ErrorString(error.code)}", file=self.file, line=error.lineno) from error
+            raise LogError(f"is not valid or complete XML: {expat.ErrorString(error.code)}", file=self.file, line=error.lineno) from error
         except (LookupError, ValueError) as error:
             raise LogError(f"is XML in an unknown encoding: {error}", file=self.file) from error
 
@@ -118,10 +118,10 @@ class _Trace:
             try:
                 values[key] = number(text)
             except ValueError:
-                raise LogError(f"a rec with no number: {key} = {shown(text)}", file=self.file, line=line) from None
+                raise LogError(f"a value of a rec element is not a number: {key} = {shown(text)}", file=self.file, line=line) from None
         time = values.pop("time", np.nan)
         if not np.isfinite(time):
-            raise LogError("a rec without a time", file=self.file, line=line)
+            raise LogError("a rec element has no time", file=self.file, line=line)
         self.last = time
         for key, value in values.items():
             times, written = self.samples.setdefault(key, ([], []))
@@ -138,7 +138,7 @@ def _key(number_from_1: int, signal: Mapping[str, str], trace: _Trace) -> str:
 
 
 def _described(signal: Mapping[str, str], shown: Mapping[str, str]) -> dict[str, str]:
-    """Complete a signal from the display; its description has priority there, where people edit it."""
+    """Complete a signal from the display; the description there has priority, because people edit it there."""
     own = {key: text for key, text in signal.items() if text.strip()}
     named = {"description": shown["description"]} if shown.get("description", "").strip() else {}
     return {**shown, **own, **named}

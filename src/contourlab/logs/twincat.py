@@ -42,7 +42,7 @@ def read(file: Path) -> Record:
     """
     written, findings = lines_of(file)
     if not written:
-        raise LogError("holds no samples", file=file)
+        raise LogError("contains no samples", file=file)
     mark = written[0][1].lstrip('"').removeprefix(NAME).lstrip('"')[:1] or "\t"
     rows = [cells_of(line, mark) for _, line in written]
     heads = {row[0]: row for row in rows[4:40] if row[0] in (NAME, PERIOD, UNIT, SYMBOL, "ScaleFactor")}
@@ -54,7 +54,7 @@ def read(file: Path) -> Record:
     start = max(i for i, row in enumerate(rows[:60]) if row[0] in (*heads, *LAST)) + 1
     body = _until_end([(line, row) for (line, _), row in zip(written[start:], rows[start:], strict=True)])
     if not body:
-        raise LogError("holds no samples", file=file)
+        raise LogError("contains no samples", file=file)
     layout = _layout(heads[NAME], body[0][1], file)
     comma = any("," in cell for cell in heads[PERIOD]) and mark != ","
     values = _values(body, max(max(pair) for pair in layout) + 1, comma, file, {column: heads[NAME][head] for head, column, _ in layout})
@@ -85,7 +85,7 @@ def _layout(names: Sequence[str], row: Sequence[str], file: Path) -> list[tuple[
             columns.append((j, column, time))
             column += 1
     if not columns:
-        raise LogError("names no channel", file=file)
+        raise LogError("names no channel: export it again from TwinCAT Scope", file=file)
     return columns
 
 

@@ -58,7 +58,7 @@ class AxisError:
     Attributes
     ----------
     position, lead_error : ndarray (n,) [m]
-        Error of the tool's position over the axis' position, rising positions, linear between them; empty for none.
+        Error of the tool's position over ascending axis positions, linear in between; empty for none.
     repeatability : float [m], >= 0
         Unidirectional repeatability by ISO 230-2 (4 s): each reversal draws a new offset of the tool, normal with s = a quarter of it.
     origins : mapping of str to Origin
@@ -72,7 +72,7 @@ class AxisError:
 
     def __post_init__(self) -> None:
         if self.position.shape != self.lead_error.shape or np.any(np.diff(self.position) <= 0.0):
-            raise ParameterError("error.position", "a table", "as long as lead_error, and rising", "m")
+            raise ParameterError("error.position", "a table", "as long as lead_error, with increasing positions", "m")
         if not (np.isfinite(self.position).all() and np.isfinite(self.lead_error).all()):
             raise ParameterError("error.lead_error", "a table", "finite", "m")
         if not self.repeatability >= 0.0:
@@ -80,9 +80,9 @@ class AxisError:
 
 
 DIVISIONS = {
-    "drive": "drive and sensors in the axis, all else in the base: commands go down",
-    "observer": "the disturbance observer in the axis with them: commands go down, and the axis takes its own estimate off",
-    "controller": "the whole controller in the axis, contour estimator and coupling in the base: the reference goes down",
+    "drive": "drive and sensors in the axis, everything else in the base, which sends commands",
+    "observer": "drive, sensors and disturbance observer in the axis, which subtracts its own estimate from the commands of the base",
+    "controller": "the whole controller in the axis; contour estimator and coupling in the base, which sends the reference",
 }
 """Local parts, from the fewest to all, in words."""
 
@@ -104,8 +104,8 @@ class Division:
     down : Component
         Link from the base to the axis.
     up : Component or None
-        Link from the axis to the base. None if nothing comes back: the base sees no position, so the controller must be local. If the base
-        has wires of its own to the sensors and messages go one way, it is the ideal link.
+        Link from the axis to the base. None if nothing comes back: the base sees no position, so the controller must be local. Use the
+        ideal link if the base has its own wires to the sensors and messages go one way.
 
     References
     ----------
@@ -120,7 +120,7 @@ class Division:
         if self.division not in DIVISIONS:
             raise ParameterError("link.division", repr(self.division), "one of " + ", ".join(DIVISIONS))
         if self.up is None and self.division != "controller":
-            bound = f'a link, as the base needs measurements in the division "{self.division}"; "ideal" if it has wires of its own'
+            bound = f'a link, because with division = "{self.division}" the base needs measurements; "ideal" if it has its own wires'
             raise ParameterError("link.up", '"none"', bound)
 
     def is_local(self, slot: str) -> bool:

@@ -38,11 +38,11 @@ class BatchResult:
     Attributes
     ----------
     figures : mapping of str to ndarray (n_variant,)
-        ``contour_error_rms``, ``contour_error_mean``, ``contour_error_max`` and ``contour_error_signed_mean`` [m] (the last is that of the
-        magnitude on a path in space), ``contour_error_integral`` [m s], ``contour_error_max_time`` [s], ``tracking_error_rms`` and
-        ``tracking_error_max`` [m]. With `effort`, ``command_energy`` [s], the integral of the squared accepted commands, and
-        ``command_largest``, both relative to each drive's limit (in command units if it has none), and ``limited_share``, the share of time
-        at which a drive did not accept the whole command. NaN for a variant that failed.
+        ``contour_error_rms``, ``contour_error_mean``, ``contour_error_max`` and ``contour_error_signed_mean`` [m] (in space the last is the
+        mean magnitude), ``contour_error_integral`` [m s], ``contour_error_max_time`` [s], ``tracking_error_rms`` and ``tracking_error_max``
+        [m]. With `effort`, ``command_energy`` [s], the integral of the squared accepted commands, and ``command_largest``, both relative to
+        each drive's limit (in command units if it has none), and ``limited_share``, the share of time at which a drive did not accept the
+        whole command. NaN for a variant that failed.
     failed_at : ndarray (n_variant,) of int
         Sample at which the variant left its following-error limit, or produced a non-finite command; -1 for neither.
     unsure : ndarray (n_variant,)
@@ -98,7 +98,7 @@ def simulate_batch(
     effort : bool
         Whether to sum up the commands to the drives.
     view : PathView, optional
-        How estimator and judge see the path.
+        View of the path for estimator and judge.
     seed : int
         Of all noise.
     jit : bool, optional
@@ -110,7 +110,7 @@ def simulate_batch(
     learned : Learned, optional
         What earlier trials have learned, the same for all variants.
     moving : bool
-        Whether the axes have the velocity of the reference at the first sample, in place of rest.
+        Whether the axes start with the velocity of the reference instead of at rest.
 
     Returns
     -------
@@ -154,7 +154,7 @@ def simulate_batch(
 def _advance_all(
     groups: list[Group], feed: Feed, rows: list[int], log: Array, threads: int, progress: Callable[[int], None] | None
 ) -> Index:
-    """Run every group through the reference, a long block at a time; return the sample at which each lane failed, or -1."""
+    """Run every group through the reference, block by block; return the sample at which each lane failed, or -1."""
     broken = np.full((len(groups), LANES), -1.0)
 
     def advance(g: int, external: Array, k: int) -> None:
@@ -193,14 +193,14 @@ def _checked(machine: Machine, controller: Controller, variants: Mapping[str, Ar
             raise ParameterError("variants", f"{name} = {values!r:.60}", "numbers, one for each variant") from error
     lengths = {len(values) for values in columns.values()}
     if len(lengths) != 1 or 0 in lengths:
-        raise ParameterError("variants", f"arrays of lengths {sorted(lengths)}", "given, and all of one length of 1 or more")
+        raise ParameterError("variants", f"arrays of lengths {sorted(lengths)}", "given, all of the same length, 1 or more")
     _check_together(known, columns)
     _check_substeps(machine, columns)
     return columns, lengths.pop()
 
 
 def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping[str, Array]) -> None:
-    """Refuse variants with parameters that the component itself refuses together."""
+    """Raise if a component refuses its combination of parameters in a variant."""
     heads = {name.rpartition(".")[0] for name in columns}
     for head in sorted(heads):
         of_part = {name: values for name, values in columns.items() if name.rpartition(".")[0] == head}
@@ -217,7 +217,7 @@ def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping
 
 
 def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
-    """Refuse a variant of a plant that needs more sub-steps, as a machine does."""
+    """Raise if a variant of a plant needs more sub-steps than its axis has."""
     for axis in machine.axes:
         head = f"axes.{axis.name}.plant."
         changed = {name.removeprefix(head): values for name, values in columns.items() if name.startswith(head)}

@@ -1,4 +1,4 @@
-"""Collects the nodes of a servo loop, and names the signals that its parts share."""
+"""Collect the nodes of a servo loop, and name the signals that its parts share."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from contourlab.loop.tool import stream_of
 
 Overrides = Mapping[str, Array]
 Signals = Mapping[str, tuple[str, ...]]
-"""Where the signals of a result are: name -> one for each axis, or one for the machine."""
+"""Signals of a result by name: one for each axis, or one for the machine."""
 
 
 @dataclass(eq=False)
@@ -45,20 +45,20 @@ class Builder:
         self._check()
         self.speed = np.zeros(len(self.names)) if self.velocity is None else self.velocity
         self.nodes: list[Node] = []
-        # Where commands come down a link: the signal of what has arrived.
+        # For commands through a link: the signal that has arrived.
         self.arrived: dict[str, str] = {}
 
     def _check(self) -> None:
         given, coupling = self.controller.axes, self.controller.coupling
         missing = [name for name in self.names if name not in given]
         if missing:
-            raise ParameterError("controller.axes", ", ".join(given) or "none", f"given for axis {missing[0]} too")
+            raise ParameterError("controller.axes", ", ".join(given) or "none", f"given for each axis; axis {missing[0]} is missing")
         if self.path.n_axis != len(self.names):
             bound = f"one for each axis of {self.machine.name}: {', '.join(self.names)}"
             raise ParameterError("path", f"{self.path.n_axis} coordinates", bound)
         units = [axis.plant.command_unit for axis in self.machine.axes]
         if len(set(units)) > 1 and coupling is not None and coupling.gives("correction"):
-            bound = f"one that acts on the reference, as the axes take commands in {', '.join(units)}"
+            bound = f"one that acts on the reference, because the axes take commands in {', '.join(units)}"
             raise ParameterError("controller.coupling", f'"{coupling.kind}"', bound)
 
     def changed(self, prefix: str) -> dict[str, Array]:
@@ -82,7 +82,7 @@ class Builder:
         lengths = [part.ring_length(self.period)]
         for name, values in changed.items() if part.ring else ():
             lengths += [part.replace(**{name: float(extreme)}).ring_length(self.period) for extreme in (values.min(), values.max())]
-        if part.ring and len(changed) > 1:  # two that make it longer may come together
+        if part.ring and len(changed) > 1:  # two parameters may lengthen it together
             lengths.append(part.replace(**{name: float(values.max()) for name, values in changed.items()}).ring_length(self.period))
         return max(lengths)
 
@@ -101,7 +101,7 @@ class Builder:
         return part.replace(stream=stream_of(self.seed, axis, slot, *((self.trial,) if self.trial else ())))
 
     def coupled(self, output: str) -> bool:
-        """Return whether the coupling gives this."""
+        """Return whether the coupling has this output."""
         return self.controller.coupling is not None and self.controller.coupling.gives(output)
 
     def command(self, axis: str) -> str:

@@ -30,7 +30,7 @@ class Learned:
     Raises
     ------
     ParameterError
-        If an array is no matrix, or holds a number that is not finite.
+        If an array is not a matrix, or holds a non-finite number.
     """
 
     command: Array | None = None
@@ -43,7 +43,7 @@ class Learned:
                 raise ParameterError(f"learned.{name}", f"an array of shape {values.shape}", "finite, (n_sample, n_axis)")
 
     def check(self, n_sample: int, n_axis: int) -> None:
-        """Raise ParameterError unless the arrays belong to a motion of so many samples and axes."""
+        """Raise ParameterError unless the arrays fit a motion with this number of samples and axes."""
         for name in ("command", "reference"):
             values = getattr(self, name)
             if values is not None and values.shape != (n_sample, n_axis):
@@ -104,7 +104,7 @@ class Feed:
         return table
 
     def _coming(self, start: int, stop: int) -> Array:
-        """Return the reference positions of later ticks; after the end the last one holds."""
+        """Return the reference positions of later ticks; the last position holds beyond the end."""
         last = self.reference.n_sample
         far = min(stop + max(self._ahead), last)
         position = self.reference.block(start, far, self._fill).position

@@ -1,4 +1,4 @@
-"""Nodes that judge and watch a run without acting on it, the figures they leave, and the judge of a finished trial."""
+"""Nodes that judge and watch a run without acting on it, their figures, and the judge of a finished trial."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from contourlab.geometry.view import PathView
 from contourlab.loop.builder import accepted_output
 from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.streaming import EFFORT_SUMS, SUMS, corner_parts, effort_step, judge_step
+from contourlab.native.generated import generated
 from contourlab.primitives import fabs, select
 from contourlab.result import Status
 
@@ -61,7 +62,7 @@ def effort_node(machine: Machine, commands: Sequence[str], columns: Mapping[str,
 
 
 def _rate(axis: Axis, columns: Mapping[str, Array]) -> float | Array:
-    """Return one over the limit of a drive, an array where it differs between variants; 1 where it has none."""
+    """Return one over the limit of a drive, an array if it differs between variants; 1 without a limit."""
     limit = columns.get(f"axes.{axis.name}.drive.limit", getattr(axis.drive, "limit", math.inf))
     if isinstance(limit, np.ndarray):
         return np.where(np.isfinite(limit), 1.0 / limit, 1.0)
@@ -118,16 +119,16 @@ def _watch_step(n_axis: int) -> Step:
     body = "".join(_AXIS.format(i=i) for i in range(n_axis))
     source = f"def step(par, x, inp, clock):\n    x_first, x_axis, x_gap = x{body}    return (x_first, x_axis, x_gap), ()\n"
     scope: dict[str, Any] = {"__name__": __name__, "fabs": fabs, "select": select}
-    exec(source, scope)
+    step = generated(source, scope, "step")
     inputs = tuple(Port(name, n_axis) for name in ("reference", "position", "command"))
-    return Step(WATCH, scope["step"], tuple(f"limit_{i}" for i in range(n_axis)), (), "", _STATES, inputs, ())
+    return Step(WATCH, step, tuple(f"limit_{i}" for i in range(n_axis)), (), "", _STATES, inputs, ())
 
 
 def watch_node(machine: Machine, commands: tuple[str, ...]) -> Node:
     """Return the node that watches a machine and its commands, placed after the drives.
 
-    It notes when an axis first leaves its following-error limit, or a command stops being finite: the sample is exact in every lane, and no
-    signal has to be kept for it.
+    It records the first sample at which an axis leaves its following-error limit or a command is not finite: exactly in every lane, and
+    without keeping a signal.
     """
     wires: dict[str, Any] = {
         "reference": "in.reference",
@@ -144,16 +145,16 @@ def watched(group: Group, machine: Machine, lane: int = 0) -> Status:
     if first < 0.0:
         return Status(ok=True)
     limit = machine.axes[int(axis)].limits.following_error
-    reason = "the loop gave a number that is not finite"
+    reason = "the loop produced a value that is not finite"
     if limit < gap < float("inf"):
-        reason = f"following error {gap * 1e3:.4g} mm passes the limit of {limit * 1e3:.4g} mm"
+        reason = f"following error {gap * 1e3:.4g} mm exceeds the limit of {limit * 1e3:.4g} mm"
     return Status(ok=False, sample=int(first), axis=machine.axis_names[int(axis)], reason=reason)
 
 
 STRETCHES = 8
-"""A fixed number, so that the foot points do not depend on the number of processors."""
+"""Most stretches of a trial: fixed, so that the foot points do not depend on the number of processors."""
 FEWEST = 1000
-"""Samples of a stretch: a new start costs more than the samples of a shorter one."""
+"""Fewest samples of a stretch: a new start costs more than it saves on a shorter one."""
 
 
 class TrialJudge:
@@ -164,7 +165,7 @@ class TrialJudge:
     machine, reference
         What runs.
     view : PathView
-        How the judge sees the path.
+        View of the path for the judge.
     position : ndarray (n_sample, n_axis) [m]
         Of the reference.
     arc_length : ndarray (n_sample,) [m]
@@ -227,7 +228,7 @@ class TrialJudge:
         -------
         contour_error : ndarray (n_sample,) [m]
         doubtful : ndarray of int
-            Samples at which it may not be exact.
+            Samples at which the contour error may not be exact.
         vector : ndarray (n_sample, n_axis) [m] or None
             From the measured position to the path.
         """

@@ -127,12 +127,12 @@ class _LinkInsertion:
         return self.known[key]
 
     def link(self, axis: str, direction: str, wire: Any, signal: str, n: int) -> Any:
-        """Add a node of a link and return the wire behind it."""
+        """Add a node of a link and return the wire after it."""
         builder = self.builder
         division = builder.controller.axes[axis].link
         part = getattr(division, direction)
         if part is None:
-            wanted = f"a link, as the base asks for {signal} of the axis"
+            wanted = f"a link, because the base needs {signal} of the axis"
             raise ParameterError(f"controller.axes.{axis}.link.up", '"none"', wanted)
         if isinstance(part, IdealLink):
             return wire

@@ -26,14 +26,14 @@ class Axis:
     """One axis: plant, friction, drive and sensors.
 
     `stage_mass` [kg] is the mass of the whole module, moved mass included, as carried by the axis `mounted_on`. `alignment` is the cosine
-    of the angle between the two directions of motion, 0 for crossed axes. Otherwise each axis feels the other's acceleration, one tick
-    late: the moved mass of the upper one times that acceleration and the cosine. Positions stay those along each axis' own guide.
+    of the angle between the two directions of motion, 0 for crossed axes. If it is not 0, each axis feels the other's acceleration, one
+    tick late: the moved mass of the upper axis times that acceleration and the cosine. Positions stay along each axis' own guide.
 
-    `sensor` measures the load, as a linear scale does. If the motor can differ in position, `motor_sensor` is the motor's encoder,
-    counted at the load, and `motor_friction` rubs on the motor's side.
+    `sensor` measures the load, as a linear scale does. If the motor can differ in position, `motor_sensor` is the motor's encoder, in load
+    units, and `motor_friction` acts on the motor side.
 
-    `origins` has the source of `stage_mass`; components, limits and error have their own. `correlations` are those of numbers that were
-    fitted together: names such as ``plant.mass`` and ``friction.coulomb``, and the coefficient.
+    `origins` has the source of `stage_mass`; components, limits and error have their own. `correlations` holds pairs of values fitted
+    together: their names, such as ``plant.mass`` and ``friction.coulomb``, and the coefficient.
     """
 
     name: str
@@ -66,9 +66,9 @@ class Machine:
     squareness : mapping of (str, str) to float [rad]
         Deviation from 90 degrees of two axes: the tool moves along the first one by `squareness` times the second one's position.
     origins : mapping of str to Origin
-        Where `servo_period` and the angles (``squareness.x-y``) are from.
+        Sources of `servo_period` and the angles (``squareness.x-y``).
     correlations : tuple of (str, str, float)
-        Of numbers of two axes that were fitted together, such as ``x.plant.damping``; those within an axis are the axis' own.
+        Of values fitted together on two axes, such as ``x.plant.damping``; those within one axis are in `Axis`.
     """
 
     name: str
@@ -83,10 +83,10 @@ class Machine:
             raise ParameterError("servo_period", f"{self.servo_period:g}", "> 0", "s")
         names = self.axis_names
         if not names or len(set(names)) != len(names):
-            raise ParameterError("axes", ", ".join(names) or "none", "at least one axis, each with a name of its own")
+            raise ParameterError("axes", ", ".join(names) or "none", "at least one axis, all with different names")
         for axis in self.axes:
             if axis.mounted_on and (axis.mounted_on not in names or axis.name in self.carriers(axis.name)):
-                raise ParameterError(f"axes.{axis.name}.mounted_on", axis.mounted_on, "another axis of the machine, and not in a circle")
+                raise ParameterError(f"axes.{axis.name}.mounted_on", axis.mounted_on, "another axis of the machine, without a cycle")
             self._check_masses(axis)
             self._check_motor_side(axis)
             self._check_step(axis)
@@ -104,12 +104,12 @@ class Machine:
         """
         free = [axis for axis in self.axes if not np.isfinite(axis.limits.velocity)]
         if free:
-            raise FeedError(f"{self._place(free[0])} has no velocity limit to plan with: give it limits.velocity")
+            raise FeedError(f"{self._place(free[0])} has no velocity limit: set limits.velocity")
         per_axis = [axis.limits for axis in self.axes]
         limits = AxisLimits([x.velocity for x in per_axis], [x.acceleration for x in per_axis], [x.jerk for x in per_axis])
         if limits.unbounded.any():
             steep = self.axes[int(np.argmax(limits.unbounded))]
-            raise FeedError(f"{self._place(steep)} has no limit for its ramps: give it limits.acceleration, limits.jerk, or both")
+            raise FeedError(f"{self._place(steep)} has no acceleration or jerk limit: set limits.acceleration, limits.jerk, or both")
         return limits
 
     def _place(self, axis: Axis) -> str:
@@ -117,19 +117,19 @@ class Machine:
         return f"{axis.limits.file}: axis {axis.name} of {self.name}".removeprefix(": ")
 
     def _check_masses(self, axis: Axis) -> None:
-        """Refuse to load a plant that is known by its response only: its moved mass is unknown."""
+        """Raise if a loaded plant is known by its response only: its moved mass is unknown."""
         carried = self.carried_mass(axis.name)
         if carried and not axis.plant.knows_mass:
-            bound = f"a plant that knows its mass, as it carries {carried:g} kg; or leave stage_mass out"
+            bound = f"a plant with a mass, because the axis carries {carried:g} kg; or delete stage_mass"
             raise ParameterError(f"axes.{axis.name}.plant", f'"{axis.plant.kind}"', bound)
         below = self.axis(axis.mounted_on).plant if axis.mounted_on and axis.alignment else axis.plant
         for plant in (axis.plant, below):
             if axis.alignment and not (plant.knows_mass and plant.force_unit == "N"):
-                bound = f'0 on a "{plant.kind}" plant, which does not know what mass it moves'
+                bound = f'0 with a "{plant.kind}" plant, which has no mass'
                 raise ParameterError(f"axes.{axis.name}.alignment", f"{axis.alignment:g}", bound)
 
     def _check_step(self, axis: Axis) -> None:
-        """The Runge-Kutta step follows a decay by friction of at most 2.78 in a step; what is fast in a plant it knows itself."""
+        """Raise if the axis needs more sub-steps: the Runge-Kutta step is stable up to a decay by friction of 2.78 per step."""
         plant = self.loaded_plant(axis.name)
         wanted, why = plant.fewest_substeps(self.servo_period)
         if axis.substeps < wanted:
@@ -138,15 +138,16 @@ class Machine:
             steepest = getattr(type(friction), "steepest", None)
             decay = mobility * steepest(friction.constants()) * self.servo_period if steepest is not None else 0.0
             if decay / axis.substeps > 2.78:
-                bound = f"at least {math.ceil(decay / 2.5)} for a {friction.kind} friction this steep; or soften it, or let it stick"
+                fewest = math.ceil(decay / 2.5)
+                bound = f"at least {fewest} for so steep a {friction.kind} friction; or make it less steep, or use one that sticks"
                 raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)
 
     def _check_motor_side(self, axis: Axis) -> None:
-        """A plant without a motor of its own has no motor's side."""
+        """Raise if a plant without a separate motor has parts on the motor side."""
         for slot in ("motor_friction", "motor_sensor"):
             part = getattr(axis, slot)
             if not axis.plant.two_sided and not isinstance(part, NoFriction | IdealSensor):
-                bound = f"left out: a {axis.plant.kind} is motor and load in one"
+                bound = f"left out: a {axis.plant.kind} has no separate motor side"
                 raise ParameterError(f"axes.{axis.name}.{slot}", f'"{part.kind}"', bound)
 
     @property
@@ -184,23 +185,23 @@ class Machine:
 
 
 AXIS_SLOTS = ("plant", "friction", "motor_friction", "drive", "sensor", "motor_sensor", "disturbance")
-"""What an axis is made of."""
+"""Component slots of an axis."""
 
 CONTROLLER_SLOTS = ("predictor", "velocity", "observer", "gap_observer", "feedforward", "compensation", "supervisor", "controller")
-"""What the controller of an axis is made of, in the order of a tick."""
+"""Component slots of an axis' controller, in the order of a tick."""
 
 SIDES = ("load", "motor")
 
 
 @dataclass(frozen=True)
 class AxisController:
-    """What one axis' controller is made of; `local` names the parameters that move with the axis when it is swapped.
+    """Components of an axis' controller; `local` names the parameters that move with the axis when it is swapped.
 
-    `feedback` and `velocity_feedback` say which side of a drive with backlash the controller's position and velocity are measured on. Under
-    a `supervisor` the `controller` is one of several: it is number 0, those of `others`, each with its name, are 1, 2 ...
+    `feedback` and `velocity_feedback` select the side of a drive with backlash on which position and velocity are measured. Under a
+    `supervisor` the `controller` is number 0; those of `others`, each with its name, are 1, 2 ...
 
-    Under a `link` part of it stands in the axis and the rest in the base; what is in the base is the same for all axes that may come, so
-    that `local` names parameters of the axis' part alone.
+    With a `link` a part of it is in the axis and the rest in the base. The base is the same for all axes, so `local` may only name
+    parameters of the part in the axis.
     """
 
     controller: Component = field(default_factory=PositionController)
@@ -228,29 +229,30 @@ class AxisController:
                 raise ParameterError(name, repr(getattr(self, name)), "one of " + ", ".join(SIDES))
         if bool(self.others) != (self.supervisor is not None):
             shown = '"none"' if self.supervisor is None else f'"{self.supervisor.kind}"'
-            raise ParameterError("supervisor", shown, "given where there are several controllers, and only there")
+            raise ParameterError("supervisor", shown, "given if the axis has several controllers, and only then")
         chosen_from = getattr(self.supervisor, "n_controller", 1)
         if chosen_from != 1 + len(self.others):
-            raise ParameterError("others", f"{len(self.others)} of them", f"{chosen_from - 1}: the supervisor chooses from {chosen_from}")
+            bound = f"{chosen_from - 1}: the supervisor chooses from {chosen_from}"
+            raise ParameterError("others", f"{len(self.others)} controllers", bound)
         uses = self.controller.takes("velocity") or self.observer is not None
         if self.predictor is not None and uses and isinstance(self.velocity, TrueVelocity):
-            wanted = 'made from the predicted position, as by "filtered-difference"'
+            wanted = 'computed from the predicted position, for example by "filtered-difference"'
             raise ParameterError("velocity", '"true"', wanted)
         if self.link is not None:
             self._check_link(self.link)
 
     def _check_link(self, link: Division) -> None:
         if self.predictor is not None and link.division == "observer":
-            wanted = '"drive" or "controller": the observer asks for the velocity behind the predictor, which is with the controller'
+            wanted = '"drive" or "controller": the observer needs the velocity after the predictor, which is in the base'
             raise ParameterError("link.division", '"observer"', wanted)
         for name in self.local:
             if not link.is_local(name.partition(".")[0]):
-                wanted = f'a parameter of a part in the axis, as the division "{link.division}" leaves this one in the base'
+                wanted = f'a parameter of a part in the axis; division = "{link.division}" leaves this one in the base'
                 raise ParameterError("local", repr(name), wanted)
 
     @property
     def local_parameters(self) -> tuple[str, ...]:
-        """Names of the parameters that may move with the axis: those of `local`, else all of the parts in the axis."""
+        """Names of the parameters that may move with the axis: `local`, or else all parameters of the parts in the axis."""
         if self.local or self.link is None:
             return self.local
         parts = {slot: getattr(self, slot) for slot in CONTROLLER_SLOTS} | {f"others.{label}": part for label, part in self.others}
@@ -260,7 +262,7 @@ class AxisController:
 
 @dataclass(frozen=True)
 class Controller:
-    """One controller for each axis, and what couples them.
+    """One controller for each axis, and their coupling.
 
     Parameters
     ----------
@@ -268,7 +270,7 @@ class Controller:
     estimator : Component or None
         Contour-error estimator.
     coupling : Component or None
-        What is done with the estimate; wants an estimator.
+        Feedback of the estimate; requires an estimator.
     """
 
     axes: Mapping[str, AxisController]
@@ -277,15 +279,15 @@ class Controller:
 
     def __post_init__(self) -> None:
         if self.coupling is not None and self.estimator is None:
-            raise ParameterError("controller.coupling", self.coupling.kind, "given with an estimator, whose foot point it uses")
+            raise ParameterError("controller.coupling", self.coupling.kind, "given with an estimator, because it uses the foot point")
         blind = [name for name, axis in self.axes.items() if axis.link is not None and axis.link.up is None]
         if self.estimator is not None and blind:
-            wanted = f"left out, as axis {blind[0]} sends the base no position: its link goes one way"
+            wanted = f"left out, because axis {blind[0]} sends no position to the base: its link goes one way"
             raise ParameterError("controller.estimator", f'"{self.estimator.kind}"', wanted)
 
 
 def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
-    """Return every number that a batch can vary: dotted name -> (component, parameter name).
+    """Return every parameter that a batch can vary: dotted name -> (component, parameter name).
 
     Names read ``axes.x.plant.gain``, ``controller.axes.x.observer.bandwidth``, ``controller.coupling.weight``.
     """

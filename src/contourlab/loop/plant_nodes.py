@@ -16,10 +16,11 @@ from contourlab.engine.schedule import Late, Node
 from contourlab.engine.step import Port, Step
 from contourlab.loop.builder import Builder
 from contourlab.loop.machine import Axis
+from contourlab.native.generated import generated
 
 
 def add_plants(builder: Builder) -> None:
-    """Add what acts on the axes, and their plants with the frictions linked to them."""
+    """Add the loads on the axes, and their plants with linked frictions."""
     for axis, at, speed in zip(builder.machine.axes, builder.start, builder.speed, strict=True):
         name, prefix = axis.name, f"axes.{axis.name}"
         load: Any = 0.0
@@ -27,7 +28,7 @@ def add_plants(builder: Builder) -> None:
             wires = {"position": Late(f"{name}.plant.position")}
             builder.add(f"{name}.disturbance", builder.noisy(axis.disturbance, name, "disturbance"), f"{prefix}.disturbance", wires)
             load = f"{name}.disturbance.force"
-        # Two modules that move along each other push on each other with the mass that the upper one moves.
+        # Two modules that move along each other exchange the inertia force of the mass that the upper one moves.
         partners = {a.name: a.alignment * _moved_mass(builder, a) for a in builder.machine.axes if a.mounted_on == name and a.alignment}
         if axis.mounted_on and axis.alignment:
             partners[axis.mounted_on] = axis.alignment * _moved_mass(builder, axis)
@@ -46,7 +47,7 @@ def add_plants(builder: Builder) -> None:
 
 
 def _resting(plant: Plant, at: float, changed: Mapping[str, Array]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return states and outputs of a plant at rest, for each variant where they depend on what differs between variants."""
+    """Return states and outputs of a plant at rest, for each variant if they depend on a varied parameter."""
     which = [name for name in changed if name in plant.rest_depends]
     if not which:
         return plant.at_rest(at)
@@ -57,12 +58,12 @@ def _resting(plant: Plant, at: float, changed: Mapping[str, Array]) -> tuple[dic
 
 
 def _side_by_side(values: list[Any]) -> Any:
-    """Return a number of each variant as an array; a vector as a tuple of such."""
+    """Return the values of all variants as an array; for a vector, a tuple of arrays."""
     return tuple(np.array(column) for column in zip(*values, strict=True)) if isinstance(values[0], tuple) else np.array(values)
 
 
 def _speeds(ports: tuple[Port, ...], speed: float) -> dict[str, Any]:
-    """Return the velocities among some ports, all masses of an axis moving together."""
+    """Return the values of the velocity ports, with all masses of the axis at one speed."""
     moving = [port for port in ports if port.name in ("velocity", "motor_velocity", "inner_velocities")]
     return {port.name: (speed,) * port.size if port.size else speed for port in moving}
 
@@ -77,12 +78,12 @@ def _carrying(builder: Builder, axis: Axis) -> dict[str, Any]:
 
 
 def _moved_mass(builder: Builder, axis: Axis) -> Any:
-    """Return the mass [kg] that an axis moves in a straight line: a number, or one for each variant."""
+    """Return the mass [kg] in linear motion of an axis: a number, or an array (n_variant,)."""
     return type(axis.plant).moved_mass(SimpleNamespace(**_carrying(builder, axis)))
 
 
 def _reaction(builder: Builder, name: str, load: Any, partners: Mapping[str, Any]) -> str:
-    """Add the node that sums what acts on an axis: its disturbance, and the inertia of those that move along it."""
+    """Add the node that sums the loads on an axis: its disturbance, and the inertia of axes that move along it."""
     step = _reaction_step(tuple(partners))
     forces: dict[str, Any] = {f"acceleration_{other}": Late(f"{other}.plant.acceleration") for other in partners}
     builder.nodes.append(Node(f"{name}.load", step, {"load": load, **forces}, {f"mass_{other}": mass for other, mass in partners.items()}))
@@ -94,5 +95,5 @@ def _reaction_step(partners: tuple[str, ...]) -> Step:
     ports = (Port("load"), *(Port(f"acceleration_{name}") for name in partners))
     terms = "".join(f" - par.mass_{name} * inp.acceleration_{name}" for name in partners)
     scope: dict[str, Any] = {"__name__": __name__}
-    exec(f"def step(par, x, inp, clock):\n    return (), (inp.load{terms},)\n", scope)
-    return Step("load", scope["step"], tuple(f"mass_{name}" for name in partners), (), "", (), ports, (Port("force"),))
+    step = generated(f"def step(par, x, inp, clock):\n    return (), (inp.load{terms},)\n", scope, "step")
+    return Step("load", step, tuple(f"mass_{name}" for name in partners), (), "", (), ports, (Port("force"),))

@@ -1,8 +1,8 @@
 """Replace the controller while the machine runs.
 
-All components are compiled before the run. At the sample of the change the schedule is laid out anew. Every node that both loops have (the
-plants above all, with the delays of the drives) keeps its state; a node that only the new loop has starts at rest. A controller takes over
-the states of the one before it, its integral as the same command. The rest of the difference in the commands is handed over, see
+All components are compiled before the run. At the sample of the change a new schedule is built. Every node that both loops have keeps its
+state (plants, and drives with their delays); a node that only the new loop has starts at rest. A new controller takes over the states of
+the old one, with the integral scaled to the same command. The remaining jump of the command is handed over, see
 `contourlab.loop.supervision`.
 """
 
@@ -33,13 +33,13 @@ class Change:
     Attributes
     ----------
     time : float [s], > 0
-        When; it is done at the next sample.
+        Time of the change; it takes effect at the next sample.
     controller : Controller
         For all axes.
     handover_time : float [s], >= 0
-        Time constant with which the jump of each command decays; 0 lets it jump. An axis with a supervisor has its own.
+        Time constant with which the jump of each command decays; 0 lets it jump. The supervisor of an axis has its own.
     file : str
-        Where it was read from.
+        File of the controller.
     """
 
     time: float
@@ -70,7 +70,7 @@ class Prepared:
 def prepared(
     changes: Sequence[Change], machine: Machine, controller: Controller, reference: Reference, given: Mapping[str, Any], compiled: bool
 ) -> list[Prepared]:
-    """Return the changes in their order, compiled; those beyond the end of the reference are left out.
+    """Return the changes in order of time, compiled, without those beyond the end of the reference.
 
     Parameters
     ----------
@@ -83,17 +83,18 @@ def prepared(
     Raises
     ------
     ParameterError
-        If two come at the same sample, or a controller looks ahead or has links and the first one does not.
+        If two changes are at the same sample, or the links of a controller differ from those of the first one.
     """
     in_order: list[Prepared] = []
     for change in sorted(changes, key=lambda one: one.time):
         sample = change.sample(machine.servo_period)
         if in_order and in_order[-1].sample == sample:
-            raise ParameterError("changes", f"two at {change.time:g} s", "one for each sample")
+            raise ParameterError("changes", f"two at {change.time:g} s", "at most one in each sample")
         for name in machine.axis_names:
-            # What is on its way in a link could not be taken over.
+            # Messages on their way in a link could not be taken over.
             if name in change.controller.axes and change.controller.axes[name].link != controller.axes[name].link:
-                raise ParameterError("changes", f"another link of axis {name} at {change.time:g} s", "with the link of the first one")
+                bound = "with the link of the first controller"
+                raise ParameterError("changes", f"a new link of axis {name} at {change.time:g} s", bound)
         if sample < reference.n_sample:
             first = reference.block(0, 1).position[0]
             loop = build(machine, change.controller, reference.path, first, handover_time=change.handover_time, **given)
@@ -133,7 +134,7 @@ def _same(before: Node, node: Node) -> bool:
 
 
 def _accepted(running: Group, node: str) -> float:
-    """Return the command that the drive of a node's axis took last."""
+    """Return the last command that the drive of a node's axis accepted."""
     drive = f"{node.partition('.')[0]}.drive"
     known = running.schedule.row_of
     return float(running.signals[known.get(f"{drive}.accepted", known[f"{drive}.applied"]), 0])
@@ -153,7 +154,7 @@ def _carry(before: Node, old: Array, node: Node, new: Array, accepted: float) ->
 
 
 def _worth(node: Node) -> float:
-    """Return the command that a unit of a controller's integral gives."""
+    """Return the command per unit of a controller's integral."""
     step = node.step
     if step.tables or step.ring or any(port.size for port in (*step.states, *step.inputs)):
         return 0.0
@@ -167,4 +168,4 @@ def _worth(node: Node) -> float:
 
 
 NUDGE = 1e-9
-"""Of an integral, small enough for no limit to be met."""
+"""Perturbation of an integral: small enough not to reach a limit."""

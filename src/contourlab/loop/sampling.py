@@ -1,4 +1,4 @@
-"""The samples of a reference for the compiled engine: the same numbers as `Reference.block` but for rounding, several times faster."""
+"""Sample a reference for the compiled engine: equal to `Reference.block` up to rounding, and several times faster."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def sample_compiled(reference: Reference, start: int, stop: int, rows: Array) ->
     spans = _spans(reference.profile, reference.servo_period, start, stop)
     along_spans(spans, reference.servo_period, start, progress, speed, acceleration)
     curve, offset = _in_reach(path, progress)
-    # A joint belongs to the curve that begins there; before the first and after the last one the end curves go on.
+    # A junction belongs to the curve that begins there; the end curves are extended beyond the first and last one.
     border = np.concatenate([[0], np.searchsorted(progress, offset[1:], side="left"), [n]])
     used = np.flatnonzero(np.diff(border) > 0)
     table, plain = path.coefficients(curve[used])
@@ -28,7 +28,7 @@ def sample_compiled(reference: Reference, start: int, stop: int, rows: Array) ->
     assert records.shape[1] == len(CURVE_FIELDS) + 4 * path.n_axis
     along_curves(records[plain], progress, speed, acceleration, rows[:-2])
     if not plain.all():
-        # The samples on all other curves at once: a blended path has thousands of them.
+        # Sample all other curves at once: a blended path has thousands.
         others = np.zeros(n + 1, dtype=np.int64)
         np.add.at(others, border[used[~plain]], 1)
         np.add.at(others, border[used[~plain] + 1], -1)
@@ -39,7 +39,7 @@ def sample_compiled(reference: Reference, start: int, stop: int, rows: Array) ->
 
 
 def _in_reach(path: Path, progress: Array) -> tuple[Index, Array]:
-    """Return the curves that samples of rising progress may lie on, one more at each side, and the progress at which each begins."""
+    """Return the curves under samples of ascending progress, one more at each end, and the progress at which each begins."""
     m, ends = len(path.curves), progress[[0, -1]]
     lap = np.floor(ends / path.length).astype(np.int64) if path.closed else np.zeros(2, dtype=np.int64)
     first, last = lap * m + path.curve_index(ends) + (-1, 1)
@@ -49,7 +49,7 @@ def _in_reach(path: Path, progress: Array) -> tuple[Index, Array]:
 
 
 def _spans(profile: Profile, period: float, start: int, stop: int) -> Array:
-    """Return the records of the spans that samples lie in; samples are counted from `start`. The motion rests after its end."""
+    """Return the records of the spans under the samples, which count from `start`. After its end the motion is at rest."""
     low, high = np.searchsorted(profile.t0, [start * period, stop * period], side="right")
     part = slice(max(int(low) - 1, 0), int(high))
     t0 = np.append(profile.t0[part], profile.duration)

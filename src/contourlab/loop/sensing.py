@@ -1,4 +1,4 @@
-"""What the controller of an axis sees: positions and velocities on both sides of its drive, as they are measured."""
+"""Measured positions and velocities on both sides of a drive, as the controller of the axis sees them."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from contourlab.primitives import select
 class Sensing:
     """Sensors, predictor and velocity of one axis: adds the nodes and returns the wires.
 
-    Where the plant is motor and load in one, both sides are the same.
+    For a single-mass plant both sides are the same.
 
     Parameters
     ----------
     builder : Builder
-        What collects the nodes.
+        Collects the nodes.
     axis : Axis
     at : float [m]
         Initial position of the axis.
@@ -36,7 +36,7 @@ class Sensing:
         if self.parts.predictor is not None:
             wires = {"position": self.measured, "applied": builder.accepted(self.name)}
             builder.add(f"{self.name}.predictor", self.parts.predictor, f"{prefix}.predictor", wires, at)
-        # Computed ahead of every part that may need it.
+        # Computed before every part that may need it.
         self.velocity_on(self.parts.velocity_feedback)
 
     def _add_sensors(self) -> None:
@@ -58,7 +58,7 @@ class Sensing:
         return Late(self._signal(side, "position")) if ideal else f"{self.name}.{slot}.position"
 
     def velocity_on(self, side: str) -> Any:
-        """Return the wire of the velocity on a side, worked out from the position measured there."""
+        """Return the wire of the velocity on a side, computed from the position measured there."""
         if isinstance(self.parts.velocity, TrueVelocity):
             return Late(self._signal(side, "velocity"))
         if not self.axis.plant.two_sided:
@@ -74,7 +74,7 @@ class Sensing:
 
     @property
     def measured(self) -> Any:
-        """Wire of the position that the position loop is closed over."""
+        """Wire of the position that the position loop uses."""
         return self.position_on(self.parts.feedback)
 
     @property
@@ -90,7 +90,7 @@ class Sensing:
     def both_sides(self, port: str) -> Any:
         """Return the wire of a measured signal, such as ``motor_position`` or ``load_velocity``.
 
-        An axis whose loop is closed on the motor's side, and that has a gap observer, knows its load by what that makes of it.
+        With feedback from the motor side and a gap observer, the observer's estimates replace the measurements of the load.
         """
         side, _, what = port.partition("_")
         if side == "load" and self.parts.gap_observer is not None and self.parts.feedback == "motor":
@@ -98,12 +98,12 @@ class Sensing:
         return self.position_on(side) if what == "position" else self.velocity_on(side)
 
     def observed_gap(self, port: str) -> Any:
-        """Return the wire of what the gap observer says; of the gap's size zero where there is none, or as long as it is not sure of it.
+        """Return the wire of an output of the gap observer; the gap estimate is zero without an observer or below `SURE`.
 
         Raises
         ------
         ParameterError
-            If a part wants to know the state of the gap and nothing observes it.
+            If a part needs the state of the gap and there is no gap observer.
         """
         if self.parts.gap_observer is None:
             if port == "gap_estimate":
@@ -119,7 +119,7 @@ class Sensing:
 
 
 SURE = 0.9
-"""Confidence from which on the size of an observed gap goes before the one that controllers were given."""
+"""Confidence from which the size of an observed gap replaces the controllers' own `backlash_gap`."""
 
 
 def _trusted(par: Any, x: Any, inp: Any, clock: Any) -> Any:

@@ -24,7 +24,7 @@ from contourlab.loop.tool import ToolPosition
 from contourlab.result import Result, Signal, Status
 
 BLOCK = 1 << 16
-"""Samples of a block: a multiple of the blocks in which a batch looks for divergence."""
+"""Samples of a block."""
 
 UNITS = {
     "reference": "m",
@@ -65,7 +65,7 @@ def jit_enabled() -> bool:
 
 
 def sampler(compiled: bool) -> Any:
-    """Return how references are sampled for the engine, compiled or not."""
+    """Return the function that samples references for the engine; None for plain Python."""
     if not compiled:
         return None
     from contourlab.loop.sampling import sample_compiled  # brings the compiler with it
@@ -105,9 +105,9 @@ def simulate(
     on_failure : {"raise", "return"}
         What to do when the loop runs away.
     jit : bool, optional
-        Compiled, or plain Python; by default as `jit_enabled` says.
+        Compiled, or plain Python; by default `jit_enabled`.
     view : PathView, optional
-        How the estimator sees the path.
+        View of the path for the estimator.
     signals : sequence of str, optional
         Which signals to keep; all by default.
     progress : callable, optional
@@ -115,9 +115,9 @@ def simulate(
     learned : Learned, optional
         What earlier trials have learned, sample by sample.
     trial : int
-        Number of the trial: noise differs from one to the next.
+        Number of the trial: each has its own noise.
     moving : bool
-        Whether the axes have the velocity of the reference at the first sample, in place of rest: a steady motion without its run-in.
+        Whether the axes start with the velocity of the reference instead of at rest: a steady motion without run-in.
     changes : sequence of Change
         Controllers that take over during the run.
 
@@ -200,10 +200,10 @@ def simulate_blocks(
     moving: bool = False,
     changes: Sequence[Change] = (),
 ) -> Iterator[tuple[dict[str, Array], Status]]:
-    """Run block by block, so that memory does not grow with the run; yields signals and the status so far.
+    """Run block by block, so that memory does not grow with the run; yield signals and the status so far.
 
-    The last block ends with the sample of a failure; one also ends where a controller takes over. Arguments as of `simulate`; `block` is
-    the number of samples of a block.
+    After a failure the last block ends with the failing sample; a block also ends where a controller takes over. Arguments as in
+    `simulate`; `block` is the number of samples of a block.
     """
     compiled = jit_enabled() if jit is None else jit
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
@@ -216,7 +216,6 @@ def simulate_blocks(
     due = prepared(changes, machine, controller, reference, given, compiled)
     tool = ToolPosition(machine, seed, trial)
     wanted = _wanted([loop, *(change.loop for change in due)], signals)
-    # A block also ends where a controller takes over.
     edges = sorted({*range(0, reference.n_sample, block), *(change.sample for change in due), reference.n_sample})
     for start, stop in pairwise(edges):
         if due and due[0].sample == start:
@@ -241,11 +240,11 @@ _GIVEN = {"reference": 0, "reference_velocity": 1, "reference_acceleration": 2, 
 
 
 def _wanted(loops: Sequence[Loop], signals: Sequence[str] | None) -> frozenset[str]:
-    """Return the signals to keep, of all controllers and of supervisors."""
+    """Return the signals to keep: those common to all controllers, and those of supervisors."""
     known = {*_GIVEN, "tool_position", *frozenset.intersection(*(frozenset(loop.signals) for loop in loops))}
     known |= {name for loop in loops for name in loop.signals if name in _SUPERVISED}
     if signals is not None and not signals:
-        raise ParameterError("signals", "()", "one name or more, or None for all that there are")
+        raise ParameterError("signals", "()", "at least one name, or None for all signals")
     for name in signals or ():
         if name not in known:
             raise ParameterError("signals", repr(name), "one of " + ", ".join(sorted(known)))
@@ -253,7 +252,7 @@ def _wanted(loops: Sequence[Loop], signals: Sequence[str] | None) -> frozenset[s
 
 
 def _run(group: Group, loop: Loop, asked: ReferenceBlock, fed: Array, wanted: frozenset[str]) -> dict[str, Array]:
-    """Run one block; return the wanted signals, and those that the tool's position needs."""
+    """Run one block; return the signals to keep, and those needed for the tool's position."""
     needed = wanted | {"axis_position", "axis_velocity"} if "tool_position" in wanted else wanted
     logged = {name: rows for name, rows in loop.signals.items() if name in needed}
     # A row that several signals share (an ideal sensor's position is the axis') is logged once.
@@ -278,5 +277,5 @@ def _first_non_finite(group: Group, saved: Any, fed: Array, start: int) -> Statu
         group.run(row[None, :], [])
         if not group.finite().all():
             node = group.first_bad_node()
-            return Status(ok=False, sample=start + k, axis=node.split(".")[0], reason=f"{node} gave a number that is not finite")
+            return Status(ok=False, sample=start + k, axis=node.split(".")[0], reason=f"{node} produced a value that is not finite")
     return Status(ok=True)

@@ -1,9 +1,9 @@
 """Several controllers for one axis: a supervisor chooses the active one, and commands are handed over without a bump.
 
-All controllers run all the time, on the same measurements. Each gets an accepted command. For the active one it is the accepted part of
-its own command, less the hand-over offset. For the others it is the executed command, so that their integrals follow it. This
-needs back-calculation: a controller with `anti_windup` "hold" runs with "back-calculation" here. The difference that is left at a switch
-becomes an offset, which decays with the supervisor's `handover_time`.
+All controllers run all the time, on the same measurements. Each gets an accepted command. For the active one it is the accepted part of its
+own command, minus the hand-over offset. For the others it is the executed command, so that their integrals follow it. This needs
+back-calculation: a controller with `anti_windup` "hold" runs with "back-calculation" here. The remaining difference at a switch becomes an
+offset, which decays with the supervisor's `handover_time`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from contourlab.primitives import select
 
 
 def conditioned(part: Component) -> Component:
-    """Return a controller that can run beside others: one with back-calculation, as a held integral would not follow."""
+    """Return a controller that can run in parallel with others: with back-calculation, since a held integral would not follow."""
     if "anti_windup" not in part.parameters or part.values()["anti_windup"] != "hold":
         return part
     if "back-calculation" not in part.parameters["anti_windup"].choices:
@@ -43,7 +43,7 @@ def _hand_over(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         wanted = select(inp.active == float(i), inp.commands[i], wanted)
         left = select(x.active == float(i), inp.commands[i] + x.offset, left)
     offset = select(inp.active == x.active, x.offset, par.blended * (left - wanted))
-    # A supervisor that gives no number must end the run, not leave the axis without a command.
+    # A non-finite output of a supervisor must end the run, not leave the axis without a command.
     return (inp.active, par.kept * offset), (wanted + offset + 0.0 * inp.active, inp.active, offset)
 
 

@@ -1,7 +1,7 @@
 """Every switch from one controller of an axis to another: when, where and why.
 
-Made from the signals ``active_controller`` and ``switch_reason`` and from the names of controllers and reasons. It keeps no samples: a run
-of any length can be followed block by block.
+Derived from the signals ``active_controller`` and ``switch_reason`` and from the names of controllers and reasons. No samples are kept: a
+run of any length can be followed block by block.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from contourlab.loop.reconfigure import Change
 from contourlab.result import Result
 
 RECORDED = ("active_controller", "switch_reason")
-"""Signals that say what supervisors did."""
+"""Signals of the supervisors."""
 _MOST = 1 << 15  # numbers of controllers and reasons are below this
 
 
@@ -49,9 +49,9 @@ class Switches:
     sample : ndarray (n,) of int
         Of the run; the new controller's command is that of this sample.
     arc_length : ndarray (n,) [m]
-        Of the reference; NaN where it was not kept.
+        Of the reference; NaN if it was not kept.
     line : ndarray (n,) of int
-        Of the part program, from 1; 0 where there is none.
+        Of the part program, from 1; 0 without a program.
     active : mapping of str to mapping of str to int
         By axis and name of controller: samples for which it was active.
     first : mapping of str to str
@@ -77,7 +77,7 @@ class Switches:
         return np.asarray(self.sample * self.servo_period)
 
     def counts(self) -> dict[SwitchKind, int]:
-        """Return how many switches there are of each kind, the most frequent first."""
+        """Return the number of switches of each kind, the most frequent first."""
         counted = np.bincount(self.kind, minlength=len(self.kinds))
         return dict(Counter({kind: int(n) for kind, n in zip(self.kinds, counted, strict=True) if n}).most_common())
 
@@ -90,18 +90,18 @@ class Switches:
 def switches_of(
     result: Result, controller: Controller, reference: Reference | None = None, changes: Sequence[Change] = ()
 ) -> Switches | None:
-    """Return the switches of a run; None where no axis has a supervisor and no controller takes over on the way.
+    """Return the switches of a run; None if no axis has a supervisor and no controller takes over.
 
     Parameters
     ----------
     result : Result
-        With the signals `RECORDED`, and ``arc_length`` for the places. Of one that begins later than the run the first sample tells what
-        was active before.
+        With the signals `RECORDED`, and ``arc_length`` for the positions. If it begins later than the run, its first sample gives the
+        controller active before.
     controller : Controller
     reference : Reference, optional
-        Says which line of the program a switch belongs to.
+        Gives the program line of each switch.
     changes : sequence of Change
-        Controllers that took over on the way.
+        Controllers that took over during the run.
     """
     log = SwitchLog(controller, result.servo_period, reference, changes)
     return log.add(result) if log.concerns(result) else None
@@ -109,7 +109,7 @@ def switches_of(
 
 @dataclass
 class SwitchLog:
-    """Follows a run block by block: remembers what is active, and counts.
+    """Follow a run block by block: keep the active controllers, and count switches.
 
     Attributes
     ----------
@@ -127,7 +127,7 @@ class SwitchLog:
 
     @property
     def led(self) -> bool:
-        """Whether some controller has a supervisor on some axis, so that the signals `RECORDED` are there."""
+        """Whether any axis has a supervisor, so that the signals `RECORDED` exist."""
         return any(any(axis.supervisor is not None for axis in one.axes.values()) for one in self._controllers)
 
     @property
@@ -167,7 +167,7 @@ class SwitchLog:
         return list(result.axes) if self.changes else some
 
     def _stretches(self, result: Result, axis: str) -> list[tuple[int, int, _Labels, str]]:
-        """Return the stretches of a block with one controller set: samples, names, and why it took over."""
+        """Return the stretches of a block with one set of controllers: samples, names, and the reason of the take-over."""
         edges = [(0, _Labels(self.controller.axes[axis], ""), "")]
         for change in sorted(self.changes, key=lambda one: one.time):
             sample = change.sample(self.servo_period)
@@ -231,7 +231,7 @@ class _Labels:
 
 
 def _numbers(result: Result, axis: str, start: int, stop: int) -> tuple[Index, Index]:
-    """Return active controller and reason as whole numbers; a sample without one, as the last of a run that failed, keeps that before."""
+    """Return active controller and reason as whole numbers; a sample without one (the last of a failed run) keeps the one before."""
     if "active_controller" not in result:
         return np.zeros(stop - start, dtype=np.int64), np.zeros(stop - start, dtype=np.int64)
     column = result.axes.index(axis)

@@ -6,7 +6,7 @@ At each tick, for every axis,
 2. the **estimator** sees all axes as measured and the path, the **coupling** turns its contour error into a modified reference, or into a
    correction of the commands;
 3. the **observer** estimates the disturbance of the axis, from its velocity and its last accepted command (one tick late); the **gap
-   observer** estimates the motor's place in the gap;
+   observer** estimates the motor's position in the gap;
 4. the **feedforward** and the **compensation** of backlash act on the reference, the **controller** computes a command, to which the
    correction and the learned table are added; a **supervisor** chooses among several controllers; the **drive** delays and
    limits the command;
@@ -42,7 +42,7 @@ from contourlab.loop.sensing import Sensing
 from contourlab.loop.supervision import ACCEPTED, conditioned, handover_parameters, handover_step
 
 NOTHING = "none.value"
-"""Signal, always zero, of an axis that lacks what others have."""
+"""Signal, always zero, of an axis without a part that others have."""
 
 _OBSERVED = {
     "gap_estimate": "gap",
@@ -80,7 +80,7 @@ def signal_map(builder: Builder, sensing: Mapping[str, Sensing]) -> dict[str, tu
 
 
 def _inside(builder: Builder) -> dict[str, tuple[str, ...]]:
-    """Return the internal signals that only some axes have; zero, or the load's, for the others."""
+    """Return the internal signals that only some axes have; zero, or the load's signal, for the others."""
     split = {axis.name: axis.plant.two_sided for axis in builder.machine.axes}
     led = {name: builder.controller.axes[name].supervisor is not None for name in builder.names}
     watched = {name: builder.controller.axes[name].gap_observer is not None for name in builder.names}
@@ -111,7 +111,7 @@ EXTERNALS = ("reference", "reference_velocity", "reference_acceleration")
 
 
 class _Slots(Builder):
-    """Fills the slots of the loop, one method for each part of a tick."""
+    """Fill the slots of the loop, with one method for each part of a tick."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -151,7 +151,7 @@ class _Slots(Builder):
             offered |= {AHEAD: f"in.{AHEAD}[{j}]", "arc_length": "in.arc_length", "applied": applied, "accepted": self.accepted(name)}
             offered[SOURCE_LINE] = f"in.{SOURCE_LINE}[{j}]"
             if parts.gap_observer is not None and not axis.plant.two_sided:
-                bound = "left out: this axis' drive is rigid, and has no gap"
+                bound = "left out: the drive of this axis is rigid, without a gap"
                 raise ParameterError(f"controller.axes.{name}.gap_observer", repr(parts.gap_observer.kind), bound)
             for slot in ("gap_observer", "feedforward", "compensation"):
                 part = getattr(parts, slot)
@@ -172,7 +172,7 @@ class _Slots(Builder):
             self.add(f"{name}.drive", axis.drive, f"axes.{name}.drive", {"command": self.command(name)})
 
     def wires_of(self, part: Component, axis: str, offered: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the wires of a part's inputs: what is offered, what is seen of both sides of the drive, what is observed of its gap."""
+        """Return the wires of a part's inputs: offered signals, measurements on both sides of the drive, outputs of the gap observer."""
         seen = self.sensing[axis]
         wires = {}
         for port in part.inputs:
@@ -185,7 +185,7 @@ class _Slots(Builder):
         return wires
 
     def decide(self, name: str, at: float, offered: Mapping[str, Any]) -> None:
-        """Add the controllers of an axis and, where there are several, their supervisor and the hand-over."""
+        """Add the controllers of an axis and, if there are several, their supervisor and the hand-over."""
         parts, prefix = self.controller.axes[name], f"controller.axes.{name}"
         if parts.supervisor is not None:
             self.add(f"{name}.supervisor", parts.supervisor, f"{prefix}.supervisor", self.wires_of(parts.supervisor, name, offered), at)
@@ -216,7 +216,7 @@ class _Slots(Builder):
             changed = self.changed(f"controller.axes.{name}.supervisor")
             time = changed.get("handover_time", parts.supervisor.values()["handover_time"])
         wires = {"commands": commands, "active": active, "accepted": self.accepted(name)}
-        # One that takes over from another loop finds a controller active that is none of its own.
+        # After a take-over from another loop, the active controller is none of this loop.
         before = {} if self.handover_time is None else {"active": -1.0}
         parameters = handover_parameters(time, self.period)
         self.nodes.append(Node(f"{name}.handover", handover_step(len(commands)), wires, parameters, initial=before))
@@ -237,7 +237,7 @@ class _Slots(Builder):
             terms.append(f"in.{LEARNED_COMMAND}[{j}]")
         for label, controller in self.controller.axes[name].controllers.items() if terms else ():
             if not controller.takes("feedforward"):
-                bound = "one with a port feedforward: cross-coupling, learning, feedforward and compensation use it"
+                bound = "one with an input feedforward, which cross-coupling, learning, feedforward and compensation need"
                 raise ParameterError(f"controller.axes.{name}.{label}", f'"{controller.kind}"', bound)
         return self.sum_of(f"{name}.added", terms) if terms else 0.0
 
@@ -247,7 +247,7 @@ class _Slots(Builder):
         return [f"{name}.{slot}.{output}" for slot, part in sources.items() if part is not None and part.gives(output)]
 
     def sum_of(self, node: str, terms: list[str]) -> str:
-        """Return the wire of a sum; of a single term it is that term's own."""
+        """Return the wire of a sum; for a single term, its own wire."""
         if len(terms) == 1:
             return terms[0]
         self.nodes.append(Node(node, sum_step(len(terms)), {"terms": tuple(terms)}))
@@ -276,7 +276,7 @@ def build(
     machine, controller
         What runs.
     path : Path
-        What the estimator sees.
+        Path of the estimator.
     start : ndarray (n_axis,) [m]
         Initial positions of the axes.
     progress : float [m]
@@ -284,17 +284,17 @@ def build(
     overrides : mapping of str to ndarray (n_variant,)
         Parameters that differ between variants, by their dotted names.
     view : PathView, optional
-        Another view of the path than the default.
-    extra : tuple of Node, or of what makes one
+        View of the path, instead of the default.
+    extra : tuple of Node or callable
         Nodes that run at the end of the controllers, before the record point: the judge of a batch. A callable takes `Signals`.
     seed, trial : int
         Of all noise: each trial has its own.
     fed : tuple of str
         Inputs besides the reference, a row per axis: see `contourlab.loop.feeding`.
     velocity : ndarray (n_axis,) [m/s], optional
-        Of the axes at the first tick, in place of rest; what controllers remember is that of rest all the same.
+        Of the axes at the first tick, instead of rest; the states of controllers start at rest all the same.
     handover_time : float [s], optional
-        The controller takes over at the first tick from another one: the jump of each command decays with this time constant.
+        Given if the controller takes over from another one at the first tick: time constant with which the jump of each command decays.
     """
     builder = _Slots(machine, controller, path, start, progress, overrides or {}, seed, trial, frozenset(fed), velocity, handover_time)
     builder.sense()

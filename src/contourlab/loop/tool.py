@@ -18,7 +18,7 @@ def stream_of(seed: int, *words: object) -> float:
 
 
 class ToolPosition:
-    """Turns blocks of true axis positions into positions of the tool, in order; it remembers the direction of motion between blocks."""
+    """Convert blocks of true axis positions, in order, to tool positions; the direction of motion is kept between blocks."""
 
     def __init__(self, machine: Machine, seed: int, trial: int = 0) -> None:
         self.machine = machine
@@ -30,7 +30,7 @@ class ToolPosition:
 
     @property
     def exact(self) -> bool:
-        """Whether the tool is where the axes are."""
+        """Whether the tool position equals the axis positions."""
         return not self._shear and not any(axis.error.position.size or axis.error.repeatability for axis in self.machine.axes)
 
     def of(self, position: Array, velocity: Array) -> Array:
@@ -49,7 +49,7 @@ class ToolPosition:
 
     def _approach_offset(self, j: int, velocity: Array, deviation: float) -> Array:
         direction = np.sign(velocity)
-        # At rest the last direction of motion stays in force.
+        # At rest the last direction of motion holds.
         moving = np.where(direction != 0.0, np.arange(1, len(direction) + 1), 0)
         last = np.maximum.accumulate(moving)
         direction = np.where(last > 0, direction[np.maximum(last - 1, 0)], self._direction[j])

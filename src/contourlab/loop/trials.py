@@ -1,4 +1,4 @@
-"""Repeated trials of one motion; everything common to them is built once.
+"""Repeated trials of one motion; everything they share is built once.
 
 A trial equals `simulate` with the same table, seed and trial number, bit by bit.
 """
@@ -44,7 +44,7 @@ class Trial:
     position, measured, tool : ndarray [m]
         Of the axes, their encoders, and the tool.
     command, excess : ndarray [command unit]
-        Of the controllers, learned table included; and its part beyond the limit of the drive.
+        Of the controllers, including the learned table; and the part beyond the limit of the drive.
     estimate : ndarray [command unit]
         Disturbance estimate that was subtracted from the command; zero without an observer.
     contour_vector : ndarray [m] or None
@@ -79,7 +79,7 @@ class Trials:
     target : {"command", "reference"}
         Signal to which the learned table is added.
     vector : bool
-        Whether the contour-error vector of the measured position is wanted.
+        Whether to compute the contour-error vector of the measured position.
     seed : int
         Of all noise.
     window : (int, int), optional
@@ -92,16 +92,16 @@ class Trials:
     position, arc_length : ndarray (n_sample, n_axis) and (n_sample,) [m]
         Of the reference.
     engine_seconds, judge_seconds : float [s]
-        Time that the machine and the judge have run so far.
+        Run time of the machine and the judge so far.
 
     Raises
     ------
     ParameterError
-        If the window is not within the samples, or a controller has no port for what is learned.
+        If the window is not within the samples, or a controller has no port for the learned table.
 
     Notes
     -----
-    Memory grows with the samples: some 150 bytes for each and each axis.
+    Memory: some 150 bytes per sample and axis.
     """
 
     def __init__(
@@ -146,7 +146,7 @@ class Trials:
         return build(self.machine, self.controller, self.reference.path, start, progress, **given)
 
     def _wanted(self) -> dict[str, int]:
-        """Return the signals that are logged, and the column of each."""
+        """Return the logged signals, and the column of each."""
         kinds = ["axis_position", "position", "command"]
         if not ToolPosition(self.machine, self.seed).exact:
             kinds.append("axis_velocity")
@@ -192,11 +192,11 @@ class Trials:
         status = watched(group, self.machine)
         if status.ok and not group.finite().all():
             node = group.first_bad_node()
-            return Status(ok=False, sample=stop - 1, axis=node.split(".")[0], reason=f"{node} gave a number that is not finite")
+            return Status(ok=False, sample=stop - 1, axis=node.split(".")[0], reason=f"{node} produced a value that is not finite")
         return status
 
     def _trial(self, status: Status, trial: int) -> Trial:
-        # Turned once, so that all that follows runs along memory.
+        # Transposed once, so that what follows runs along memory.
         rows = np.ascontiguousarray(self._log[:, :, 0].T)
 
         def signal(names: Iterable[str]) -> Array:
@@ -227,7 +227,7 @@ class Trials:
         contour, doubtful, vector = self._judge(tool, measured)
         if doubtful.size:
             path = self.reference.path
-            if doubtful.size > MOST_DOUBTFUL * len(tool):  # the tool is so far off that nearer places may be overlooked without a doubt
+            if doubtful.size > MOST_DOUBTFUL * len(tool):  # the tool is so far off that nearer points may be missed without being marked
                 doubtful = np.arange(len(tool))
             feet = path.foot_point(tool[doubtful], self.arc_length[doubtful], reach(path, self.position - tool))
             contour[doubtful] = feet.signed if path.is_planar else feet.distance
@@ -236,7 +236,7 @@ class Trials:
 
 
 def _least_limit(drive: Component, controller: Component) -> float:
-    """Return the largest command that gets through the controller's own limit and the drive's."""
+    """Return the lower of the limits of controller and drive."""
     return min(float(getattr(drive, "limit", np.inf)), float(getattr(controller, "command_limit", np.inf)))
 
 
@@ -249,7 +249,7 @@ def _excess(command: Array, limit: Array) -> Array:
 
 
 def _undisturbed(parts: AxisController) -> AxisController:
-    """Return an axis' controller without what answers to errors besides its own law."""
+    """Return an axis' controller without the parts that react to errors besides its own law."""
     bare: dict[str, Any] = dict.fromkeys(("observer", "predictor", "gap_observer", "compensation", "supervisor", "link"))
     return replace(parts, controller=parts.controller.linear(), others=(), **bare)
 
@@ -264,8 +264,8 @@ def _followed(wire: Any, names: tuple[str, ...]) -> Any:
 def feedforward_command(machine: Machine, controller: Controller, reference: Reference, *, jit: bool | None = None) -> Array:
     """Return the commands on a machine without errors: the feedforward of the reference (n_sample, n_axis) [command unit].
 
-    Feedforward, velocity and control run with the reference in place of all measurements, without observers, coupling and compensation;
-    under a supervisor the first controller runs, without a known gap.
+    Feedforward, velocity and controller run with the reference in place of all measurements, without observers, coupling and compensation.
+    Of several controllers the first runs, without a known gap.
     """
     compiled = jit_enabled() if jit is None else jit
     feed = Feed(machine, controller, reference, None, sampler(compiled))

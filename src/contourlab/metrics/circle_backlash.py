@@ -17,8 +17,8 @@ backlash of y          e_y = -sgn(v_y) b_y/2                               -s sg
 Backlash that varies along an axis, b(x) = b + d x/R, adds signatures of d with one more cosine or sine. Only runs in both senses separate
 squareness from servo mismatch.
 
-A friction-induced deflection of equal size in both directions looks like backlash. On the motor encoder it is all that shows; on the load
-it adds to the gap.
+A friction-induced deflection of equal size in both directions looks like backlash. A motor encoder shows only this deflection; a load
+scale shows it in addition to the gap.
 """
 
 from __future__ import annotations
@@ -84,7 +84,7 @@ class CircleBacklash:
     mean_radial : float [m]
         Mean radial deviation.
     centre : (float, float) [m]
-        Of the circle, from the nominal centre.
+        Centre of the circle, from the nominal centre.
     scale_mismatch : float
         c: scale error of the first axis less that of the second.
     squareness : float [rad]

@@ -31,7 +31,7 @@ class ErrorFigures:
     Attributes
     ----------
     rms, max, mean, p95 : float [m]
-        Of the magnitude; p95 is its 95 % quantile.
+        Figures of the magnitude; p95 is its 95 % quantile.
     integral : float [m s]
         Sum of the magnitude times the servo period.
     signed_mean : float [m]
@@ -81,7 +81,7 @@ class Metrics:
     feedrate_ripple : float
         Standard deviation of tool speed over reference speed, where the latter is constant.
     cycle_time : float [s]
-        Of the whole motion.
+        Duration of the whole motion.
     """
 
     window: tuple[int, int]

@@ -31,14 +31,14 @@ class LostMotion:
     Attributes
     ----------
     lost_motion, lost_motion_deviation : float [m]
-        Motor less load forwards, less that backwards, in contact; and its standard deviation from the scatter between passes and places
+        Change of motor less load from backwards to forwards, in contact; and its standard deviation from the scatter of passes and places
         (nan for one pass each way in one bin).
     gap, gap_deviation : float [m]
         Free travel without force, b; nan if neither force nor stiffness was given.
     windup : float [m]
         Elastic part of the lost motion; nan like the gap.
     stiffness : float [N/m]
-        As given, or as found from the force; else nan.
+        As given, or as identified from the force; else nan.
     offset : float [m]
         Motor less load midway between forwards and backwards.
     passes_forward, passes_backward : int

@@ -25,7 +25,7 @@ class Spike:
     ----------
     axis : str
     time : float [s]
-        Of the reversal of the reference.
+        Time at which the reference reverses.
     sample : int
     quadrant : int
         1 to 4: quadrant of a round path in the plane that starts at the reversal; 0 in space, or if the other axis is at rest.
@@ -36,7 +36,7 @@ class Spike:
     width : float [s]
         Time over which the difference stays above half the height.
     direction : int
-        Of the axis after the reversal: 1 or -1.
+        Direction of the axis after the reversal: 1 or -1.
     angle : float [rad]
         Place on an arc in a plane of the axes, from the first axis (XY, YZ, ZX): 0, pi/2, pi or 3 pi/2; NaN elsewhere, or without a
         reference.
@@ -61,12 +61,12 @@ class ReversalFigures:
     ----------
     axis : str
     direction : int
-        After the reversal: 1 or -1.
+        Direction after the reversal: 1 or -1.
     angle : float [rad]
         On arcs: 0, pi/2, pi or 3 pi/2; NaN elsewhere.
     count : int
     mean, largest : float [m]
-        Of the magnitudes of the heights.
+        Mean and largest magnitude of the heights.
     largest_time : float [s]
         Time of the reversal with the largest spike.
     duration : float [s]

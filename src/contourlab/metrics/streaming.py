@@ -14,6 +14,7 @@ from contourlab.arrays import Array
 from contourlab.engine.step import Port, Step
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView
+from contourlab.native.generated import generated
 from contourlab.primitives import clip, copysign, dot, fabs, floor, lookup, maximum, select, sqrt, sub
 
 SUMS = ("count", "sum_magnitude", "sum_square", "sum_signed", "largest", "largest_at", "sum_tracking", "largest_tracking", "unsure")
@@ -175,7 +176,7 @@ def effort_step(n_axis: int) -> Step:
         "            x.limited + counts * limited), ()\n"
     )
     scope: dict[str, Any] = {"__name__": __name__, "fabs": fabs, "maximum": maximum, "select": select}
-    exec(source, scope)
+    step = generated(source, scope, "step")
     parameters = (*(f"rate_{i}" for i in range(n_axis)), "first", "last")
     inputs = (Port("command", n_axis), Port("accepted", n_axis))
-    return Step("effort", scope["step"], parameters, (), "", tuple(Port(name) for name in EFFORT_SUMS), inputs, ())
+    return Step("effort", step, parameters, (), "", tuple(Port(name) for name in EFFORT_SUMS), inputs, ())

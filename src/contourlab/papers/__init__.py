@@ -1,1 +1,1 @@
-"""Reproductions of papers: one folder each, with the analysis and pictures that only it needs."""
+"""Reproductions of papers: one folder each, with its own analysis and pictures."""

@@ -1,4 +1,4 @@
-"""Rows of a reproduction: a figure of a paper or a log, ours, and whether they agree."""
+"""Rows of a reproduction: a figure from a paper or a log, our figure, and whether they agree."""
 
 from __future__ import annotations
 
@@ -10,37 +10,37 @@ PRINTED, DERIVED, MEASURED, ASKED, OURS = "printed", "derived", "measured", "ask
 KINDS = {
     PRINTED: ("paper", "printed in the paper agree"),
     DERIVED: ("paper", "derived from its equations agree"),
-    MEASURED: ("measured", "beside measured ones agree"),
-    ASKED: ("asked for", "that are asked for are reached"),
+    MEASURED: ("measured", "compared with a measurement agree"),
+    ASKED: ("required", "required as a minimum are reached"),
 }
-"""Sources of the figure that ours is compared with: head of its column, and words of the tally."""
+"""Sources of the figure to compare with: head of its column, and words of the tally."""
 AGREES, DIFFERS, FAILS = "agrees", "differs", "fails"
 Part = tuple[str, Callable[[], Iterable["Row"]]]
-"""Part of a reproduction: its name and what computes its rows."""
+"""Part of a reproduction: its name and the function that computes its rows."""
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """A figure from elsewhere and ours.
+    """Our figure and the figure to compare it with.
 
     Attributes
     ----------
     name, case : str
         What is compared, and for which axis or configuration.
     paper : float or None
-        The figure from elsewhere; `source` says from where.
+        The figure to compare with, from `source`.
     here : float
-        Ours, in the same unit.
+        Our figure, in the same unit.
     unit : str
     tolerance : float or None
         Largest difference that counts as agreement, in the same unit; None if nothing is compared.
     note : str
-        How to read the row; if it differs, why.
+        Explanation of the row; if the figures differ, the reason.
     source : str
-        "printed" in the paper, "derived" from the paper's equations and numbers, "measured" in a log, "asked" for as a minimum, or "ours"
-        alone.
+        "printed" in the paper, "derived" from the paper's equations and numbers, "measured" in a log, "asked" as a required minimum, or
+        "ours" (nothing to compare with).
     verdict : str
-        "agrees"; "differs" for a reason given in the note; "fails" without a reason; empty if nothing is compared.
+        "agrees"; "differs", with the reason in the note; "fails", without a reason; empty if nothing is compared.
     """
 
     json_derived: ClassVar = {"pass": "passed"}
@@ -74,16 +74,16 @@ def printed(
     at_least: bool = False,
     source: str = PRINTED,
 ) -> Row:
-    """Return a row that compares our figure with one that is printed in the paper.
+    """Return a row that compares our figure with a figure printed in the paper.
 
     Parameters
     ----------
     name, case, paper, here, unit, tolerance, note, source
         See `Row`.
     reason : str
-        Why the figures differ; without a reason a difference is a failure.
+        Why the figures differ; without a reason, a difference is a failure.
     at_least : bool
-        The paper's figure is a lower limit.
+        Whether the paper's figure is a lower limit.
     """
     within = abs(here - paper) <= tolerance and not (at_least and here < paper)
     verdict = AGREES if within else DIFFERS if reason else FAILS
@@ -92,12 +92,12 @@ def printed(
 
 
 def derived(name: str, case: str, paper: float, here: float, unit: str, tolerance: float, note: str = "", *, reason: str = "") -> Row:
-    """Return a row whose figure follows from the paper's equations; arguments as of `printed`."""
+    """Return a row that compares our figure with one from the paper's equations; arguments as in `printed`."""
     return printed(name, case, paper, here, unit, tolerance, note, reason=reason, source=DERIVED)
 
 
 def measured(name: str, case: str, there: float, here: float, unit: str, tolerance: float | None, note: str = "") -> Row:
-    """Return a row whose figure was measured; without a tolerance nothing is compared."""
+    """Return a row that compares our figure with a measured one; without a tolerance nothing is compared."""
     if tolerance is None:
         return Row(name, case, float(there), float(here), unit, None, note, MEASURED, "")
     return printed(name, case, there, here, unit, tolerance, note, source=MEASURED)
@@ -109,12 +109,12 @@ def asked(name: str, case: str, least: float, here: float, unit: str, most: floa
 
 
 def ours(name: str, case: str, here: float, unit: str, note: str = "") -> Row:
-    """Return a row without a figure from elsewhere."""
+    """Return a row without a figure to compare with."""
     return Row(name, case, None, float(here), unit, None, note, OURS, "")
 
 
 def tally(rows: Iterable[Row]) -> str:
-    """Return in words how many figures agree, by kind of source."""
+    """Return a text on how many figures agree, by kind of source."""
     known = [(row.source, row.verdict) for row in rows]
     parts = []
     for source, (_, agreement) in KINDS.items():
@@ -123,9 +123,9 @@ def tally(rows: Iterable[Row]) -> str:
             continue
         counts = [f"{verdicts.count(AGREES)} of {len(verdicts)} figures {agreement}"]
         if DIFFERS in verdicts:
-            counts.append(f"{verdicts.count(DIFFERS)} differ for the reason beside them")
+            counts.append(f"{verdicts.count(DIFFERS)} differ for the reason given")
         if FAILS in verdicts:
-            counts.append(f"{verdicts.count(FAILS)} {'fail without one' if source in (PRINTED, DERIVED) else 'do not'}")
+            counts.append(f"{verdicts.count(FAILS)} {'fail' if source in (PRINTED, DERIVED) else 'do not'}")
         parts.append(", ".join(counts))
-    alone = f"{sum(source == OURS for source, _ in known)} are ours alone."
+    alone = f"{sum(source == OURS for source, _ in known)} have nothing to compare with."
     return f"{'; '.join(parts)}. {alone}" if parts else alone

@@ -1,4 +1,4 @@
-"""The command behind ``contourlab reproduce``: run the parts of a reproduction, and print its rows."""
+"""``contourlab reproduce``: run the parts of a reproduction and print its rows."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def run_parts(parts: Iterable[Part], stage: Callable[[str], object] | None = Non
     ----------
     parts : iterable of Part
     stage : callable, optional
-        Receives the name of each part that begins.
+        Called with the name of each part before it runs.
     """
     rows: list[Row] = []
     for name, rows_of in parts:
@@ -46,7 +46,7 @@ def check_pictures(folder: str | Path, formats: Sequence[str]) -> None:
 
 
 def text_of(rows: Sequence[Row]) -> str:
-    """Return the rows by name, one line for each case, and how many figures agree."""
+    """Return the rows as tables by name, one line per case, and how many figures agree."""
     blocks = []
     for (name, unit), members in groupby(sorted(rows, key=_first_place(rows)), key=lambda row: (row.name, row.unit)):
         group = list(members)
@@ -60,7 +60,7 @@ def text_of(rows: Sequence[Row]) -> str:
 
 
 def _first_place(rows: Sequence[Row]) -> Callable[[Row], int]:
-    """Return a key that sorts rows of one name and unit to where the first of them is."""
+    """Return a sort key that groups rows of equal name and unit at the first of them."""
     places: dict[tuple[str, str], int] = {}
     for row in rows:
         places.setdefault((row.name, row.unit), len(places))

@@ -1,9 +1,9 @@
-"""Part programs: G-code (RS274/NGC as LinuxCNC means it) in, moves in SI with their source lines out.
+"""Part programs: read G-code (RS274/NGC as LinuxCNC reads it) into moves in SI units with their source lines.
 
-Inside: `block` (words with columns, codes by modal group; `expressions`, `parameters`, `vocabulary`) -> `interpreter` (order of execution
-on the modal `state`; `offsets` with `coordinates`, `curves`, `cycles`) -> `moves`. `flow` and `walker` lead from line to line through
-subprograms, loops and conditions. `reader` frames the program and knows the dialects; `files` opens it. What is not supported is refused,
-never skipped.
+`block` reads a line into words with columns and codes by modal group, with `expressions` and `vocabulary`. `interpreter` executes a block
+on the modal `state`, with `offsets`, `coordinates`, `curves` and `cycles`, and makes `moves`. `walker` follows subprograms, loops and
+conditions (`flow`). `reader` handles the frame of a program and its dialect; `files` opens it. Unsupported codes are refused, never
+skipped.
 """
 
 from contourlab.program.files import iter_moves, open_program, parse_program, read_program

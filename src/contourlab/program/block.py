@@ -21,15 +21,15 @@ _LONGEST_NUMBER = 100
 _MORE_THAN_NUMBERS = re.compile(r"[#\[]|[+-][ \t]*[+-]")
 
 _BAD = {
-    "]": "']' closes no expression: delete it, or write '[' where the expression starts",
-    "=": "'=' has no parameter before it: write #1 = 2, at the start of a line or between words",
-    "<": "'<' belongs to a named parameter or to O<name> at the start of a line: write # before it, as in #<depth>",
-    ">": "'>' belongs to a named parameter or to O<name> at the start of a line: write #< before the name, as in #<depth>",
-    "/": "/ (block delete) stands first on its line, or divides within [ ]: move or delete it",
-    "%": "% may only stand alone on the first line and on the last: delete it here",
-    "*": "* has no meaning here: checksums of printers are not part of RS274/NGC, delete it",
-    ")": "')' closes no comment: delete it, or write '(' where the comment starts",
-    ",": "',' has no meaning here: write the decimal point as '.' and leave a blank between words",
+    "]": "']' has no matching '[': delete it, or write '[' where the expression starts",
+    "=": "'=' has no parameter before it: write for example #1 = 2",
+    "<": "'<' is only allowed in a named parameter and in O<name>: write # before it, as in #<depth>",
+    ">": "'>' is only allowed in a named parameter and in O<name>: write #< before the name, as in #<depth>",
+    "/": "'/' is block delete at the start of a line and division inside [ ]: move it or delete it",
+    "%": "% is only allowed alone on the first and on the last line: delete it here",
+    "*": "'*' has no meaning here: delete it; RS274/NGC has no checksums",
+    ")": "')' has no matching '(': delete it, or write '(' where the comment starts",
+    ",": "',' has no meaning here: write the decimal point as '.' and put a space between words",
 }
 
 
@@ -51,10 +51,10 @@ class Word(NamedTuple):
     column: int
 
     def whole(self, least: int, most: int, what: str, tolerance: float = 1e-4) -> int:
-        """Return the value as a whole number; refuse others, and those out of bounds."""
+        """Return the value as a whole number; refuse other values, and numbers out of bounds."""
         number = round(self.value)
         if abs(self.value - number) > tolerance or not least <= number <= most:
-            raise BlockError(f"{self.letter}{self.value:g}: {what} is a whole number from {least} to {most}", self.column)
+            raise BlockError(f"{self.letter}{self.value:g}: {what} must be a whole number from {least} to {most}", self.column)
         return number
 
 
@@ -105,10 +105,10 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
             if letter == "O":
                 raise BlockError(O_WORD_ALONE, column)
             if letter == "N" and not cursor.next.isdigit():
-                raise BlockError("a line number is written in digits: write for example N10", column)
+                raise BlockError("a line number must be digits only: write for example N10", column)
             value = read_value(cursor, parameters)
             if abs(value) > LARGEST_NUMBER:
-                raise BlockError(f"{letter}{value:g} is no sensible number: keep it below {LARGEST_NUMBER:.0e}", column)
+                raise BlockError(f"{letter}{value:g} is too large: keep it below {LARGEST_NUMBER:.0e}", column)
             words.append(Word(letter, value, column))
         else:
             raise _bad_character(line, column - 1)
@@ -143,9 +143,11 @@ def _number(token: re.Match[str]) -> float:
         if not digits:
             raise BlockError(f"{name} has no number: write for example {name}10", column) from None
         hint = f"write for example {name}10.5 (one sign, one point, no exponent)"
-        raise BlockError(f"{name}{short} holds no number: {hint}", column) from None
+        raise BlockError(f"{name}{short} is not a number: {hint}", column) from None
     if abs(value) > LARGEST_NUMBER or len(digits) > _LONGEST_NUMBER:
-        raise BlockError(f"{name}{short} is no sensible number: keep it below {LARGEST_NUMBER:.0e}", column)
+        raise BlockError(
+            f"{name}{short} is too large or too long: keep it below {LARGEST_NUMBER:.0e}, in at most {_LONGEST_NUMBER} characters", column
+        )
     return value
 
 
@@ -155,10 +157,10 @@ def _bad_character(line: str, at: int) -> BlockError:
     if character == "(":
         nested = line.find("(", at + 1)
         if nested >= 0 and line.find(")", at + 1) >= 0:
-            return BlockError("a comment inside a comment: use one pair of brackets, or only ';'", nested + 1)
+            return BlockError("a comment cannot contain another one: use one pair of brackets, or ';' for the rest of the line", nested + 1)
         return BlockError("the comment that starts here has no end: write ')' on the same line", at + 1)
     if line.strip() == "%":
-        return EndMarkError("a % that closes has none that opens: write % on the first line too, or delete it", at + 1)
+        return EndMarkError("% closes the program, but the first line has no % to open it: write % there too, or delete this one", at + 1)
     return BlockError(_BAD.get(character, f"the character {character!r} has no meaning here: delete it"), at + 1)
 
 
@@ -199,7 +201,7 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
     Raises
     ------
     BlockError
-        If a word is unknown, not supported yet or doubled, or two codes share a modal group.
+        If a word is unknown, not supported yet or repeated, or two codes share a modal group.
     """
     codes: dict[str, Code] = {}
     words: dict[str, Word] = {}
@@ -207,7 +209,7 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
         letter = word.letter
         if letter in USED_LETTERS:
             if letter in words:
-                raise BlockError(f"two {letter} words in one block: keep one of them", word.column)
+                raise BlockError(f"the block has two {letter} words: keep one of them", word.column)
             words[letter] = word
         elif letter == "G":
             _add_g(codes, word)
@@ -223,7 +225,7 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
 def _add_g(codes: dict[str, Code], word: Word) -> None:
     number = round(10.0 * word.value)
     if word.value < 0.0 or abs(10.0 * word.value - number) > 1e-9:
-        raise BlockError(f"G{word.value:g} is no G-code of RS274/NGC: correct the number", word.column)
+        raise BlockError(f"G{word.value:g} is not a known G-code: correct the number", word.column)
     group = G_GROUPS.get(number)
     if group is None:
         raise BlockError(refusal(g_name(number), "G-code"), word.column)
@@ -232,25 +234,25 @@ def _add_g(codes: dict[str, Code], word: Word) -> None:
         if number == _END_OF_MOTION:
             return
     elif group in codes:
-        raise BlockError(f"{g_name(codes[group].number)} and {g_name(number)} exclude each other in one block: keep one", word.column)
+        raise BlockError(f"{g_name(codes[group].number)} and {g_name(number)} cannot share a block: keep one of them", word.column)
     codes[group] = Code(number, word.column)
 
 
 def _add_m(codes: dict[str, Code], word: Word) -> None:
     number = round(word.value)
     if word.value != number or number < 0:
-        raise BlockError(f"M{word.value:g} is no M-code of RS274/NGC: M takes a whole number from 0", word.column)
+        raise BlockError(f"M{word.value:g} is not a known M-code: write a whole number, 0 or more", word.column)
     group = M_GROUPS.get(number)
     if group is None:
         raise BlockError(refusal(f"M{number}", "M-code"), word.column)
     if group in codes:
-        raise BlockError(f"M{codes[group].number} and M{number} exclude each other in one block: keep one", word.column)
+        raise BlockError(f"M{codes[group].number} and M{number} cannot share a block: keep one of them", word.column)
     codes[group] = Code(number, word.column)
 
 
 def _check_line_number(line: str, word: Word) -> None:
     # N must come first, even before a comment; its number has no meaning.
     if line[: word.column - 1].strip(" \t"):
-        raise BlockError("the line number N must stand first on its line: move it there or delete it", word.column)
+        raise BlockError("the line number N must come first on its line: move it there, or delete it", word.column)
     if word.value < 0.0:
-        raise BlockError("a line number has no sign: write for example N10", word.column)
+        raise BlockError("a line number cannot have a sign: write for example N10", word.column)

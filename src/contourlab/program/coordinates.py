@@ -1,9 +1,9 @@
-"""Coordinate systems and tools: from the points of a program to the positions of the axes, and back.
+"""Coordinate systems and tools: convert points of a program to positions of the axes, and back.
 
     axes = origin + R(rotation) (point + shift) + tool
 
-origin and rotation belong to the work coordinate system in force (G54 to G59.3), shift is that of G92 and G52, tool the offset of G43.
-R rotates about the Z axis. LinuxCNC keeps these numbers in the parameters #5201 and on, in mm and degrees.
+origin and rotation belong to the selected work coordinate system (G54 to G59.3), shift to G92 and G52, tool to G43. R rotates about the Z
+axis. As in LinuxCNC, the parameters from #5201 hold these numbers in mm and degrees.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _ROTATION = 9
 
 @dataclass(slots=True)
 class Frame:
-    """The offsets in force.
+    """The active offsets.
 
     Parameters
     ----------
@@ -49,13 +49,13 @@ class Frame:
         self.plain = self.rotation == 0.0 and self.origin == self.shift == self.tool == ORIGIN
 
     def axes(self, point: Point) -> Point:
-        """Return the position of the axes [m] of a point of the program."""
+        """Return the axis positions [m] of a point of the program."""
         if self.plain:
             return point
         return add(add(turn(add(point, self.shift), self.rotation), self.origin), self.tool)
 
     def point(self, axes: Point) -> Point:
-        """Return the point of the program at a position of the axes [m]."""
+        """Return the point of the program [m] at given axis positions [m]."""
         if self.plain:
             return axes
         return less(turn(less(less(axes, self.tool), self.origin), -self.rotation), self.shift)
@@ -99,12 +99,12 @@ def store_origin(parameters: Parameters, system: int, origin: Point, rotation: f
 
 
 def load_shift(parameters: Parameters) -> Point:
-    """Return the kept shift of G92 [m]."""
+    """Return the stored shift of G92 [m]."""
     return parameters.point(SHIFT_APPLIED + 1)
 
 
 def store_shift(parameters: Parameters, shift: Point, applied: bool) -> None:
-    """Keep the shift of G92 [m], and whether it is in force."""
+    """Store the shift of G92 [m], and whether it is active."""
     parameters.write(SHIFT_APPLIED, float(applied))
     parameters.write_point(SHIFT_APPLIED + 1, shift)
 
@@ -116,7 +116,7 @@ _LETTERS = frozenset("TPDXYZABCUVWIJQ")
 
 
 class Tools:
-    """Offsets of the tools by number; undescribed tools have none.
+    """Offsets of the tools by number; other tools have zero offset.
 
     Attributes
     ----------
@@ -150,7 +150,7 @@ def read_tools(file: str | Path) -> Tools:
     Raises
     ------
     ProgramError
-        If the file cannot be read, or a line is no tool.
+        If the file cannot be read, or a line describes no tool.
     """
     try:
         text = Path(file).read_text(encoding="utf-8-sig", errors="replace")
@@ -168,15 +168,15 @@ def read_tools(file: str | Path) -> Tools:
 
 def _add(tools: Tools, entry: str, file: str | Path, line: int) -> None:
     if _ENTRY.sub("", entry).strip():
-        cure = "write words such as T1 P1 D3.0 Z+25.4, and comments behind ';'"
-        raise ProgramError(f"this is no line of a tool table: {cure}", file=file, line=line)
+        cure = "write words such as T1 P1 D3.0 Z+25.4, and comments after ';'"
+        raise ProgramError(f"this is not a line of a tool table: {cure}", file=file, line=line)
     words = {letter.upper(): float(value) for letter, value in _ENTRY.findall(entry)}
     unknown = words.keys() - _LETTERS
     if unknown:
-        raise ProgramError(f"{min(unknown)} is no word of a tool table: there are {', '.join(sorted(_LETTERS))}", file=file, line=line)
+        raise ProgramError(f"a tool table has no word {min(unknown)}: use {', '.join(sorted(_LETTERS))}", file=file, line=line)
     tool = words.get("T", 0.0)
     if tool != round(tool) or not 1 <= tool <= LARGEST_TOOL:
-        raise ProgramError(f"a tool has a whole number from 1 to {LARGEST_TOOL}: write for example T1", file=file, line=line)
+        raise ProgramError(f"a tool number must be a whole number from 1 to {LARGEST_TOOL}: write for example T1", file=file, line=line)
     if int(tool) in tools.offsets:
         raise ProgramError(f"tool {int(tool)} is listed twice: delete one of the lines", file=file, line=line)
     x, y, z = (words.get(letter, 0.0) / 1000.0 for letter in _LENGTHS)

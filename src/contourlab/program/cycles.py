@@ -1,4 +1,4 @@
-"""Canned cycles: G73, G74, G81 to G89, in the plane in force, with L repeats, R, and G98 or G99.
+"""Canned cycles: G73, G74, G81 to G89, in the active plane, with L repeats, R, and G98 or G99.
 
 Depth, clearance (R) and level of a cycle lie along the normal of the plane. The tool goes to each hole at the level or the clearance, then
 makes the strokes of the cycle. The path is exact (G61), except for the first rise to the clearance, as in LinuxCNC.
@@ -16,7 +16,7 @@ from contourlab.program.vocabulary import BlockError, g_name
 PECK_CLEARANCE = 0.010 * 0.0254
 """Distance above the last depth at which pecking resumes feed [m]."""
 LEAST_STROKE = 1e-10
-"""Strokes up to this length [m] are rounding errors, and left out."""
+"""Strokes up to this length [m] are rounding errors; they are left out."""
 MOST_REPEATS = 10_000
 MOST_PECKS = 100_000
 LONGEST_DWELL = 86_400.0
@@ -54,7 +54,7 @@ class _Cycle:
 
     def __init__(self, block: Block, state: ModalState, line: int, again: bool) -> None:
         assert state.motion is not None  # the cycle
-        # LinuxCNC reads remembered numbers in the new units; here they must be written again.
+        # LinuxCNC reads stored numbers in the new units; here the program must write them again.
         again = again and state.cycle.millimetres == state.millimetres
         state.cycle.millimetres = state.millimetres
         self.words, self.state, self.line, self.again = block.words, state, line, again
@@ -65,7 +65,7 @@ class _Cycle:
         self.u, self.v = (state.position[axis] for axis in self.axes[:2])
         self.clearance = self.depth = self.back = 0.0
         if state.feed_mode == "inverse_time":
-            raise BlockError(f"{self.name} does not go with inverse-time feed: write G94 and F", self.column)
+            raise BlockError(f"{self.name} cannot use inverse-time feed (G93): write G94 and F", self.column)
         self.feedrate = state.path_feedrate(self.column, self.name)
 
     def run(self) -> None:
@@ -116,7 +116,7 @@ class _Cycle:
             level = self.clearance
         self.depth = memory.depth if state.absolute else self.clearance + memory.depth
         if self.clearance < self.depth:
-            raise BlockError(f"the clearance R lies below the depth {letter}: the cycle would work upwards", self.column)
+            raise BlockError(f"the clearance R is below the depth {letter}: raise R or lower {letter}", self.column)
         self.back = self.clearance if state.back_to_clearance else max(level, self.clearance)
         return level
 
@@ -125,7 +125,7 @@ class _Cycle:
         if "P" in self.words:
             memory.dwell = self.words["P"].value
             if not 0.0 <= memory.dwell <= LONGEST_DWELL:
-                raise BlockError(f"P{memory.dwell:g}: the dwell of a cycle is in seconds and not negative", self.words["P"].column)
+                raise BlockError(f"P{memory.dwell:g}: write the dwell in seconds, from 0 to {LONGEST_DWELL:g}", self.words["P"].column)
         elif self.code in _DWELLING and not self.again:
             raise BlockError(f"{self.name} has no dwell: write P, in seconds", self.column)
         if self.code not in _PECKING:
@@ -137,7 +137,7 @@ class _Cycle:
         if memory.peck <= 0.0:
             raise BlockError(f"the peck Q of {self.name} must be greater than 0: write Q with the depth of one stroke", self.column)
         if (self.clearance - self.depth) / memory.peck > MOST_PECKS:
-            raise BlockError(f"the peck Q of {self.name} would take more than {MOST_PECKS} strokes: make it larger", self.column)
+            raise BlockError(f"the peck Q of {self.name} needs more than {MOST_PECKS} strokes: make it larger", self.column)
 
     def _read_bore(self) -> tuple[tuple[float, float], float]:
         """Return lateral offset and top of a back bore (G87)."""
@@ -146,7 +146,8 @@ class _Cycle:
         kept: tuple[float | None, ...] = memory.bore if self.again else (None, None, None)
         i, j, k = (self.state.length(self.words[x].value) if x in self.words else old for x, old in zip(letters, kept, strict=True))
         if i is None or j is None or k is None:
-            raise BlockError(f"G87 takes {letters[0]} and {letters[1]} (way aside) and {letters[2]} (top of the bore)", self.column)
+            sideways = f"{letters[0]} and {letters[1]} (sideways offset)"
+            raise BlockError(f"G87 needs {sideways} and {letters[2]} (top of the bore): write all three", self.column)
         memory.bore = (i, j, k)
         return (i, j), k if absolute else self.depth + k
 
@@ -226,7 +227,7 @@ class _Cycle:
         self._go(self.back)
 
     def _back_bore(self, aside: tuple[float, float], top: float) -> None:
-        """Bore from below: aside and down with the spindle stopped, in, up and down turning, aside and out."""
+        """Bore from below: move aside, stop the spindle, go down and in, turn it, bore up and down, stop it, and leave the same way."""
         sense = self.state.turning
         self._go(self.clearance, aside=aside)
         self._spindle(0)

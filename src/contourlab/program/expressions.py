@@ -1,8 +1,8 @@
 """Values in a part program: numbers, parameters, functions, and expressions in square brackets.
 
-The rules are those of LinuxCNC 2.9. Blanks and case are ignored. Operations of equal rank are left-associative, the power too; a sign
-binds to the value after it: [-2 ** 2] is 4. Angles are in degrees. Numbers that differ by less than 1e-4 are EQ. Logical results are 0
-and 1; any number other than 0 is true. Stricter than LinuxCNC: undefined values (5 MOD 0, 0 ** -1) are always refused.
+The rules are those of LinuxCNC 2.9. Blanks and case are ignored. Operations of equal rank are left-associative, including the power. A
+sign binds to the value after it: [-2 ** 2] is 4. Angles are in degrees. Numbers that differ by less than 1e-4 are equal (EQ). Logical
+results are 0 and 1; any number other than 0 is true. Unlike LinuxCNC, undefined values (5 MOD 0, 0 ** -1) are always refused.
 """
 
 from __future__ import annotations
@@ -26,19 +26,21 @@ Key: TypeAlias = int | str
 
 
 class Parameters:
-    """Parameters of a program: numbered ones are 0 until set, named ones do not exist.
+    """Parameters of a program.
+
+    Until it is set, a numbered parameter is 0 and a named one does not exist. Only #5220, the work coordinate system, starts at 1 (G54).
 
     Parameters
     ----------
     position : callable
         Returns the programmed point in program units, for #5420 to #5422.
     own : mapping, optional
-        Functions for the parameters of the interpreter.
+        Read-only parameters of the interpreter: name to function.
 
     Attributes
     ----------
     returned : float or None
-        Value of the last subprogram.
+        Value that the last subprogram returned.
     changes : int
         Count of assignments.
     """
@@ -75,7 +77,7 @@ class Parameters:
                 return self.own[key]()
             names = self._names(key)
             if key not in names:
-                raise BlockError(f"#<{key}> has no value yet: write #<{key}> = ... on a line before", column)
+                raise BlockError(f"#<{key}> has no value yet: write #<{key}> = ... on an earlier line", column)
             return names[key]
         _check_number(key, column)
         return self.number(key)
@@ -94,14 +96,14 @@ class Parameters:
         """Refuse parameters that do not exist or belong to the interpreter."""
         if isinstance(key, str):
             if key in self.own:
-                raise BlockError(f"#<{key}> is the interpreter's own, a program cannot set it: choose another name", column)
+                raise BlockError(f"#<{key}> is read-only, the interpreter sets it: choose another name", column)
             return
         _check_number(key, column)
         if key in _READ_ONLY:
-            raise BlockError(f"#{key} is the interpreter's own (tool, position), a program cannot set it: choose another number", column)
+            raise BlockError(f"#{key} is read-only, the interpreter sets it (tool or position): choose another number", column)
 
     def give_back(self, value: float | None) -> None:
-        """Keep what a subprogram returns."""
+        """Store the value that a subprogram returns."""
         self.returned, self.changes = value, self.changes + 1
 
     def write(self, key: Key, value: float) -> None:
@@ -126,7 +128,7 @@ class Parameters:
         return self._global if key.startswith("_") else self._local
 
     def enter(self, arguments: list[float] | None) -> None:
-        """Enter a subprogram with its own names and #1 to #30, which begin with the arguments; None keeps the caller's (M98)."""
+        """Enter a subprogram with its own names and #1 to #30, set to the arguments, then 0; None keeps #1 to #30 of the caller (M98)."""
         numbers = None
         if arguments is not None:
             numbers = {number: self._numbered.get(number, 0.0) for number in LOCAL}
@@ -144,7 +146,7 @@ class Parameters:
 
 def _check_number(number: int, column: int) -> None:
     if not 1 <= number <= LARGEST_PARAMETER:
-        raise BlockError(f"there is no parameter #{number}: they go from #1 to #{LARGEST_PARAMETER}", column)
+        raise BlockError(f"there is no parameter #{number}: use #1 to #{LARGEST_PARAMETER}", column)
 
 
 MOST_NESTED = 50
@@ -191,7 +193,7 @@ class Cursor:
         end = self.text.find(">", self.at)
         name = self.text[self.at + 1 : end]
         if end < 0 or not name:
-            raise BlockError(f"the name of the {what} has no end: write for example <depth>", self.column)
+            raise BlockError(f"the name of the {what} is empty or has no '>': write for example <depth>", self.column)
         self.at = end + 1
         return name
 
@@ -199,7 +201,7 @@ class Cursor:
         """Enter a level of brackets, functions or #; the caller leaves it."""
         self.depth += 1
         if self.depth > MOST_NESTED:
-            raise BlockError(f"brackets are nested more than {MOST_NESTED} deep: use a parameter for a part of it", self.column)
+            raise BlockError(f"brackets are nested more than {MOST_NESTED} deep: store part of the expression in a parameter", self.column)
 
     def expect(self, character: str, what: str) -> None:
         """Skip a character; refuse any other."""
@@ -224,7 +226,7 @@ def read_value(cursor: Cursor, parameters: Parameters) -> float:
     else:
         value = _number(cursor)
     if not math.isfinite(value):
-        raise BlockError("the value that starts here is not finite: correct it", start)
+        raise BlockError("the value that starts here is too large: make it smaller", start)
     return sign * value
 
 
@@ -234,18 +236,18 @@ def read_assignment(cursor: Cursor, parameters: Parameters) -> tuple[Key, float]
     key = _key(cursor, parameters)
     parameters.check(key, column)
     if isinstance(key, str) and not parameters.exists(key):
-        parameters.write(key, 0.0)  # the name exists from here on, as in LinuxCNC
-    cursor.expect("=", "behind the parameter that is set")
+        parameters.write(key, 0.0)  # the name exists at once, as in LinuxCNC
+    cursor.expect("=", "after the parameter to set")
     return key, read_value(cursor, parameters)
 
 
 def _number(cursor: Cursor) -> float:
     column, digits = cursor.column, cursor.take(_NUMBER)
     if digits in ("", "."):
-        what = f"here is '{cursor.next}'" if cursor.next else "the line ends here"
+        what = f"found '{cursor.next}'" if cursor.next else "the line ends here"
         raise BlockError(f"a number is missing: {what}; write for example 10.5, #1 or [1 + 2]", column)
     if len(digits) > 100:
-        raise BlockError("a number of more than 100 digits: shorten it", column)
+        raise BlockError("the number has more than 100 digits: shorten it", column)
     return float(digits)
 
 
@@ -258,7 +260,7 @@ def _key(cursor: Cursor, parameters: Parameters) -> Key:
     value = read_value(cursor, parameters)
     cursor.depth -= 1
     if abs(value - round(value)) > _EQUAL or abs(value) > LARGEST_WHOLE:
-        raise BlockError(f"#{value:g}: the number of a parameter is whole", column)
+        raise BlockError(f"#{value:g}: a parameter number must be whole, as in #1", column)
     return round(value)
 
 
@@ -273,7 +275,7 @@ def _expression(cursor: Cursor, parameters: Parameters) -> float:
         name = cursor.take(_OPERATION)
         if not name:
             what = f"'{cursor.next}'" if cursor.next else "the end of the line"
-            raise BlockError(f"an operation or ']' is missing before {what}: write for example [1 + 2]", column)
+            raise BlockError(f"an operator or ']' is missing before {what}: write for example [1 + 2]", column)
         while waiting and _RANK[waiting[-1][0]] <= _RANK[name]:
             _join(values, waiting)
         waiting.append((name, column))
@@ -294,8 +296,8 @@ def _join(values: list[float], waiting: list[tuple[str, int]]) -> None:
 def _function(cursor: Cursor, parameters: Parameters) -> float:
     column, name = cursor.column, cursor.take(_FUNCTION)
     if not name:
-        known = "ABS, ACOS, ASIN, ATAN, COS, EXISTS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT and TAN"
-        raise BlockError(f"'{cursor.next.upper()}' begins no function: there are {known}, each with its value in [ ]", column)
+        known = "ABS, ACOS, ASIN, ATAN, COS, EXISTS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT or TAN"
+        raise BlockError(f"'{cursor.next.upper()}' does not start a function name: use {known}, with the value in [ ]", column)
     if cursor.next != "[":
         raise BlockError(f"{name.upper()} has no value: write it in brackets, as in {name.upper()}[30]", cursor.column)
     if name == "exists":
@@ -310,10 +312,10 @@ def _function(cursor: Cursor, parameters: Parameters) -> float:
 
 def _exists(cursor: Cursor, parameters: Parameters) -> float:
     """Read EXISTS[#<name>]; numbered parameters always exist."""
-    cursor.expect("[", "behind EXISTS")
+    cursor.expect("[", "after EXISTS")
     cursor.expect("#", "in EXISTS[#<name>]")
     key = _key(cursor, parameters)
-    cursor.expect("]", "behind the parameter in EXISTS[#<name>]")
+    cursor.expect("]", "after the parameter in EXISTS[#<name>]")
     return float(isinstance(key, int) or parameters.exists(key))
 
 
@@ -323,7 +325,7 @@ def _guarded(work: Callable[[], float], shown: str, column: int) -> float:
     except (ValueError, ZeroDivisionError, OverflowError):
         value = math.nan
     if isinstance(value, complex) or not math.isfinite(value):
-        raise BlockError(f"{shown} has no value: correct it", column)
+        raise BlockError(f"{shown} is undefined or too large: correct it", column)
     return value
 
 

@@ -1,4 +1,4 @@
-"""The ways into a part program: line by line, from text, from a file."""
+"""Read a part program line by line, from text, or from a file."""
 
 from __future__ import annotations
 
@@ -12,29 +12,29 @@ from contourlab.program.moves import Move, Program
 from contourlab.program.reader import Reader, Reading, read_text, split_lines, unreadable
 
 MOST_MOVES = 5_000_000
-"""A program that is held in memory makes at most so many moves."""
+"""Most moves of a program held in memory."""
 
 
 def iter_moves(
     lines: Iterable[str], name: str | Path = "<text>", *, require_end: bool = True, reading: Reading | None = None
 ) -> Iterator[Move]:
-    """Read a part program line by line, holding no more than the lines that something may lead back to.
+    """Read a part program line by line; keep only the lines that a loop or call may return to.
 
     Parameters
     ----------
     lines : iterable of str
         With or without line breaks, for example an open text file.
     name : str or Path
-        What error messages call the program.
+        Name of the program in error messages.
     require_end : bool
-        See `Reading`, whose other choices are the default.
+        See `Reading`; all its other fields have their defaults.
     reading : Reading, optional
-        All choices; `require_end` is then not looked at.
+        All choices; replaces `require_end`.
 
     Yields
     ------
     Move
-        In the order of execution; moves of no length are left out.
+        In the order of execution, without moves of zero length.
 
     Raises
     ------
@@ -50,8 +50,8 @@ def iter_moves(
     G89, G90 to G91.1, G93 to G95, G97 to G99, polar coordinates, parameters, expressions, O-words, M98 and M99. S, T, M0, M1, M3 to M9,
     M19, M48 to M53, M60 to M65, M67 and M68 are kept as events. Everything else is refused.
 
-    Stricter than LinuxCNC: a spline begun with G5.2 must be closed, G4 shares its P with no other code, a cycle wants its words anew after
-    a change of units, and numbers beyond any machine are refused. More tolerant: lines may be longer than 255 characters.
+    Stricter than LinuxCNC: a spline begun with G5.2 must be closed, G4 shares its P with no other code, a cycle needs its words again after
+    a change of units, and numbers too large for any machine are refused. More tolerant: lines may be longer than 255 characters.
 
     References
     ----------
@@ -62,7 +62,7 @@ def iter_moves(
     """
     reader = Reader(lines, name, reading or Reading(require_end=require_end))
     for move in reader.moves():
-        reader.state.events.clear()  # nobody asks for them here, and a program may have one on every line
+        reader.state.events.clear()  # unused here, and a program may have one on every line
         yield move
 
 
@@ -73,7 +73,7 @@ def parse_program(text: str, name: str = "<text>", *, require_end: bool = True, 
     ----------
     text : str
     name : str
-        The program's name, also in error messages.
+        Name of the program, also in error messages.
     require_end, reading
         See `iter_moves`.
 
@@ -97,14 +97,14 @@ def read_program(
     ----------
     file : str or Path
     require_end, reading
-        See `iter_moves`. Subprograms in files of their own are looked for beside the program.
+        See `iter_moves`. Subprogram files are searched for in the folder of the program.
     problems : list of ProgramError, optional
-        Faults are added to it and faulty lines passed over, as far as that is possible; without it the first fault is raised.
+        Collects faults; faulty lines are skipped where possible. Without it the first fault is raised.
 
     Returns
     -------
     Program
-        Its name is the file's, without folders.
+        Its name is the file name without folders.
 
     Raises
     ------
@@ -141,9 +141,8 @@ def open_program(
     path = Path(file)
     chosen = _beside(path, reading or Reading())
     try:
-        # Whether the whole of it is UTF-8 shows at its end only: looked through once, line by line.
         if path.exists() and not path.is_file() and not path.is_dir():
-            # A pipe can be read only once.
+            # A pipe can be read only once; other files are first read to the end to check whether they are UTF-8.
             yield Reader(split_lines(read_text(path)), str(file), chosen, still=still, problems=problems)
             return
         text = path.open(encoding="utf-8-sig" if _is_utf8(path) else "latin-1", newline=None)
@@ -169,7 +168,8 @@ def _program(text: str, name: str, place: str, reading: Reading, problems: list[
         for move in reader.moves():
             moves.append(move)
             if len(moves) > MOST_MOVES:
-                raise ProgramError(f"the program makes more than {MOST_MOVES} moves: an endless loop?", file=place, line=move.source_line)
+                fault = f"the program makes more than {MOST_MOVES} moves: shorten it, or check for an endless loop"
+                raise ProgramError(fault, file=place, line=move.source_line)
     except ProgramError as error:
         if problems is None:
             raise

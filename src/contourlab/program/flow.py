@@ -25,7 +25,7 @@ _CONDITIONS = ("if", "elseif", "while", "repeat")
 _VALUES = ("return", "endsub")
 MOST_ARGUMENTS = 30
 BATCH = 1024
-"""Lines dropped at once."""
+"""Least number of lines to drop at once."""
 
 
 class OWord(NamedTuple):
@@ -49,7 +49,7 @@ class OWord(NamedTuple):
 
 
 def starts_o_word(line: str) -> bool:
-    """Tell whether a line holds an O-word."""
+    """Return whether a line holds an O-word."""
     return _O_LINE.match(line) is not None
 
 
@@ -61,12 +61,12 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
     line : str
     parameters : Parameters
     skipping : bool
-        Whether to read only label and keyword, because skipped conditions may be undefined.
+        Whether to read only label and keyword, because conditions on skipped lines may be undefined.
 
     Raises
     ------
     BlockError
-        If it is none, or an expression has no value.
+        If the line is no O-word, or an expression has no value.
     """
     cursor = without_blanks(line)
     if cursor.next == "/":
@@ -79,14 +79,14 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
     label = _label(cursor, parameters)
     keyword = cursor.take(_KEYWORD)
     if not keyword and cursor.next:
-        raise BlockError(f"O{label} is followed by no keyword: there are {', '.join(KEYWORDS)}", cursor.column)
+        raise BlockError(f"O{label} needs a keyword: write one of {', '.join(KEYWORDS)}", cursor.column)
     if skipping:
         return OWord(label, keyword, (), column)
     values = []
     while cursor.next == "[":
         values.append(read_value(cursor, parameters))
     if cursor.next:
-        raise BlockError(f"'{cursor.next}' follows an O-word: write it on a line of its own", cursor.column)
+        raise BlockError(f"'{cursor.next}' cannot follow an O-word: write it on its own line", cursor.column)
     _check_values(keyword, len(values), column)
     return OWord(label, keyword, tuple(values), column)
 
@@ -100,7 +100,7 @@ def _check_values(keyword: str, count: int, column: int) -> None:
     if keyword in _VALUES and count > 1:
         raise BlockError(f"{keyword} takes at most one value in brackets: delete the others", column)
     if keyword == "call" and count > MOST_ARGUMENTS:
-        raise BlockError(f"a call takes at most {MOST_ARGUMENTS} arguments: pass the rest in #31 and on", column)
+        raise BlockError(f"a call takes at most {MOST_ARGUMENTS} arguments: pass the rest in #31 and up", column)
     if keyword not in (*_CONDITIONS, *_VALUES, "call") and count:
         raise BlockError(f"{keyword or 'O'} takes no value: delete the brackets", column)
 
@@ -115,12 +115,12 @@ def _label(cursor: Cursor, parameters: Parameters) -> str:
         return str(int(digits))
     value = read_value(cursor, parameters)
     if abs(value - round(value)) > 1e-4 or not 0 <= value <= 1e9:
-        raise BlockError(f"the label of an O-word is a whole number: {value:g} is none", column)
+        raise BlockError(f"the label of an O-word must be a whole number: correct {value:g}", column)
     return str(round(value))
 
 
 class Tape:
-    """The lines of a file, kept from the first one that a loop or call may return to.
+    """The lines of a file, kept from the first line that a loop or call may return to.
 
     Parameters
     ----------
@@ -138,7 +138,7 @@ class Tape:
 
     @classmethod
     def of(cls, lines: list[str], first: int, name: str) -> Tape:
-        """Return a tape of permanently kept lines; the first has the index `first`."""
+        """Return a tape that keeps all its lines; the first line has the index `first`."""
         tape = cls(iter(()), name)
         tape._kept, tape._first, tape._pinned, tape.ended = lines, first, first, True
         return tape

@@ -1,9 +1,9 @@
 """Execute blocks: update the modal state, and make moves.
 
-RS274/NGC fixes the order within a block, whatever the order of the words: feed mode, feedrate, spindle, tool, coolant, overrides, dwell,
-plane, units, tool length, work coordinate system, path control, distance modes, return level, offsets and home positions, motion, pause or
-end of program. So F uses the units before a G20 or G21 on its line, X, Y and Z the new ones, and G94 clears
-an earlier feedrate, but not the F on its own line.
+RS274/NGC fixes the order of execution in a block, independent of the order of the words: feed mode, feedrate, spindle, tool, coolant,
+overrides, dwell, plane, units, tool length, work coordinate system, path control, distance modes, return level, offsets and home positions,
+motion, pause or end of program. So with G20 or G21 on its line, F uses the old units, but X, Y and Z the new ones. G94 clears an earlier
+feedrate, but not the F on its own line.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _SETTINGS: dict[int, tuple[str, object]] = {
 }  # fmt: skip
 """Attributes of `ModalState` that codes set."""
 _MODES = ("plane", "units", "diameter", "tool_length", "system", "control", "distance", "arc_distance", "return")
-"""Groups that set the state, in the order of execution; the feed mode comes before the feedrate."""
+"""Groups that set the state, in the order of execution. The feed mode is not among them: it is set before the feedrate."""
 _G_GROUPS = frozenset((*_MODES, "other", "motion", "feed_mode", "cutter", "spindle_mode"))
 _EVENTS = ("output", "tool", "spindle", "coolant", "overrides")
 _LETTER_OF_VALUE = dict.fromkeys((50, 51, 52, 53, 62, 63, 64, 65, 19), "P") | dict.fromkeys((61, 67, 68), "Q")
@@ -67,11 +67,11 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
     codes, words = block
     moves: list[Move] = []
     if state.plane != "XY" and ("@" in words or "^" in words):
-        raise BlockError("polar coordinates lie in the XY plane: write G17 on a line before", (words.get("@") or words["^"]).column)
+        raise BlockError("polar coordinates need the XY plane: write G17 on an earlier line", (words.get("@") or words["^"]).column)
     motion = _motion_to_be(block, state)
     _check_letters(block, motion)
     if motion not in (0, 10) and "other" in codes and codes["other"].number == 530:
-        raise BlockError("G53 goes with G0 or G1: write one of them, and X, Y or Z, on its line", codes["other"].column)
+        raise BlockError("G53 needs G0 or G1: write one of them, and X, Y or Z, on the same line", codes["other"].column)
     if "feed_mode" in codes:
         setattr(state, *_SETTINGS[codes["feed_mode"].number])
         if state.feed_mode != "inverse_time":
@@ -102,10 +102,10 @@ def _motion_to_be(block: Block, state: ModalState) -> int | None:
     if own is not None:
         if own.number != _NO_MOTION and takes_axes and other is not None:
             names = f"{g_name(other.number)} and {g_name(own.number)}"
-            raise BlockError(f"{names} would both take the axis words: write each on a line of its own", own.column)
+            raise BlockError(f"{names} both use the axis words: write each on its own line", own.column)
         if own.number == _NO_MOTION and axes and not takes_axes:
             word = next(words[letter] for letter in "XYZ@^" if letter in words)
-            raise BlockError(f"{word.letter} with G80, which ends all motion: delete it, or write G0 or G1 too", word.column)
+            raise BlockError(f"{word.letter} has no effect with G80, which ends all motion: delete it, or write G0 or G1 too", word.column)
         _check_axes_given(own, words, axes)
         return own.number
     if takes_axes:
@@ -115,7 +115,7 @@ def _motion_to_be(block: Block, state: ModalState) -> int | None:
             return None
         if state.motion is None or state.motion == _NO_MOTION:
             word = next(words[letter] for letter in "XYZ@^" if letter in words)
-            raise BlockError(f"{word.letter} without a motion: write G0, G1, G2 or G3 before it", word.column)
+            raise BlockError(f"{word.letter} has no motion code: write G0, G1, G2 or G3 before it", word.column)
         return state.motion
     if state.motion in _ARCS and ("I" in words or "J" in words or "K" in words):
         return state.motion
@@ -136,10 +136,10 @@ def _check_letters(block: Block, motion: int | None) -> None:
     if motion is not None:
         active.add(motion)
     if "P" in block.words and 40 in active and len(active & USERS["P"][0]) > 1:
-        raise BlockError("G4 and another code of the block would share P: write G4 on a line of its own", block.words["P"].column)
+        raise BlockError("G4 and another code of the block both use P: write G4 on its own line", block.words["P"].column)
     for letter, word in block.words.items():
         if letter in USERS and not USERS[letter][0] & active:
-            raise BlockError(f"{letter} has no {USERS[letter][1]} to use it: delete it, or write the code before it", word.column)
+            raise BlockError(f"no active code uses {letter}: delete it, or write {USERS[letter][1]}", word.column)
 
 
 def _set_feedrate(block: Block, state: ModalState) -> None:
@@ -150,7 +150,8 @@ def _set_feedrate(block: Block, state: ModalState) -> None:
     if feedrate < 0.0:
         raise BlockError(f"F{word.value:g}: a feedrate cannot be negative", word.column)
     if feedrate > LARGEST_FEEDRATE:
-        raise BlockError(f"F{word.value:g} is {feedrate:g} m/s: too fast; F is length per minute", word.column)
+        unit = "m/s" if state.feed_mode == "per_minute" else "m per turn"
+        raise BlockError(f"F{word.value:g} is {feedrate:g} {unit}, too fast: keep to {LARGEST_FEEDRATE:g} {unit}", word.column)
     state.feedrate = feedrate
 
 
@@ -159,7 +160,7 @@ def _dwell(block: Block, state: ModalState, line: int) -> list[Move]:
     if word is None:
         raise BlockError("G4 has no time: write for example G4 P0.5 for half a second", block.codes["other"].column)
     if not 0.0 <= word.value <= LONGEST_DWELL:
-        raise BlockError(f"G4 P{word.value:g}: P is in seconds and lies between 0 and {LONGEST_DWELL:g}", word.column)
+        raise BlockError(f"G4 P{word.value:g}: write P in seconds, from 0 to {LONGEST_DWELL:g}", word.column)
     return state.wait(word.value, line)
 
 
@@ -194,7 +195,7 @@ def _set_control(block: Block, state: ModalState, code: int) -> None:
     for letter in "PQ":
         word = block.words.get(letter)
         if word is not None and word.value < 0.0:
-            raise BlockError(f"{letter}{word.value:g}: a tolerance of G64 is not negative", word.column)
+            raise BlockError(f"{letter}{word.value:g}: a tolerance of G64 cannot be negative", word.column)
         lengths.append(None if word is None else state.length(word.value))
     tolerance, merge = lengths
     state.mode = Mode("blend", tolerance, tolerance if merge is None else merge, state.mode.tool)
@@ -220,7 +221,7 @@ def _motion(block: Block, state: ModalState, line: int, before: int | None) -> l
         return drill(block, state, line, again=before == motion)
     if motion in SPLINES:
         if state.feed_mode == "inverse_time":
-            raise BlockError("splines do not go with inverse-time feed: write G94 and F", block.column)
+            raise BlockError("splines cannot use inverse-time feed (G93): write G94 and F", block.column)
         if motion == 52:
             add_control_point(block, state)
             return []
@@ -245,16 +246,16 @@ def _motion(block: Block, state: ModalState, line: int, before: int | None) -> l
 
 
 def _feedrate(block: Block, state: ModalState, length: float) -> float:
-    """Return the feedrate [m/s] of a move of a length [m]; with G93, F is one over its time in minutes."""
+    """Return the feedrate [m/s] of a move of a length [m]; with G93, F is 1 over its time in minutes."""
     assert state.motion is not None  # the motion in progress
     column, name = block.column, f"G{state.motion // 10}"
     if state.feed_mode != "inverse_time":
         return state.path_feedrate(column, name)
     word = block.words.get("F")
     if word is None:
-        raise BlockError(f"{name} with G93 has no F: each move takes its own, one over its time in minutes", column)
+        raise BlockError(f"{name} with G93 has no F: write F on each move, as 1 / (time in minutes)", column)
     if word.value <= 0.0:
-        raise BlockError(f"F{word.value:g}: with G93, F is one over the time in minutes and greater than 0", word.column)
+        raise BlockError(f"F{word.value:g}: with G93, F is 1 / (time in minutes) and must be greater than 0", word.column)
     state.feedrate = max(length * word.value, state.length(LEAST_TIMED_RATE)) / 60.0
     return state.feedrate
 
@@ -265,7 +266,7 @@ def _execute_events(block: Block, state: ModalState, line: int) -> None:
     speed, tool = words.get("S"), words.get("T")
     if speed is not None:
         if speed.value < 0.0:
-            raise BlockError(f"S{speed.value:g}: a spindle speed is not negative, M4 turns it the other way", speed.column)
+            raise BlockError(f"S{speed.value:g}: a spindle speed cannot be negative; M4 turns it the other way", speed.column)
         state.speed = speed.value
         state.tell("S", speed.value, line)
     if tool is not None:
@@ -281,7 +282,7 @@ def _execute_event(block: Block, state: ModalState, line: int, code: int, column
     letter = _LETTER_OF_VALUE.get(code)
     word = block.words.get(letter) if letter else None
     if word is None and code in _NEEDED:
-        raise BlockError(f"M{code} has no {letter}: write its number", column)
+        raise BlockError(f"M{code} has no {letter}: write for example {letter}1", column)
     index = block.words.get("E") if code in (67, 68) else None
     if index is None and code in (67, 68):
         raise BlockError(f"M{code} has no E: write the number of the output", column)
@@ -298,10 +299,10 @@ def _execute_event(block: Block, state: ModalState, line: int, code: int, column
 def _check_orientation(block: Block) -> None:
     turn, way = block.words.get("R"), block.words.get("P")
     if turn is not None and not 0.0 <= turn.value <= 360.0:
-        raise BlockError(f"R{turn.value:g}: M19 turns the spindle to 0 to 360 degrees, correct it", turn.column)
+        raise BlockError(f"R{turn.value:g}: M19 needs an angle from 0 to 360 degrees", turn.column)
     if way is not None and way.value not in (0.0, 1.0, 2.0):
-        raise BlockError(f"P{way.value:g}: the P of M19 is 0 (shorter way), 1 (clockwise) or 2 (counterclockwise)", way.column)
+        raise BlockError(f"P{way.value:g}: M19 needs P0 (shorter way), P1 (clockwise) or P2 (counterclockwise)", way.column)
 
 
 def _tool_number(word: Word) -> int:
-    return word.whole(0, LARGEST_TOOL, "the number of a tool", 0.0)
+    return word.whole(0, LARGEST_TOOL, "the tool number", 0.0)

@@ -19,16 +19,16 @@ FULL_CIRCLE_BELOW = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Mode:
-    """The modes in force for a move.
+    """The active modes of a move.
 
     Parameters
     ----------
     control : {"exact_path", "exact_stop", "blend"} or None
-        G61, G61.1, G64; None before the first of them.
+        G61, G61.1, G64; None before the first of these codes.
     tolerance : float [m] or None
-        P of G64: how far the path may leave a corner; None without P.
+        P of G64: largest distance of the path from a corner; None without P.
     merge : float [m] or None
-        Q of G64, by default P: how far joined lines may deviate.
+        Q of G64, by default P: largest deviation of joined lines.
     tool : (x, y, z) [m]
         Tool offset: the tool tip is at the axis positions minus this offset.
     """
@@ -87,23 +87,23 @@ class Arc:
     Parameters
     ----------
     start, end : (x, y, z) [m]
-        They differ along the plane's normal for a helix.
+        For a helix they differ along the plane's normal.
     centre : (x, y, z) [m]
         At the start's height.
     plane : {"XY", "YZ", "ZX"}
     turns : int, not 0
-        > 0 counterclockwise seen from the tip of the plane's normal, < 0 clockwise; ``abs(turns) - 1`` whole
-        circles come on top of the arc from start to end.
+        > 0 counterclockwise seen from the tip of the plane's normal, < 0 clockwise; ``abs(turns) - 1`` whole circles are added to
+        the arc from start to end.
     feedrate : float [m/s], > 0
     source_line : int, >= 1
     mode : Mode
     turned : float [degrees]
-        Rotation of the plane about the Z axis (work coordinate system); it matters for YZ and ZX only.
+        Rotation of the plane about the Z axis (work coordinate system); relevant for YZ and ZX only.
 
     Notes
     -----
     The radii at start and end may differ by the tolerance of the reader (see `contourlab.program.curves`), because decimals are rounded.
-    For a true circle take `radius`; the end is then off by `radius_mismatch`.
+    For a true circle use `radius`; the end is then off by `radius_mismatch`.
 
     >>> quarter = Arc((0.01, 0.0, 0.0), (0.0, 0.01, 0.0), (0.0, 0.0, 0.0), "XY", 1, 0.025, 1)
     >>> round(quarter.sweep, 6)
@@ -181,7 +181,7 @@ class Spline:
     weights : tuple of float, > 0
         One for each control point; all 1 where the spline is polynomial.
     knots : tuple of float
-        ``len(points) + degree + 1`` of them, not falling; clamped at both ends.
+        ``len(points) + degree + 1`` knots, non-decreasing, clamped at both ends.
     feedrate : float [m/s], > 0
     source_line : int, >= 1
     mode : Mode
@@ -233,7 +233,7 @@ class Event:
     Parameters
     ----------
     word : str
-        ``"S"``, ``"T"``, an M-code such as ``"M3"``, or ``"G4"`` for a dwell of no time.
+        ``"S"``, ``"T"``, an M-code such as ``"M3"``, or ``"G4"`` for a dwell of 0 s.
     value : float or None
         Number of S (turns per minute) and T, the P of M50 to M53 and M62 to M65, the Q of M61, M67 and M68; None where there is none.
     source_line : int, >= 1
@@ -251,7 +251,7 @@ class Event:
 
     @property
     def rests(self) -> bool:
-        """Whether the machine stops for it: all but speeds, tool numbers, overrides, and outputs set while moving."""
+        """Whether the machine stops for it: all but speeds, tool numbers, overrides, and outputs set during motion."""
         return self.word not in _WHILE_MOVING
 
 
@@ -283,7 +283,7 @@ class Program:
     lines : tuple of str
         The source text; a move came from ``lines[move.source_line - 1]``.
     events : tuple of Event
-        Spindle, tool, coolant and the like, in the order of execution; they take no time.
+        Spindle, tool, coolant, overrides, outputs and pauses, in the order of execution; they take no time.
     notices : tuple of Notice
         Where the dialect was lenient.
     """

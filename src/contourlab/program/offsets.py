@@ -15,7 +15,7 @@ _FIXTURE = 9
 
 
 def select_system(state: ModalState, code: int) -> None:
-    """Select a work coordinate system (G54 to G59.3); the selected one is not reloaded."""
+    """Select a work coordinate system (G54 to G59.3); a system already selected is not reloaded."""
     system = SYSTEMS.index(code) + 1
     frame = state.frame
     if system == frame.system:
@@ -28,13 +28,13 @@ def select_system(state: ModalState, code: int) -> None:
 
 
 def set_tool_length(block: Block, state: ModalState, code: int) -> None:
-    """Set the tool offset: G43 from the table, G43.1 from the axis words, G43.2 in addition, G49 none."""
+    """Set the tool offset: G43 from the table, G43.1 from the axis words; G43.2 adds to it, G49 clears it."""
     frame, words = state.frame, block.words
     axes, height = state.axes, words.get("H")
     if code == 490:
         frame.tool = ORIGIN
     elif code == 430:
-        number = state.tools.current if height is None else height.whole(0, LARGEST_TOOL, "the number of a tool")
+        number = state.tools.current if height is None else height.whole(0, LARGEST_TOOL, "the tool number")
         state.tools.check(number, (height or block.codes["tool_length"]).column)
         frame.tool = state.tools.offset(number)
     elif code == 431:
@@ -42,16 +42,16 @@ def set_tool_length(block: Block, state: ModalState, code: int) -> None:
     else:
         given = state.given(words)
         if (height is None) == all(value is None for value in given):
-            raise BlockError("G43.2 takes a tool, as in H3, or lengths, as in Z5: give one of the two", block.codes["tool_length"].column)
+            raise BlockError("G43.2 needs a tool, as in H3, or lengths, as in Z5: write one of the two", block.codes["tool_length"].column)
         if height is not None:
-            frame.tool = add(frame.tool, state.tools.offset(height.whole(0, LARGEST_TOOL, "the number of a tool")))
+            frame.tool = add(frame.tool, state.tools.offset(height.whole(0, LARGEST_TOOL, "the tool number")))
         else:
             frame.tool = add(frame.tool, updated(ORIGIN, given))
     state.see_from(axes)
 
 
 def set_shift(block: Block, state: ModalState, code: Code) -> None:
-    """Shift the coordinates: G92 names the current point, G52 gives the shift; G92.1 to G92.3 clear or restore it."""
+    """Shift the coordinates: G92 gives new coordinates of the current point, G52 the shift; G92.1 to G92.3 clear or restore it."""
     frame, parameters, axes = state.frame, state.parameters, state.axes
     if code.number in (520, 920):
         given = state.given(block.words)
@@ -87,12 +87,12 @@ def set_data(block: Block, state: ModalState) -> None:
         _set_tool(words, state, level, number)
         return
     if number > len(SYSTEMS):
-        raise BlockError(f"P{number}: the work coordinate systems are 1 (G54) to 9 (G59.3), 0 for that in force", words["P"].column)
+        raise BlockError(f"P{number}: write 1 (G54) to 9 (G59.3), or 0 for the selected work coordinate system", words["P"].column)
     for letter in "IJ":
         if letter in words:
             raise BlockError(f"{letter} has no meaning with G10 L{level}: delete it", words[letter].column)
     if level == 20 and "R" in words:
-        raise BlockError("R (rotation) goes with G10 L2, not with L20: write it on a line of its own", words["R"].column)
+        raise BlockError("G10 L20 does not take R (rotation): set it with G10 L2 on its own line", words["R"].column)
     _set_origin(words, state, level, number or state.frame.system)
 
 
@@ -104,7 +104,7 @@ def _set_origin(words: dict[str, Word], state: ModalState, level: int, system: i
     if level == 2:
         origin = updated(origin, given)
     else:
-        # The tool tip in this system; the origin moves by its difference to the given point.
+        # `here` is the tool tip in this system; the origin moves by the difference to the given point.
         tip = less(state.axes, frame.tool)
         here = less(turn(less(tip, origin), -rotation), frame.shift)
         origin = add(origin, turn(less(here, updated(here, given)), rotation))
@@ -116,7 +116,7 @@ def _set_origin(words: dict[str, Word], state: ModalState, level: int, system: i
 
 def _set_tool(words: dict[str, Word], state: ModalState, level: int, number: int) -> None:
     if number < 1:
-        raise BlockError(f"P{number}: G10 L{level} takes the number of a tool, from 1", words["P"].column)
+        raise BlockError(f"P{number}: G10 L{level} needs a tool number, 1 or more", words["P"].column)
     given = state.given(words)
     if all(value is None for value in given) and "R" not in words:
         raise BlockError(f"G10 L{level} sets nothing: write the tool's offset, as in Z25", words["P"].column)
@@ -132,7 +132,7 @@ def _set_tool(words: dict[str, Word], state: ModalState, level: int, number: int
 
 
 def _touched_off(state: ModalState, given: list[float | None], old: Point, level: int) -> Point:
-    """Return the tool offset that gives the current point its coordinates: in the selected system (L10), or in G59.3 without G92 (L11)."""
+    """Return the tool offset for the given coordinates of the current point, in the selected system (L10) or in G59.3 without G92 (L11)."""
     system = _FIXTURE if level == 11 else state.frame.system
     origin, rotation = origin_of(state.parameters, system)
     shift = ORIGIN if level == 11 else state.frame.shift
@@ -174,9 +174,9 @@ def machine_target(block: Block, state: ModalState) -> Point:
     """
     words, column = block.words, block.codes["other"].column
     if not state.absolute:
-        raise BlockError("G53 means machine coordinates, which are absolute: write G90", column)
+        raise BlockError("G53 (machine coordinates) needs absolute mode: write G90", column)
     if "@" in words or "^" in words:
-        raise BlockError("G53 takes no polar coordinates: write X, Y and Z", column)
+        raise BlockError("G53 does not take polar coordinates: write X, Y and Z", column)
     point = state.frame.point(updated(state.axes, state.given(words)))
     state.check_reach(point, words)
     return point

@@ -22,9 +22,9 @@ from contourlab.program.walker import Walker
 Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
 MOST_NOTICES = 1000
 MOST_PROBLEMS = 100
-"""Most faults that are kept."""
+"""Most faults collected."""
 MOST_REPEATED = 5_000_000
-"""Most moves in loops and subprograms, where a few lines could make any number."""
+"""Most moves in loops and subprograms, where a few lines can make any number of moves."""
 _PROGRAM_ENDS = (2, 30)
 _RETURN = 99
 
@@ -36,17 +36,17 @@ class Reading:
     Parameters
     ----------
     dialect : {"linuxcnc", "grbl"}
-        With ``"grbl"`` a program needs no end, the first motion is G0 if none is given, comments need no end, and lines
-        for the controller itself ($...) are passed over; each gives a `Notice`.
+        With ``"grbl"`` a program needs no end, the first motion is G0 by default, comments need no end, and lines for the
+        controller itself ($...) are skipped; each of these gives a `Notice`.
     require_end : bool
-        Whether a program must end with M2, M30 or M99, or stand between two lines of ``%``, as in LinuxCNC. Otherwise the end of the text
-        is the end of the program.
+        Whether a program must end with M2, M30 or M99, or be enclosed in two lines of ``%``, as in LinuxCNC. Otherwise the end of the text
+        ends the program.
     block_delete : bool
-        Whether to skip lines that begin with /; LinuxCNC executes them unless the operator's switch is on.
+        Whether to skip lines that begin with /; LinuxCNC skips them only if the operator's switch is on.
     tools : str, Path, or None
         LinuxCNC tool table, for G43. Without it all tools have length 0.
     folder : Path or None
-        Folder of subprograms in files of their own; by default that of the program.
+        Folder of subprogram files; by default that of the program.
 
     Raises
     ------
@@ -62,28 +62,28 @@ class Reading:
 
     def __post_init__(self) -> None:
         if self.dialect not in get_args(Dialect):
-            raise ProgramError(f"no dialect {self.dialect!r}: there are {', '.join(get_args(Dialect))}")
+            raise ProgramError(f"unknown dialect {self.dialect!r}: use {', '.join(get_args(Dialect))}")
 
 
 class Reader:
-    """Read a part program line by line; keep only the lines that a loop or call may lead back to.
+    """Read a part program line by line; keep only the lines that a loop or call may return to.
 
     Parameters
     ----------
     lines : iterable of str
         With or without line breaks, for example an open text file.
     name : str or Path
-        What error messages call the program.
+        Name of the program in error messages.
     reading : Reading, optional
     still : bool
-        Whether moves of no length are yielded, too.
+        Whether to yield moves of zero length, too.
     problems : list of ProgramError, optional
         Collects up to `MOST_PROBLEMS` faults; faulty lines are skipped. Without it the first fault is raised.
 
     Attributes
     ----------
     state : ModalState
-        The state after the block whose moves were yielded last.
+        The state after the last block whose moves were yielded.
     notices : list of Notice
     """
 
@@ -112,7 +112,7 @@ class Reader:
         Raises
         ------
         ProgramError
-            With file, line and column, when the faulty line is reached; at the end if there is no motion at all, or no end.
+            With file, line and column, when the faulty line is reached; at the end if there is no motion, or no end.
         """
         walker, state, moved, repeated = self._walker, self.state, False, 0
         lines = walker.lines()
@@ -145,27 +145,26 @@ class Reader:
         self._check_end(moved)
 
     def _take(self, fault: BlockError) -> None:
-        """Keep a fault if faults are kept and reading can go on; raise it otherwise."""
+        """Store a fault if faults are collected and reading can continue; raise it otherwise."""
         file, number = self._walker.place
         error = fault.raised(fault.message, file=file, line=max(number, 1), column=fault.column)
-        # A fault without a column concerns a whole loop or file: reading cannot go on.
+        # A fault without a column concerns a whole loop or file: reading cannot continue.
         if self.problems is None or not fault.column or len(self.problems) >= MOST_PROBLEMS:
             raise error from None
-        # A loop meets its fault in every turn.
+        # A loop repeats its fault in every pass.
         if all(str(error) != str(known) for known in self.problems):
             self.problems.append(error)
 
     def _block(self, line: str) -> Block | None:
-        """Return the block of a line; None where there is nothing to execute."""
+        """Return the block of a line; None if there is nothing to execute."""
         if "/" in line and line.lstrip().startswith("/"):
             if self.reading.block_delete:
                 return None
             line = line.replace("/", " ", 1)
         if "%" in line and line.strip() == "%" and not (self._started and self.reading.require_end):
             if self._started:
-                self.notices.append(
-                    Notice("a % that closes has none that opens: it was passed over", self._walker.place[1], line.index("%") + 1)
-                )
+                fault = "% closes the program, but the first line has no % to open it: ignored"
+                self.notices.append(Notice(fault, self._walker.place[1], line.index("%") + 1))
             self._open = self._open or not self._started
             self._started = True
             return None
@@ -176,7 +175,7 @@ class Reader:
         return read_block(line, self.parameters)
 
     def _closes(self, line: str) -> bool:
-        """Tell whether a line is the % that closes the program."""
+        """Return whether a line is the % that closes the program."""
         if "%" in line and line.strip() == "%" and self._open:
             self._ended = True
         return self._ended
@@ -193,7 +192,7 @@ class Reader:
         return self._ended
 
     def _call(self, block: Block) -> None:
-        """Execute M98: P is the number of the subprogram, L how many times."""
+        """Execute M98: P is the number of the subprogram, L the number of repeats."""
         column = block.codes["call"].column
         label, repeats = (block.words[x].whole(0, 10**9, f"{x} of M98") if x in block.words else None for x in "PL")
         if label is None:
@@ -201,7 +200,7 @@ class Reader:
         self._walker.enter(str(label), None, column, 1 if repeats is None else repeats)
 
     def _subprogram(self, label: str) -> Tape | None:
-        """Return the lines of a subprogram in a file of its own."""
+        """Return the lines of a subprogram file."""
         if self.reading.folder is None or not re.fullmatch(r"[a-z0-9_.-]+", label):
             return None
         file = self.reading.folder / f"{label}.ngc"
@@ -211,18 +210,18 @@ class Reader:
 
     def _check_end(self, moved: bool) -> None:
         if self.state.curve.points:
-            cure = "write G5.3 behind its last control point"
+            cure = "write G5.3 after its last control point"
             raise ProgramError(f"the NURBS begun with G5.2 is not closed: {cure}", file=self.name, line=self._walker.place[1])
         if not moved and (self.state.still or self.problems is not None):
-            self.notices.append(Notice("the program moves nothing", 1, 1))
+            self.notices.append(Notice("the program contains no motion", 1, 1))
         elif not moved:
             cure = "write at least one G0, G1, G2 or G3 that leads away from the start (X0 Y0 Z0)"
-            raise ProgramError(f"the program holds no motion: {cure}", file=self.name)
+            raise ProgramError(f"the program contains no motion: {cure}", file=self.name)
         if self._ended:
             return
         line = self._walker.place[1]
         if self.reading.dialect == "grbl" or not self.reading.require_end:
-            self.notices.append(Notice("the program has no end (M2, M30): it ends with its last line", max(line, 1), 1))
+            self.notices.append(Notice("the program has no end (M2 or M30): its last line ends it", max(line, 1), 1))
         else:
             cure = "add a line with % at the end" if self._open else "add M2 or M30 at the end"
             raise ProgramEndError(f"the program has no end: {cure}", file=self.name, line=line)
@@ -234,20 +233,20 @@ _MOTION = re.compile(r"[Gg][ \t]*0*(?:[0-3](?:\.0*)?|38\.[2-5]|28|30|92|10|53|43
 
 
 def _grbl_line(line: str, number: int, notices: list[Notice], state: ModalState) -> str:
-    """Return a line of grbl 1.1 as LinuxCNC would want it, and add a notice of each leniency."""
+    """Convert a line of grbl 1.1 to LinuxCNC; add a notice of each deviation."""
     plain = line.strip()
     if plain.startswith("$") or plain in ("!", "~", "?", "%"):
-        what = "a line of %" if plain == "%" else f"{plain[:20]} is for the controller itself and"
-        notices.append(Notice(f"{what} was passed over", number, 1))
+        what = "a line with only %" if plain == "%" else f"{plain[:20]} is a command to the controller, not a part program"
+        notices.append(Notice(f"{what}: ignored", number, 1))
         return ""
     # Blanks in place of comments keep the columns.
     blank = _COMMENT.sub(lambda comment: " " * len(comment[0]), line)
     opened = blank.find("(")
     if opened >= 0 and ")" not in blank[opened:]:
-        notices.append(Notice("the comment has no end: the rest of the line was taken for it", number, opened + 1))
+        notices.append(Notice("the comment has no ')': the rest of the line is read as comment", number, opened + 1))
         line, blank = line[:opened], blank[:opened]
     if state.motion is None and (axis := _AXIS.search(blank)) and not _MOTION.search(blank):
-        notices.append(Notice("a move before any motion code: taken for G0, as after grbl's start", number, axis.start() + 1))
+        notices.append(Notice("a move before any motion code: read as G0, the default of grbl", number, axis.start() + 1))
         state.motion = 0
     return line
 

@@ -18,7 +18,7 @@ LARGEST_LENGTH = 1e3
 LARGEST_FEEDRATE = 1e3
 """Largest feedrate [m/s]."""
 SHORTEST_MOVE = 1e-12
-"""Straight moves up to this length [m] are rounding errors, and left out."""
+"""Straight moves up to this length [m] are rounding errors; they are left out."""
 
 FeedMode: TypeAlias = Literal["per_minute", "per_turn", "inverse_time"]
 
@@ -58,11 +58,11 @@ class ModalState:
     position : (x, y, z) [m]
         The programmed point in the selected coordinate system.
     reached : (x, y, z) [m]
-        Position of the axes; differs from `position` by offsets and omitted short moves.
+        Position of the axes; it differs from `position` by offsets and omitted short moves.
     motion : int or None
         G-code of the modal motion, times ten; 800 after G80.
     feedrate : float [m/s]
-        With G95 [m/turn]. 0 = not set yet.
+        [m/turn] with G95; 0 until set.
     turning : int
         Sense of the spindle: 1 clockwise, -1 counterclockwise, 0 at rest.
     speed : float [turns/min]
@@ -131,24 +131,25 @@ class ModalState:
         return end
 
     def check_reach(self, point: Point, words: dict[str, Word]) -> None:
-        """Refuse points that no machine reaches."""
+        """Refuse points beyond the range of any machine."""
         for letter, value in zip("XYZ", point, strict=True):
             if abs(value) > LARGEST_LENGTH:
                 word = words.get(letter) or next(iter(words.values()), None)
-                raise BlockError(f"{letter} would go to {value:g} m: keep to {LARGEST_LENGTH:g} m", word.column if word else 0)
+                fault = f"{letter} would move to {value:g} m: stay within {LARGEST_LENGTH:g} m of zero"
+                raise BlockError(fault, word.column if word else 0)
 
     def polar(self, words: dict[str, Word]) -> tuple[float, float]:
-        """Return x and y [m] of a distance @ from the origin and an angle ^ [degrees] from the x axis; a missing one stays."""
+        """Return x and y [m] of a distance @ from the origin and an angle ^ [degrees] from the x axis; a missing word keeps its value."""
         far, turn = words.get("@"), words.get("^")
         column = (far or words["^"]).column
         for letter in "XY":
             if letter in words:
-                raise BlockError(f"@ or ^ and {letter} in one block: give polar coordinates, or X and Y", words[letter].column)
+                raise BlockError(f"@ or ^ cannot be combined with {letter}: give polar coordinates, or X and Y", words[letter].column)
         x, y, _ = self.position
         radius, angle = math.hypot(x, y), math.atan2(y, x)
         if radius == 0.0 and (not self.absolute or turn is None):
-            cure = "write ^ too" if self.absolute else "leave it by X or Y first, or write G90"
-            raise BlockError(f"the origin has no angle: {cure}", column)
+            cure = "write ^ too" if self.absolute else "move away from it with X or Y first, or write G90"
+            raise BlockError(f"at the origin the polar angle is undefined: {cure}", column)
         if self.absolute:
             radius = radius if far is None else self.length(far.value)
             angle = angle if turn is None else math.radians(turn.value)
@@ -156,7 +157,7 @@ class ModalState:
             radius += 0.0 if far is None else self.length(far.value)
             angle += 0.0 if turn is None else math.radians(turn.value)
             if radius == 0.0:
-                raise BlockError("a polar step with G91 that ends at the origin leaves no angle to go on by: write X0 Y0 with G90", column)
+                raise BlockError("this polar step (G91) ends at the origin, where the angle is undefined: write G90 X0 Y0 instead", column)
         return (radius * math.cos(angle), radius * math.sin(angle))
 
     @property
@@ -170,10 +171,10 @@ class ModalState:
         Raises
         ------
         BlockError
-            If there is none, or G95 has no spindle speed.
+            If there is no feedrate, or G95 has no spindle speed.
         """
         if self.feedrate == 0.0:
-            raise BlockError(f"{motion} without a feedrate: write F on its line or before it; G94 clears an earlier one", column)
+            raise BlockError(f"{motion} has no feedrate: write F on its line or before it; G94 clears an earlier F", column)
         if self.feed_mode == "per_turn":
             if self.speed == 0.0:
                 raise BlockError(f"{motion} with G95 needs a spindle speed: write S before it", column)
@@ -193,7 +194,7 @@ class ModalState:
         return [Feed(start, axes, feedrate, line, self.mode)]
 
     def wait(self, seconds: float, line: int) -> list[Move]:
-        """Return a dwell; one of zero time becomes an event, because the machine stops for it."""
+        """Return a dwell; a dwell of 0 s becomes an event, because the machine stops for it."""
         if seconds == 0.0:
             self.tell("G4", 0.0, line)
             return []
@@ -205,7 +206,7 @@ class ModalState:
         self.events.append(Event(word, value, line, index, self.made))
 
     def see_from(self, axes: Point) -> None:
-        """Recompute the programmed point after a change of the offsets, from the axis positions [m] before it."""
+        """Recompute the programmed point after a change of the offsets, from the axis positions [m] before the change."""
         self.frame.refresh()
         self.position = self.frame.point(axes)
         if self.mode.tool != self.frame.tool:

@@ -1,4 +1,4 @@
-"""The words of RS274/NGC: supported codes with their modal groups, users of letters, and names of unsupported words.
+"""The words of RS274/NGC: supported codes with their modal groups, the codes that use each letter, and unsupported words.
 
 G-codes are numbers times ten: G90.1 is 901.
 """
@@ -9,7 +9,7 @@ from contourlab.errors import ProgramEndError, ProgramError
 
 
 class BlockError(Exception):
-    """A fault in a block, with its column (from 1; 0 for the whole block). `Reader` raises it as `raised`, with file and line."""
+    """A fault in a block, with its column (from 1; 0 for the whole block). `Reader` re-raises it as a `raised`, with file and line."""
 
     raised: type[ProgramError] = ProgramError
 
@@ -19,7 +19,7 @@ class BlockError(Exception):
 
 
 class EndMarkError(BlockError):
-    """A % at the end of a program that has none at its beginning."""
+    """A % at the end of a program without a % at its beginning."""
 
     raised = ProgramEndError
 
@@ -61,19 +61,19 @@ _USERS: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
         ("I", "G2, G3, G5, G5.1 or G87", (*_ARCS, 50, 51, 870)),
         ("J", "G2, G3, G5, G5.1 or G87", (*_ARCS, 50, 51, 870)),
         ("K", "G2, G3 or G87", (*_ARCS, 870)),
-        ("R", "G2, G3, G10 or a cycle", (*_ARCS, 100, *CYCLES, "M19")),
-        ("P", "G2 to G5.2, G10, G64, G82 to G89, M50 to M53, M62 to M65 or M98",
+        ("R", "G2, G3, G10, M19 or a cycle", (*_ARCS, 100, *CYCLES, "M19")),
+        ("P", "G2 to G5, G5.2, G10, G64, G74, G82, G84, G86, G88, G89, M19, M50 to M53, M62 to M65 or M98",
          (40, *_ARCS, 50, 52, 100, 640, 740, 820, 840, 860, 880, 890,
           "M19", "M50", "M51", "M52", "M53", "M62", "M63", "M64", "M65", "M98")),
-        ("L", "G10, a cycle other than G74, G5.2 or M98", (100, 52, *(CYCLES - {740}), "M98")),
-        ("Q", "G5, G10, G64, G73, G83, M61, M67 or M68", (50, 100, 640, 730, 830, "M19", "M61", "M67", "M68")),
+        ("L", "G5.2, G10, M98 or a cycle other than G74", (100, 52, *(CYCLES - {740}), "M98")),
+        ("Q", "G5, G10, G64, G73, G83, M19, M61, M67 or M68", (50, 100, 640, 730, 830, "M19", "M61", "M67", "M68")),
         ("H", "G43 or G43.2", (430, 432)),
-        ("E", "M67 or M68 (numbers take no exponent, extruders are not read)", ("M67", "M68")),
+        ("E", "M67 or M68; exponents and extruders are not supported", ("M67", "M68")),
 )  # fmt: skip
 USERS: dict[str, tuple[frozenset[int | str], str]] = {letter: (frozenset(codes), shown) for letter, shown, codes in _USERS}
 """Codes that use a letter (numbers times ten, or "M50"), and their names for messages."""
 
-O_WORD_ALONE = "an O-word stands alone on its line, behind a line number at most: write for example O100 call on the next line"
+O_WORD_ALONE = "an O-word must be alone on its line, apart from a line number: write for example O100 call on the next line"
 
 _CAM = "let the CAM system write plain G0, G1, G2 and G3 moves"
 _CENTRE_PATH = "let the CAM system write the path of the tool's centre"
@@ -81,18 +81,18 @@ _CENTRE_PATH = "let the CAM system write the path of the tool's centre"
 _REFUSED: dict[str, tuple[str, str]] = {
     name: (what, cure)
     for what, cure, *names in (
-        ("NURBS by knots", _CAM, "G6", "G6.1", "G6.2", "G6.3"),
+        ("NURBS with explicit knots", _CAM, "G6", "G6.1", "G6.2", "G6.3"),
         ("UV plane", "use G17", "G17.1"), ("WU plane", "use G18", "G18.1"), ("VW plane", "use G19", "G19.1"),
         ("spindle-synchronised motion", "use G1", "G33"), ("rigid tapping", "use G1", "G33.1"),
         ("probing", "use G1", "G38.2", "G38.3", "G38.4", "G38.5"),
         ("cutter compensation", _CENTRE_PATH, "G41", "G41.1", "G42", "G42.1"),
         ("lathe cycle", _CAM, "G70", "G71", "G71.1", "G71.2", "G72", "G72.1", "G72.2"), ("threading cycle", _CAM, "G76"),
-        ("constant surface speed", "it concerns the spindle alone, delete it", "G96"),
+        ("constant surface speed", "delete it; it affects only the spindle", "G96"),
         ("wait for an input", "delete it", "M66"), ("save the modal state", "delete it", "M70", "M73"),
-        ("saved modal state", "delete it", "M71"), ("restore the modal state", "write the modes themselves", "M72"),
+        ("invalidate the saved modal state", "delete it", "M71"), ("restore the modal state", "write the codes themselves", "M72"),
         ("user-defined code", "delete it", *(f"M{number}" for number in range(100, 200))),
-        ("rotary axis", "only X, Y and Z are read", *"ABC"), ("secondary axis", "only X, Y and Z are read", *"UVW"),
-        ("tool diameter", "it belongs to cutter compensation, delete it", "D"),
+        ("rotary axis", "use X, Y and Z only", *"ABC"), ("secondary axis", "use X, Y and Z only", *"UVW"),
+        ("tool diameter", "delete it; only cutter compensation uses it", "D"),
     )
     for name in names
 }  # fmt: skip
@@ -108,7 +108,7 @@ def g_name(code: int) -> str:
 
 
 def refusal(name: str, kind: str) -> str:
-    """Say what an unsupported code or word is, and what to do.
+    """Return the message for an unsupported code or word: what it is, and what to do.
 
     >>> refusal("G41", "G-code")
     "G41 (cutter compensation) is not supported yet: let the CAM system write the path of the tool's centre"
@@ -116,6 +116,6 @@ def refusal(name: str, kind: str) -> str:
     if name == "O":
         return O_WORD_ALONE
     if name not in _REFUSED:
-        return f"{name} is no {kind} of RS274/NGC: delete it, or correct the number"
+        return f"{name} is not a known {kind}: delete it, or correct the number"
     what, cure = _REFUSED[name]
     return f"{name} ({what}) is not supported yet: {cure}"

@@ -1,4 +1,4 @@
-"""Walk the lines of a program through subprograms, loops and conditions."""
+"""Follow the lines of a program through subprograms, loops and conditions."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from contourlab.program.flow import OWord, Tape, read_o_word, starts_o_word
 from contourlab.program.vocabulary import BlockError
 
 DEEPEST_CALL = 9
-"""LinuxCNC has ten levels, including the program itself."""
+"""LinuxCNC has ten levels, including the main program."""
 MOST_IDLE = 1_000_000
-"""Most lines in loops and subprograms without a move; more mean an endless loop."""
+"""Most lines in loops and subprograms without a move; more indicate an endless loop."""
 MOST_REPEATS = 1e9
 _ENDS = {"while": "endwhile", "do": "while", "repeat": "endrepeat"}
 
@@ -30,7 +30,7 @@ class _Loop:
 
 @dataclass(slots=True)
 class _Frame:
-    """A running subprogram, or the program itself."""
+    """A running subprogram, or the main program."""
 
     tape: Tape
     index: int
@@ -73,7 +73,7 @@ class Walker:
 
     @property
     def frame(self) -> _Frame:
-        """The innermost subprogram, or the program itself."""
+        """The innermost subprogram, or the main program."""
         return self._frames[-1]
 
     @property
@@ -83,7 +83,7 @@ class Walker:
 
     @property
     def main_line(self) -> int:
-        """Line number in the main file: that of the call while a subprogram in another file runs."""
+        """Line number in the main file; while a subprogram in another file runs, the line of the call."""
         return next(frame.index for frame in reversed(self._frames) if frame.tape.name == self.main.name)
 
     @property
@@ -107,7 +107,7 @@ class Walker:
             if self.repeating:
                 self.idle += 1
                 if self.idle > MOST_IDLE:
-                    raise BlockError(f"{MOST_IDLE} lines of loops and subprograms without a move: check for an endless loop", 0)
+                    raise BlockError(f"{MOST_IDLE} lines of loops and subprograms ran without a move: check for an endless loop", 0)
             else:
                 frame.tape.forget(frame.index)
             frame.index += 1
@@ -119,7 +119,7 @@ class Walker:
 
     def _at_end(self, frame: _Frame) -> None:
         if self.in_subprogram:
-            raise BlockError(f"the subprogram O{frame.label} has no end: write O{frame.label} endsub, or M99 after M98", 0)
+            raise BlockError(f"the subprogram O{frame.label} has no end: write O{frame.label} endsub, or M99 if M98 calls it", 0)
         if frame.loops:
             loop = frame.loops[-1]
             raise BlockError(f"O{loop.label} {loop.kind} has no end: write O{loop.label} {_ENDS[loop.kind]}", 0)
@@ -129,7 +129,7 @@ class Walker:
         place = self.place
         first = self._begun.setdefault((self.frame.label, word.label), place)
         if first != place:
-            raise BlockError(f"O{word.label} {word.keyword}: line {first[1]} uses this label, take another one", word.column)
+            raise BlockError(f"O{word.label} {word.keyword}: line {first[1]} already uses this label; choose another one", word.column)
 
     # Conditions
 
@@ -156,7 +156,7 @@ class Walker:
     def _endif(self, word: OWord) -> None:
         ifs, loops = self.frame.ifs, self.frame.loops
         if len(ifs) <= (loops[-1].ifs if loops else 0) or ifs[-1] != word.label:
-            raise BlockError(f"O{word.label} {word.keyword} belongs to no if: write O{word.label} if before it", word.column)
+            raise BlockError(f"O{word.label} {word.keyword} has no if: write O{word.label} if before it", word.column)
         ifs.pop()
 
     # Loops
@@ -186,10 +186,10 @@ class Walker:
         self.frame.index = loop.start
 
     def _turn(self, loop: _Loop, word: OWord) -> None:
-        """Refuse a loop whose condition cannot change: a turn sets no parameter and ends at the same position."""
+        """Refuse a loop whose condition cannot change: a pass sets no parameter and ends at the same position."""
         mark = self.parameters.changes, self.parameters.position()
         if mark == loop.mark:
-            raise BlockError(f"O{word.label} {loop.kind} never ends: no turn of it changes a parameter or the position", word.column)
+            raise BlockError(f"O{word.label} {loop.kind} never ends: change a parameter or the position in the loop", word.column)
         loop.mark = mark
 
     def _do(self, word: OWord) -> None:
@@ -231,14 +231,15 @@ class Walker:
     def _wanted(self, word: OWord, kind: str) -> _Loop:
         loop = self._innermost(word.label)
         if loop is None or loop.kind != kind:
-            raise BlockError(f"O{word.label} {word.keyword} closes no {kind}: write O{word.label} {kind} before it", word.column)
+            raise BlockError(f"O{word.label} {word.keyword} has no {kind}: write O{word.label} {kind} before it", word.column)
         return loop
 
     def _leave_inner(self, word: OWord) -> _Loop:
-        """Leave the loops inside the named one, and return it."""
+        """Leave the loops inside the loop with this label, and return that loop."""
         loops = self.frame.loops
         if not any(loop.label == word.label for loop in loops):
-            raise BlockError(f"O{word.label} {word.keyword} is in no loop of this label: correct the label or delete it", word.column)
+            cure = "correct the label, or delete the line"
+            raise BlockError(f"O{word.label} {word.keyword} is not inside a loop with this label: {cure}", word.column)
         while loops[-1].label != word.label:
             loops.pop()
         del self.frame.ifs[loops[-1].ifs :]
@@ -248,9 +249,10 @@ class Walker:
 
     def _sub(self, word: OWord) -> None:
         if self.in_subprogram:
-            raise BlockError(f"O{word.label} sub is inside a subprogram: write it before or after", word.column)
+            raise BlockError(f"O{word.label} sub is inside another subprogram: move it before or after", word.column)
         if word.label in self._subs:
-            raise BlockError(f"O{word.label} sub is defined twice, or reached after its call: write it before, or after M2", word.column)
+            cure = "move it before the first call, or after M2"
+            raise BlockError(f"O{word.label} sub is defined twice, or the program runs into it after a call: {cure}", word.column)
         self._subs[word.label] = self._body(self.frame.tape, self.frame.index, word)
         self._skip_to(word.label, ("endsub",), word)
 
@@ -266,7 +268,7 @@ class Walker:
         return Tape.of(lines, start, tape.name), start
 
     def _ahead_of_time(self, line: str) -> OWord | None:
-        """Return the O-word of a line before its execution, which reports faults."""
+        """Return the O-word of a line ahead of its execution; only the execution reports faults."""
         try:
             return read_o_word(line, self.parameters, skipping=True) if starts_o_word(line) else None
         except BlockError:
@@ -284,7 +286,7 @@ class Walker:
             If there is no such subprogram, or calls are nested too deep.
         """
         if len(self._frames) > DEEPEST_CALL:
-            raise BlockError(f"calls are nested more than {DEEPEST_CALL} deep: a subprogram that calls itself must end", column)
+            raise BlockError(f"calls are nested more than {DEEPEST_CALL} deep: check for a subprogram that calls itself", column)
         if repeats < 1:
             return
         fanuc = arguments is None
@@ -300,7 +302,7 @@ class Walker:
         return self._subs[label]
 
     def _ahead(self, tape: Tape, start: int, label: str, fanuc: bool, column: int) -> tuple[Tape, int]:
-        """Search for a subprogram from a line on; remember the lines searched."""
+        """Search for a subprogram from a line onwards; remember the lines searched."""
         seen = self._seen.setdefault(tape.name, _Seen())
         wanted = (label, "" if fanuc else "sub")
         while True:
@@ -317,14 +319,15 @@ class Walker:
             o_word = self._ahead_of_time(line)
             if o_word and o_word.keyword in ("", "sub"):
                 seen.places.setdefault((o_word.label, o_word.keyword), []).append(seen.reached)
-        raise BlockError(f"no subprogram O{label}, neither here nor in a file {label}.ngc next to the program", column)
+        missing = f"no subprogram O{label} in the program, and no file {label}.ngc next to it"
+        raise BlockError(f"{missing}: correct the label, or add the subprogram", column)
 
     def _endsub(self, word: OWord) -> None:
         frame = self.frame
         # A return may have the label of its condition.
         if not self.in_subprogram or frame.fanuc or (word.keyword == "endsub" and frame.label != word.label):
             cure = f"write O{word.label} sub before it, or delete it"
-            raise BlockError(f"O{word.label} {word.keyword} is in no subprogram of this label: {cure}", word.column)
+            raise BlockError(f"O{word.label} {word.keyword} is not inside a subprogram with this label: {cure}", word.column)
         self.parameters.give_back(word.values[0] if word.values else None)
         self._leave()
 
@@ -337,15 +340,15 @@ class Walker:
     def _plain(self, word: OWord) -> None:
         # O100 alone names a subprogram for M98 and has no effect.
         if self.in_subprogram and not self.frame.fanuc:
-            raise BlockError(f"O{word.label} is inside a subprogram: write it before or after", word.column)
+            raise BlockError(f"O{word.label} (a subprogram for M98) is inside another subprogram: move it before or after", word.column)
 
     def back(self) -> bool:
-        """Return from M98 at M99, or repeat; False in the program itself, which ends there."""
+        """Return from M98 at M99, or repeat; False in the main program, which ends there."""
         frame = self.frame
         if not self.in_subprogram:
             return False
         if not frame.fanuc:
-            raise BlockError(f"M99 ends subprograms of M98; O{frame.label} was called: write O{frame.label} endsub", 0)
+            raise BlockError(f"M99 only ends subprograms that M98 calls: write O{frame.label} endsub instead", 0)
         frame.repeats -= 1
         if frame.repeats > 0:
             frame.index = frame.start
@@ -365,7 +368,7 @@ class Walker:
                 if o_word.label == label and o_word.keyword in keywords:
                     return o_word
                 if o_word.keyword == "sub" and keywords == ("endsub",):
-                    raise BlockError(f"O{o_word.label} sub is inside O{label} sub: write it before or after", o_word.column)
+                    raise BlockError(f"O{o_word.label} sub is inside O{label} sub: move it before or after", o_word.column)
             if not self.repeating:
                 frame.tape.forget(frame.index)
         frame.index = begun  # report the line without an end

@@ -17,12 +17,18 @@ from contourlab.result import Result
 
 UM = 1e6
 OFF_SCALE = 4.0
-"""Peaks this many times beyond the limit are outside the picture, or they would flatten the rest."""
+"""Peaks above this multiple of the limit are cut off, because they would flatten the rest."""
 FAR = 0.08
-"""Curves below this share of the limit are drawn without it, or they would be flat."""
+"""Curves below this share of the limit are drawn without it, because they would look flat."""
 DEEPEST = 120.0
-"""Drawn range of magnitude [dB]; what is deeper is rounding."""
+"""Drawn range of magnitude [dB]; smaller values are rounding."""
 FEED_COLOURS = ("#8a949e", "#0072b2", "#009e73", "#d55e00", "#cc79a7", "#e69f00", "#56b4e9")
+EXPLAINED = {
+    "curvature step": "Curvature step: the acceleration jumps where a line meets an arc. The jump keeps the acceleration limits;"
+    " no jerk limit can hold there without a stop.",
+    "near a slow section": "Near a slow section: the planner slows down for a slower section nearby.",
+}
+"""Explanations of what limits the feed."""
 FEED_POINTS = 10_000
 FINER = 4
 """A loop gets this many times the points of a curve over time, since it repeats."""
@@ -46,12 +52,10 @@ def feed_charts(run: FeedRun | None) -> tuple[Chart, ...]:
         curves.append(Curve(x, np.where(drawn, feed, np.nan), name, FEED_COLOURS[code % len(FEED_COLOURS)], "solid", 2.2))
     panel = Panel("arc length [mm]", "feedrate [mm/min]", tuple(curves))
     shares = ", ".join(f"{name} {number(100.0 * part)} %" for name, part in run.shares().items() if part >= 5e-4)
-    caption = (
-        f"Planned speed along the path; the colour says what holds it. By time: {shares}. Cycle time {figure(float(run.time[-1]), 's')}."
-        ' "Step of curvature": where a line meets an arc the acceleration steps, at a speed that keeps the step within the axes\' limits;'
-        ' no jerk limit can hold there short of a stop. "Planner\'s distance": no limit is nearly used up, before or behind a slower place.'
-    )
-    return (Chart("feed", "Feed along the path", caption, (panel,)),)
+    cycle = figure(float(run.time[-1]), "s")
+    caption = f"Planned feedrate. The colour shows what limits it. Share of time: {shares}. Cycle time {cycle}."
+    explained = [text for name, text in EXPLAINED.items() if name in run.shares()]
+    return (Chart("feed", "Feed along the path", " ".join([caption, *explained]), (panel,)),)
 
 
 def axis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
@@ -113,7 +117,7 @@ def _off_scale(panel: Panel) -> str:
     worst = max(panel.curves, key=lambda curve: largest_magnitude(curve.y))
     at = int(np.nanargmax(np.abs(worst.y)))
     peak = f"{number(float(worst.y[at]))} {unit.rstrip(']')}"
-    return f"{what.capitalize()} peaks at {peak} at {number(float(worst.x[at]), 4)} s, outside the picture."
+    return f"{what.capitalize()} peaks at {peak} at {number(float(worst.x[at]), 4)} s, outside the drawn range."
 
 
 def _bounds(data: ReportData) -> AxisBounds | None:
@@ -184,7 +188,7 @@ def bode_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
             notes += [f"{scheme.name}: {note}."] * bool(note)
         magnitude = Panel("frequency [Hz]", "magnitude [dB]", tuple(gains), (Level(-3.0, "−3 dB"),), log_x=True, y_range=_decibels(gains))
         phase_panel = Panel("frequency [Hz]", "phase [deg]", tuple(phases), log_x=True)
-        caption = " ".join(["Reference to position, closed loop.", *notes])
+        caption = " ".join(["Closed loop, reference to position.", *notes])
         charts.append(Chart(f"bode-{index}", f"Axis {axis}", caption, (magnitude, phase_panel)))
     return tuple(charts)
 
@@ -198,7 +202,7 @@ def _decibels(gains: list[Curve]) -> tuple[float, float] | None:
 
 
 def hysteresis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
-    """Return motor less load over the load's position, a chart for each axis with both and a panel for each scheme."""
+    """Return motor less load over load position: a chart for each axis that has both, a panel for each scheme."""
     return tuple(chart for i, axis in enumerate(data.axes) if (chart := _hysteresis(data, i, axis, points)) is not None)
 
 
@@ -213,8 +217,8 @@ def _hysteresis(data: ReportData, axis: int, name: str, points: int) -> Chart | 
         notes.append(_note(scheme, name, x, y))
     edge = 1.15 * max(largest_magnitude(curve.y) for curves in panels for curve in curves) or 1.0
     drawn = tuple(Panel("load position [mm]", "motor − load [um]", curves, y_range=(-edge, edge)) for curves in panels)
-    caption = f"Between the dashed flanks the motor turns without the load; beyond, the shaft is wound up. {' '.join(notes)}"
-    return Chart(f"backlash-{axis}", f"Axis {name}: motor less load over the load's position", caption, drawn, loops=True)
+    caption = f"Between the dashed lines the motor moves without the load; beyond them the shaft winds up. {' '.join(notes)}"
+    return Chart(f"backlash-{axis}", f"Axis {name}: motor minus load position", caption, drawn, loops=True)
 
 
 def _loop(result: Result, axis: int, points: int) -> tuple[Array, Array]:
@@ -232,7 +236,7 @@ def _flanks(scheme: SchemeReport, axis: str, x: Array) -> tuple[Curve, Curve]:
     inside = place[(place * 1e3 > low) & (place * 1e3 < high)] * 1e3
     at = np.concatenate([[low], inside, [high]])
     half = 0.5 * np.interp(at * 1e-3, place, width) * UM
-    return Curve(at, half, "flanks of the gap", LIMIT, "dash"), Curve(at, -half, "flanks of the gap", LIMIT, "dash")
+    return Curve(at, half, "edge of the gap", LIMIT, "dash"), Curve(at, -half, "edge of the gap", LIMIT, "dash")
 
 
 def _note(scheme: SchemeReport, axis: str, x: Array, y: Array) -> str:
@@ -241,4 +245,4 @@ def _note(scheme: SchemeReport, axis: str, x: Array, y: Array) -> str:
     wide, narrow = float(width.max()) * UM, float(width.min()) * UM
     gap = f"{number(wide, 6)} um" if wide == narrow else f"{number(narrow, 6)} um to {number(wide, 6)} um"
     twist = np.abs(y) - 0.5 * np.interp(x * 1e-3, place, width) * UM
-    return f"{scheme.name}: free travel {gap}, wind-up at most {number(max(float(np.nanmax(twist)), 0.0))} um."
+    return f"{scheme.name}: backlash gap {gap}, wind-up at most {number(max(float(np.nanmax(twist)), 0.0))} um."

@@ -20,7 +20,7 @@ class Curve:
     ----------
     x, y : ndarray (n,)
     name : str
-        In the legend; curves with the same name share an entry.
+        Legend entry; curves with the same name share it.
     colour : str
     dash : {"solid", "dash", "dot"}
     width : float [px]
@@ -47,7 +47,7 @@ class Level:
 
 @dataclass(frozen=True)
 class Tick:
-    """A mark on the x axis; its label shows when pointed at."""
+    """A mark on the x axis; its label appears on hover."""
 
     x: float
     label: str
@@ -143,7 +143,7 @@ class PolarChart:
     curves : tuple of Curve
         x is the angle [deg], y the deviation [um].
     division : float [um]
-        Between two rings.
+        Distance between two rings.
     reach : (low, high) [um]
         Deviation at the centre and at the rim.
     radius : float [m]
@@ -208,7 +208,7 @@ class PathChart:
     view : str
         For example ``"XY"``.
     labels : (str, str)
-        Of the two axes, with unit.
+        Labels of the two axes, with unit.
     lines : tuple of Curve
         Planned and programmed path [mm].
     runs : tuple of Magnified

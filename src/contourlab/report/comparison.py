@@ -1,4 +1,4 @@
-"""The comparison of schemes: its rows are worked out once, for the terminal, Markdown and the page."""
+"""The comparison of schemes: the same rows for the terminal, Markdown and the page."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ class Row:
     cells : tuple of Cell
         One per scheme.
     change : Cell
-        Of the last scheme against the first, in percent.
+        Change from the first scheme to the last, in percent.
     strong : bool
-        Whether the verdict rests on this row.
+        Whether the tolerance applies to this row.
     """
 
     label: str
@@ -53,7 +53,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Comparison:
-    """The whole table; `note` says what its figures are of, `notes` are those of the runs."""
+    """The whole table; `note` explains its figures, `notes` concern the path and the runs."""
 
     heads: tuple[Head, ...]
     rows: tuple[Row, ...]
@@ -63,15 +63,15 @@ class Comparison:
 
     @property
     def has_change(self) -> bool:
-        """Whether there is a before and an after."""
+        """Whether there are two schemes or more."""
         return len(self.heads) > 1
 
 
 def compare(data: ReportData) -> Comparison:
     """Return the comparison of a report's schemes.
 
-    Rows: verdict (with a tolerance), servo loops (where one is unstable), learning, errors, axes, drives, time. A figure that no scheme
-    has is left out.
+    Rows: verdict (with a tolerance), servo loops (if one is unstable), learning, errors, axes, drives, time. A figure that no scheme has
+    is omitted.
     """
     count = len(data.schemes)
     heads = tuple(Head(scheme.name, scheme_style(i, count)[0]) for i, scheme in enumerate(data.schemes))
@@ -126,8 +126,8 @@ def _row(figures: list[Figure | None]) -> Row:
 
 
 def _change(before: float, after: float, lower_is_better: bool) -> Cell:
-    """Return the change of the magnitude in percent, and whether it is for the better."""
-    # A first value that is rounding is nothing to compare with.
+    """Return the change of the magnitude in percent, and whether it is an improvement."""
+    # A first value that is only rounding gives no meaningful ratio.
     if not (math.isfinite(before) and math.isfinite(after)) or abs(before) <= 1e-9 * abs(after) or before == 0.0:
         return Cell(NONE)
     percent = 100.0 * (abs(after) - abs(before)) / abs(before)
@@ -138,7 +138,7 @@ def _change(before: float, after: float, lower_is_better: bool) -> Cell:
 
 
 def _judged_part(schemes: Sequence[SchemeReport]) -> str:
-    """Say over which part of the run the errors are; by scheme where it differs."""
+    """Describe the evaluated part of the run; by scheme if they differ."""
     parts: dict[str, list[str]] = {}
     for scheme in schemes:
         start, stop = (figure(sample * scheme.result.servo_period, "s", 4) for sample in scheme.metrics.window)
@@ -150,14 +150,14 @@ def _judged_part(schemes: Sequence[SchemeReport]) -> str:
 
 
 def _note(data: ReportData) -> str:
-    """Say what the numbers do not show."""
+    """Describe what the numbers do not show."""
     notes = [_judged_part(data.schemes)]
     if data.is_measured:
-        notes.append("Positions are those of the log: errors that its encoders do not see are missing.")
+        notes.append("Positions are those of the log's encoders: errors that no encoder measures are not included.")
     elif not data.is_blended:
-        notes.append("The planned path is the programmed one: contour error and part error are equal.")
+        notes.append("The planned path equals the programmed path, so contour error and part error are equal.")
     if len(data.schemes) > 1:
-        notes.append(f"Change: {data.schemes[-1].name} against {data.schemes[0].name}.")
+        notes.append(f"Change: {data.schemes[-1].name} compared with {data.schemes[0].name}.")
     stopped = [scheme for scheme in data.schemes if not scheme.result.status.ok]
     notes += [f"{scheme.name} did not finish: {scheme.result.status.reason}. Its figures cover the part that ran." for scheme in stopped]
     return " ".join(notes)
@@ -189,7 +189,7 @@ class Figure:
 
 
 def figures_of(data: ReportData, scheme: SchemeReport) -> dict[str, Figure]:
-    """Return the figures of a run in the order of print, by label; part error and contour error appear once if they are the same."""
+    """Return the figures of a run by label, in printing order; part error and contour error appear once if they are the same."""
     return {figure.label: figure for figure in _figures(data, scheme)}
 
 
@@ -215,4 +215,4 @@ def _figures(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
     yield Figure("feedrate, ripple", metrics.feedrate_ripple, 100.0, "%")
     yield Figure("cycle time", metrics.cycle_time, 1.0, "s")
     if scheme.tick is not None:
-        yield Figure("servo tick, machine included", scheme.tick, 1e9, "ns", lower_is_better=False)
+        yield Figure("computing time per servo tick", scheme.tick, 1e9, "ns", lower_is_better=False)

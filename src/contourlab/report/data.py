@@ -18,7 +18,7 @@ from contourlab.report.run_data import AxisBounds, FeedRun, FrequencyResponse, T
 from contourlab.result import Result
 
 NANOMETRE = 1e-9
-"""Paths closer than this are one path: curves may be that far apart at a junction."""
+"""Paths closer than this count as one: junctions may have gaps of this size."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +30,7 @@ class SchemeReport:
     name : str
         For example ``"without observer"``.
     result : Result
-        Judged: with the signals ``contour_error`` and ``tracking_error``.
+        Judged, with the signals ``contour_error`` and ``tracking_error``.
     metrics : Metrics
     bounds : AxisBounds or None
     verdict : Verdict or None
@@ -42,9 +42,9 @@ class SchemeReport:
     circle_spikes : sequence of sequence of int
         Points of each circle at which reversal spikes are highest, to be marked.
     limits : LimitReport or None
-        Of the planned motion; None without limits.
+        Largest values of the planned motion against its limits; None without limits.
     trials : TrialCourse or None
-        Of a scheme that learns; `result` is its best trial.
+        Trials of a scheme that learns; `result` is the best one.
     foretold : LearningAnalysis or None
         Prediction of its learning.
     tick : float or None [s]
@@ -85,7 +85,7 @@ class Provenance:
     Parameters
     ----------
     version : str
-        Of contourlab.
+        Version of contourlab.
     command : str
         As typed.
     run_again : str
@@ -122,7 +122,7 @@ class ReportData:
     program : sequence of str
         Lines of the part program.
     tolerance : float [m] or None, > 0
-        Of the errors.
+        Largest part error that passes.
     notes : sequence of str
         On the path and the runs, for example that the path was scaled.
     feed : FeedRun or None

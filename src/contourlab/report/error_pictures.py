@@ -31,14 +31,15 @@ def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
         if "arc_length" in scheme.result:
             over_arc.append(Curve(signal(scheme.result, "arc_length")[kept] * 1e3, height, scheme.name, colour, dash))
     label = f"{name.replace('_', ' ')} [um]"
-    caption = _caption(data, name, signed)
-    panel = _panel(data, "time [s]", label, tuple(over_time), signed, _moments(data))
+    moments = _moments(data)
+    caption = _caption(name, signed, {tick.kind for tick in moments})
+    panel = _panel(data, "time [s]", label, tuple(over_time), signed, moments)
     charts = [Chart("error-time", "Error over time", caption, (panel,))]
     if len(over_arc) == len(data.schemes):
         last = max(float(curve.x[-1]) for curve in over_arc)
         corners = tuple(Tick(float(s) * 1e3, "corner", "corner") for s in _corners(data, last * 1e-3))
         panel = _panel(data, "arc length [mm]", label, tuple(over_arc), signed, corners)
-        caption = "The same error over the progress along the path."
+        caption = "The same error over the arc length travelled."
         charts.append(Chart("error-arc", "Error along the path", caption, (panel,)))
     return tuple(charts)
 
@@ -78,14 +79,14 @@ def _panel(data: ReportData, x_label: str, y_label: str, curves: tuple[Curve, ..
     return Panel(x_label, y_label, curves, band=band, band_label=text, ticks=ticks, y_range=y_range)
 
 
-def _caption(data: ReportData, name: str, signed: bool) -> str:
-    """Describe the error and its sign."""
+def _caption(name: str, signed: bool, marked: set[str]) -> str:
+    """Describe the error, its sign and the marks."""
     path = "programmed" if name == "part_error" else "planned"
     what = f"{name.replace('_', ' ').capitalize()}: shortest distance from the tool to the {path} path."
     sign = " Positive to the left of the direction of travel." if signed else ""
-    marked = data.schemes[-1].spikes or np.size(data.planned.corners)
-    marks = " Marks below: triangles where an axis reverses, diamonds at corners." if marked else ""
-    return what + sign + marks
+    reversals = " Triangles mark axis reversals." if "reversal" in marked else ""
+    corners = " Diamonds mark corners." if "corner" in marked else ""
+    return what + sign + reversals + corners
 
 
 def polar_charts(data: ReportData, points: int) -> tuple[PolarChart, ...]:
@@ -112,8 +113,8 @@ def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
             radius, top = circle.radius, max(top, largest_magnitude(circle.deviation) * UM)
     division, span = ring_spacing(top)
     caption = (
-        f"Nominal radius {figure(radius, 'mm', 6)}; one ring is {number(division, 6)} um of radial deviation, "
-        f"magnified {number(radius * 1e6 / (2.0 * span))} times. Solid counter-clockwise, dashed clockwise."
-        + (" Rings: the peaks of reversal spikes." if marks else "")
+        f"Nominal radius {figure(radius, 'mm', 6)}. Ring spacing {number(division, 6)} um of radial deviation, "
+        f"magnified {number(radius * 1e6 / (2.0 * span))} times. Solid: counter-clockwise; dashed: clockwise."
+        + (" Small circles mark the peaks of reversal spikes." if marks else "")
     )
     return PolarChart(f"circle-{index}", name, caption, tuple(curves), division, (-2.0 * span, span), radius, tuple(marks))

@@ -134,7 +134,7 @@ def _inert(value: Any) -> str:
 
 
 def _program(data: ReportData) -> dict[str, Any] | None:
-    """Return the part program with its worst lines marked; of a very long one only their surroundings."""
+    """Return the part program with its worst lines marked; a very long one is cut to its start and the lines around them."""
     lines = list(data.program)
     if not lines:
         return None
@@ -160,7 +160,7 @@ def _clipped(text: str) -> dict[str, Any]:
     if len(text) <= MOST_TEXT:
         return {"text": text, "note": ""}
     digest = hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()
-    note = f"The first {MOST_TEXT} of {len(text)} characters; SHA-256 of all: {digest}."
+    note = f"The first {MOST_TEXT} of {len(text)} characters. SHA-256 of the whole text: {digest}."
     return {"text": text[:MOST_TEXT], "note": note}
 
 
@@ -178,7 +178,7 @@ def _facts(data: ReportData, points: int) -> list[tuple[str, str]]:
         ("Servo period", figure(period, "ms", 6)),
         ("Samples", f"{samples:,}".replace(",", " ") + f" in {figure(samples * period, 's', 4)}"),
         ("Path length", figure(float(data.planned.length), "mm", 6)),
-        ("Drawn", f"at most {points} points a curve; the lowest and highest value of every interval are kept"),
+        ("Curves", f"at most {points} points each; thinning keeps minima and maxima"),
     )
     return [(name, text) for name, text in facts if text]
 
@@ -199,7 +199,7 @@ def _plotly() -> str:
 
 @cache
 def _digest(script: str) -> str:
-    """Return the hash with which the page allows its own scripts only."""
+    """Return the hash of a script, with which the page permits it and no other."""
     return "sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode("ascii")
 
 

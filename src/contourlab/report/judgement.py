@@ -25,18 +25,18 @@ class Number:
     value : float or tuple of float
         In SI.
     unit, display : str
-        In SI, and for people.
+        SI unit and display unit.
     source : str
-        Of `contourlab.components.origin.SOURCES`, or ``not stated``.
+        One of `contourlab.components.origin.SOURCES`, or ``not stated``.
     deviation : float or None
         Standard deviation.
     range : (float, float) or None
-        Of a uniform distribution.
+        Bounds of a uniform distribution.
     reference, note : str
     drawn : bool
         Whether it differs between the sampled machines.
     simulated : bool
-        Whether it is a number of the simulated machine. A controller computes with exactly the number that it was given.
+        Whether it belongs to the simulated machine; the numbers of a controller are exact.
     """
 
     name: str
@@ -96,12 +96,12 @@ class Rank:
 
 @dataclass(frozen=True, eq=False)
 class Interval:
-    """Contour error of the machines that were drawn from the stated deviations.
+    """Contour error of machines sampled from the stated deviations.
 
     Attributes
     ----------
     samples : int
-        0 where there is no interval; the findings say why.
+        0 without an interval; the findings give the reason.
     rms, max : Spread or None [m]
     failed : int
         Samples that left a following-error limit or produced a non-finite command.
@@ -110,12 +110,12 @@ class Interval:
     ranks : tuple of Rank
         Strongest first.
     noticeable : float
-        Size from which a rank correlation is more than chance.
+        Least magnitude of a rank correlation that is not chance.
     main : str
-        The number that contributes most; empty where none stands out.
+        The number that contributes most; empty if none dominates.
     findings : tuple of Finding
     values : mapping of str to ndarray (n,)
-        The numbers that were drawn, in SI.
+        The sampled numbers, in SI.
     figures : mapping of str to ndarray (n,) [m]
         ``rms`` and ``max`` of each sample; NaN where it failed.
     """
@@ -135,7 +135,7 @@ class Interval:
 
 @dataclass(frozen=True)
 class Trust:
-    """Of one scheme: the numbers whose source is stated, the names of the others, and the interval (None where nobody asked)."""
+    """Sources of one scheme's numbers, names of the numbers without a source, and the interval (None if not requested)."""
 
     provenance: tuple[Number, ...]
     not_stated: tuple[str, ...]
@@ -152,7 +152,7 @@ class Cause:
     contribution : float [m]
         Along the direction of the error; negative where it makes the error smaller.
     share : float, 0 to 1
-        Of the sum of all contributions' magnitudes.
+        Share of the sum of all contributions' magnitudes.
     """
 
     name: str
@@ -180,14 +180,14 @@ class Verdict:
     Attributes
     ----------
     passed : bool
-        Whether the largest part error is within the tolerance, and the tool traces the whole path: the longest piece it skips is within
-        ten tolerances (at the end: two), or within three steps of the reference where these are longer.
+        Whether the largest part error is within the tolerance, and the tool traces the whole path. The longest skipped piece may reach ten
+        tolerances (two at the end), or three steps of the reference if these are longer.
     tolerance : float [m]
     worst : Worst
     causes : tuple of Cause
         Largest first.
     left_out : float [m]
-        Longest piece of the path that the tool skips, where it is too long to pass; else 0.
+        Longest piece of the path that the tool skips, if it is too long to pass; else 0.
     findings : tuple of Finding
         Skipped path, causes that could not be separated, the best single change.
     """

@@ -39,7 +39,7 @@ def trial_charts(data: ReportData) -> tuple[Chart, ...]:
         Panel("trial", "contour rms [um]", tuple(contour), log_y=True),
         Panel("trial", "tracking rms [um]", tuple(tracking), log_y=True),
     )
-    caption = f"Errors of each trial; trial 0 has learned nothing. {'. '.join(ends)}. Schemes that do not learn are drawn dotted."
+    caption = f"Error of each trial. Trial 0 is the first run, before any learning. {'. '.join(ends)}. Dotted: schemes that do not learn."
     foretold = {scheme.name: scheme.foretold for scheme in data.schemes if scheme.foretold is not None}
     return (Chart("trials", "Error of each trial", caption, panels), *(learning_charts(foretold) if foretold else ()))
 
@@ -71,12 +71,13 @@ def learning_charts(analyses: Mapping[str, LearningAnalysis]) -> tuple[Chart, ..
         curves.append(Curve(hertz, analysis.response.radius, *look))
         excess.append(Curve(hertz, 100.0 * np.maximum(analysis.response.radius - 1.0, 0.0), *look))
         if np.isfinite(analysis.zero):
-            ticks.append(Tick(analysis.zero / (2.0 * np.pi), f"first zero of the average, {name}", "first zero"))
+            ticks.append(Tick(analysis.zero / (2.0 * np.pi), f"first zero of the moving average, {name}", "first zero"))
     top = 1.1 * max(1.0, min(2.0, max(float(curve.y.max()) for curve in curves)))
-    one = (Level(1.0, "1: learns nothing"),)
-    factor = Panel("frequency [Hz]", "factor of a trial", tuple(curves), one, log_x=True, y_range=(0.0, top))
+    one = (Level(1.0, "1: no change"),)
+    factor = Panel("frequency [Hz]", "error factor per trial", tuple(curves), one, log_x=True, y_range=(0.0, top))
     beyond = Panel("frequency [Hz]", "growth per trial [%]", tuple(excess), ticks=tuple(ticks), log_x=True)
-    caption = "Share of an error that a trial leaves, by frequency, in the worst direction of the path."
+    caption = "Factor by which one trial multiplies the error at each frequency, for the worst direction of the path."
+    caption += " Dots mark the first zero of the moving average." if ticks else ""
     return (Chart("learning-factor", "Convergence of learning", caption, (factor, beyond)),)
 
 
@@ -87,6 +88,6 @@ def singular_value_chart(values: Mapping[str, np.ndarray]) -> Chart:
         Curve(np.arange(1.0, len(found) + 1.0), np.sort(np.asarray(found, dtype=float))[::-1], name, *scheme_style(i, count))
         for i, (name, found) in enumerate(values.items())
     )
-    panel = Panel("number", "singular value", curves, (Level(1.0, "1: no smaller than before"),))
-    caption = "Each is what a trial leaves of one pattern over the trial; where all are below 1, every trial is better than the last."
-    return Chart("learning-singular-values", "What a trial leaves", caption, (panel,))
+    panel = Panel("number", "singular value", curves, (Level(1.0, "1: no change"),))
+    caption = "Factor by which one trial multiplies each error pattern. If all are below 1, every trial is better than the last."
+    return Chart("learning-singular-values", "Singular values from trial to trial", caption, (panel,))

@@ -123,7 +123,7 @@ def _panel(place: Axes, panel: Panel) -> None:
     for level in panel.levels:
         if not panel.far:
             place.axhline(level.value, color=LIMIT, linewidth=0.8, linestyle="--")
-        texts += [(level.label + (", outside the picture" if panel.far else ""), LIMIT)] * bool(level.label)
+        texts += [(level.label + (", off scale" if panel.far else ""), LIMIT)] * bool(level.label)
     for text, colour in texts:
         style: dict[str, Any] = {"ha": "right", "va": "bottom", "color": colour, "size": 7.5}
         place.annotate(text, (1, 1), (0, 2), "axes fraction", "offset points", **style)
@@ -178,7 +178,7 @@ def _polar_drawing(chart: PolarChart) -> Figure:
     rings, texts = zip(*chart.rings()[1:], strict=True)
     place.set_rgrids(list(rings), list(texts), angle=67.5, size=7)
     place.set_title(_plain(chart.title), pad=14)
-    place.annotate(f"one ring {number(chart.division, 6)} um", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
+    place.annotate(f"ring spacing {number(chart.division, 6)} um", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
     figure.legend(loc="outside lower left", ncols=2)
     return figure
 

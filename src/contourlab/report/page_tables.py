@@ -13,12 +13,12 @@ from contourlab.report.data import ReportData
 from contourlab.report.judgement import Number
 from contourlab.report.table import Column, Table
 
-LIMIT_TITLE = "Planned motion against the limits of the axes"
+LIMIT_TITLE = "Planned motion and axis limits"
 LIMIT_ROWS = (
     ("velocity", "velocity", "m/s"),
     ("acceleration", "acceleration", "m/s^2"),
     ("jerk", "jerk", "m/s^3"),
-    ("step of curvature", "curvature_step", "m/s^2"),
+    ("curvature step", "curvature_step", "m/s^2"),
     ("kink", "kink", "m/s"),
 )
 Key = tuple[str, int, float | None]
@@ -26,22 +26,22 @@ Key = tuple[str, int, float | None]
 
 @dataclass(frozen=True)
 class CircleTable:
-    """ISO 230-4 figures of one circle: a row per figure, a column per run."""
+    """ISO 230-4 figures of one circle [um]: a row per figure, a column per run; `heads` holds each scheme with its directions."""
 
     name: str
-    heads: tuple[str, ...]
+    heads: tuple[tuple[str, tuple[str, ...]], ...]
     rows: tuple[tuple[str, tuple[str, ...]], ...]
 
 
 def circle_tables(data: ReportData) -> tuple[CircleTable, ...]:
     """Return the ISO 230-4 figures, one table per circle."""
-    tables: dict[str, dict[str, dict[str, float]]] = {}
+    tables: dict[str, dict[tuple[str, str], dict[str, float]]] = {}
     for scheme in data.schemes:
         for circle in scheme.circles:
-            way = "clockwise" if circle.clockwise else "counter-clockwise"
-            tables.setdefault(circle.name, {})[f"{scheme.name}, {way}"] = dict(circle.figures())
+            way = "cw" if circle.clockwise else "ccw"
+            tables.setdefault(circle.name, {})[scheme.name, way] = dict(circle.figures())
         for name, both in scheme.bidirectional.items():
-            tables.setdefault(name, {})[f"{scheme.name}, both"] = {
+            tables.setdefault(name, {})[scheme.name, "both"] = {
                 "bi-directional circular deviation G(b)": both.circular_deviation,
                 "mean bi-directional radial deviation D": both.mean_radial,
                 "hysteresis H": both.hysteresis,
@@ -49,11 +49,12 @@ def circle_tables(data: ReportData) -> tuple[CircleTable, ...]:
     return tuple(_circle_table(name, runs) for name, runs in tables.items())
 
 
-def _circle_table(name: str, runs: dict[str, dict[str, float]]) -> CircleTable:
+def _circle_table(name: str, runs: dict[tuple[str, str], dict[str, float]]) -> CircleTable:
     """Return one table; a missing figure is a dash."""
     labels = dict.fromkeys(label for figures in runs.values() for label in figures)
-    rows = tuple((label, tuple(figure(figures.get(label, math.nan), "um") for figures in runs.values())) for label in labels)
-    return CircleTable(name, tuple(runs), rows)
+    rows = tuple((label, tuple(number(1e6 * figures.get(label, math.nan)) for figures in runs.values())) for label in labels)
+    heads = tuple((scheme, tuple(way for of, way in runs if of == scheme)) for scheme in dict.fromkeys(of for of, _ in runs))
+    return CircleTable(name, heads, rows)
 
 
 @dataclass(frozen=True)
@@ -142,8 +143,8 @@ def reversal_text(data: ReportData) -> str:
     found = reversal_table(data, places=False)
     if found is None:
         return ""
-    heads = ["reversal spikes (number), mean / largest [um]", *found.heads]
-    table = Table([Column(head, left=i == 0) for i, head in enumerate(heads)])
+    heads = [Column("axis, direction (count)", left=True), *(Column(head) for head in found.heads)]
+    table = Table(heads, "Reversal spikes, mean / largest [um]")
     for where, many, cells in found.rows:
         table.add(f"{where} ({many})", *(f"{mean} / {top}" for mean, top, _ in cells))
     return table.text()
@@ -162,8 +163,8 @@ def _order(key: Key, axes: tuple[str, ...]) -> tuple[bool, float, int, int]:
 def _kind(key: Key, mixed: bool) -> str:
     axis, direction, angle = key
     if angle is not None:
-        return f"{axis} at {math.degrees(angle):.0f} deg" + (" of arcs" if mixed else "")
-    return f"{axis}, {'- to +' if direction > 0 else '+ to -'}" + (" elsewhere" if mixed else "")
+        return f"{axis} at {math.degrees(angle):.0f} deg" + (" on arcs" if mixed else "")
+    return f"{axis}, {'- to +' if direction > 0 else '+ to -'}" + (", not on arcs" if mixed else "")
 
 
 def _reversal_cells(figures: ReversalFigures | None) -> tuple[str, str, str]:
@@ -174,7 +175,7 @@ def _reversal_cells(figures: ReversalFigures | None) -> tuple[str, str, str]:
 
 @dataclass(frozen=True)
 class OriginTable:
-    """Sources of one scheme's parameters: of the first all, of the others those that differ."""
+    """Sources of one scheme's parameters: all of the first scheme, then those that differ from earlier schemes."""
 
     title: str
     rows: tuple[Number, ...]
@@ -182,7 +183,7 @@ class OriginTable:
 
 
 def origin_tables(data: ReportData) -> tuple[OriginTable, ...]:
-    """Return the sources of the parameters; empty where nobody asked for an interval."""
+    """Return the sources of the parameters; empty if no interval was requested."""
     tables: list[OriginTable] = []
     seen: set[Number] = set()
     blank: set[str] = set()
@@ -194,6 +195,6 @@ def origin_tables(data: ReportData) -> tuple[OriginTable, ...]:
         seen |= set(rows)
         blank |= set(names)
         if rows or names:
-            title = "Stated numbers" if not tables else f"{scheme.name}: what differs from the schemes before"
+            title = "Parameters with a stated source" if not tables else f"{scheme.name}: parameters that differ from the schemes above"
             tables.append(OriginTable(title, rows, names))
     return tuple(tables)

@@ -58,7 +58,7 @@ def _places(path: Path, points: int) -> Array:
 def _run(data: ReportData, scheme: SchemeReport, points: int) -> tuple[Array, Array]:
     """Return foot points and errors (n, n_axis) [m] of the extremes of a run, in the window of its figures.
 
-    Many laps would leave too few points for each, and lines between them would cut corners.
+    With many laps drawn, each would have too few points, and lines between them would cut corners.
     """
     result = scheme.result
     start, stop = scheme.metrics.window
@@ -109,8 +109,8 @@ def _caption(data: ReportData) -> str:
     """Describe how the errors are drawn, and which part of the run."""
     first = data.schemes[0]
     start, stop = (f"{number(sample * first.result.servo_period, 4)} s" for sample in first.metrics.window)
-    how = "Each run is drawn at its foot point on the path plus its error, enlarged; the path itself is to scale."
-    return f"{how} Drawn: the {first.metrics.basis}, {start} to {stop}."
+    how = "The path is to scale. The error of each run is magnified and drawn from the nearest point of the path."
+    return f"{how} Shown: the {first.metrics.basis}, {start} to {stop}."
 
 
 def _outline(points: Array, name: str, colour: str, dash: str) -> Curve:
@@ -143,6 +143,6 @@ def _worst(data: ReportData, columns: list[int]) -> tuple[Magnified, ...]:
             foot = np.asarray(data.asked.position(along), dtype=np.float64)
             error = signal(scheme.result, "tool_position")[sample] - foot
             colour, _ = scheme_style(index, len(data.schemes))
-            name = f"worst of {scheme.name}, {figure(scheme.verdict.worst.value, 'um')}"
+            name = f"{scheme.name}: worst {figure(scheme.verdict.worst.value, 'um')}"
             places.append(Magnified(foot[:, columns] * MM, error[:, columns] * UM, name, colour))
     return tuple(places)

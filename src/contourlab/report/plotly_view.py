@@ -15,8 +15,12 @@ from contourlab.report.style import BAND, FONT, GRID, INK, LIMIT, MUTED, round_d
 Figure = dict[str, Any]
 
 SINGLE = 64.0
-"""float32 rounds to 2^-24 of the value: up to 64 spreads from zero, to 2^-18 of the spread, far below a pixel."""
+"""Largest magnitude over spread for float32: rounding to 2^-24 of the value is then 2^-18 of the spread, far below a pixel."""
 HEIGHT, GAP, TOP, BOTTOM = 190, 26, 50, 56
+BUTTONS, ROW, LABEL = 21, 29, 16
+"""Heights above a picture [px]: buttons, a row of the legend, a label of the first panel."""
+LEGEND_WIDTH, ENTRY, LETTER = 910.0, 45.0, 6.1
+"""Widths [px]: a row of the legend, an entry without its text, a letter."""
 
 
 def packed(values: Array) -> dict[str, str]:
@@ -31,7 +35,7 @@ def packed(values: Array) -> dict[str, str]:
 
 
 def _fits_single(values: Array) -> bool:
-    """Whether rounding to float32 is invisible, even at a hundredfold zoom."""
+    """Return whether rounding to float32 is invisible, even at a hundredfold zoom."""
     good = values[np.isfinite(values)]
     if good.size == 0:
         return True
@@ -40,7 +44,7 @@ def _fits_single(values: Array) -> bool:
 
 
 def _axis(title: str, **more: Any) -> Figure:
-    """Return the looks that all axes share."""
+    """Return the style shared by all axes."""
     return {
         "title": {"text": _plain(title), "font": {"size": 12, "color": MUTED}, "standoff": 8},
         "gridcolor": GRID,
@@ -57,7 +61,7 @@ def _axis(title: str, **more: Any) -> Figure:
 
 
 def _layout(height: int, **more: Any) -> Figure:
-    """Return the looks that all figures share."""
+    """Return the style shared by all figures."""
     return {
         "height": height,
         "margin": {"l": 74, "r": 22, "t": TOP, "b": BOTTOM},
@@ -79,7 +83,7 @@ def _plain(text: str) -> str:
 
 
 def _line(curve: Curve | Magnified, **more: Any) -> Figure:
-    """Return the looks of one line."""
+    """Return the style of one line."""
     width = curve.width if isinstance(curve, Curve) else 1.4
     style = {"color": curve.colour, "dash": curve.dash, "width": width}
     name = _plain(curve.name)
@@ -101,9 +105,13 @@ def _line_figure(chart: Chart) -> Figure:
     """Return panels under one another; they zoom together along x."""
     count = len(chart.panels)
     one_high = chart.panel_height or (330 if count == 1 else HEIGHT)
-    height = one_high * count + GAP * (count - 1) + TOP + BOTTOM
+    inner = one_high * count + GAP * (count - 1)
+    label = LABEL if _labelled(chart.panels[0]) else 0
+    top = BUTTONS + ROW * _legend_rows(chart) + label
+    height = top + inner + BOTTOM
     layout = _layout(height, shapes=[], annotations=[], hovermode="closest" if chart.loops else "x unified")
-    inner = height - TOP - BOTTOM
+    layout["margin"]["t"] = top
+    layout["legend"]["y"] = 1.0 + label / inner
     one = (inner - GAP * (count - 1)) / count / inner
     data: list[Figure] = []
     seen: set[str] = set()
@@ -130,8 +138,26 @@ def _line_figure(chart: Chart) -> Figure:
     return {"data": data, "layout": layout}
 
 
+def _labelled(panel: Panel) -> bool:
+    """Return whether a panel has a label above it."""
+    return bool(panel.band_label or panel.span_label or any(level.label for level in panel.levels))
+
+
+def _legend_rows(chart: Chart) -> int:
+    """Return the rows of the legend on a wide screen."""
+    curves = [curve.name for panel in chart.panels for curve in panel.curves]
+    marks = [tick.kind for panel in chart.panels for tick in panel.ticks]
+    rows, used = 1, 0.0
+    for name in dict.fromkeys(curves + marks):
+        width = ENTRY + LETTER * len(name)
+        if used and used + width > LEGEND_WIDTH:
+            rows, used = rows + 1, 0.0
+        used += width
+    return rows
+
+
 def _decades(panel: Panel) -> list[float]:
-    """Return 1, 2 and 5 of the decades around the curves; plotly would leave out the decade itself."""
+    """Return ticks at 1, 2 and 5 of each decade around the curves; plotly would leave out the decade itself."""
     values = np.concatenate([curve.y for curve in panel.curves] or [np.ones(1)])
     values = values[np.isfinite(values) & (values > 0.0)]
     low, high = (float(values.min()), float(values.max())) if values.size else (1.0, 1.0)
@@ -148,7 +174,7 @@ def _x_span(chart: Chart) -> list[float]:
 
 
 def _panel_curves(panel: Panel, tail: str, seen: set[str]) -> list[Figure]:
-    """Return the curves and marks of a panel; a name is in the legend once."""
+    """Return the traces of a panel: curves and marks. Each name appears in the legend once."""
     unit = panel.y_label.partition("[")[2].rstrip("]")
     traces = []
     for curve in panel.curves:
@@ -196,7 +222,7 @@ def _span(panel: Panel) -> tuple[float, float]:
 
 
 def _decorate(layout: Figure, panel: Panel, tail: str) -> None:
-    """Add tolerance band, span and limits of a panel, with texts above it."""
+    """Add the tolerance band, span and limits of a panel, with their labels above it."""
     x, y = f"x{tail} domain", f"y{tail}"
     span = {"type": "rect", "xref": x, "x0": 0, "x1": 1, "yref": y, "layer": "below"}
     if panel.band is not None:
@@ -207,7 +233,7 @@ def _decorate(layout: Figure, panel: Panel, tail: str) -> None:
             line = {"color": BAND, "width": 1, "dash": "dot"}
             layout["shapes"].append({**span, "type": "line", "y0": edge, "y1": edge, "line": line})
         outside = panel.y_range is not None and high > panel.y_range[1]
-        layout["annotations"].append(_note(panel.band_label + (", outside the picture" if outside else ""), BAND, tail))
+        layout["annotations"].append(_note(panel.band_label + (", off scale" if outside else ""), BAND, tail))
     if panel.span is not None:
         across: Figure = {"type": "rect", "xref": f"x{tail}", "yref": f"y{tail} domain", "y0": 0, "y1": 1, "layer": "below"}
         fill = {"fillcolor": BAND, "opacity": 0.09, "line": {"width": 0}}
@@ -219,7 +245,7 @@ def _decorate(layout: Figure, panel: Panel, tail: str) -> None:
             shape = {"type": "line", "layer": "above", "y0": level.value, "y1": level.value, "line": line}
             layout["shapes"].append({**span, **shape})
         if level.label:
-            text = level.label + (", outside the picture" if panel.far else "")
+            text = level.label + (", off scale" if panel.far else "")
             layout["annotations"].append(_note(text, LIMIT, tail))
 
 
@@ -259,12 +285,12 @@ def _polar_figure(chart: PolarChart) -> Figure:
 
 
 def _path_figure(chart: PathChart) -> Figure:
-    """Return the path; the page adds the errors to the foot points with the magnification that the reader sets.
+    """Return the path; the page draws the errors at the foot points, with the magnification that the reader sets.
 
     Notes
     -----
-    The figure also has ``magnify``: the initial magnification, and for every magnified trace its index, foot points [mm] and errors [um] as
-    packed columns.
+    ``magnify`` holds the initial magnification, the length of the scale bar [mm], and the index, foot points [mm] and errors [um] of each
+    magnified trace as packed columns.
     """
     moved = (*chart.tolerance, *chart.runs)
     data = [_line(line, x=packed(line.x), y=packed(line.y), hoverinfo="skip") for line in chart.lines]
@@ -307,6 +333,6 @@ def _columns(run: Magnified) -> Figure:
 
 
 def _bar(chart: PathChart) -> float:
-    """Return a round length on the drawing [mm], about an eighth of its width, for the scale of errors."""
+    """Return the length of the scale bar [mm]: a round number, at most an eighth of the drawing."""
     extent = max(float(np.ptp(chart.lines[0].x)), float(np.ptp(chart.lines[0].y)))
     return round_down(extent / 8.0) if extent > 0.0 else 1.0

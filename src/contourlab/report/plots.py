@@ -37,7 +37,7 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
     folder : str or Path
         Created if missing.
     formats : sequence of str
-        Of ``"png"`` (200 dpi), ``"svg"``, ``"pdf"``.
+        Any of ``"png"`` (200 dpi), ``"svg"``, ``"pdf"``.
 
     Returns
     -------
@@ -76,7 +76,7 @@ def write_charts(
 
 
 def write_figures(drawings: Mapping[str, Callable[[], Figure]], folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
-    """Write drawings by key that are no kind of chart; other parameters and errors as in `write_plots`."""
+    """Write drawings that are not charts, each as a file named by its key; other parameters and errors as in `write_plots`."""
     return _written(((key, draw()) for key, draw in drawings.items()), folder, formats)
 
 

@@ -55,7 +55,7 @@ class FrequencyResponse:
     stable : bool
         Whether the loop is stable.
     meant : str
-        Which linear loop, if the axis has several: for example ``"in contact"``.
+        Name of the linear loop, if the axis has several: for example ``"in contact"``.
     """
 
     frequency: Array
@@ -144,4 +144,4 @@ class TrialCourse:
     def in_words(self) -> str:
         """The end of learning in a few words."""
         trials = len(self.contour_rms) - 1
-        return self.status if self.status.startswith("diverged") else f"{self.status}, trial {self.best} of {trials}"
+        return self.status if self.status.startswith("diverged") else f"{self.status}, best trial {self.best} of {trials}"

@@ -91,7 +91,7 @@ def keep_extremes(values: ArrayLike, budget: int) -> Index:
         raise ParameterError("budget", budget, f"at least {KEPT} per column, {KEPT * n_column} here", "points")
     if n_sample <= budget:
         return np.arange(n_sample, dtype=np.int64)
-    # First and last are the same samples for every column; lowest and highest are each column's own.
+    # All columns share the first and last sample; each has its own lowest and highest.
     n_interval = budget // (2 + 2 * n_column)
     return np.unique(np.concatenate([_of_column(columns[:, i], n_interval) for i in range(n_column)]))
 
@@ -117,7 +117,7 @@ def _of_rows(rows: Array, offset: int) -> Index:
 def _place(rows: Array, pick: Callable[..., Any], filler: float) -> Index:
     """Return the index of each row's extreme, ignoring nan."""
     place: Index = pick(rows, axis=1)
-    # numpy returns the index of nan where a row holds one: only those rows are done again.
+    # numpy returns the index of nan in a row that has one: redo only those rows.
     spoilt = np.flatnonzero(np.isnan(rows[np.arange(rows.shape[0]), place]))
     if spoilt.size:
         part = rows[spoilt]

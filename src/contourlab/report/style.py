@@ -1,4 +1,4 @@
-"""Colours, type and scale of every picture; the colours are told apart by colour-blind readers too.
+"""Colours, type and scale of every picture; colour-blind readers can distinguish the colours.
 
 References
 ----------
@@ -41,7 +41,7 @@ def round_down(value: float) -> float:
     (500.0, 0.02)
     """
     power = 10.0 ** math.floor(math.log10(value))
-    # A hair of slack, so that 0.05 / 0.01 = 5.000000000000001 or 4.999999999999999 count as 5.
+    # Allow for rounding: 0.05 / 0.01 = 5.000000000000001 and 4.999999999999999 count as 5.
     return max((step for step in (1.0, 2.0, 5.0) if step <= value / power * (1 + 1e-12)), default=1.0) * power
 
 

@@ -16,9 +16,9 @@ from contourlab.report.samples import signal
 from contourlab.report.style import REFERENCE, scheme_style
 
 LISTED = 100
-"""Switches that a report lists."""
+"""Most switches that a report lists."""
 KINDS = 6
-"""Kinds of switches in a line of text."""
+"""Most kinds of switches in a line of text."""
 NARROWEST = 1.0 / 1500.0
 """Least visible share of the picture's width."""
 LANE, BAR = 0.2, 6.0
@@ -65,7 +65,7 @@ def switch_lines(data: ReportData) -> list[str]:
 def _in_words(counts: dict[SwitchKind, int], first: str) -> str:
     total = sum(counts.values())
     if not total:
-        return f"no switch, {first} is active all along"
+        return f"no switch, {first} is always active"
     shown = list(counts.items())[:KINDS]
     parts = [
         f"{before} -> {after} " + ", ".join(f"{count} ({kind.reason})" for kind, count in group)
@@ -93,7 +93,7 @@ def _table(name: str, switches: Switches) -> SwitchTable:
         row = _moment(switches, first[kind])
         rows.append((kind.axis, f"{kind.before} → {kind.after}", kind.reason, str(count), share, row[0], row[-1]))
     rows += [
-        (axis, f"{switches.first[axis]} all along", "", "0", "100.0 %", "", "") for axis in switches.axes if not switches.of(axis).size
+        (axis, f"{switches.first[axis]} always", "", "0", "100.0 %", "", "") for axis in switches.axes if not switches.of(axis).size
     ]
     listed = []
     for i in range(min(len(switches), LISTED)):
@@ -118,7 +118,7 @@ def strip_charts(data: ReportData) -> tuple[Chart, ...]:
     names = list(dict.fromkeys(name for scheme in led for name in _names(scheme)))
     looks = {name: _colour(i, len(names)) for i, name in enumerate(names)}
     height = 46 + max(40 * len(scheme.switches.axes) for scheme in led if scheme.switches is not None)
-    how = "Segments too short to be visible are drawn longer."
+    how = "Very short segments are drawn longer to remain visible."
     over_time = tuple(_panel(scheme, looks, "time [s]") for scheme in led)
     charts = [Chart("active-time", "Active controller over time", how, over_time, panel_height=height)]
     if all("arc_length" in scheme.result for scheme in led):
@@ -128,7 +128,7 @@ def strip_charts(data: ReportData) -> tuple[Chart, ...]:
 
 
 def _names(scheme: SchemeReport) -> list[str]:
-    """Return the names of a scheme's controllers, beginning with the one that was active first."""
+    """Return the names of a scheme's controllers, the initially active one first."""
     assert scheme.switches is not None
     held = [name for axis in scheme.switches.axes for name in scheme.switches.active[axis]]
     return list(dict.fromkeys([*scheme.switches.first.values(), *held, *(kind.after for kind in scheme.switches.kinds)]))

@@ -1,4 +1,4 @@
-"""Tables in print: one renderer for all commands, which fits the width of the terminal."""
+"""Text tables for all commands, fitted to the width of the terminal."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _PROSE = 20
 
 @dataclass(frozen=True)
 class Column:
-    """A column: its head, and how its cells are set.
+    """A column: its head, and the layout of its cells.
 
     Attributes
     ----------
@@ -39,7 +39,7 @@ class Column:
 
 @dataclass
 class Table:
-    """Rows of text under heads. The first columns, `keys` of them, name the rows; a table wider than the page repeats them.
+    """Rows of text under heads. The first `keys` columns name the rows; a table wider than the page repeats them.
 
     >>> table = Table([Column("axis", left=True), Column("rms [um]")])
     >>> table.add("x", "12.3")
@@ -62,10 +62,10 @@ class Table:
         self.rows.append(cells)
 
     def text(self, width: int | None = None) -> str:
-        """Return the table as lines of at most `width` characters, by default those of the page.
+        """Return the table as lines of at most `width` characters, by default the width of the page.
 
-        A wider table is cut into panels, one under the other, each with the columns that name the rows. Only a name that is wider than
-        the page goes beyond it.
+        A wider table is cut into panels, one below the other. Each repeats the columns that name the rows. Only a name wider than the page
+        exceeds it.
         """
         width = page_width() if width is None else width
         panels = [self._panel(which, width) for which in self._panels(width)]
@@ -92,38 +92,51 @@ class Table:
             taken += least
         yield panel
 
+    def _widths(self, which: Sequence[int], width: int) -> list[int]:
+        """Return the width of each column of a panel: the least, and for prose a fair share of the space that is left."""
+        widths = [self._least(column) for column in which]
+        more = [max((len(row[column]) for row in self.rows), default=0) - own for column, own in zip(which, widths, strict=True)]
+        left = max(width - sum(widths) - _GAP * (len(widths) - 1), 0)
+        wide = sorted((i for i, extra in enumerate(more) if extra > 0), key=more.__getitem__)
+        for place, i in enumerate(wide):
+            share = min(more[i], left // (len(wide) - place))
+            widths[i] += share
+            left -= share
+        return widths
+
     def _panel(self, which: Sequence[int], width: int) -> str:
         from rich.console import Console
 
-        least = sum(self._least(column) + _GAP for column in which) - _GAP
-        console = Console(width=max(width, least), color_system=None, force_terminal=False, legacy_windows=False)
+        widths = self._widths(which, width)
+        page = sum(widths) + _GAP * len(widths)
+        console = Console(width=page, color_system=None, force_terminal=False, legacy_windows=False)
         with console.capture() as captured:
-            console.print(self._rich(which))
+            console.print(self._rich(which, widths))
         return "\n".join(line.rstrip() for line in captured.get().rstrip().splitlines())
 
-    def _rich(self, which: Sequence[int]) -> RichTable:
+    def _rich(self, which: Sequence[int], widths: Sequence[int]) -> RichTable:
         from rich.table import Table as RichTable
         from rich.text import Text
 
         table = RichTable(box=None, padding=(0, _GAP, 0, 0), pad_edge=False, show_header=False)
-        for number in which:
+        for number, width in zip(which, widths, strict=True):
             column = self.columns[number]
             justify = "left" if column.left or column.prose else "right"
-            table.add_column(justify=justify, no_wrap=not column.prose, min_width=self._least(number), overflow="fold")  # type: ignore[arg-type]
-        for row in self._with_heads(which):
+            table.add_column(justify=justify, no_wrap=not column.prose, width=width, overflow="fold")  # type: ignore[arg-type]
+        for row in self._with_heads(which, widths):
             table.add_row(*(Text(row[number]) for number in range(len(which))))
         return table
 
-    def _with_heads(self, which: Sequence[int]) -> Iterator[list[str]]:
+    def _with_heads(self, which: Sequence[int], widths: Sequence[int]) -> Iterator[list[str]]:
         heads = [_head_lines(self.columns[number].head) for number in which]
         deepest = max(map(len, heads))
         yield ["\n".join([*[""] * (deepest - len(head)), *head]) for head in heads]
-        yield ["-" * max(map(len, head)) for head in heads]
+        yield ["-" * min(max(map(len, head)), width) for head, width in zip(heads, widths, strict=True)]
         yield from ([row[number] for number in which] for row in self.rows)
 
 
 def page_width() -> int:
-    """Return how many characters fit on a line: those of the terminal, or `PIPE_WIDTH` where there is none."""
+    """Return the width of the terminal in characters; `PIPE_WIDTH` without a terminal."""
     return shutil.get_terminal_size().columns if sys.stdout.isatty() else PIPE_WIDTH
 
 

@@ -18,12 +18,11 @@ def comparison_text(data: ReportData, width: int | None = None) -> str:
     for row in comparison.rows:
         label = f"{row.label} [{row.unit}]" if row.unit else row.label
         table.add(label, *(cell.text for cell in row.cells), *([row.change.text] if comparison.has_change else []))
-    notes = [comparison.note, *(f"note: {note}" for note in comparison.notes)]
-    return f"{table.text(width)}\n\n{paragraphs(filter(None, notes), width)}"
+    return f"{table.text(width)}\n\n{paragraphs(filter(None, [comparison.note, *comparison.notes]), width)}"
 
 
 def trials_text(data: ReportData) -> str:
-    """Return the trials of each scheme that learns; empty where none does."""
+    """Return the trials of each scheme that learns; empty if none learns."""
     tables = []
     for scheme in data.schemes:
         if scheme.trials is not None:

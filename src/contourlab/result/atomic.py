@@ -13,7 +13,7 @@ from contourlab.errors import OutputError
 
 @contextlib.contextmanager
 def replacing(file: str | Path) -> Iterator[Path]:
-    """Give a temporary file beside `file`; move it there when the block ends well, remove it otherwise.
+    """Yield a temporary file beside `file`; rename it to `file` if the block succeeds, else remove it.
 
     Raises
     ------
@@ -29,7 +29,7 @@ def replacing(file: str | Path) -> Iterator[Path]:
             os.close(handle)
             temporary = Path(name)
             yield temporary
-            # A temporary file is private; the result is as readable as any file of the user.
+            # Temporary files are private; give the result the user's usual permissions.
             umask = os.umask(0)
             os.umask(umask)
             temporary.chmod(0o666 & ~umask)

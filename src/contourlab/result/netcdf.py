@@ -18,11 +18,10 @@ from contourlab.result.signals import Signal, Status
 
 
 class Spool(io.FileIO):
-    """Binary file that takes every write, and remembers the first one that failed.
+    """Binary file that accepts every write and records the first failure.
 
-    HDF5 cannot close a file once a write has failed, on a full disk say: it goes on holding it and takes the interpreter down at its end.
-    What comes after a failure is held in memory until the file is closed, since HDF5 reads its own structures back; on the disk the file is
-    of no use any more.
+    After a failed write, e.g. on a full disk, HDF5 cannot close its file and crashes the interpreter at exit. Writes after a failure are
+    therefore held in memory until the file is closed, because HDF5 reads its own structures back. The file on disk is then useless.
     """
 
     def __init__(self, file: Path, mode: str) -> None:
@@ -33,7 +32,7 @@ class Spool(io.FileIO):
     def write(self, data: Any) -> int:
         view, start, done = memoryview(data).cast("B"), self.tell(), 0
         try:
-            # The system may take a part only, up to where the disk is full.
+            # The system may write a part only, until the disk is full.
             while self.failure is None and done < len(view):
                 done += super().write(view[done:])
         except OSError as error:
@@ -72,16 +71,16 @@ _FIXED = ("format", "scheme", "axes", "servo_period", "start", "status_ok", "sta
 
 
 class ResultWriter:
-    """Writes blocks of signals one after another; the file appears when the block of code ends well, and not at all otherwise.
+    """Write blocks of signals one after another; the file appears only if the block of code succeeds.
 
     Parameters
     ----------
     file : str or Path
     header : mapping
-        As `Result.header` gives it; `finish` can replace parts of it at the end.
+        From `Result.header`; `finish` replaces the status at the end.
     axes : tuple of str
     n_sample : int, optional
-        How many samples there will be, where that is known: the file is laid out at once, which is faster than letting it grow.
+        Number of samples, if known: a file of fixed size is faster to write.
 
     Examples
     --------
@@ -117,17 +116,17 @@ class ResultWriter:
             self._data.dimensions = {"sample": self.n_sample or None, "axis": len(self.axes)}
             names = self._data.create_variable("axis", ("axis",), dtype=_text_type())
             names[:] = np.array(self.axes, dtype=object)
-            # What was opened closes in `__exit__`; before this line it closes here.
+            # From here on `__exit__` closes what was opened.
             self._stack = stack.pop_all()
         return self
 
     def append(self, signals: Mapping[str, Signal]) -> None:
-        """Write the next samples; every call gives the same signals.
+        """Write the next samples; every call needs the same signals.
 
         Raises
         ------
         OutputError
-            If they cannot be written: the disk is full.
+            If they cannot be written, e.g. on a full disk.
         ResultError
             If the signals are not those of the first call.
         """
@@ -142,7 +141,7 @@ class ResultWriter:
         count = len(next(iter(signals.values())).data) if signals else 0
         if self._length and set(signals) != self._names:
             odd = ", ".join(sorted(set(signals) ^ self._names))
-            raise ResultError(f"every block has the signals of the first one; this one differs in {odd}")
+            raise ResultError(f"every block must have the signals of the first one; this one differs in {odd}")
         self._names = set(signals)
         stop = self._length + count
         # Chunks are stored whole: a short run would otherwise be padded to the full chunk.
@@ -164,7 +163,7 @@ class ResultWriter:
         self._length = stop
 
     def finish(self, status: Status) -> None:
-        """Note how the run ended."""
+        """Store how the run ended."""
         self.header |= status.header()
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
@@ -199,7 +198,7 @@ def read_netcdf(file: str | Path) -> dict[str, Any]:
     import h5py
 
     try:
-        # By h5py first: where the root of the file is damaged, h5netcdf fails again in its own clearing up.
+        # h5py first: if the root of the file is damaged, h5netcdf fails again in its own clean-up.
         with h5py.File(file, "r") as raw:
             header = {name: _plain(value) for name, value in raw.attrs.items() if not name.startswith("_")}
             _check_header(file, header)
@@ -217,7 +216,7 @@ def read_netcdf(file: str | Path) -> dict[str, Any]:
 
 def _check_header(file: str | Path, header: Mapping[str, Any]) -> None:
     if header.get("format") != "contourlab-result/1":
-        raise ResultError(f"{file}: is no result of contourlab (attribute format = {header.get('format')!r})")
+        raise ResultError(f"{file}: is not a contourlab result (attribute format = {header.get('format')!r})")
     missing = [name for name in _FIXED if name not in header]
     if missing:
         raise ResultError(f"{file}: cannot be read as a result: {missing[0]} is missing")
@@ -237,7 +236,7 @@ def _arguments(header: Mapping[str, Any], axes: tuple[str, ...], signals: Mappin
 
 
 def _plain(value: Any) -> Any:
-    """Turn what HDF5 hands back into Python's own types."""
+    """Convert a value from HDF5 to a Python type."""
     if isinstance(value, np.ndarray) and value.size == 1:
         value = value.reshape(())[()]
     if isinstance(value, bytes):

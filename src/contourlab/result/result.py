@@ -25,7 +25,7 @@ class Result:
     Parameters
     ----------
     scheme : str
-        Name of what was run.
+        Name of the run.
     axes : tuple of str
         Names of the axes, in the order of the columns.
     servo_period : float [s]
@@ -34,7 +34,7 @@ class Result:
         All of one length.
     status : Status
     attributes : mapping of str to str, int or float
-        Anything worth keeping: machine, seed, digest of the path.
+        Further data: machine, seed, digest of the path.
     start : int
         Index of the first sample in the run: not 0 for a window.
 
@@ -55,14 +55,14 @@ class Result:
     def __post_init__(self) -> None:
         lengths = {len(signal.data) for signal in self.signals.values()}
         if len(lengths) > 1:
-            raise ResultError(f"signals of different lengths: {sorted(lengths)}")
+            raise ResultError(f"the signals have different lengths: {sorted(lengths)}")
         for name, signal in self.signals.items():
             if signal.data.ndim == 2 and signal.data.shape[1] != len(self.axes):
                 raise ResultError(f"signal {name} has {signal.data.shape[1]} columns for {len(self.axes)} axes")
 
     @property
     def source(self) -> str:
-        """What a message calls the run: the file that it was read from, where there is one, else its scheme."""
+        """Name of the run in messages: its log file, if there is one, else its scheme."""
         return str(self.attributes.get("log", self.scheme))
 
     def __getitem__(self, name: str) -> Array:
@@ -71,10 +71,10 @@ class Result:
         Raises
         ------
         ResultError
-            If it is not there; the message lists those that are.
+            If there is no such signal; the message lists the known ones.
         """
         if name not in self.signals:
-            raise ResultError(f"no signal {name!r} in {self.scheme}; there are: {', '.join(self.signals)}")
+            raise ResultError(f"no signal {name!r} in {self.scheme}; the signals are: {', '.join(self.signals)}")
         return self.signals[name].data
 
     def __contains__(self, name: object) -> bool:
@@ -108,7 +108,7 @@ class Result:
         return xarray.Dataset(data, coordinates, dict(self.header()))
 
     def header(self) -> dict[str, str | int | float]:
-        """Return everything besides the signals, flat."""
+        """Return everything except the signals, as a flat mapping."""
         return {
             "format": "contourlab-result/1",
             "scheme": self.scheme,

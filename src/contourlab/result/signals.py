@@ -23,7 +23,7 @@ class Signal:
     def __post_init__(self) -> None:
         data = np.asarray(self.data, dtype=np.float64)
         if self.dims not in DIMENSIONS or data.ndim != len(self.dims):
-            raise ResultError(f"a signal of shape {data.shape} with dimensions {self.dims}: ('sample',) or ('sample', 'axis') is wanted")
+            raise ResultError(f"a signal of shape {data.shape} with dimensions {self.dims}: give ('sample',) or ('sample', 'axis')")
         view = data.view()
         view.flags.writeable = False
         object.__setattr__(self, "data", view)
@@ -31,7 +31,7 @@ class Signal:
 
 @dataclass(frozen=True)
 class Status:
-    """How a run ended: well, or at which sample, on which axis and why it did not."""
+    """How a run ended; after a failure also sample, axis and reason."""
 
     ok: bool = True
     sample: int = -1
@@ -39,5 +39,5 @@ class Status:
     reason: str = ""
 
     def header(self) -> dict[str, str | int]:
-        """Return what a file keeps of it."""
+        """Return the attributes for a file."""
         return {"status_ok": int(self.ok), "status_sample": self.sample, "status_axis": self.axis, "status_reason": self.reason}

@@ -1,8 +1,8 @@
 """Scenarios: TOML files to typed values and back, strictly.
 
-Inside: `tree` (raw content with the place of each value), `files` (parts in files of their own), `quantities` (values with units),
-`tables` (tables of fixed shape), `components`, `provenance` (sources and correlations), `build` (machines and controllers), `motion`
-(contour, program, feed, run, learning), `values` and `case` (the results), `load` (the ways in), `dump` and `toml_text` (the way back).
+Modules: `tree` (raw content with the place of each value), `files` (included files), `quantities` (values with units), `tables` (tables of
+fixed shape), `components`, `provenance` (sources and correlations), `build` (machines and controllers), `motion` (contour, program, feed,
+run, learning), `values` and `case` (the results), `load` (entry points), `dump` and `toml_text` (writers).
 """
 
 from contourlab.scenario.case import Case, Scenario, chosen

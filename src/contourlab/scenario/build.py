@@ -40,7 +40,7 @@ def build_axis(table: Table, name: str) -> Axis:
     Raises
     ------
     ScenarioError
-        With file and key.
+        If the content is invalid; gives file and key.
     """
     table, origins = without_origins(table, ("stage_mass", "alignment"))
     plain = read_table(AxisTable, table)
@@ -96,24 +96,24 @@ def build_machine(part: Table) -> Machine:
     Raises
     ------
     ScenarioError
-        With file and key.
+        If the content is invalid; gives file and key.
     """
     table = part.table("machine")
     if "machine" not in part.entries:
-        raise part.error("key machine is missing: [machine] has name, servo_period and axes")
+        raise part.error("key machine is missing: write [machine] with name, servo_period and axes")
     table, origins = without_origins(table, ("servo_period",))
     plain = read_table(MachineTable, table)
     names = list(plain.axes)
     twice = [name for name in names if names.count(name) > 1]
     if twice:
-        raise table.error(f"axis {twice[0]!r} is listed twice", "axes")
+        raise table.error(f"axis {twice[0]!r} is listed twice: delete one", "axes")
     axes = part.table("axes")
     for name in axes.entries:
         if name not in names and name != EVERY:
             raise axes.error(f"axis {name!r} is not listed in machine.axes: {hint(name, names)}", name)
     missing = [name for name in names if name not in axes.entries]
     if missing:
-        raise table.error("no table " + ", ".join(f"[{axes.at(name)}]" for name in missing), "axes")
+        raise table.error("no table " + ", ".join(f"[{axes.at(name)}]" for name in missing) + ": write one for each axis", "axes")
     built = tuple(build_axis(axes.table(name), name) for name in names)
     for axis in built:
         _check_carrier(axis, names, axes.table(axis.name))
@@ -142,7 +142,7 @@ def _squareness(table: Table, names: list[str]) -> dict[tuple[str, str], float]:
         if abs(angle) > 0.1:
             raise table.error("is out of range: must be between -0.1 and 0.1 rad", key)
         if (pair[1], pair[0]) in squareness:
-            raise table.error(f'the same two axes as "{pair[1]}-{pair[0]}"', key)
+            raise table.error(f'has the same axes as "{pair[1]}-{pair[0]}": delete one', key)
         squareness[pair[0], pair[1]] = angle
     return squareness
 
@@ -153,7 +153,7 @@ def build_controller(table: Table, machine: Machine) -> Controller:
     Raises
     ------
     ScenarioError
-        With file and key.
+        If the content is invalid; gives file and key.
     """
     read_table(ControllerTable, table)
     axes = table.table("axes")
@@ -200,7 +200,7 @@ def _link(node: Node, units: tuple[str, str]) -> Division | None:
     if isinstance(node, Leaf):
         if node.value == "none":
             return None
-        raise node.error(f'{node.value!r} is no link: write a table with division = "...", and down and up')
+        raise node.error(f'{node.value!r} is not a link: write a table with division = "...", and down and up')
     plain = read_table(LinkTable, node)
     ways = {way: read_component(node.entries[way], "link", units, optional=way == "up") for way in plain.parts if way in node.entries}
     with located(node):
@@ -211,7 +211,7 @@ def _others(table: Table, units: tuple[str, str], model: _Model) -> tuple[tuple[
     """Return the further controllers that a supervisor may activate, by name."""
     for name in table.entries:
         if not name.isidentifier() or name == "controller":
-            raise table.error("write a name of letters, digits and _, other than controller, which is the first", name)
+            raise table.error("write a name of letters, digits and _, other than controller, the name of the first one", name)
     return tuple((name, _position(node, units, model)) for name, node in table.entries.items())
 
 
@@ -259,11 +259,11 @@ def _position(node: Node, units: tuple[str, str], model: _Model) -> Any:
         return read_component(node, "controller", units)
     kind = find_kind(node, "controller")
     if not kind.wishes:
-        raise node.error(f"{kind.kind} computes no gains: write the gains themselves", "gains")
+        raise node.error(f"{kind.kind} cannot compute its gains: write the gains themselves", "gains")
     gains = node.table("gains")
     both = [name for name in DESIGNED if name in node.entries and same_table(node.entries[name], gains)]
     if both:
-        raise node.error("gains = {...} computes this: leave one of the two out", both[0])
+        raise node.error("gains = {...} computes this value: delete one of the two", both[0])
     wanted = read_wishes(kind, gains, units)
     rest = node.without("gains")
     own = read_values(kind, rest.only(*{"model_gain", "model_damping"} & set(kind.parameters)), units)
@@ -295,12 +295,12 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
         kept = replace(kept, substeps=place.substeps)
         taken_over.append(f"substeps, {place.substeps}")
     limits, names = _limits_in_place(table.table("limits"), module.limits, place.limits)
-    notes = ["; ".join([*taken_over, *names]) + " (kept from the axis there)"] if taken_over or names else []
+    notes = ["; ".join([*taken_over, *names]) + " (kept from the replaced axis)"] if taken_over or names else []
     lost = [slot for slot in AXIS_SLOTS[1:] if slot not in table.entries and getattr(module, slot) != getattr(place, slot)]
     if "error" not in table.entries and (place.error.position.size or place.error.repeatability):
         lost.append("error")
     if lost:
-        notes.append(", ".join(lost) + " (taken without, unlike the axis there)")
+        notes.append(", ".join(lost) + " (absent; the replaced axis has it)")
     return replace(kept, limits=limits), "; ".join(notes)
 
 

@@ -49,7 +49,7 @@ class Case:
 
     @property
     def seed(self) -> int:
-        """Of all noise."""
+        """Seed of all noise."""
         return self.run.seed
 
     @property
@@ -64,7 +64,7 @@ class Case:
 
     @property
     def curvature_step(self) -> float:
-        """By how much of its limit the acceleration of an axis may step where the curvature jumps."""
+        """Allowed step of an axis acceleration where the curvature jumps, as a share of its limit."""
         return self.feed.curvature_step
 
     @property
@@ -165,7 +165,7 @@ class Case:
 
 @dataclass(frozen=True, eq=False)
 class Scenario:
-    """A scenario: the base, and schemes that change something of it.
+    """A base case, and schemes that change parts of it.
 
     Attributes
     ----------
@@ -174,7 +174,7 @@ class Scenario:
     base : Case
         The case without any scheme.
     all_cases : tuple of Case
-        One for each scheme; the base alone where there is none.
+        One for each scheme; the base alone without schemes.
     files : tuple of Path
         The scenario's file and all files it includes.
     """
@@ -209,7 +209,7 @@ class Scenario:
         return (*self.files, *(File(file) for file in (motion.file, tools, *tables) if file is not None))
 
     def cases(self) -> list[Case]:
-        """Return one case for each scheme, in the order of the file; the base alone where there is none."""
+        """Return one case for each scheme, in the order of the file; the base alone without schemes."""
         return list(self.all_cases or (self.base,))
 
     def case(self, name: str) -> Case:
@@ -218,12 +218,12 @@ class Scenario:
         Raises
         ------
         ScenarioError
-            If there is none.
+            If the scenario has no such scheme.
         """
         for case in self.cases():
             if case.name == name:
                 return case
-        raise ScenarioError(f"no scheme {name!r}: there are {', '.join(repr(c.name) for c in self.cases())}", file=self.file)
+        raise ScenarioError(f"no scheme {name!r}: use one of {', '.join(repr(c.name) for c in self.cases())}", file=self.file)
 
 
 FEATURES = {
@@ -243,7 +243,7 @@ _WANTED = {
 
 
 def chosen(scenario: Scenario, names: Iterable[str]) -> Scenario:
-    """Return the scenario with these schemes and no others.
+    """Return the scenario with these schemes only.
 
     Parameters
     ----------
@@ -261,7 +261,7 @@ def chosen(scenario: Scenario, names: Iterable[str]) -> Scenario:
     wanted = _whole([name.strip() for name in names], own)
     twice = [name for name in wanted if wanted.count(name) > 1]
     if twice:
-        raise ScenarioError(f"scheme {twice[0]!r} is given twice", file=scenario.file)
+        raise ScenarioError(f"scheme {twice[0]!r} is given twice: delete one", file=scenario.file)
     cases = tuple(own[name] if name in own else _composed(scenario, name) for name in wanted)
     if not cases:
         raise ScenarioError("no scheme is given: write names such as fb,ccc,ilc,ccc+ilc", file=scenario.file)
@@ -284,7 +284,7 @@ def _composed(scenario: Scenario, name: str) -> Case:
     unknown = [part for part in parts if part not in FEATURES]
     if unknown:
         known = ", ".join([*(repr(case.name) for case in scenario.all_cases), *FEATURES])
-        raise ScenarioError(f"no scheme {name!r}: there are {known}, and these parts joined by +", file=scenario.file)
+        raise ScenarioError(f"no scheme {name!r}: use one of {known}, or join parts by +, such as ccc+ilc", file=scenario.file)
     couplings = [part for part in parts if part in _KINDS]
     if len(couplings) > 1 or len(set(parts)) < len(parts):
         raise ScenarioError(f"scheme {name!r}: name at most one coupling, and each part once, as in ccc+ilc", file=scenario.file)

@@ -14,7 +14,7 @@ from contourlab.scenario.provenance import bare, read_origins
 from contourlab.scenario.quantities import read_list, read_number, show_bound
 from contourlab.scenario.tree import Leaf, Node, Table, hint, located
 
-WORKED_OUT = Origin("design", note="worked out from gains = {...}")
+WORKED_OUT = Origin("design", note="computed from gains = {...}")
 
 
 def parameters_of(kind: type[Component], units: tuple[str, str]) -> dict[str, Parameter]:
@@ -27,7 +27,7 @@ def _as_table(node: Node, family: str) -> Table:
     if isinstance(node, Table):
         return node
     if not isinstance(node.value, str):
-        raise node.error(f'{node.value!r} is no {family}: write a table with kind = "..." and parameters')
+        raise node.error(f'{node.value!r} is not a valid {family}: write a table with kind = "..." and parameters')
     return Table({"kind": node}, node.file, node.key)
 
 
@@ -36,7 +36,7 @@ def find_kind(table: Table, family: str) -> type[Component]:
     node = table.get("kind")
     names = [kind.kind for kind in components(family)]
     if node is None:
-        raise table.error(f"key kind is missing: one of {', '.join(names)}")
+        raise table.error(f"key kind is missing: write one of {', '.join(names)}")
     if not isinstance(node, Leaf) or not isinstance(node.value, str):
         raise table.error(f"write one of {', '.join(names)}", "kind")
     try:
@@ -69,14 +69,14 @@ def read_component(
     Raises
     ------
     ScenarioError
-        With file and key.
+        If the content is invalid; gives file and key.
     """
     table = _as_table(node, family)
     kind_node = table.get("kind")
     if optional and isinstance(kind_node, Leaf) and kind_node.value == "none":
         extra = [name for name in table.entries if name != "kind"]
         if extra:
-            raise table.error('kind "none" has no parameters', extra[0])
+            raise table.error('kind "none" has no parameters: delete this one', extra[0])
         return None
     kind = find_kind(table, family)
     own = table.without("kind")
@@ -139,7 +139,7 @@ def _value(parameter: Parameter, given: Any) -> Any:
     if parameter.vector:
         numbers = read_list(given, parameter.unit, parameter.display)
         if not numbers:
-            raise UnitError("the list is empty")
+            raise UnitError("the list is empty: write at least one value")
         scalar = replace(parameter, vector=False)
         return tuple(_in_range(scalar, number, f"item {i + 1}") for i, number in enumerate(numbers))
     return _in_range(parameter, read_number(given, parameter.unit, parameter.display), repr(given))

@@ -53,20 +53,20 @@ def dump(value: Machine | Controller | Axis | Scenario, machine: Machine | None 
     Parameters
     ----------
     value : Machine, Controller, Axis or Scenario
-        The file of an axis has no name.
+        The file of an axis does not hold its name.
     machine : Machine, optional
         Required with a controller: its commands set the units of the gains.
 
     Returns
     -------
     str
-        All finite parameters, so that changed defaults have no effect. A scenario is one file: included files are joined in, gains are
+        All finite parameters, so that changed defaults have no effect. A scenario is one file: included files are merged in, gains are
         computed, and schemes hold their differences from the base. A part program is named by its path.
 
     Raises
     ------
     TypeError
-        If the value has no file of its own, or a controller comes without its machine.
+        If the value is of another type, or a controller comes without its machine.
     """
     if isinstance(value, Controller):
         if machine is None:

@@ -14,7 +14,7 @@ from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, hint, located, 
 BUILTIN = "builtin:"
 """Prefix of shipped files."""
 EVERY = "*"
-"""Stands for every axis, as in ``[controller.axes."*"]``."""
+"""Name for every axis, as in ``[controller.axes."*"]``."""
 
 
 def _shipped() -> Path:
@@ -39,16 +39,16 @@ def builtin_file(name: str) -> Path:
     Raises
     ------
     ScenarioError
-        If there is none.
+        If no shipped file has that name.
     """
     short = name.removeprefix(BUILTIN).removesuffix(".toml")
     if short not in builtin_names():
-        raise ScenarioError(f"no file of that name is shipped: {hint(short, builtin_names())}", file=name)
+        raise ScenarioError(f"no shipped file has this name: {hint(short, builtin_names())}", file=name)
     return _shipped() / (short if short.endswith(".ngc") else short + ".toml")
 
 
 def locate(reference: str, folder: Path) -> Path:
-    """Return the file that a reference in a file of `folder` means."""
+    """Return the file that a reference names; relative names start at `folder`."""
     if reference.startswith(BUILTIN):
         return builtin_file(reference)
     return folder / reference
@@ -68,7 +68,7 @@ class Reader:
     Parameters
     ----------
     names : tuple of str
-        Axes of the machine, where known: what ``"*"`` stands for.
+        Axes of the machine, if known; ``"*"`` means all of them.
     open_files : tuple of Path
         Files being read, outermost first, to detect cycles.
     seen : list of Path
@@ -93,7 +93,7 @@ class Reader:
             If it cannot be read, or includes itself.
         """
         if not isinstance(leaf.value, str) or not leaf.value.strip():
-            raise leaf.error(f'{leaf.value!r} is no file name: write for example "machine.toml" or "{BUILTIN}xyz"')
+            raise leaf.error(f'{leaf.value!r} is not a file name: write for example "machine.toml" or "{BUILTIN}xyz"')
         try:
             path = locate(leaf.value, Path(leaf.file).parent)
             resolved = path.resolve()
@@ -101,12 +101,12 @@ class Reader:
         except ScenarioError as error:
             raise leaf.error(f"{leaf.value!r}: {error.message}") from error
         except (OSError, ValueError) as error:
-            raise leaf.error(f"{leaf.value!r} is no file name: {error}") from error
+            raise leaf.error(f"{leaf.value!r} is not a file name: {error}") from error
         if not exists:
             raise leaf.error(f"no file {leaf.value!r} in {Path(leaf.file).parent.as_posix()}")
         if resolved in self.open_files:
             names = " -> ".join(p.name for p in (*self.open_files, resolved))
-            raise leaf.error(f"files include each other: {names}")
+            raise leaf.error(f"files include each other, {names}: remove one of these references")
         inner = replace(self, open_files=(*self.open_files, resolved))
         return replace(part(inner, inner.file(path)), afresh=True)
 
@@ -129,7 +129,7 @@ class Reader:
         if reference is None:
             return None, node
         if isinstance(reference, Table):
-            raise reference.error("the name of a file is wanted, in quotes")
+            raise reference.error("write a file name in quotes")
         rest = node.without("file")
         return self.include(reference, part), rest if rest.entries else None
 
@@ -141,7 +141,7 @@ class Reader:
         """Check the content of an axis file: plant, friction, drive ... are top-level keys."""
         for name in ("machine", "axes"):
             if name in content.entries:
-                raise content.error("not the file of an axis: write plant, friction, drive ... as top-level keys", name)
+                raise content.error("not an axis file: write plant, friction, drive ... as top-level keys", name)
         return content
 
     def machine(self, content: Table) -> Table:
@@ -193,7 +193,7 @@ def refuse_others(content: Table, known: tuple[str, ...], what: str) -> None:
     """Refuse unknown keys in a file."""
     for name in content.entries:
         if name not in known:
-            raise content.error(f"unknown key in the file of {what}: {hint(name, known)}", name)
+            raise content.error(f"unknown key in {what} file: {hint(name, known)}", name)
 
 
 def listed(machine: Table) -> tuple[str, ...]:
@@ -217,7 +217,7 @@ def spread(part: Table, names: tuple[str, ...]) -> Table:
         return part
     every = axes.entries[EVERY]
     if isinstance(every, Leaf):
-        raise every.error("write a table of what all axes share")
+        raise every.error("write a table of the keys that all axes share")
     entries = dict(axes.entries)
     for name in names:
         own = entries.get(name)

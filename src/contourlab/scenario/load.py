@@ -1,4 +1,4 @@
-"""Reads scenario, machine, controller and axis files."""
+"""Read scenario, machine, controller and axis files."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from contourlab.scenario.values import Contour, Motion
 
 SCHEME_KEYS = ("machine", "axes", "controller", "feed", "run", "learning")
 COMMAND_LINE = "<arguments>"
-"""Stands for the file of values given as arguments; relative names start at the working folder."""
+"""File name shown for values given as arguments; relative names start at the working folder."""
 _loaded: set[Path] = set()
 
 
@@ -51,7 +51,7 @@ def _open(file: str | Path, plugins: Sequence[str | Path]) -> tuple[Reader, Tabl
     try:
         resolved = path.resolve()
     except (OSError, ValueError, RuntimeError) as error:
-        raise ScenarioError(f"is no file name: {error}", file=text) from error
+        raise ScenarioError(f"is not a file name: {error}", file=text) from error
     reader = Reader(open_files=(resolved,))
     return reader, reader.file(path)
 
@@ -74,7 +74,7 @@ def load_axis(file: str | Path, name: str = "x", plugins: Sequence[str | Path] =
     Raises
     ------
     ScenarioError
-        With file and key of what is wrong.
+        If the content is invalid; gives file and key.
 
     >>> load_axis("builtin:ghaffari/axis1").plant.gain
     1.695
@@ -89,14 +89,14 @@ def load_module(file: str | Path, place: Axis, plugins: Sequence[str | Path] = (
     Parameters
     ----------
     file, plugins
-        As of `load_axis`.
+        As in `load_axis`.
     place : Axis
         The replaced axis: its stage mass, limits and substeps apply where the file has none.
 
     Raises
     ------
     ScenarioError
-        With file and key of what is wrong.
+        If the content is invalid; gives file and key.
     """
     reader, content = _open(file, plugins)
     table = settle(reader.axis_file(content))
@@ -116,7 +116,7 @@ def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machin
     Raises
     ------
     ScenarioError
-        With file and key of what is wrong.
+        If the content is invalid; gives file and key.
 
     >>> load_machine("builtin:xyz").axis_names
     ('x', 'y', 'z')
@@ -134,7 +134,7 @@ def controller_axes(file: str | Path, plugins: Sequence[str | Path] = ()) -> tup
     Raises
     ------
     ScenarioError
-        With file and key of what is wrong.
+        If the content is invalid; gives file and key.
     """
     reader, content = _open(file, plugins)
     axes = reader.controller_file(content).get("axes")
@@ -154,12 +154,12 @@ def load_controller(
     plugins : sequence of str or Path
         Python files with further components.
     called : mapping of str to str, optional
-        Name in the file of each axis that the machine names otherwise.
+        Name in the file of each axis that has another name on the machine.
 
     Raises
     ------
     ScenarioError
-        With file and key of what is wrong.
+        If the content is invalid; gives file and key.
     """
     reader, content = _open(file, plugins)
     machine_name = {(called or {}).get(name, name): name for name in machine.axis_names}
@@ -191,9 +191,9 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scena
     Raises
     ------
     ScenarioError
-        With file and key of what is wrong.
+        If the content is invalid; gives file and key.
     ProgramError
-        If the part program is wrong; says the line.
+        If the part program is invalid; gives the line.
 
     >>> [case.name for case in load_scenario("builtin:ghaffari/demo-stage").cases()][0]
     'position loop'
@@ -227,7 +227,7 @@ def scenario_from_parts(
     options : mapping, optional
         Further keys of the table ``program``: ``{"fit": True}``.
     name : str
-        By default that of the program.
+        By default the name of the program.
     plugins : sequence of str or Path
         Python files with further components.
 
@@ -252,7 +252,7 @@ def _title(file: Path) -> str:
 
 
 def named_file(reference: str | Path) -> str:
-    """Return a file name as a scenario writes it; a bare name that is no file means a shipped one."""
+    """Return a file name as a scenario writes it; a bare name that is not a file means a shipped one."""
     text = str(reference)
     if not text.startswith(BUILTIN) and not Path(text).suffix and not Path(text).is_file():
         return BUILTIN + text
@@ -275,7 +275,7 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
     plain = read_table(ScenarioTable, content)
     if ("contour" in content.entries) == ("program" in content.entries):
         both = "contour" in content.entries
-        raise content.error("contour and program are both given: leave one out" if both else "one of contour and program is missing")
+        raise content.error("contour and program are both given: delete one" if both else "contour or program is missing: write one")
     machine = reader.machine(content.only("machine", "axes"))
     reader = replace(reader, names=listed(machine))
     settings = (content.table(name) for name in ("feed", "run", "learning"))

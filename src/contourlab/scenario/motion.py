@@ -43,20 +43,20 @@ def read_feed(table: Table, motion: Motion) -> FeedSettings:
     is_program = isinstance(motion, PartProgram)
     if plain.law == "uniform":
         if is_program:
-            raise table.error('the uniform law drives laps of a contour: a program is "planned"', "law")
+            raise table.error('the uniform law applies to a contour only: for a program write law = "planned"', "law")
         if not motion.path.closed:  # type: ignore[union-attr]
-            raise table.error('the uniform law drives laps: the contour must be closed; take law = "planned"', "law")
+            raise table.error('the uniform law needs a closed contour: close it, or write law = "planned"', "law")
         _needs(table, "frequency", '"0.5 Hz"', "feedrate", "the uniform law")
         if plain.path_control not in ("program", "exact_path"):
             raise table.error("the uniform law follows the contour exactly: leave this out", "path_control")
         if plain.curvature_step != 1.0:
-            raise table.error("the uniform law plans nothing: leave this out", "curvature_step")
+            raise table.error("does not apply to the uniform law: leave this out", "curvature_step")
     elif is_program:
         for name in ("feedrate", "frequency"):
             if name in table.entries:
                 raise table.error("the program sets the feedrate: leave this out, or scale it with override = 0.8", name)
         if plain.laps != 1:
-            raise table.error("a program is driven once", "laps")
+            raise table.error("a program runs once: leave this out", "laps")
     else:
         _needs(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
     _check_corners(table, plain, is_program)
@@ -79,7 +79,7 @@ def _check_corners(table: Table, plain: FeedTable, is_program: bool) -> None:
         if control in ("exact_path", "exact_stop"):
             raise table.error(f'path_control = "{control}" blends nothing: leave this out, or write path_control = "blend"', name)
         why = "the program's own (Q of G64) applies" if is_program else "corners of a contour are met exactly"
-        raise table.error(f'without path_control = "blend" {why}: add that, or leave this out', name)
+        raise table.error(f'has no effect without path_control = "blend", because {why}: add that, or leave this out', name)
 
 
 def _needs(table: Table, wanted: str, example: str, other: str, who: str) -> None:
@@ -121,9 +121,9 @@ def _check_letters(node: Table, letters: tuple[str, ...], machine: Machine, give
     if len(letters) != len(machine.axes):
         raise node.error(f"{len(letters)} letters for the axes {names}: write one for each", "letters")
     if len(set(letters)) != len(letters):
-        raise node.error("a letter is listed twice", "letters")
+        raise node.error("a letter is listed twice: write different letters", "letters")
     if not given and not set(letters) <= set("xyz"):
-        raise node.error(f'the axes {names} are not called x, y, z: name their letters, as in letters = ["x", "y"]', "file")
+        raise node.error(f'the axes {names} are not called x, y, z: write their letters in the program, as in letters = ["x", "y"]', "file")
 
 
 def _contour(node: Node, machine: Machine) -> Contour:
@@ -134,7 +134,7 @@ def _contour(node: Node, machine: Machine) -> Contour:
         return _contour_file(node, machine)
     name = node.get("name")
     if not isinstance(name, Leaf) or not isinstance(name.value, str):
-        raise node.error(f"key name is missing: one of {', '.join(contour_names())}; or write file, the name of a drawing")
+        raise node.error(f"key name is missing: write one of {', '.join(contour_names())}, or the key file with the name of a drawing")
     if name.value not in contour_names():
         raise name.error(f"no contour {name.value!r}: {hint(name.value, contour_names())}")
     known = contour_parameters(name.value)
@@ -170,7 +170,7 @@ def _on_machine(contour: Contour, offset: tuple[float, ...], machine: Machine, n
     """Return a contour moved by its offset, for all axes of the machine; axes beyond its own hold still."""
     names, n = ", ".join(machine.axis_names), contour.path.n_axis
     if n > len(machine.axes):
-        raise node.error(f"{contour.name} has {n} coordinates, {machine.name} has the axes {names} only", key)
+        raise node.error(f"{contour.name} has {n} coordinates, but {machine.name} has only the axes {names}", key)
     if offset and len(offset) not in (n, len(machine.axes)):
         raise node.error(f"{len(offset)} values for the axes {names}: write one for each", "offset")
     return replace(contour, offset=offset, axes=machine.axis_names)
@@ -179,7 +179,7 @@ def _on_machine(contour: Contour, offset: tuple[float, ...], machine: Machine, n
 def _contour_file(node: Table, machine: Machine) -> Contour:
     """Return the contour of a drawing or of points; read the file now, to report faults before a run."""
     if "name" in node.entries:
-        raise node.error("name and file are both given: a test contour has a name, a drawing a file", "name")
+        raise node.error("name and file are both given: write name for a test contour, or file for a drawing", "name")
     plain = read_table(ContourFileTable, node)
     file = named_in(node, "file")
     if plain.unit is not None:
@@ -198,7 +198,7 @@ def read_learning(table: Table, machine: Machine) -> LearningSettings | None:
     Raises
     ------
     ScenarioError
-        With file and key of what is wrong.
+        If the content is invalid; gives file and key.
     """
     if not table.entries:
         return None
@@ -217,7 +217,7 @@ def read_changes(run: Table, machine: Machine, reader: Reader) -> tuple[Change, 
     Raises
     ------
     ScenarioError
-        With file and key.
+        If the content is invalid; gives file and key.
     """
     items, node = read_table(RunTable, run).changes, run.get("changes")
     changes = []

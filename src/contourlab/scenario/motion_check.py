@@ -33,7 +33,7 @@ def check_motion(reference: Reference, machine: Machine, fault: Fault, *, bounde
     """
     if reference.n_sample > MOST_SAMPLES:
         raise fault(
-            f"the motion takes {reference.duration:.3g} s, {reference.n_sample:.3g} samples of {reference.servo_period:g} s; at most "
+            f"the motion takes {reference.duration:.3g} s or {reference.n_sample:.3g} samples of {reference.servo_period:g} s, but at most "
             f"{MOST_SAMPLES:.0e} are allowed: check the feed",
             0,
         )
@@ -64,8 +64,8 @@ def _check_travel(reference: Reference, machine: Machine, fault: Fault, cure: st
     if first is not None:
         name, line = first
         (sent_low, sent_high), (low, high) = ends[machine.axis_names.index(name)], machine.axis(name).limits.travel
-        travel = f"its travel is {low * 1e3:g} to {high * 1e3:g} mm"
-        raise fault(f"axis {name} is sent to {_mm(sent_low)} .. {_mm(sent_high)} mm, {travel}: {cure}, or correct limits.travel", line)
+        travel = f"but its travel is {low * 1e3:g} to {high * 1e3:g} mm"
+        raise fault(f"axis {name} would move from {_mm(sent_low)} to {_mm(sent_high)} mm, {travel}: {cure}, or correct limits.travel", line)
 
 
 def _mm(value: float) -> str:
@@ -89,7 +89,7 @@ def _check_speeds(reference: Reference, machine: Machine, fault: Fault) -> None:
             if asked > limit * (1.0 + 1e-9):
                 what = f"{'an' if name[0] == 'a' else 'a'} {name} of {asked * scale:.4g} {unit}"
                 raise fault(
-                    f"axis {axis.name} reaches {what}, its limit is {limit * scale:.4g} {unit}: "
-                    f"take at most {(limit / asked) ** (1.0 / power):.3g} times this frequency",
+                    f"axis {axis.name} reaches {what}, but its limit is {limit * scale:.4g} {unit}: "
+                    f"use at most {(limit / asked) ** (1.0 / power):.3g} times this frequency",
                     0,
                 )

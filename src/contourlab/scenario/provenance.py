@@ -14,7 +14,7 @@ import numpy as np
 
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import SOURCES, Origin
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, UnitError
 from contourlab.loop import Machine
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.quantities import read_number
@@ -57,14 +57,14 @@ def read_origins(declared: Mapping[str, Parameter], table: Table, values: Mappin
     Raises
     ------
     ScenarioError
-        With file and key of what is wrong.
+        If the content is invalid; gives file and key.
     """
     origins = {}
     for name, node in table.entries.items():
         if isinstance(node, Table) and bare(node) is not node:
             parameter = declared[name]
             if parameter.choices:
-                raise node.error("is a choice, not a number: it needs no source")
+                raise node.error("is a choice, not a number: delete its source")
             exact = "a list" if parameter.vector else "a whole number" if parameter.whole else ""
             exact = exact or ("part of the model's structure" if parameter.structural else "")
             origins[name] = _origin(node, None if exact else (parameter, float(values[name])), exact)
@@ -90,12 +90,12 @@ def _origin(table: Table, of: tuple[Parameter, float] | None, exact: str) -> Ori
     texts = {name: _text(table, name) for name in ("source", "from", "note")}
     if texts["source"] not in SOURCES:
         known = ", ".join(f"{name} ({meaning})" for name, meaning in SOURCES.items())
-        raise table.error(f"{texts['source']!r} is no source: {known}", "source")
+        raise table.error(f"{texts['source']!r} is not a source: write one of {known}", "source")
     given: dict[str, Any] = {}
     for name in ("deviation", "range"):
         if name in table.entries:
             if of is None:
-                raise table.error(f"cannot be given: this is {exact}", name)
+                raise table.error(f"is not allowed here, because the value is {exact}: delete it", name)
             with located(table, name):
                 value = table.entries[name].plain()
                 given |= {"span": _span(value, *of)} if name == "range" else {"deviation": _deviation(value, *of)}
@@ -117,9 +117,12 @@ def _text(table: Table, name: str) -> str:
 def _deviation(given: Any, parameter: Parameter, value: float) -> float:
     """Return one standard deviation in SI, from a quantity or a percentage of the value."""
     if isinstance(given, str) and given.strip().endswith("%"):
-        share = 0.01 * read_number(given.strip()[:-1].strip() + " count", "")
+        try:
+            share = 0.01 * read_number(given.strip()[:-1].strip() + " count", "")
+        except UnitError:
+            raise ParameterError("deviation", repr(given)[:60], 'a number and %, such as "1 %"') from None
         if value == 0.0 or not math.isfinite(value):
-            raise ParameterError("deviation", repr(given), f"in {parameter.display or 'bare numbers'}: the value is {value:g}")
+            raise ParameterError("deviation", repr(given), f"in {parameter.display or 'bare numbers'}, because the value is {value:g}")
         deviation = share * abs(value)
     else:
         deviation = read_number(given, parameter.unit, parameter.display)
@@ -145,14 +148,14 @@ def read_correlations(table: Table, parts: Mapping[str, Component]) -> tuple[tup
     Parameters
     ----------
     table : Table
-        Of the axis.
+        Table of the axis.
     parts : mapping of str to Component
-        By slot.
+        Components by slot.
 
     Raises
     ------
     ScenarioError
-        If an item is no correlation of two numbers of the axis, or together they contradict each other.
+        If an item is not a correlation of two numbers of the axis, or the correlations contradict each other.
     """
 
     def replaced(slot: str, node: Leaf) -> bool:
@@ -168,16 +171,16 @@ def read_machine_correlations(table: Table, axes: Table, machine: Machine) -> tu
     Parameters
     ----------
     table : Table
-        Of the machine.
+        Table of the machine.
     axes : Table
-        Of its axes.
+        Tables of its axes.
     machine : Machine
         With their parts and their own correlations.
 
     Raises
     ------
     ScenarioError
-        If an item is no correlation of numbers of two axes, or together with those of the axes they contradict each other.
+        If an item is not a correlation of numbers of two axes, or all correlations together contradict each other.
     """
     parts = {
         f"{axis.name}.{slot}": part for axis in machine.axes for slot in AXIS_SLOTS if isinstance(part := getattr(axis, slot), Component)
@@ -196,8 +199,8 @@ def read_machine_correlations(table: Table, axes: Table, machine: Machine) -> tu
 class _Known:
     """Numbers that may correlate.
 
-    `parts` are components by slot, `example` two numbers for messages. `replaced` tells whether a slot was overridden elsewhere than
-    where the list stands. `own` are further correlations; `between` requires numbers of two axes.
+    `parts` are components by slot, `example` two numbers for messages. `replaced` tells whether a slot was overridden outside the table
+    of the list. `own` are further correlations; `between` requires numbers of two axes.
     """
 
     parts: Mapping[str, Component]
@@ -231,14 +234,14 @@ def _read_pairs(table: Table, known: _Known) -> tuple[tuple[str, str, float], ..
         if all(known.deviates(name) for name in item[:2]):
             kept.append((item[0], item[1], float(item[2])))
     if len({frozenset(item[:2]) for item in kept}) < len(kept):
-        raise node.error("a pair is listed twice")
+        raise node.error("a pair is listed twice: delete one")
     names = sorted({name for item in (*kept, *known.own) for name in item[:2]})
     matrix = np.eye(len(names))
     for first, second, value in (*known.own, *kept):
         i, j = names.index(first), names.index(second)
         matrix[i, j] = matrix[j, i] = value
     if kept and float(np.linalg.eigvalsh(matrix).min()) < -1e-3:
-        raise node.error("these correlations contradict each other")
+        raise node.error("these correlations contradict each other, their matrix has a negative eigenvalue: correct them")
     return tuple(kept)
 
 
@@ -246,7 +249,7 @@ def _fault(item: Any, node: Leaf, known: _Known) -> str:
     if not isinstance(item, list) or len(item) != 3 or not all(isinstance(name, str) for name in item[:2]) or item[0] == item[1]:
         return f"{item!r:.80}: write two different numbers and a coefficient, {known.shown}"
     if isinstance(item[2], bool) or not isinstance(item[2], int | float) or not -1.0 <= item[2] <= 1.0:
-        return f"{item[2]!r:.40} is no coefficient: between -1 and 1"
+        return f"{item[2]!r:.40} is not a coefficient: write a number from -1 to 1"
     for name in item[:2]:
         numbers = [f"{label}.{key}" for label, part in known.parts.items() for key in part.numeric()]
         if name not in numbers and not known.replaced(name.rpartition(".")[0], node):
@@ -257,7 +260,7 @@ def _fault(item: Any, node: Leaf, known: _Known) -> str:
     return ""
 
 
-# --- the way back --------------------------------------------------------------------------------------------------------------------
+# --- writing -------------------------------------------------------------------------------------------------------------------------
 
 
 def origin_table(value: Any, origin: Origin, quantity: Callable[[float], Any]) -> dict[str, Any]:
@@ -266,7 +269,7 @@ def origin_table(value: Any, origin: Origin, quantity: Callable[[float], Any]) -
     Parameters
     ----------
     value : object
-        As a file has it.
+        As in a file.
     origin : Origin
     quantity : callable
         Writes a number of the same unit.

@@ -23,7 +23,7 @@ def _check_turns(text: str, given: str, wanted: str) -> None:
     """Refuse to mix turns and radians: units treat both as bare numbers, a factor of 2 pi apart."""
     if _HERTZ.search(given) and wanted in ("rad/s", "1/s"):
         number = 2.0 * math.pi * to_si(text, "Hz")
-        raise UnitError(f'{text!r} is a frequency, not in {wanted}: for turns per second, write "{number:.6g} {wanted}"')
+        raise UnitError(f'{text!r} is a frequency, but the unit must be {wanted}: for turns per second, write "{number:.6g} {wanted}"')
     if wanted == "Hz" and _TURNS.search(given):
         raise UnitError(f"{text!r} is an angular velocity: divide by the angle of a full turn and write it in Hz")
 
@@ -56,25 +56,25 @@ def read_number(value: Any, unit: str, display: str = "") -> float:
     shown = display or unit
     if isinstance(value, bool) or not isinstance(value, str | int | float):
         wanted = f"a quantity such as {_example(shown)}" if unit else "a number"
-        raise UnitError(f"{value!r} is no number: write {wanted}")
+        raise UnitError(f"{value!r} is not a number: write {wanted}")
     if not isinstance(value, str):
         return _bare(value, unit, shown)
     example = f", such as {_example(shown)}" if unit else ""
-    message = f"{value[:60]!r} is no quantity: write a number, a space and a unit{example}"
+    message = f"{value[:60]!r} is not a quantity: write a number, a space and a unit{example}"
     if len(value) > 120:
         raise UnitError(message)
     given = split(value)[1]
     if not _UNIT.match(given):
         raise UnitError(message)
     if unit and not given:
-        raise UnitError(f'{value!r} has no unit: write "{value.strip()} {shown}", or the same in another unit')
+        raise UnitError(f'{value!r} has no unit: write "{value.strip()} {shown}", or the same value in another unit')
     try:
         _check_turns(value, given, unit)
         number = to_si(value, unit)
     except ContourlabError:
         raise
     except Exception as error:  # the unit parser passes on any error of its tokenizer
-        raise UnitError(f"{value!r} has no readable unit: write for example mm, mm/min, N*m, 1/s, um or full_scale") from error
+        raise UnitError(f"{value!r} has an unreadable unit: write for example mm, mm/min, N*m, 1/s, um or full_scale") from error
     if not math.isfinite(number):
         raise UnitError(f"{value!r} is not a finite number")
     return number
@@ -88,7 +88,7 @@ def _bare(value: float, unit: str, shown: str) -> float:
     if not math.isfinite(number):
         raise UnitError(f"{value if isinstance(value, float) else 'the number'} is not a finite number")
     if unit:
-        raise UnitError(f'{value!r} has no unit: write "{value!r} {shown}", or the same in another unit')
+        raise UnitError(f'{value!r} has no unit: write "{value!r} {shown}", or the same value in another unit')
     return number
 
 
@@ -105,16 +105,16 @@ def read_list(value: Any, unit: str, display: str = "") -> tuple[float, ...]:
     """
     if isinstance(value, dict):
         if set(value) != {"unit", "values"} or not isinstance(value["unit"], str):
-            raise UnitError('a table of values has two keys: {unit = "mm", values = [0, 50, 100]}')
+            raise UnitError('a table of values needs the keys unit and values: {unit = "mm", values = [0, 50, 100]}')
         numbers, shared = value["values"], value["unit"]
         if not isinstance(numbers, Sequence) or isinstance(numbers, str):
             raise UnitError('values must be a list of numbers: {unit = "mm", values = [0, 50, 100]}')
         for number in numbers:
             if isinstance(number, bool) or not isinstance(number, int | float):
-                raise UnitError(f"{number!r} in values is no number: write the unit once, under unit")
+                raise UnitError(f"{number!r} in values is not a number: write the unit once, under unit")
         value = [f"{_bare(number, '', '')!r} {shared}".strip() for number in numbers]
     if not isinstance(value, Sequence) or isinstance(value, str):
-        raise UnitError(f"{value!r} is no list: write [{_example(display or unit) if unit else '1, 2'}, ...]")
+        raise UnitError(f"{value!r} is not a list: write [{_example(display or unit) if unit else '1, 2'}, ...]")
     result = []
     for i, item in enumerate(value):
         try:

@@ -79,13 +79,13 @@ class Table:
         Raises
         ------
         ScenarioError
-            If the entry is no table.
+            If the entry is not a table.
         """
         node = self.entries.get(name)
         if node is None:
             return Table({}, self.file, self.at(name))
         if isinstance(node, Leaf):
-            raise node.error(f"{node.value!r} is no table: write [{node.key}] and its keys below")
+            raise node.error(f"{node.value!r} is not a table: write [{node.key}] and its keys below it")
         return node
 
     def error(self, message: str, name: str = "") -> ScenarioError:
@@ -104,7 +104,7 @@ class Table:
         return replace(self, entries={k: v for k, v in self.entries.items() if k not in names})
 
     def only(self, *names: str) -> Table:
-        """Return a copy with no other entries than these."""
+        """Return a copy with these entries only."""
         return replace(self, entries={k: v for k, v in self.entries.items() if k in names})
 
 
@@ -112,7 +112,7 @@ Node: TypeAlias = Leaf | Table
 
 
 def same_table(a: Node, b: Node) -> bool:
-    """Tell whether two nodes stand in the same table of the same file."""
+    """Tell whether two nodes belong to the same table of the same file."""
     return (a.file, a.key.rpartition(".")[0]) == (b.file, b.key.rpartition(".")[0])
 
 
@@ -128,7 +128,7 @@ def located(table: Table, name: str = "") -> Iterator[None]:
 
 
 def dotted(key: str, name: str) -> str:
-    """Return the dotted key of `name` below `key`, quoted where TOML wants it.
+    """Return the dotted key of `name` below `key`, quoted if TOML requires it.
 
     >>> dotted("axes", "x")
     'axes.x'
@@ -147,7 +147,7 @@ def hint(name: str, known: Iterable[str]) -> str:
     near = difflib.get_close_matches(name, names, n=1, cutoff=0.6)
     if near:
         return f"did you mean {near[0]!r}?"
-    return "there are: " + (", ".join(names) if names else "none")
+    return "use one of " + ", ".join(names) if names else "none is allowed here"
 
 
 def from_mapping(values: Mapping[str, Any], file: str, key: str = "", depth: int = 0) -> Table:
@@ -159,14 +159,14 @@ def from_mapping(values: Mapping[str, Any], file: str, key: str = "", depth: int
         If it is nested more than `MAX_DEPTH` deep, or holds None.
     """
     if depth > MAX_DEPTH:
-        raise ScenarioError(f"tables are nested more than {MAX_DEPTH} deep", file=file, key=key[:80])
+        raise ScenarioError(f"tables are nested more than {MAX_DEPTH} deep: flatten them", file=file, key=key[:80])
     entries: dict[str, Node] = {}
     for name, value in values.items():
         place = dotted(key, name)
         if isinstance(value, Mapping):
             entries[name] = from_mapping(value, file, place, depth + 1)
         elif value is None:
-            raise ScenarioError("holds None: leave the key out", file=file, key=place)
+            raise ScenarioError("is None: delete the key", file=file, key=place)
         else:
             entries[name] = Leaf(value, file, place)
     return Table(entries, file, key)
@@ -196,9 +196,9 @@ def parse_tree(text: str, name: str) -> Table:
     try:
         values = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise ScenarioError(f"is no valid TOML: {error}", file=name) from error
+        raise ScenarioError(f"is not valid TOML: {error}", file=name) from error
     except (RecursionError, ValueError) as error:
-        # tomllib passes on what int() and deep nesting raise.
+        # tomllib passes on errors of int() and of deep nesting.
         raise ScenarioError(f"cannot be read as TOML: {error}", file=name) from error
     return from_mapping(values, name)
 

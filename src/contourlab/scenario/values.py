@@ -138,7 +138,7 @@ class FeedSettings:
     law : {"planned", "uniform"}
         Rest to rest within the limits of the axes, or laps at constant frequency.
     feedrate : float [m/s] or None
-        Of a planned contour; a program has its own.
+        Feedrate of a planned contour; a program has its own.
     frequency : float [Hz] or None
         Laps per second of the uniform law.
     laps : int, >= 1
@@ -147,7 +147,7 @@ class FeedSettings:
     path_control : {"program", "exact_path", "exact_stop", "blend"}
         How corners are met; a contour under ``"program"`` is followed exactly.
     corner_tolerance : float [m], > 0, or None
-        Of a blend, for G64 without P and ``path_control = "blend"``; by default 10 um.
+        Corner tolerance for G64 without P and ``path_control = "blend"``; by default 10 um.
     merge_tolerance : float [m], >= 0, or None
         Deviation of merged lines with ``path_control = "blend"``; by default `corner_tolerance`.
     curvature_step : float, 0 to 1
@@ -176,7 +176,7 @@ class RunSettings:
     signals : tuple of str or None
         Signals to write; None for all.
     seed : int
-        Of all noise.
+        Seed of all noise.
     evaluate : {"last-lap", "whole"}
         Samples that are evaluated.
     start : {"rest", "moving"}

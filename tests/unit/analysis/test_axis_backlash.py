@@ -1,4 +1,4 @@
-"""The loop around an axis' gap, made of components, against the same loop made of matrices, and its limit cycles against the engine."""
+"""The loop around an axis's gap, from components and from matrices, and its limit cycles against the engine."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from contourlab.geometry import Line, Path
 from contourlab.papers.shahin.limit_cycle_cases import CASES, DRIVE, LimitCycleCase
 from contourlab.papers.shahin.two_inertia_loop import p_pi_cascade, two_inertia_loop
 
-LEAD = 2.0 * math.pi  # a metre at the table is a radian of the motor
+LEAD = 2.0 * math.pi  # one metre at the table is one radian of the motor
 
 
 def axis_of(case: LimitCycleCase) -> cl.Axis:
@@ -65,13 +65,13 @@ def eigenvalues(matrix: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("case", "servo"), list(zip(CASES, SERVOS, strict=True)), ids=NAMES)
-def test_components_make_the_same_loop_as_matrices(case: LimitCycleCase, servo: cl.AxisController) -> None:
+def test_components_give_the_same_loop_as_matrices(case: LimitCycleCase, servo: cl.AxisController) -> None:
     made, known = axis_backlash_loop(axis_of(case), servo, 0.0), case.loop
     assert made.half_gap == pytest.approx(known.half_gap)
     for mode in ("gap_matrix", "contact_matrix"):
         kept = eigenvalues(getattr(made, mode))
         wanted = eigenvalues(getattr(known, mode))
-        # An integral that nothing reads is a state of its own at zero.
+        # An unread integral is a separate state that stays at zero.
         extra = len(kept) - len(wanted)
         assert np.sum(np.abs(kept) < 1e-6) == np.sum(np.abs(wanted) < 1e-6) + extra
         assert np.abs(np.poly(kept) - np.polymul(np.poly(wanted), [1.0] + [0.0] * extra)).max() <= 1e-7 * np.abs(np.poly(kept)).max()
@@ -81,8 +81,8 @@ def test_components_make_the_same_loop_as_matrices(case: LimitCycleCase, servo: 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("case", "servo"), list(zip(CASES, SERVOS, strict=True)), ids=NAMES)
-def test_the_engine_settles_on_the_orbit_that_shooting_finds(case: LimitCycleCase, servo: cl.AxisController) -> None:
-    """At a servo period of 1 us: at 5 us the hold already moves the second one by 1.2 %, as its phase hardly turns with frequency."""
+def test_the_engine_settles_on_the_orbit_found_by_shooting(case: LimitCycleCase, servo: cl.AxisController) -> None:
+    """At a servo period of 1 us. At 5 us the hold already moves the second one by 1.2 %, because its phase hardly turns with frequency."""
     period, seconds = 1e-6, 6.0
     orbit = find_orbits(axis_backlash_loop(axis_of(case), servo, 0.0)).stable[0]
     position = np.full((round(seconds / period), 1), case.kick * case.drive.half_gap)
@@ -102,7 +102,7 @@ def test_hold_and_delay_are_a_rational_delay() -> None:
     made, prompt = axis_backlash_loop(late, servo, 0.4e-3), axis_backlash_loop(axis, servo, 0.0)
     assert made.n == prompt.n + 2
     w = np.array([50.0, 200.0, 400.0])
-    # The response with a true delay of 1 ms on the command, from the matrices of the loop without one.
+    # The response with a true delay of 1 ms on the command, from the matrices of the undelayed loop.
     known = two_inertia_loop(DRIVE, p_pi_cascade(150.0, 5.0))
     s = 1j * w
     free = np.array([np.linalg.solve(x * np.eye(4) - DRIVE.a, np.column_stack([DRIVE.command, DRIVE.torque])) for x in s])
@@ -112,7 +112,7 @@ def test_hold_and_delay_are_a_rational_delay() -> None:
     assert made.transfer(w) == pytest.approx(closed @ known.c, rel=2e-3)
 
 
-def test_filters_and_an_observer_take_part() -> None:
+def test_filters_and_an_observer_are_included() -> None:
     axis = axis_of(CASES[2])
     observer = DisturbanceObserver(model_gain=1.0 / 9.6e-3, bandwidth=50.0)
     parts = replace(SERVOS[0], velocity=FilteredDifference(bandwidth=2000.0), observer=observer)
@@ -133,7 +133,7 @@ def test_switched_controllers_give_a_matrix_for_each_zone() -> None:
     )
 
 
-def test_what_has_no_gap_or_no_model_is_refused_in_words() -> None:
+def test_an_axis_without_gap_or_model_is_refused_in_words() -> None:
     axis = axis_of(CASES[0])
     with pytest.raises(ComponentError, match="no gap"):
         axis_backlash_loop(replace(axis, plant=axis.plant.replace(backlash_gap=0.0)), SERVOS[0], 1e-3)

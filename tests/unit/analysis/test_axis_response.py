@@ -1,4 +1,4 @@
-"""The frequency response of an axis in continuous time against transfer functions written down by hand and joined by python-control."""
+"""The frequency response of an axis in continuous time, against transfer functions by hand, connected by python-control."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def test_feedforward_of_the_true_model_leaves_no_error() -> None:
 
 
 def test_velocity_from_differences() -> None:
-    """K_V acts on s w/(s + w) P; so does the observer."""
+    """K_V acts on s w/(s + w) P, and so does the observer."""
     corner = 800.0
     found = respond(velocity=FilteredDifference(bandwidth=corner))
     back = KP + KP * KI / s + KV * s * corner / (s + corner)
@@ -92,7 +92,7 @@ def observer(**changed: float) -> DisturbanceObserver:
 
 
 def test_loop_with_observer() -> None:
-    """d_hat = Q ((s w_z/(s + w_z) + b_hat) v/a_hat - u) beside the controller."""
+    """d_hat = Q ((s w_z/(s + w_z) + b_hat) v/a_hat - u), parallel to the controller."""
     found = respond(observer=observer())
     q = W_D / (s + W_D)
     seen = (s * W_Z / (s + W_Z) + MODEL_B) / MODEL_A
@@ -105,7 +105,7 @@ def test_loop_with_observer() -> None:
 
 
 def test_stiffness_at_very_low_frequency() -> None:
-    """Integral and observer together: the compliance falls with the square of the frequency, without loss of digits."""
+    """With integral and observer the compliance falls with the square of the frequency, without loss of digits."""
     controller = AxisController(PositionController(velocity_gain=KV, position_gain=KP, integral_gain=KI), observer=observer())
     low = np.array([1e-4, 1e-5])
     found = axis_response(Axis("x", RigidAxis(gain=A, damping=B)), controller, 0.0, low).compliance
@@ -120,7 +120,7 @@ def test_compensated_axis_is_eqs_10_to_13() -> None:
     assert np.abs(found.compensated / (A * (S + W_Z) * (S + W_D) / below) - 1.0).max() < 1e-9
     # With no controller V/D = a s (s + w_z)/(the same).
     assert np.abs(S * found.compliance / (A * S * (S + W_Z) / below) - 1.0).max() < 1e-9
-    # The controller does not change what the observer makes of the axis.
+    # The controller does not affect the inner loop of the observer.
     assert np.abs(respond(observer=observer()).compensated / found.compensated - 1.0).max() < 1e-12
 
 
@@ -130,7 +130,7 @@ positive = st.floats(0.1, 10.0)
 @settings(max_examples=50, deadline=None)
 @given(gain=positive, damping=positive, a_hat=positive, b_hat=positive, w_d=st.floats(20.0, 300.0), ratio=st.floats(2.0, 20.0))
 def test_observer_at_low_frequency(gain: float, damping: float, a_hat: float, b_hat: float, w_d: float, ratio: float) -> None:
-    """Whatever the plant: u_c to v is a_hat/b_hat, and a disturbance that grows at a unit rate gives v = a_hat/(b_hat w_d)."""
+    """For any plant: u_c to v is a_hat/b_hat, and a disturbance ramp of unit rate gives v = a_hat/(b_hat w_d)."""
     made = observer(bandwidth=w_d, filter_bandwidth=ratio * w_d, model_gain=a_hat, model_damping=b_hat)
     free = AxisController(PositionController(), observer=made)
     low = np.array([1e-7])
@@ -140,13 +140,13 @@ def test_observer_at_low_frequency(gain: float, damping: float, a_hat: float, b_
     assert found.compliance[0] == pytest.approx(a_hat / (b_hat * w_d), rel=1e-3)
 
 
-def test_delay_turns_the_phase_only() -> None:
+def test_delay_changes_the_phase_only() -> None:
     delay = 3.7e-3
     late = respond(axis=Axis("x", RigidAxis(gain=A, damping=B), drive=DelayedSaturation(delay=delay))).loop_gain
     assert np.abs(late / respond().loop_gain - np.exp(-S * delay)).max() < 1e-12
 
 
-def test_delay_takes_its_part_of_the_phase_margin() -> None:
+def test_delay_reduces_the_phase_margin_by_its_phase() -> None:
     fine = np.logspace(0, 3, 200)
     controller = AxisController(PositionController(velocity_gain=KV, position_gain=KP, integral_gain=KI))
 
@@ -174,7 +174,7 @@ def test_plants_in_physical_units() -> None:
 
 
 class TwoMasses(SingleMass):
-    """Motor and table on a spring: the command pushes the motor, the load the table; tachometer there, scale here."""
+    """Motor and table on a spring: the command pushes the motor, the load the table; tachometer on the motor, scale on the table."""
 
     kind = "two-masses"
 
@@ -189,8 +189,8 @@ class TwoMasses(SingleMass):
 MOTOR, TABLE, SPRING = 2.0, 3.0, 4e4
 
 
-def test_load_that_acts_elsewhere_than_the_drive() -> None:
-    """Solved as one linear system at each frequency: both masses, the controller, and a unit load on the table."""
+def test_a_load_that_acts_elsewhere_than_the_drive() -> None:
+    """Solved as one linear system per frequency: both masses, the controller, and a unit load on the table."""
     found = respond(axis=Axis("x", TwoMasses())).compliance
     for w, value in zip(W, found, strict=True):
         z = 1j * w
@@ -205,14 +205,14 @@ def test_load_that_acts_elsewhere_than_the_drive() -> None:
         assert value == pytest.approx(np.linalg.solve(matrix, [0.0, 1.0, 0.0])[1], rel=1e-8)
 
 
-def test_mass_that_is_carried() -> None:
+def test_carried_mass() -> None:
     plant = MassDamper(mass=25.0, carried_mass=5.0, damping=80.0, force_constant=60.0)
     found = axis_response(Axis("x", plant), AxisController(PositionController()), 0.0, W, carried_mass=15.0)
     same(found.compensated, 60.0 / (45.0 * s + 80.0))
 
 
 @pytest.mark.parametrize("frequency", [[0.0], [-1.0], [1.0, math.nan], [math.inf]])
-def test_frequencies_that_are_none(frequency: list[float]) -> None:
+def test_invalid_frequencies(frequency: list[float]) -> None:
     axis, controller = Axis("x", RigidAxis(gain=A, damping=B)), AxisController(PositionController())
     with pytest.raises(ParameterError, match="frequency"):
         axis_response(axis, controller, 0.0, frequency)

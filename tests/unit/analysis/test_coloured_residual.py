@@ -1,4 +1,4 @@
-"""Deviations that allow for a coloured residual: one sum under windows of several kinds."""
+"""Deviations for a coloured residual: one sum under several windows."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ WINDOWS = {"bartlett": bartlett(7), "parzen": parzen(9), "flat": flat_top(4), "l
 
 @pytest.mark.parametrize("window", WINDOWS.values(), ids=WINDOWS)
 @pytest.mark.parametrize("n", [40, 127, 128])
-def test_the_sum_is_that_of_its_definition(window: np.ndarray, n: int) -> None:
+def test_the_sum_equals_its_definition(window: np.ndarray, n: int) -> None:
     rows = np.random.default_rng(n).standard_normal((n, 3))
     wanted = rows.T @ rows
     for lag in range(1, min(window.size, n)):
@@ -30,11 +30,11 @@ def test_the_sum_is_that_of_its_definition(window: np.ndarray, n: int) -> None:
 
 
 @pytest.mark.parametrize("window", [bartlett(9), parzen(9), flat_top(5)])
-def test_windows_begin_at_one_and_end_at_next_to_nothing(window: np.ndarray) -> None:
+def test_windows_begin_at_one_and_end_near_zero(window: np.ndarray) -> None:
     assert window[0] == 1.0 and np.all(np.diff(window) <= 0.0) and 0.0 < window[-1] <= 0.2
 
 
-def test_memory_is_the_lag_at_which_little_is_left() -> None:
+def test_memory_is_the_lag_beyond_which_little_correlation_is_left() -> None:
     from scipy.signal import lfilter
 
     noise = lfilter([1.0], [1.0, -0.9], np.random.default_rng(0).standard_normal(200_000))
@@ -42,8 +42,8 @@ def test_memory_is_the_lag_at_which_little_is_left() -> None:
     assert memory(np.ones(100), 0.1, 20) == 20 and memory(np.zeros(100), 0.1, 20) == 0
 
 
-def test_deviations_are_the_spread_under_coloured_noise() -> None:
-    """A slow regressor under noise that lasts: white deviations would be three times too small."""
+def test_deviations_match_the_scatter_under_coloured_noise() -> None:
+    """A slow regressor under correlated noise: white deviations would be three times too small."""
     from scipy.signal import lfilter
 
     rng, n = np.random.default_rng(1), 4000

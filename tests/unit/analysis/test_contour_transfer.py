@@ -25,7 +25,7 @@ PID = {"gain": 2500.0, "integral_rate": 20.0, "derivative_time": 0.02, "derivati
 
 
 @pytest.mark.parametrize("n_axis", [2, 3])
-def test_the_sampled_loop_does_so_with_its_own_t(n_axis: int) -> None:
+def test_with_equal_axes_the_sampled_loop_gain_is_kappa_t(n_axis: int) -> None:
     kappa, kp = 1.7, 300.0
     transfer = contour_transfer(*alike(n_axis, kp, CrossCoupled(gain=kappa * kp)))
     w = transfer.loop.frequencies(60)
@@ -36,8 +36,8 @@ def test_the_sampled_loop_does_so_with_its_own_t(n_axis: int) -> None:
 
 @pytest.mark.parametrize("n_axis", [2, 3])
 @pytest.mark.parametrize("coupling", [None, CrossCoupled(gain=900.0, integral_rate=20.0), ModifiedReference(weight=0.5)])
-def test_a_table_does_to_a_run_what_the_map_of_a_trial_says(n_axis: int, coupling: CrossCoupled | None) -> None:
-    # The tangent at the reference does not depend on where the tool is: the run is linear, so that nothing is left but rounding.
+def test_a_table_changes_a_run_as_the_trial_map_predicts(n_axis: int, coupling: CrossCoupled | None) -> None:
+    # The tangent at the reference does not depend on the tool, so the run is linear: only rounding is left.
     machine, controller = unlike(n_axis, coupling)
     path = contour("circle", radius=0.02)
     if n_axis == 3:
@@ -69,7 +69,7 @@ def test_margins_are_those_of_the_worst_of_many_directions(coupling: CrossCouple
 
 
 @pytest.mark.parametrize("n_axis", [2, 3])
-def test_the_gain_margin_is_where_a_pole_leaves_the_circle(n_axis: int) -> None:
+def test_at_the_gain_margin_a_pole_leaves_the_circle(n_axis: int) -> None:
     margins = contour_margins(*unlike(n_axis, CrossCoupled(gain=1500.0)))
     for factor, stable in ((0.999, True), (1.001, False)):
         machine, controller = unlike(n_axis, CrossCoupled(gain=1500.0 * margins.gain * factor))
@@ -78,7 +78,7 @@ def test_the_gain_margin_is_where_a_pole_leaves_the_circle(n_axis: int) -> None:
         assert bool(np.abs(poles).max() < 1.0) is stable
 
 
-def test_the_matrix_of_a_normal_plane_is_never_nearer_to_singular_than_the_polygon_says() -> None:
+def test_the_polygon_bounds_how_near_the_matrix_of_a_normal_plane_is_to_singular() -> None:
     transfer = contour_transfer(*unlike(3, CrossCoupled(gain=1500.0)))
     w = transfer.loop.frequencies(80)
     bound, ends = transfer.distance(w), transfer.vertices(w)
@@ -99,7 +99,7 @@ def test_the_distance_from_a_polygon_is_that_of_its_nearest_mean(points: list[co
     assert hull_modulus(ends[None, :])[0] == pytest.approx(nearest, abs=1e-5)
 
 
-def test_the_coupling_is_sampled_as_it_runs() -> None:
+def test_the_model_samples_the_coupling_as_it_runs() -> None:
     part = CrossCoupledFilter(gain=2.0, numerator=[2e-3, 0.5, 4.0], denominator=[1e-3, 0.3, 2.0])
     w = np.geomspace(1.0, 3000.0, 50)
     warped = 2j / 1e-3 * np.tan(0.5e-3 * w)  # the trapezoidal rule is exact at the warped frequency
@@ -107,24 +107,24 @@ def test_the_coupling_is_sampled_as_it_runs() -> None:
     np.testing.assert_allclose(coupling_model(part, 1e-3)(w), wanted, rtol=1e-8)
 
 
-def test_modified_reference_and_modified_error_are_one_weight_along_the_path() -> None:
+def test_modified_reference_and_modified_error_have_the_same_weight_along_the_path() -> None:
     for part in (ModifiedReference(weight=0.6), ModifiedError(weight=0.6)):
         model = coupling_model(part, 1e-3)
         assert (model.weight, model.d, len(model.f)) == (pytest.approx(0.6), 0.0, 0)
 
 
-def test_variable_gains_are_told_by_their_strength() -> None:
+def test_the_strength_of_variable_gains_divides_the_gain_margin() -> None:
     machine, controller = unlike(2, CrossCoupled(gain=1500.0))
     one, more = contour_margins(machine, controller), contour_margins(machine, controller, strength=1.2)
     assert more.gain == pytest.approx(one.gain / 1.2, rel=1e-6)
 
 
-def test_an_integral_beside_those_of_the_axes_is_not_taken_for_unstable() -> None:
+def test_an_integral_parallel_to_those_of_the_axes_is_not_unstable() -> None:
     machine, controller = unlike(2, CrossCoupled(**PID))
     assert internal_stability(machine, controller).stable
 
 
-def test_a_lap_of_a_turning_normal_is_the_product_of_its_ticks() -> None:
+def test_the_monodromy_of_a_lap_is_the_product_of_its_ticks() -> None:
     for n_axis in (2, 3):
         loop = coupled_loop(*unlike(n_axis, CrossCoupled(gain=1500.0)))
         tangents = circle(150, n_axis)
@@ -134,10 +134,10 @@ def test_a_lap_of_a_turning_normal_is_the_product_of_its_ticks() -> None:
         np.testing.assert_allclose(TrialMap(loop, tangents).monodromy(), product, rtol=0.0, atol=1e-9 * np.abs(product).max())
 
 
-def test_a_turning_normal_may_be_unstable_where_each_at_rest_is_stable() -> None:
+def test_a_turning_normal_may_be_unstable_where_every_fixed_one_is_stable() -> None:
     machine, controller = unlike(2, CrossCoupled(gain=4000.0))
     assert contour_transfer(machine, controller).stable
-    # A lap of 120 ms pumps the axes, whose stiffness across the path changes twice in it; a slow one does not.
+    # A lap of 120 ms pumps the axes, whose stiffness across the path changes twice per lap; a slow lap does not.
     loop = coupled_loop(machine, controller)
     fast, slow = (np.abs(np.linalg.eigvals(TrialMap(loop, circle(n)).monodromy())).max() for n in (120, 800))
     assert fast > 1.5
@@ -149,7 +149,7 @@ def test_a_turning_normal_may_be_unstable_where_each_at_rest_is_stable() -> None
     assert "too fast" in found.verdict
 
 
-def test_what_is_found_is_said_in_words() -> None:
+def test_results_are_described_in_words() -> None:
     reference = uniform(contour("circle", radius=0.02), 1.0, 2, 1e-3)
     found = internal_stability(*stages(0.1, 15e-3, coupling=CrossCoupled(gain=5.0)), reference)
     assert found.stable

@@ -1,4 +1,4 @@
-"""Responses with delays taken out against the whole system solved as it stands."""
+"""Responses with delays extracted, against the solution of the whole system."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ def whole(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
 
 @settings(max_examples=100, deadline=None)
 @given(seed=st.integers(0, 2**32 - 1), dense=st.integers(1, 4), chains=st.integers(0, 3), length=st.integers(1, 9))
-def test_as_the_whole_system(seed: int, dense: int, chains: int, length: int) -> None:
-    """A few states that feed each other, chains that start anywhere and are tapped anywhere, in any order."""
+def test_equals_the_whole_system(seed: int, dense: int, chains: int, length: int) -> None:
+    """A few coupled states, and delay chains with any start and taps, in any order."""
     rng = np.random.default_rng(seed)
     n = dense + chains * length
     a, b, c = np.zeros((n, n)), np.zeros((n, 2)), rng.normal(size=(3, n)) * rng.integers(0, 2, size=(3, n))
@@ -37,15 +37,15 @@ def test_as_the_whole_system(seed: int, dense: int, chains: int, length: int) ->
 
 
 def test_a_pure_delay() -> None:
-    """An input through 40 states: z^-40, and nothing is left to solve but the first."""
+    """An input through 40 states: z^-40; only the first state is left to solve."""
     a, b, c = np.diag(np.ones(39), -1), np.eye(40, 1), np.eye(1, 40, 39)
     form = DelayForm(a, b, c)
     assert form.longest == 39
     assert np.abs(form(Z)[:, 0, 0] - Z**-40.0).max() < 1e-13
 
 
-def test_states_that_pass_each_other_on_for_ever() -> None:
-    """A ring that nothing feeds has no first state; beside it the rest is as it was."""
+def test_a_ring_of_states() -> None:
+    """A ring without input has no first state; the rest of the system is unaffected."""
     a, b, c = np.zeros((3, 3)), np.zeros((3, 1)), np.array([[1.0, 0.0, 1.0]])
     a[0, 1] = a[1, 0] = 1.0
     a[2, 2], b[2] = 0.5, 1.0
@@ -59,7 +59,7 @@ def test_an_input_makes_a_state_more_than_a_delay() -> None:
     assert np.abs(DelayForm(a, b, c)(Z) - whole(a, b, c)).max() < 1e-12
 
 
-def test_nothing_reaches_the_output() -> None:
+def test_an_output_that_nothing_reaches() -> None:
     for a in (0.5 * np.eye(2), np.zeros((2, 2))):
         found = DelayForm(a, np.ones((2, 1)), np.zeros((1, 2)))(Z)
         assert found.shape == (Z.size, 1, 1)

@@ -1,4 +1,4 @@
-"""Describing function of a gap, with and without shaft damping: textbook values, and the motion itself."""
+"""Describing function of a gap, with and without shaft damping: textbook values, and stepped motion."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from contourlab.errors import ParameterError
 @settings(max_examples=30, deadline=None)
 @given(amplitude=st.floats(1.001, 100.0), order=st.sampled_from([1, 3, 5, 7]))
 def test_harmonics_of_a_dead_zone(amplitude: float, order: int) -> None:
-    """Fourier coefficients by quadrature; the first is the textbook's formula."""
+    """Fourier coefficients by quadrature; the first is the textbook formula."""
     begin = math.asin(1.0 / amplitude)
     wanted, _ = quad(lambda p: (amplitude * math.sin(p) - 1.0) * math.sin(order * p), begin, math.pi - begin, epsabs=1e-13)
     found = complex(harmonic(amplitude, 0.0, order))
@@ -38,7 +38,7 @@ def test_no_contact_no_torque() -> None:
 
 
 def followed(amplitude: float, damping: float, order: int, n: int = 100_000) -> complex:
-    """Return a harmonic by stepping through Nordin's model: contact, release at zero torque, and the shaft that relaxes in between."""
+    """Return a harmonic by stepping through Nordin's model: contact, release at zero torque, relaxation of the shaft in between."""
     step, torque, twist, side = 2.0 * math.pi / n, np.zeros(n), 0.0, 0
     fade = math.exp(-step / damping)
     for k in range(2 * n):
@@ -61,7 +61,7 @@ def test_a_damped_shaft(amplitude: float, damping: float, order: int) -> None:
 
 
 def test_without_a_gap_it_is_a_spring_and_a_damper() -> None:
-    """Large amplitudes: k + j w d."""
+    """For large amplitudes: k + j w d."""
     assert complex(harmonic(1e9, 0.4)) == pytest.approx(1.0 + 0.4j, rel=1e-6)
 
 

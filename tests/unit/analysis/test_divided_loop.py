@@ -1,4 +1,4 @@
-"""Stability of a divided loop: against closed forms, an independent model, the gain of the undivided loop, and simulation."""
+"""Stability of a divided loop: against closed forms, an independent model, the undivided loop gain, and simulation."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def single() -> cl.Machine:
 
 
 @pytest.mark.parametrize("division", ["drive", "observer", "controller"])
-def test_without_loss_of_time_it_is_the_undivided_loop(division: str) -> None:
+def test_with_a_perfect_link_it_is_the_undivided_loop(division: str) -> None:
     loop = divided_loop(single(), divided(servo(), division))
     whole = np.abs(sampled_loop(axis(), servo(), PERIOD).poles).max()
     assert loop.growth(NONE, NONE) == pytest.approx(whole, rel=1e-9)
@@ -71,8 +71,8 @@ def test_without_loss_of_time_it_is_the_undivided_loop(division: str) -> None:
 
 @pytest.mark.parametrize("division", ["drive", "observer"])
 @pytest.mark.parametrize("scale", [0.3, 0.5, 1.0])
-def test_whole_ticks_of_delay_are_borne_up_to_the_delay_margin(division: str, scale: float) -> None:
-    """The gain of the undivided loop, opened where the link cuts it, says the same as the poles of the loop with the delay in it."""
+def test_whole_ticks_of_delay_are_stable_up_to_the_delay_margin(division: str, scale: float) -> None:
+    """The delay margin of the undivided loop, opened at the link, agrees with the poles of the loop with the delay."""
     mine = servo(velocity_gain=100.0 * scale, position_gain=4000.0 * scale)
     controller = divided(mine, division)
     alone = sampled_loop(axis(), mine, PERIOD)
@@ -91,15 +91,15 @@ def test_whole_ticks_of_delay_are_borne_up_to_the_delay_margin(division: str, sc
             assert stable == (ticks < margin), (ticks, down)
 
 
-def test_a_delay_on_the_axis_own_loop_is_none_where_the_controller_is_in_it() -> None:
+def test_with_the_controller_in_the_axis_link_delays_do_not_affect_its_loop() -> None:
     controller = divided(servo(), "controller")
     loop = divided_loop(single(), controller)
     assert loop.growth(LinkTiming(7, 30), LinkTiming(3, 20)) == pytest.approx(loop.growth(NONE, NONE), rel=1e-9)
 
 
 @pytest.mark.parametrize("spacing", [1, 2, 5, 12, 40])
-def test_held_messages_are_a_slower_sampling(spacing: int) -> None:
-    """Proportional control over messages both ways is the loop sampled at the message period, which a matrix exponential gives."""
+def test_held_messages_act_as_slower_sampling(spacing: int) -> None:
+    """Proportional control over messages both ways is the loop sampled at the message period, from a matrix exponential."""
     law = cl.AxisController(make("controller", "position", position_gain=900.0))
     loop = divided_loop(single(), divided(law, "drive"))
     time = spacing * PERIOD
@@ -108,7 +108,7 @@ def test_held_messages_are_a_slower_sampling(spacing: int) -> None:
     expected = np.abs(np.linalg.eigvals(closed)).max() ** (1.0 / spacing)
     timing = LinkTiming(spacing, 0)
     assert loop.growth(timing, timing) == pytest.approx(expected, rel=1e-9)
-    # The base between two messages computes for nobody: up slow, down at each tick, is the same.
+    # Between two messages the results of the base are unused: slow up and every tick down gives the same.
     assert loop.growth(NONE, timing) == pytest.approx(expected, rel=1e-9)
 
 
@@ -122,7 +122,7 @@ def test_simulation_loses_stability_where_the_model_does(division: str, quantity
     timings = [LinkTiming(1, int(n)) if quantity == "delay" else LinkTiming(int(n), 0) for n in ticks]
     growth = np.array([loop.growth(t, t) for t in timings])
     route = route_from_path(Path([Line((0.0,), (0.3,))]), 0.1)
-    # Then it stands for as long again, and what is left of the stop has died or grown.
+    # The axis then rests equally long; by then the transient of the stop has decayed or grown.
     reference = plan(replace(route, dwell=np.array([3.0])), AxisLimits([1.0], [2.0], [50.0]), PERIOD)
     variants = {f"controller.axes.x.link.{way}.{quantity}": ticks * PERIOD for way in ("down", "up")}
     batch = cl.simulate_batch(machine, controller, reference, variants, judge=False, keep=("axis_position",))
@@ -135,8 +135,8 @@ def test_simulation_loses_stability_where_the_model_does(division: str, quantity
     assert np.array_equal(broken[clear], growth[clear] > 1.0)
 
 
-def test_coupling_by_the_modified_reference_goes_over_the_network() -> None:
-    """The path's share of the position comes back as a reference: stability ends where lambda T, late, reaches 1."""
+def test_the_modified_reference_goes_over_the_network() -> None:
+    """The path's share of the position returns as a reference: stability ends where the delayed lambda T reaches 1."""
     mine = servo()
     axes = {"x": replace(mine, link=Division("controller", Network(), Network()))}
     alone = sampled_loop(axis(), mine, PERIOD)
@@ -144,25 +144,25 @@ def test_coupling_by_the_modified_reference_goes_over_the_network() -> None:
         controller = cl.Controller(axes, make("estimator", "tangent"), make("coupling", "modified-reference", weight=weight))
         loop = divided_loop(single(), controller)
         margin = delay_margin(lambda w, part=weight: -part * alone.response(w).modified, alone.nyquist)
-        # A gain below 1 all over is stable whatever the delay.
+        # A gain below 1 everywhere is stable for any delay.
         assert (margin == math.inf) == (weight == 0.5)
         ticks = math.floor(min(margin / PERIOD, 200.0))
         assert loop.growth(NONE, LinkTiming(1, ticks)) < 1.0
         assert (loop.growth(NONE, LinkTiming(1, ticks + 1)) < 1.0) == (margin == math.inf)
 
 
-def test_where_axes_are_coupled_the_direction_matters() -> None:
+def test_with_coupled_axes_the_direction_matters() -> None:
     axes = {name: replace(servo(), link=Division("observer", Network(), Network())) for name in "xy"}
     machine = cl.Machine("two", (axis("x"), axis("y")), PERIOD)
     controller = cl.Controller(axes, make("estimator", "newton"), make("coupling", "modified-reference", weight=0.75))
     alike = [divided_loop(machine, controller, t).growth(LinkTiming(3, 1), NONE) for t in ((1.0, 0.0), (0.0, -2.0), (1.0, 1.0))]
     assert alike[0] == pytest.approx(alike[1], rel=1e-9)
-    assert alike[2] == pytest.approx(alike[0], rel=1e-9)  # of two axes that are the same
+    assert alike[2] == pytest.approx(alike[0], rel=1e-9)  # two equal axes
     slanted = divided_loop(machine, controller, (math.cos(math.pi / 2), 1.0))
     assert slanted.growth(LinkTiming(3, 1), NONE) == pytest.approx(alike[0], rel=1e-9)
 
 
-def test_what_has_no_timing_or_no_link_is_refused() -> None:
+def test_a_part_without_timing_or_link_is_refused() -> None:
     assert timing_of(Network(message_period=2.5e-3, delay=1e-3, jitter=1.2e-3), PERIOD) == LinkTiming(3, 3)
     assert timing_of(IdealLink(), PERIOD) == timing_of(None, PERIOD) == NONE
     with pytest.raises(ComponentError, match="hold"):

@@ -1,4 +1,4 @@
-"""Exact simulation of loops with a gap: closed forms, conservation, and an integrator that knows nothing of modes."""
+"""Exact simulation of loops with a gap: closed forms, conservation, and an integrator without knowledge of modes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from contourlab.papers.shahin.two_inertia_loop import TwoInertias, motor_pid, p_
 
 
 def test_bounce_of_two_free_inertias() -> None:
-    """Contact lasts half a period of the spring and turns the relative velocity: all instants are closed forms."""
+    """Contact lasts half a period of the spring and reverses the relative velocity: all instants are closed forms."""
     loop, v = two_inertia_loop(PAPER, FREE), 0.7
     w = math.sqrt(K_S * (1.0 / J_M + 1.0 / J_L))
     run = simulate_exact(loop, [0.0, v, 0.0, 0.0], 0.2)
@@ -36,8 +36,8 @@ def test_bounce_of_two_free_inertias() -> None:
 
 @settings(max_examples=10, deadline=None)
 @given(start=st.tuples(*[st.floats(-1.0, 1.0)] * 4), spring=st.floats(1.0, 500.0), ratio=st.floats(0.05, 20.0), gap=st.floats(1e-4, 0.1))
-def test_no_energy_is_made_or_lost(start: tuple[float, ...], spring: float, ratio: float, gap: float) -> None:
-    """Two inertias, a spring to the reference and a spring behind a gap: the energy at every sample is that at the start."""
+def test_energy_is_conserved(start: tuple[float, ...], spring: float, ratio: float, gap: float) -> None:
+    """Two inertias, a spring to the reference and a spring behind a gap: every sample has the initial energy."""
     drive_ = drive(load_inertia=ratio * J_M, half_gap=gap)
     loop = two_inertia_loop(drive_, motor_pid(spring, 0.0))
     x0 = np.array(start) * [0.1, 5.0, 0.1, 5.0]
@@ -50,7 +50,7 @@ def test_no_energy_is_made_or_lost(start: tuple[float, ...], spring: float, rati
 
 @pytest.mark.parametrize("feedback", [p_pi_cascade(100.0, 5.0), p_pi_cascade(60.0, 5.0, 200.0), p_pi_cascade(60.0, 1.0, 1400.0, "motor")])
 def test_agrees_with_an_integrator(feedback: object) -> None:
-    """DOP853 at 1e-12 over some dozens of contacts."""
+    """DOP853 at 1e-12 over dozens of contacts."""
     loop = two_inertia_loop(drive(load_damping=0.01), feedback)  # type: ignore[arg-type]
     start = np.zeros(loop.n)
     start[2] = 0.03
@@ -61,8 +61,8 @@ def test_agrees_with_an_integrator(feedback: object) -> None:
     assert np.abs(run.state(times) - other).max(axis=0) == pytest.approx(np.zeros(loop.n), abs=1e-7 * np.abs(other).max())
 
 
-def test_stiff_and_slow_at_once() -> None:
-    """The paper's loop: 1.9e5 1/s beside 0.2 1/s. In the gap, the motor's slow mode keeps its digits."""
+def test_stiff_and_slow_modes_together() -> None:
+    """The paper's loop: rates of 1.9e5 1/s and 0.2 1/s. In the gap the motor's slow mode keeps its digits."""
     loop = paper_loop()
     rate = np.linalg.eigvals(loop.gap_matrix[:2, :2]).max()
     start = np.array([1e-3, 1e-3 * rate, 0.0, 0.0])
@@ -73,13 +73,13 @@ def test_stiff_and_slow_at_once() -> None:
 
 @pytest.mark.parametrize("damping", [0.02, 0.2, 2.0])
 def test_a_damped_shaft_never_pulls(damping: float) -> None:
-    """Nordin, Galic & Gutman: the torque has the sign of the side it acts on; and energy only falls, kinetic and twist of the shaft."""
+    """Nordin, Galic & Gutman: the torque has the sign of the flank in contact; the energy (kinetic plus twist of the shaft) only falls."""
     loop = two_inertia_loop(drive(shaft_damping=damping), FREE)
     run = simulate_exact(loop, [0.0, 2.0, 0.0, -1.0], 0.3)
     times = np.linspace(0.0, 0.3, 4001)
     torque, difference = run.torque(times), run.difference(times)
     assert run.times.size > 4
-    # The dead zone with the same damper in contact would pull just before it lets go.
+    # A dead zone with the same damper in contact would pull just before release.
     assert (torque * np.sign(difference) >= -1e-12 * np.abs(torque).max()).all()
     x = run.state(times)
     assert J_M * x[:, 1] + J_L * x[:, 3] == pytest.approx(2.0 * J_M - J_L, rel=1e-11)
@@ -99,7 +99,7 @@ def test_first_contact_of_a_damped_shaft() -> None:
     end = (math.pi - math.atan2(d * w, K_S - d * s)) / w
     assert run.modes[:2].tolist() == [1, 0]
     assert run.times[1] == pytest.approx(end, rel=1e-11)
-    # The shaft relaxes in the gap at k/d from the twist it was left with.
+    # In the gap the shaft relaxes at k/d from its twist at release.
     twist = v / w * math.exp(-s * end) * math.sin(w * end)
     later = run.spans[1].start[-2], run.flow.exponential(0, 1e-3) @ run.spans[1].start
     assert later[0] == pytest.approx(twist, rel=1e-10)
@@ -119,12 +119,12 @@ def test_little_shaft_damping_is_the_dead_zone() -> None:
 
 
 def test_references() -> None:
-    """Inside the gap a motor at its reference stays there."""
+    """Inside the gap, a motor at its reference stays there."""
     loop = two_inertia_loop(PAPER, motor_pid(400.0, 3.0, 0.0, J_M))
     assert simulate_exact(loop, [0.001, 0.0, 0.0, 0.0], 1.0, 0.001).state(1.0)[0, 0] == pytest.approx(0.001, rel=1e-12)
 
 
-def test_a_runaway_is_told() -> None:
+def test_a_divergence_is_reported() -> None:
     run = simulate_exact(two_inertia_loop(PAPER, motor_pid(-100.0, 0.0)), [1e-3, 0.0, 0.0, 0.0], 10.0)
     assert run.diverged
     assert run.duration < 2.0
@@ -138,7 +138,7 @@ def test_exponentials_agree_with_another_algorithm(entries: list[float], time: f
     assert exponentials(matrix, time) == pytest.approx(wanted, rel=1e-9, abs=1e-10 * np.abs(wanted).max())
 
 
-def test_exponential_of_slow_beside_fast() -> None:
+def test_exponential_of_slow_and_fast_rates() -> None:
     """Upper triangular, rates of 2e5 and 0.2: the slow one keeps all its digits."""
     found = exponentials(np.array([[-2e5, 1e3], [0.0, -0.2]]), [0.0, 1.0, 10.0])
     assert found[:, 1, 1] == pytest.approx([1.0, math.exp(-0.2), math.exp(-2.0)], rel=1e-14)
@@ -158,8 +158,8 @@ def test_a_run_with_too_many_changes_of_mode_is_refused() -> None:
     gains=st.tuples(st.floats(0.0, 2.5), st.floats(-1.0, 1.5)),
     speeds=st.tuples(st.floats(-3.0, 3.0), st.floats(-3.0, 3.0)),
 )
-def test_no_mode_is_left_late(gap: float, stiffness: float, shaft: float, gains: tuple[float, float], speeds: tuple[float, float]) -> None:
-    """At every sample the gap is not overrun in the gap, and no torque pulls in contact: no event was missed."""
+def test_no_event_is_missed(gap: float, stiffness: float, shaft: float, gains: tuple[float, float], speeds: tuple[float, float]) -> None:
+    """At every sample in the gap the load is between the flanks, and in contact no torque pulls."""
     plant = drive(half_gap=10.0**gap, stiffness=10.0**stiffness, shaft_damping=shaft, load_damping=0.01)
     loop = two_inertia_loop(plant, p_pi_cascade(10.0 ** gains[0], 10.0 ** gains[1]))
     run = simulate_exact(loop, [0.0, speeds[0], 0.0, speeds[1]], 0.3)
@@ -171,13 +171,13 @@ def test_no_mode_is_left_late(gap: float, stiffness: float, shaft: float, gains:
 
 
 def test_each_controller_has_its_own_reference() -> None:
-    """Up to the first loss of contact a switched loop is that of its contact controller, reference and all."""
+    """Up to the first loss of contact a switched loop equals that of its contact controller, reference included."""
     from scipy.integrate import solve_ivp
 
     plant = TwoInertias(5.2e-3, 4.4e-3, 950.0, 0.005, load_damping=0.05)
     in_gap, in_contact = motor_pid(20.0, 2.0), motor_pid(200.0, 4.0)
     switched = two_inertia_loop(plant, in_gap, in_contact)
-    start = np.array([0.02, 0.0, 0.0, 0.0])  # the shaft wound up by 0.015 rad
+    start = np.array([0.02, 0.0, 0.0, 0.0])  # the shaft is wound up by 0.015 rad
 
     def rates(_: float, x: np.ndarray) -> list[float]:
         torque = 950.0 * (x[0] - x[2] - 0.005)

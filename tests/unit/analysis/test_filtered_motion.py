@@ -1,4 +1,4 @@
-"""Filters without lag, differences, and decimation with the phase of MATLAB's."""
+"""Zero-phase filters, differences, and decimation with the phase of MATLAB's."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ PERIOD = 1e-3
 
 @pytest.mark.parametrize("n", range(400, 411))
 @pytest.mark.parametrize("factor", [2, 7, 10])
-def test_decimation_keeps_the_samples_that_matlab_keeps(n: int, factor: int) -> None:
-    """MATLAB counts from 1: the first is r - (r ceil(n/r) - n), and so the last is n."""
+def test_decimation_keeps_the_same_samples_as_matlab(n: int, factor: int) -> None:
+    """MATLAB counts from 1: the first is r - (r ceil(n/r) - n), so the last is n."""
     kept = decimate(np.arange(n, dtype=float), factor)
-    gain = 10.0 ** (-2.0 * 0.05 / 20.0)  # an even Chebyshev filter stands at the bottom of its ripple at rest, here twice
+    gain = 10.0 ** (-2.0 * 0.05 / 20.0)  # at rest an even Chebyshev filter is at the bottom of its ripple; here it runs twice
     middle = slice(kept.size // 3, -kept.size // 3)
     first = factor - (factor * math.ceil(n / factor) - n) - 1
     wanted = np.arange(first, n, factor)
@@ -28,7 +28,7 @@ def test_decimation_keeps_the_samples_that_matlab_keeps(n: int, factor: int) -> 
     np.testing.assert_allclose(kept[middle] / gain, wanted[middle], atol=0.2)
 
 
-def test_decimation_takes_away_what_would_be_folded_and_little_else() -> None:
+def test_decimation_removes_aliases_and_little_else() -> None:
     t = PERIOD * np.arange(5000)
     low, high = (decimate(np.sin(2.0 * math.pi * f * t), 10) for f in (10.0, 60.0))
     inside = slice(20, -20)
@@ -43,19 +43,19 @@ def test_columns_are_decimated_alike_and_a_factor_of_one_changes_nothing() -> No
     np.testing.assert_array_equal(decimate(values, 1), values)
 
 
-def test_differences_are_exact_on_a_parabola_but_at_its_ends() -> None:
+def test_differences_of_a_parabola_are_exact_except_at_its_ends() -> None:
     t = PERIOD * np.arange(50)
     rate = central_difference(3.0 * t**2 - t, PERIOD)
     np.testing.assert_allclose(rate[1:-1], (6.0 * t - 1.0)[1:-1], rtol=1e-9)
     assert rate[[0, -1]] == pytest.approx([3.0 * PERIOD - 1.0, 3.0 * (t[-1] + t[-2]) - 1.0])
 
 
-def test_filtered_motion_comes_without_lag_and_loses_half_at_the_cut_off() -> None:
+def test_filtered_motion_has_no_lag_and_half_its_amplitude_at_the_cut_off() -> None:
     t = PERIOD * np.arange(4000)
     inside = slice(200, -200)
     w = 2.0 * math.pi * 3.0
     motion = filtered_motion(np.sin(w * t), PERIOD, cutoff=100.0)
-    # Differences over two periods lack (w T)^2/6 = 6e-5 of the velocity, twice that of the acceleration.
+    # Differences over two periods miss (w T)^2/6 = 6e-5 of the velocity, twice that of the acceleration.
     np.testing.assert_allclose(motion.velocity[inside], w * np.cos(w * t)[inside], atol=1e-4 * w)
     np.testing.assert_allclose(motion.acceleration[inside], -w * w * np.sin(w * t)[inside], atol=2e-4 * w * w)
     at_edge = filtered_motion(np.sin(2.0 * math.pi * 100.0 * t), PERIOD, cutoff=100.0).position[inside]
@@ -66,7 +66,7 @@ def test_filtered_motion_comes_without_lag_and_loses_half_at_the_cut_off() -> No
     ("options", "word"),
     [({"cutoff": 500.0}, "Nyquist.* 500"), ({"cutoff": 0.0}, "> 0")],
 )
-def test_a_filter_that_is_none_is_refused(options: dict[str, float], word: str) -> None:
+def test_an_invalid_filter_is_refused(options: dict[str, float], word: str) -> None:
     with pytest.raises(ParameterError, match=word):
         filtered_motion(np.zeros(100), PERIOD, **options)  # type: ignore[arg-type]
 

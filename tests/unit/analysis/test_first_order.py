@@ -1,4 +1,4 @@
-"""An axis of first order is found again from simulated records, with deviations that hold; what a record does not tell is said."""
+"""A first-order axis is identified from simulated records, with valid deviations; unidentifiable parameters are reported."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ def test_without_damping_it_is_a_parabola() -> None:
     np.testing.assert_allclose(p, 0.2 * t**2, rtol=1e-9, atol=1e-15)
 
 
-def test_sticking_is_found_within_the_sample() -> None:
-    """A pulse, then nothing: friction alone stops the axis at a time and place known in closed form, between two samples."""
+def test_stopping_is_found_within_the_sample() -> None:
+    """A pulse, then nothing: friction alone stops the axis at a closed-form time and place, between two samples."""
     u = np.r_[np.full(40, 1.0), np.zeros(400)]
     v, p = first_order_motion(u, PERIOD, B, 0.3, 0.3)
     speed = 0.7 * -math.expm1(-B * 0.04) / B
@@ -57,7 +57,7 @@ def test_sticking_is_found_within_the_sample() -> None:
     assert not v[60 + int(stop / PERIOD) :].any()
 
 
-def test_motion_with_friction_is_that_of_fine_steps() -> None:
+def test_motion_with_friction_agrees_with_fine_steps() -> None:
     u = levels(hold=30, n=900)
     v, p = first_order_motion(u, PERIOD, B, 0.1, 0.2)
     fine, speed, place = 400, 0.0, 0.0
@@ -72,7 +72,7 @@ def test_motion_with_friction_is_that_of_fine_steps() -> None:
     assert place == pytest.approx(p[-1], abs=1e-4 * np.ptp(p))
 
 
-def test_a_delay_of_a_part_of_a_sample_lies_between_its_neighbours() -> None:
+def test_a_fractional_delay_interpolates_its_neighbours() -> None:
     u = levels()
     np.testing.assert_array_equal(delayed(u, 3.0)[3:], u[:-3])
     np.testing.assert_allclose(delayed(u, 3.25), 0.75 * delayed(u, 3.0) + 0.25 * delayed(u, 4.0), atol=1e-15)
@@ -81,14 +81,14 @@ def test_a_delay_of_a_part_of_a_sample_lies_between_its_neighbours() -> None:
 @pytest.mark.parametrize(
     "u", [levels(), 0.4 * np.sign(np.sin(2.0 * math.pi * 0.9 * TIME)) + 0.1 * np.sign(np.sin(2.0 * math.pi * 0.21 * TIME))]
 )
-def test_an_axis_is_found_again(u: Array) -> None:
+def test_an_axis_is_identified(u: Array) -> None:
     fit = identify_first_order(TIME, u, measured(u, count=0.125e-6))
     assert (fit["a"], fit["b"], fit["friction"]) == pytest.approx((A, B, FRICTION), rel=2e-3)
     assert fit["offset"] == pytest.approx(0.0, abs=1e-4) and fit["delay"] == 0.0
     assert fit.usable and fit.found.fit > 99.0
 
 
-def test_delay_offset_and_a_start_in_motion_are_found() -> None:
+def test_delay_offset_and_initial_velocity_are_identified() -> None:
     u = levels()
     whole = np.r_[np.full(500, 0.5), u]
     place = A * first_order_motion(delayed(whole, 4.5) - 0.03, PERIOD, B, FRICTION, FRICTION)[1]
@@ -98,8 +98,8 @@ def test_delay_offset_and_a_start_in_motion_are_found() -> None:
     assert (fit["a"], fit["b"]) == pytest.approx((A, B), rel=1e-2)
 
 
-def test_noise_does_not_bias_the_output_error_fit_and_its_deviations_hold() -> None:
-    """Over 25 noisy records the mean lies within its own deviation of the truth; a fit of the equation is off by far more than that."""
+def test_the_output_error_fit_is_unbiased_by_noise_and_its_deviations_hold() -> None:
+    """Over 25 noisy records the mean lies within its deviation of the truth; an equation-error fit is off by far more."""
     u = levels(n=3000)
     time = TIME[:3000]
     fits = [identify_first_order(time, u, measured(u, 2e-5, seed=seed)) for seed in range(25)]
@@ -115,7 +115,7 @@ def test_noise_does_not_bias_the_output_error_fit_and_its_deviations_hold() -> N
     assert abs(np.mean(equation) - B) > 20.0 * abs(b.mean() - B)
 
 
-def test_what_is_wrong_with_a_record_is_said() -> None:
+def test_faults_of_a_record_are_reported() -> None:
     u = levels()
     place = measured(u)
     for arguments, said in (
@@ -131,7 +131,7 @@ def test_what_is_wrong_with_a_record_is_said() -> None:
             identify_first_order(*arguments)
 
 
-def test_a_resonance_or_noise_is_no_silent_fit() -> None:
+def test_a_resonance_or_noise_is_not_fitted_silently() -> None:
     u = levels()
     noise = np.cumsum(np.random.default_rng(4).normal(size=N)) * 1e-5
     try:
@@ -155,7 +155,7 @@ def test_the_closed_loop_is_eq_18() -> None:
     np.testing.assert_allclose(place[10:], 1e-3 * step.real, atol=1e-15)
 
 
-def test_a_loop_of_known_gains_is_identified() -> None:
+def test_a_loop_with_known_gains_is_identified() -> None:
     reference = levels(3, 200, 1e-4)
     place = closed_loop_position(reference, PERIOD, 0.873, 19.7, *GAINS)
     noisy = np.round((place + 2e-7 * np.random.default_rng(0).normal(size=N)) / 0.125e-6) * 0.125e-6
@@ -166,7 +166,7 @@ def test_a_loop_of_known_gains_is_identified() -> None:
     assert fit.found.fit > 99.0 and fit.usable and not fit.findings
 
 
-def test_a_slow_reference_does_not_tell_the_loop() -> None:
+def test_a_slow_reference_does_not_identify_the_loop() -> None:
     reference = 0.02 * (1.0 - np.cos(2.0 * math.pi * 0.05 * TIME))
     noise = 2e-5 * np.random.default_rng(0).normal(size=N)
     fit = identify_closed_loop(TIME, reference, closed_loop_position(reference, PERIOD, 0.873, 19.7, *GAINS) + noise, *GAINS)

@@ -1,4 +1,4 @@
-"""Frequency responses of plants of known models, through noise, in open and closed loop; drives fitted to them."""
+"""Frequency responses of plants with known models, through noise, in open and closed loop; drives fitted to them."""
 
 from __future__ import annotations
 
@@ -64,19 +64,19 @@ def noise(n: int, size: float, seed: int = 5) -> Array:
 
 
 def apart(found: MeasuredResponse, true: dict[str, float], low: float, high: float) -> Array:
-    """Return measured over true response, less one, in a band [Hz]."""
+    """Return measured over true response, minus one, in a band [Hz]."""
     kept = (found.frequency >= low) & (found.frequency <= high)
     expected = held_response(lambda s: linear_motor(true, s), found.frequency[kept], found.period)
     return np.abs(found.response[kept] / expected - 1.0)
 
 
 def mean_ratio(found: MeasuredResponse, low: float, high: float) -> complex:
-    """Return measured over true response, averaged over a band: scatter goes out, bias stays."""
+    """Return measured over true response, averaged over a band: scatter averages out, bias stays."""
     kept = (found.frequency >= low) & (found.frequency <= high)
     return complex(np.mean(found.response[kept] / held_response(lambda s: linear_motor(TRUE, s), found.frequency[kept], found.period)))
 
 
-def test_a_sweep_is_told_from_noise() -> None:
+def test_a_sweep_is_distinguished_from_noise() -> None:
     assert is_sweep(chirp(8000)) and not is_sweep(random_command(8000)) and not is_sweep(multisine(2000, 4, 300, 1.0))
 
 
@@ -94,7 +94,7 @@ def test_the_response_of_a_mass_is_found_in_open_loop(excitation: Array) -> None
     assert fit.usable and fit["delay"] < 0.2 * PERIOD
 
 
-def test_deviations_of_the_response_hold() -> None:
+def test_deviations_of_the_response_are_correct() -> None:
     inside = []
     for seed in range(6):
         u = random_command(20_000, seed=seed)
@@ -108,7 +108,7 @@ def test_deviations_of_the_response_hold() -> None:
 
 
 def closed_loop(n: int, disturbance: float, seed: int = 2) -> tuple[Measured, Array]:
-    """A position loop written down here: a mass under PD, a random reference, and noise that the loop feeds back."""
+    """Return a hand-written position loop: a mass under PD, a random reference, and noise that the loop feeds back."""
     rng = np.random.default_rng(seed)
     reference = np.repeat(rng.uniform(-1e-3, 1e-3, n // 20), 20)
     felt = disturbance * rng.normal(size=n)
@@ -125,7 +125,7 @@ def closed_loop(n: int, disturbance: float, seed: int = 2) -> tuple[Measured, Ar
     return Measured(PERIOD, u, y, reference), reference
 
 
-def test_feedback_of_noise_biases_the_direct_way_and_not_the_joint_one() -> None:
+def test_noise_in_the_feedback_biases_the_direct_method_and_not_the_joint_one() -> None:
     run, _ = closed_loop(60_000, 3e-5)
     joint = spectral_response([run])
     direct = spectral_response([Measured(PERIOD, run.command, run.position)])
@@ -136,8 +136,8 @@ def test_feedback_of_noise_biases_the_direct_way_and_not_the_joint_one() -> None
     assert fit_linear_motor(joint)["M"] == pytest.approx(MASS, rel=0.05)
 
 
-def test_sines_one_a_run() -> None:
-    """Sines that ride on a moving axis, as a bench drives them: rest, a run-up, the sine, rest."""
+def test_one_sine_per_run() -> None:
+    """Sines on a moving axis, as on a test bench: rest, a run-up, the sine, rest."""
     runs, frequencies = [], (4.0, 11.0, 30.0, 73.0, 150.0)
     for frequency in frequencies:
         t = PERIOD * np.arange(6000)
@@ -154,14 +154,14 @@ def test_sines_one_a_run() -> None:
     fit = fit_linear_motor(found)
     assert (fit["M"], fit["B"]) == pytest.approx((MASS, DAMPING), rel=0.02)
     assert fit["delay"] == pytest.approx(1.5e-3, rel=0.02)
-    # A log that keeps every fifth sample does not make the drive hold its command for longer.
+    # A log that keeps every fifth sample does not lengthen the hold of the drive.
     thin = Measured(5.0 * PERIOD, runs[0].command[::5], runs[0].position[::5])
     mixed = sine_responses([thin, *runs[1:]], [f"{f:g} Hz" for f in frequencies])
     assert mixed.period == PERIOD and "CL542" in {one.code for one in mixed.findings}
     assert mixed.response == pytest.approx(found.response, rel=2e-2)
 
 
-def test_a_sine_in_which_the_axis_stands_is_left_out_and_harmonics_are_told() -> None:
+def test_a_sine_with_a_stuck_axis_is_left_out_and_harmonics_are_reported() -> None:
     t = PERIOD * np.arange(8000)
     u = 30.0 * np.sin(2.0 * np.pi * 2.0 * t)
     place = driven(PLANT, u, PERIOD)
@@ -177,7 +177,7 @@ def test_a_sine_in_which_the_axis_stands_is_left_out_and_harmonics_are_told() ->
 
 
 @pytest.mark.parametrize("how", ["noise", "multisine"])
-def test_two_inertias_are_found_at_the_motor(how: str) -> None:
+def test_two_inertias_are_identified_at_the_motor(how: str) -> None:
     period = 2.5e-4
     u = random_command(40_000, 0.3) if how == "noise" else multisine(2000, 12, 900, 0.4)
     place = driven(DRIVE, u, period, "motor_position") + noise(u.size, 1e-7)
@@ -192,7 +192,7 @@ def test_two_inertias_are_found_at_the_motor(how: str) -> None:
     assert resonances(x) == pytest.approx((resonance, math.sqrt(200.0 / 4e-4) / (2.0 * math.pi)), rel=5e-3)
 
 
-def test_from_the_load_the_whole_mass_and_the_resonance_are_told_and_no_more() -> None:
+def test_the_load_side_identifies_only_the_total_mass_and_the_resonance() -> None:
     period = 2.5e-4
     u = multisine(2000, 12, 900, 0.4)
     place = driven(DRIVE, u, period) + noise(u.size, 1e-7)
@@ -204,7 +204,7 @@ def test_from_the_load_the_whole_mass_and_the_resonance_are_told_and_no_more() -
 
 @pytest.mark.parametrize("share", [0.2, 0.5, 0.8])
 def test_from_the_load_the_damping_ratio_is_the_resonance_s_own(share: float) -> None:
-    """Whoever damps, and whatever share of the mass is the load's: the response is that of mass, damping and one resonance."""
+    """Wherever the damping acts, and for any mass share of the load, the response is that of mass, damping and one resonance."""
     s = 2j * np.pi * np.linspace(2.0, 200.0, 100)
     for shaft, damping in ((100.0, 0.0), (0.0, 500.0), (100.0, 500.0)):
         x = {
@@ -218,11 +218,11 @@ def test_from_the_load_the_damping_ratio_is_the_resonance_s_own(share: float) ->
         w, load = 2.0 * np.pi * seen["resonance"], x["load_mass"] / x["motor_mass"]
         own, late = shaft * 120.0 / (2.0 * w * x["motor_mass"] * x["load_mass"]), damping * load / (120.0 * w**2)
         assert seen["damping_ratio"] == pytest.approx(own + 0.5 * w * late, rel=0.01)
-        # The motor's part of the ratio has no lead, and counts as that much more delay.
+        # The motor's part of the ratio has no lead, so it counts as additional delay.
         assert load_side({**seen, "delay": late}, s) == pytest.approx(two_inertia(x, s, "load"), rel=0.03)
 
 
-def test_one_mass_is_not_taken_for_two() -> None:
+def test_one_mass_is_not_identified_as_two() -> None:
     u = random_command(12_000)
     place = driven(PLANT, u, PERIOD) + noise(u.size, 1e-7)
     found = spectral_response([Measured(PERIOD, u, place)])
@@ -234,7 +234,7 @@ def test_one_mass_is_not_taken_for_two() -> None:
         assert not fit.usable and fit.findings
 
 
-def test_what_is_wrong_is_said() -> None:
+def test_faults_are_reported() -> None:
     u = random_command(4000)
     place = driven(PLANT, u, PERIOD)
     for arguments, said in (

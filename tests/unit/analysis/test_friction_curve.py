@@ -1,4 +1,4 @@
-"""Stretches of constant speed are found, and friction of a known kind is told from them, no more and no less."""
+"""Segments of constant speed are found, and friction models are selected from them correctly."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ def stribeck(v: Array, drop: float = 0.25, vs: float = 0.01) -> Array:
     return np.sign(v) * (0.3 + drop * np.exp(-((v / vs) ** 2))) + 2.0 * v - 0.02
 
 
-def test_there_and_back_is_two_stretches() -> None:
-    """A triangle with a settling motion and ripple on it: one stretch each way, its speed and mean known."""
+def test_there_and_back_gives_two_segments() -> None:
+    """A triangle wave with settling and ripple: one segment each way, with known speed and mean."""
     period = 1e-3
     t = period * np.arange(6000)
     reference = np.interp(t, [0.0, 0.5, 2.5, 4.5, 6.0], [0.0, 0.0, 0.1, 0.0, 0.0])
@@ -40,7 +40,7 @@ def test_there_and_back_is_two_stretches() -> None:
         assert all(s.count > 1000 for s in found)
 
 
-def test_a_motion_without_constant_speed_has_no_stretch() -> None:
+def test_a_motion_without_constant_speed_has_no_segment() -> None:
     t = 1e-3 * np.arange(4000)
     place = 0.05 * np.sin(2.0 * np.pi * 0.5 * t)
     assert constant_speed_stretches(1e-3, place, place, place) == []
@@ -62,7 +62,7 @@ def test_a_motion_without_constant_speed_has_no_stretch() -> None:
         (stribeck, "Coulomb, viscous and Stribeck", {"Fc": 0.3, "Fv": 2.0, "drop": 0.25, "offset": -0.02, "vs": 0.01}),
     ],
 )
-def test_the_kind_of_friction_is_told(law, name, true) -> None:  # type: ignore[no-untyped-def]
+def test_the_friction_model_is_recognised(law, name, true) -> None:  # type: ignore[no-untyped-def]
     fit = fit_friction(BOTH, noisy(law(BOTH)), np.full(BOTH.size, SPREAD))
     assert fit.chosen.model.name == name and fit.usable
     for parameter, value in true.items():
@@ -71,8 +71,8 @@ def test_the_kind_of_friction_is_told(law, name, true) -> None:  # type: ignore[
     np.testing.assert_allclose(fit.chosen.at(BOTH), fit.chosen.predicted, atol=1e-12)
 
 
-def test_where_friction_is_viscous_no_coulomb_friction_is_told() -> None:
-    """By AICc one runs a risk of about one in ten to take a parameter that is not there."""
+def test_viscous_friction_gives_no_coulomb_friction() -> None:
+    """AICc accepts a superfluous parameter with a probability of about one in ten."""
     fits = [fit_friction(BOTH, noisy(4.0 * BOTH + 0.05, seed), np.full(BOTH.size, SPREAD)) for seed in range(20)]
     plain = [fit for fit in fits if fit.chosen.model.name == "viscous"]
     assert len(plain) >= 15
@@ -82,7 +82,7 @@ def test_where_friction_is_viscous_no_coulomb_friction_is_told() -> None:
 
 
 @pytest.mark.parametrize("speeds", [[50, 100, 200], [50, 100, 150, 200], [-50, -100, -200]])
-def test_three_speeds_one_way_tell_a_line(speeds: list[float]) -> None:
+def test_three_speeds_in_one_direction_give_a_line(speeds: list[float]) -> None:
     v = 1e-3 * np.array(speeds)
     fit = fit_friction(v, noisy(0.3 * np.sign(v) + 2.0 * v), np.full(v.size, SPREAD))
     assert fit.chosen.model.name == "Coulomb and viscous" and fit.usable and fit.chosen.fit > 90.0
@@ -90,8 +90,8 @@ def test_three_speeds_one_way_tell_a_line(speeds: list[float]) -> None:
     assert not any("nan" in one.text or "inf" in one.text for one in fit.findings)
 
 
-def test_no_slow_run_no_stribeck() -> None:
-    """The dip lies below 20 mm/s; of runs above 60 mm/s nothing of it is claimed, and it is said how far down the runs go."""
+def test_without_slow_runs_there_is_no_stribeck_claim() -> None:
+    """The dip lies below 20 mm/s: runs above 60 mm/s make no claim about it, and the lowest speed is reported."""
     fast = BOTH[np.abs(BOTH) >= 0.06]
     fast = np.r_[fast, 0.9 * fast]
     fit = fit_friction(fast, noisy(stribeck(fast)), np.full(fast.size, SPREAD))
@@ -100,20 +100,20 @@ def test_no_slow_run_no_stribeck() -> None:
     assert slowest == pytest.approx(0.054)
 
 
-def test_a_concave_curve_is_called_so() -> None:
+def test_a_concave_curve_is_reported_as_concave() -> None:
     fit = fit_friction(BOTH, noisy(stribeck(BOTH, -0.15, 0.05)), np.full(BOTH.size, SPREAD))
     assert fit.chosen["drop"] == pytest.approx(-0.15, abs=0.03)
     assert "CL546" in {one.code for one in fit.findings}
 
 
-def test_scatter_between_runs_is_found_beside_that_within() -> None:
+def test_scatter_between_runs_is_separated_from_scatter_within() -> None:
     u = 0.3 * np.sign(BOTH) + 2.0 * BOTH + 0.02 * np.random.default_rng(3).normal(size=BOTH.size)
     fit = fit_friction(BOTH, u, np.full(BOTH.size, 1e-4))
     assert 0.01 < fit.chosen.scatter < 0.03
     assert abs(fit.chosen["Fc"] - 0.3) < 4.0 * fit.chosen.deviation("Fc")
 
 
-def test_deviations_hold_over_many_sets_of_runs() -> None:
+def test_deviations_are_correct_over_many_sets_of_runs() -> None:
     inside = 0
     for seed in range(30):
         v = BOTH[::2]
@@ -123,7 +123,7 @@ def test_deviations_hold_over_many_sets_of_runs() -> None:
     assert 24 <= inside <= 30
 
 
-def test_what_is_no_friction_is_refused() -> None:
+def test_invalid_friction_data_are_refused() -> None:
     u = 0.3 * np.sign(BOTH) + 2.0 * BOTH
     spread = np.full(BOTH.size, SPREAD)
     with refuses(ParameterError, "against", name="command"):

@@ -1,4 +1,4 @@
-"""Damped Gauss-Newton against closed forms and a known hard valley; deviations against many draws."""
+"""Damped Gauss-Newton against closed forms and a hard curved valley; deviations against many random draws."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_a_curved_valley_is_followed_to_its_end() -> None:
     assert found.values == pytest.approx([1.0, 1.0], abs=1e-4)
 
 
-def test_at_a_bound_the_others_are_the_best_there_are() -> None:
+def test_at_a_bound_the_other_parameters_are_optimal() -> None:
     high = np.array([9.0, 0.0, 9.0])
     exact = np.linalg.lstsq(MATRIX, WANTED, rcond=None)[0]
     low = np.array([-9.0, min(exact[1], 0.0) - 1.0, -9.0])
@@ -46,7 +46,7 @@ def test_at_a_bound_the_others_are_the_best_there_are() -> None:
     assert found.values[[0, 2]] == pytest.approx(rest, abs=1e-4)
 
 
-def test_points_that_fail_are_gone_around() -> None:
+def test_failed_points_are_avoided() -> None:
     def broken(points: np.ndarray) -> np.ndarray:
         left = banana(points)
         left[points[:, 0] < -1.25] = np.nan
@@ -76,7 +76,7 @@ def test_starts_lie_within_bounds_and_the_given_one_comes_first() -> None:
 
 
 @pytest.mark.parametrize("keep", [0.0, 0.9])
-def test_deviations_are_those_of_many_draws(keep: float) -> None:
+def test_deviations_match_many_random_draws(keep: float) -> None:
     """A line through 1500 rows of noise, white or with a memory of ten rows, drawn 300 times."""
     n, draws = 1500, 300
     time = np.linspace(0.0, 1.0, n)
@@ -96,7 +96,7 @@ def test_deviations_are_those_of_many_draws(keep: float) -> None:
         assert (np.mean(white, axis=0) < 0.35 * spread).all()
 
 
-def test_what_has_no_effect_of_its_own_is_told() -> None:
+def test_parameters_without_an_effect_of_their_own_are_reported() -> None:
     columns = RNG.standard_normal((200, 2, 4))
     columns[:, :, 2] = 0.0
     columns[:, :, 3] = -2.0 * columns[:, :, 1]

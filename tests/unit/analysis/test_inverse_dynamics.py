@@ -1,4 +1,4 @@
-"""An axis whose force is known in closed form is found again, within deviations that hold; what cannot be found is said."""
+"""An axis with a closed-form force is identified with valid deviations; unidentifiable parameters are reported."""
 
 from __future__ import annotations
 
@@ -48,17 +48,17 @@ def found(noise: float = 0.0, settings: InverseDynamicsSettings = SETTINGS, **ch
     return identify_inverse_dynamics(t, q, force, settings)
 
 
-def test_an_axis_is_found_again() -> None:
+def test_an_axis_is_identified() -> None:
     fit = found()
     assert fit.names == ("M", "Fv", "Fc", "offset")
-    # Differences lack (w T)^2/3 of the acceleration at 1.3 Hz, 2e-5; sign(v) is off for a part of a sample at the reversals.
+    # Differences miss (w T)^2/3 of the acceleration at 1.3 Hz, 2e-5; sign(v) is wrong for part of a sample at the reversals.
     assert fit.parameters() == pytest.approx(AXIS, rel=1e-3)
     assert fit["M"] == fit.values[0]
     assert fit.relative_error < 0.5 and fit.fit > 99.5 and fit.usable
     np.testing.assert_allclose(fit.force - fit.predicted, 0.0, atol=2.0 * AXIS["Fc"])
 
 
-def test_friction_by_direction_is_found_again() -> None:
+def test_friction_by_direction_is_identified() -> None:
     t, q, v, a = motion()
     forward = v > 0.0
     force = 95.0 * a + np.where(forward, 166.0 * v + 21.0, 240.0 * v - 19.0)
@@ -68,13 +68,13 @@ def test_friction_by_direction_is_found_again() -> None:
     assert alike.residual_norm > 5.0 * fit.residual_norm
 
 
-def test_an_offset_stands_in_both_coulomb_forces() -> None:
+def test_an_offset_appears_in_both_coulomb_forces() -> None:
     fit = found(settings=replace(SETTINGS, friction="asymmetric"))
     assert (fit["Fc+"] - fit["Fc-"]) / 2.0 == pytest.approx(AXIS["offset"], rel=2e-3)
     assert (fit["Fc+"] + fit["Fc-"]) / 2.0 == pytest.approx(AXIS["Fc"], rel=2e-3)
 
 
-def test_figures_of_merit_are_what_they_are_called() -> None:
+def test_figures_of_merit_match_their_definitions() -> None:
     fit = found(noise=4.0)
     left = fit.force - fit.predicted
     assert fit.residual_norm == pytest.approx(math.sqrt(float(left @ left)))
@@ -89,14 +89,14 @@ def test_figures_of_merit_are_what_they_are_called() -> None:
 
 
 def test_deviations_hold_over_two_hundred_noisy_records() -> None:
-    """95 % of the truths lie within 1.96 deviations; 800 counts leave a deviation of 0.8 % to that share."""
+    """95 % of the true values lie within 1.96 deviations; with 800 counts this share has a deviation of 0.8 %."""
     t, q, v, a = motion(n=4000)
     clean = force_of(v, a, **AXIS)
     truth = np.array(list(AXIS.values()))
     inside = {"white": np.zeros(4), "robust": np.zeros(4)}
     noise = np.random.default_rng(11)
     for _ in range(200):
-        # Without decimation the residual is as white as the noise; with it the plain deviations are told too small.
+        # Without decimation the residual is as white as the noise; with it the plain deviations are too small.
         force = clean + 20.0 * noise.normal(size=t.size)
         white = identify_inverse_dynamics(t, q, force, replace(SETTINGS, decimation=1))
         robust = identify_inverse_dynamics(t, q, force, SETTINGS)
@@ -107,7 +107,7 @@ def test_deviations_hold_over_two_hundred_noisy_records() -> None:
         assert (count / 200.0 > 0.89).all()
 
 
-def test_a_record_that_was_not_used_is_explained_too() -> None:
+def test_an_unused_record_is_explained_too() -> None:
     fit = found(noise=2.0)
     t, q, v, a = motion(QUICK, n=9000)
     told = cross_validate(fit, t, q, force_of(v, a, **AXIS))
@@ -119,7 +119,7 @@ def test_a_record_that_was_not_used_is_explained_too() -> None:
     assert heavier.relative_error > 10.0 * told.relative_error
 
 
-def test_counts_of_an_encoder_draw_the_mass_to_zero_unless_they_are_filtered() -> None:
+def test_encoder_counts_bias_the_mass_towards_zero_unless_filtered() -> None:
     t, q, v, a = motion()
     counted = 5e-6 * np.round(q / 5e-6)
     force = force_of(v, a, **AXIS)
@@ -127,10 +127,10 @@ def test_counts_of_an_encoder_draw_the_mass_to_zero_unless_they_are_filtered() -
     assert filtered["M"] == pytest.approx(AXIS["M"], rel=5e-3)
     one_by_one = identify_inverse_dynamics(t, counted, force, replace(SETTINGS, cutoff=400.0, decimation=1))
     assert one_by_one["M"] < 0.8 * AXIS["M"]
-    assert one_by_one["M"] < raw["M"] < 1.01 * AXIS["M"]  # the filter ahead of decimation saves most of it
+    assert one_by_one["M"] < raw["M"] < 1.01 * AXIS["M"]  # the filter before decimation preserves most of it
 
 
-def test_units_of_the_force_go_through() -> None:
+def test_the_unit_of_the_force_carries_through() -> None:
     """A force in volts gives parameters in volts."""
     t, q, v, a = motion()
     force = force_of(v, a, **AXIS)
@@ -155,15 +155,15 @@ def test_units_of_the_force_go_through() -> None:
         ({"time": np.zeros((2, 3))}, "one record"),
     ],
 )
-def test_a_record_that_is_none_is_refused(changed: dict[str, Array], word: str) -> None:
+def test_an_invalid_record_is_refused(changed: dict[str, Array], word: str) -> None:
     t, q, v, a = motion()
     record = {"time": t, "position": q, "force": force_of(v, a, **AXIS)} | changed
     with pytest.raises(ParameterError, match=word):
         identify_inverse_dynamics(**record, settings=SETTINGS)
 
 
-def test_a_record_that_is_too_short_says_how_long_one_has_to_be() -> None:
-    """And one that long is read, though in it the axis moves one way only."""
+def test_too_short_a_record_names_the_required_length() -> None:
+    """A record of that length is accepted, even if the axis moves one way only."""
     t, q, v, a = motion()
     force = force_of(v, a, **AXIS)
     for n, word in ((290, "290 .*291"), (291, "backwards")):
@@ -194,7 +194,7 @@ def test_a_negative_mass_or_friction_is_never_returned() -> None:
         found(Fc=-8.0, settings=replace(SETTINGS, friction="asymmetric"))
 
 
-def test_friction_that_may_be_none_is_marked_unusable_where_it_comes_out_below_zero() -> None:
+def test_an_optional_friction_below_zero_is_marked_unusable() -> None:
     fits = [found(noise=30.0, Fc=fc) for fc in np.linspace(-0.6, 0.6, 9)]
     below = [fit for fit in fits if fit["Fc"] < 0.0]
     assert below and len(below) < len(fits)
@@ -202,7 +202,7 @@ def test_friction_that_may_be_none_is_marked_unusable_where_it_comes_out_below_z
         assert not fit.usable and "CL530" in {one.code for one in fit.findings}
 
 
-def test_gravity_is_not_taken_for_negative_friction() -> None:
+def test_gravity_is_not_identified_as_negative_friction() -> None:
     fit = found(offset=100.0, settings=replace(SETTINGS, friction="asymmetric"))
     assert fit["Fc-"] == pytest.approx(-80.0, rel=1e-2)
     assert fit.usable and "CL531" in {one.code for one in fit.findings}
@@ -214,8 +214,8 @@ def test_friction_that_falls_with_speed_is_marked_unusable() -> None:
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_a_mass_that_a_record_hardly_tells_is_refused_or_marked(seed: int) -> None:
-    """One speed there and back under a low cut-off: what is left of the acceleration drowns in the noise of the force."""
+def test_a_poorly_excited_mass_is_refused_or_marked(seed: int) -> None:
+    """One speed there and back under a low cut-off: the rest of the acceleration drowns in the force noise."""
     t = PERIOD * np.arange(12_000)
     way = np.where((t // 1.5) % 2 == 0, 1.0, -1.0)
     force = 24.0 * way + 60.0 * np.random.default_rng(seed).normal(size=t.size)
@@ -228,8 +228,8 @@ def test_a_mass_that_a_record_hardly_tells_is_refused_or_marked(seed: int) -> No
         assert ("CL526", "M") in {(one.code, one.place) for one in fit.findings}
 
 
-def test_parameters_that_one_speed_does_not_tell_apart_are_named() -> None:
-    """Rows at the reversals are left out: what remains has one speed, so that v and sign(v) are one column."""
+def test_parameters_that_one_speed_cannot_separate_are_named() -> None:
+    """Without the rows at the reversals only one speed remains, so v and sign(v) are one column."""
     t = PERIOD * np.arange(4000)
     way = np.where((t // 0.5) % 2 == 0, 1.0, -1.0)
     whole = InverseDynamicsSettings(cutoff=499.99999, order=1, decimation=1, dropped=(0, 0), slowest=0.049)
@@ -237,7 +237,7 @@ def test_parameters_that_one_speed_does_not_tell_apart_are_named() -> None:
         identify_inverse_dynamics(t, 0.05 * PERIOD * np.cumsum(way), 20.0 * way + 3.0, whole)
 
 
-def test_rest_is_remarked_on_and_left_out_when_asked() -> None:
+def test_rest_is_reported_and_left_out_on_request() -> None:
     t, q, v, a = motion()
     stop = int(np.flatnonzero(np.diff(np.sign(v[7000:])))[0]) + 7000
     q, v, a = (np.where(t > t[stop], held, values) for held, values in ((q[stop], q), (0.0, v), (0.0, a)))
@@ -251,14 +251,14 @@ def test_rest_is_remarked_on_and_left_out_when_asked() -> None:
     assert abs(whole["offset"] - AXIS["offset"]) > 1.0
 
 
-def test_a_force_of_another_kind_is_remarked_on() -> None:
+def test_a_force_of_another_quantity_is_reported() -> None:
     t, q, v, a = motion()
     ripple = 150.0 * np.sin(2.0 * math.pi * q / 4e-3)
     fit = identify_inverse_dynamics(t, q, force_of(v, a, **AXIS) + ripple, SETTINGS)
     assert "CL533" in {one.code for one in fit.findings}
 
 
-def test_a_residual_that_is_not_white_widens_the_robust_deviations() -> None:
+def test_a_coloured_residual_widens_the_robust_deviations() -> None:
     t, q, v, a = motion()
     slow = 3.0 * np.sin(2.0 * math.pi * 0.17 * t + 0.4)
     fit = identify_inverse_dynamics(t, q, force_of(v, a, **AXIS) + slow, SETTINGS)

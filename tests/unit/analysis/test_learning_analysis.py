@@ -1,4 +1,4 @@
-"""What is said of learning before it runs: published figures, the trial itself as oracle, and words."""
+"""Predictions for learning: published figures, the trial itself as oracle, and words."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def test_an_average_over_23_samples_amplifies_as_published(
 
 
 @pytest.mark.parametrize(("t_a", "hertz"), [(0.1, 3.5), (0.01, 10.0)])
-def test_p_type_learning_at_half_the_integral_gain_passes_one_where_published(t_a: float, hertz: float) -> None:
+def test_p_type_learning_at_half_the_integral_gain_exceeds_one_where_published(t_a: float, hertz: float) -> None:
     w = TURN * np.linspace(0.5, 30.0, 30000)
     s = 1j * w
     plant = 150.0**2 / (s * (s * s + 330.0 * s + 150.0**2))
@@ -80,12 +80,12 @@ def test_p_type_learning_at_half_the_integral_gain_passes_one_where_published(t_
     assert w[np.argmax(factor > 1.0)] / TURN == pytest.approx(hertz, abs=0.06)
     machine, controller = stages(t_a, 0.0)
     response = frequency_learning(coupled_loop(machine, controller), PType(gain=0.5 / t_a))
-    # The loop that runs has the velocity and the hold of a servo period besides.
+    # The real loop also has the velocity and the hold of a servo period.
     assert response.frequency[np.argmax(response.radius > 1.0 + 1e-9)] / TURN == pytest.approx(hertz, rel=0.06)
 
 
 @pytest.mark.parametrize("period", [1e-3, 0.03])
-def test_the_average_is_the_sum_that_it_stands_for(period: float) -> None:
+def test_the_average_equals_its_defining_sum(period: float) -> None:
     w = np.linspace(0.0, math.pi / period, 57)
     k = np.arange(-7, 8)
     wanted = np.exp(1j * np.outer(w, k * period)).mean(axis=1)
@@ -93,12 +93,12 @@ def test_the_average_is_the_sum_that_it_stands_for(period: float) -> None:
     np.testing.assert_allclose(averaging(w, period, 7, 2, 3 * period), wanted**2 * np.exp(3j * w * period), atol=1e-13)
 
 
-def test_the_rules_of_a_delayed_loop() -> None:
+def test_the_rules_for_a_delayed_loop() -> None:
     w = quarter_turn(integrating(0.1, 15e-3), 1e-3)
     closed = integrating(0.1, 15e-3)(np.array([w]))[0]
     assert math.degrees(np.angle(closed)) == pytest.approx(-90.0, abs=1e-6)
     assert first_zero(11, 1e-3) == pytest.approx(TURN * 1000.0 / 23.0)
-    # One real number, |1 - gamma| < 1 up to gamma = 2.
+    # One real number: |1 - gamma| < 1 up to gamma = 2.
     assert largest_gain(lambda x: np.ones(x.size, dtype=complex), lambda x: np.ones(x.size, dtype=complex), 100.0) == pytest.approx(2.0)
     for t_a, delay, period in ((0.1, 15e-3, 1e-3), (0.06, 15e-3, 1e-3), (0.01, 0.0, 1e-3), (0.15, 15e-3, 0.03)):
         made = design_zero_phase(integrating(t_a, delay), period)
@@ -108,7 +108,7 @@ def test_the_rules_of_a_delayed_loop() -> None:
         assert np.abs(factor).max() <= made.worst_factor + 1e-9
 
 
-def test_a_law_is_known_by_its_impulses() -> None:
+def test_the_kernels_of_a_law_follow_from_its_impulse_response() -> None:
     loop = coupled_loop(*stages(0.1, 15e-3))
     w = np.geomspace(1.0, 3000.0, 60)
     eye = np.eye(2)
@@ -128,11 +128,11 @@ def test_a_law_is_known_by_its_impulses() -> None:
         CrossCoupledLearning(gain=100.0, contour_gain=200.0, lead=3e-3),
     ],
 )
-def test_the_operator_and_its_transpose_are_those_of_the_matrix(law: LearningLaw) -> None:
+def test_the_operator_and_its_transpose_equal_those_of_the_matrix(law: LearningLaw) -> None:
     loop = coupled_loop(*unlike(2, CrossCoupled(gain=900.0, integral_rate=10.0)))
     operator = TrialOperator(loop, law, circle(60))
     matrix, v = operator.matrix(), np.random.default_rng(0).normal(size=(60, 2))
-    # As the law itself has it, ends included.
+    # As in the law itself, ends included.
     error, feedback = operator.map.forward(v)
     record = TrialRecord(error, feedback, np.zeros((60, 2)), operator.problem.across(error))
     np.testing.assert_allclose(matrix @ v.ravel(), law.update(v, record, operator.problem).ravel(), atol=1e-11)
@@ -151,7 +151,7 @@ def test_a_short_trial_gives_all_its_singular_values() -> None:
     assert lifted_learning(loop, law, circle(600)).singular_values is None
 
 
-def test_a_long_trial_does_what_the_frequencies_say() -> None:
+def test_a_long_trial_agrees_with_the_frequency_response() -> None:
     loop = coupled_loop(*stages(0.1, 15e-3))
     law = ZeroPhase()
     straight = np.tile([0.6, 0.8], (3000, 1))
@@ -167,7 +167,7 @@ def test_thirty_thousand_samples_need_no_matrix() -> None:
     assert norm == pytest.approx(factor, abs=3e-3)
 
 
-def test_laws_with_a_model_learn_steadily_where_it_is_right() -> None:
+def test_model_based_laws_learn_monotonically_where_the_model_is_right() -> None:
     loop = coupled_loop(*stages(0.1, 15e-3))
     for law in (NormOptimal(), NormOptimal(contour_weight=3.0), PlantInversion(gain=0.8, regularisation=1e-3)):
         assert frequency_learning(loop, law).worst_norm[1] <= 1.0 + 1e-9
@@ -176,7 +176,7 @@ def test_laws_with_a_model_learn_steadily_where_it_is_right() -> None:
         operator.transposed(np.zeros((40, 2)))
 
 
-def test_what_diverges_is_a_finding() -> None:
+def test_divergence_is_a_finding() -> None:
     found = learning_analysis(*stages(0.1, 15e-3), ZeroPhase())
     assert not found.converges
     assert not found.monotone
@@ -190,7 +190,7 @@ def test_what_diverges_is_a_finding() -> None:
     assert [one.code for one in learning_findings(bare)] == ["CL310"]
 
 
-def test_a_law_that_converges_is_said_to() -> None:
+def test_convergence_is_reported() -> None:
     reference = uniform(contour("circle", radius=0.02), 1.0, 1, 1e-3)
     found = learning_analysis(*stages(0.1, 0.0), PType(gain=5.0, bandwidth=TURN * 1.5, order=4), reference)
     assert found.converges

@@ -18,7 +18,7 @@ from contourlab.papers.shahin.two_inertia_loop import p_pi_cascade, two_inertia_
 @settings(max_examples=25, deadline=None)
 @given(velocity_gain=st.floats(0.3, 30.0), share=st.floats(0.01, 0.99))
 def test_lossless_load_side_cascade_in_closed_form(velocity_gain: float, share: float) -> None:
-    """G is real at w = sqrt(K_p K_v/J_l) alone, where it is -1/(K_p K_v): the amplitude is that of N = K_p K_v."""
+    """G is real only at w = sqrt(K_p K_v/J_l), where it is -1/(K_p K_v): the amplitude is that of N = K_p K_v."""
     position_gain = share * K_S / velocity_gain
     found = predict_limit_cycles(two_inertia_loop(PAPER, p_pi_cascade(position_gain, velocity_gain)))
     assert len(found) == 1
@@ -27,15 +27,15 @@ def test_lossless_load_side_cascade_in_closed_form(velocity_gain: float, share: 
     assert found[0].amplitude == pytest.approx(found[0].ratio * HALF_GAP)
 
 
-def test_beyond_the_stiffness_there_is_none() -> None:
-    """K_p K_v > k: contact itself is unstable, and no amplitude has N that large."""
+def test_beyond_the_stiffness_there_is_no_limit_cycle() -> None:
+    """K_p K_v > k: contact itself is unstable, and no amplitude has such a large N."""
     assert predict_limit_cycles(two_inertia_loop(PAPER, p_pi_cascade(200.0, 5.0))) == ()
     assert predict_limit_cycles(two_inertia_loop(PAPER, SCHEME_II)) == ()
 
 
 def test_all_solutions_are_found() -> None:
     """A locus that crosses the real axis twice beyond -1/k has two cycles, one of them stable."""
-    # 120 (s + 1)^2/s^3 before two lags of 1/40 s is stable for a range of gains only.
+    # 120 (s + 1)^2/s^3 with two lags of 1/40 s is stable only for a range of gains.
     numerator, denominator = 120.0 * np.poly([-1.0, -1.0]), np.poly([0.0, 0.0, 0.0, -40.0, -40.0]) / 1600.0
     a = np.vstack([-denominator[1:] / denominator[0], np.eye(4, 5)])
     b = np.eye(5)[0]
@@ -47,15 +47,15 @@ def test_all_solutions_are_found() -> None:
     assert real_frequencies(loop) == pytest.approx(on_grid, rel=1e-4)
     cycles = predict_limit_cycles(loop)
     assert len(cycles) == 2
-    # The gain rises with the amplitude: above the larger cycle it leaves the range upwards and grows; below the smaller one it leaves it
-    # downwards and grows too, until it is back.
+    # The gain rises with the amplitude. Above the larger cycle it exceeds the stable range, so the amplitude grows. Below the smaller
+    # one it is under the range, so the amplitude grows too, until it returns.
     assert [cycle.stable for cycle in cycles] == [False, True]
     for cycle in cycles:
         assert 1.0 + complex(harmonic(cycle.ratio, 0.0)) * complex(loop.transfer(cycle.frequency)) == pytest.approx(0.0, abs=1e-8)
 
 
-def test_shaft_damping_moves_it_continuously() -> None:
-    """The grid search for little damping finds the closed form's solution; both solve 1 + N G = 0."""
+def test_shaft_damping_moves_the_cycle_continuously() -> None:
+    """The grid search for little damping finds the closed-form solution; both solve 1 + N G = 0."""
     for feedback in (p_pi_cascade(120.0, 5.0), p_pi_cascade(30.0, 2.0)):
         plain = predict_limit_cycles(two_inertia_loop(PAPER, feedback))
         damped = predict_limit_cycles(two_inertia_loop(drive(shaft_damping=1e-6), feedback))
@@ -66,14 +66,14 @@ def test_shaft_damping_moves_it_continuously() -> None:
 
 
 def test_validity_is_a_number_and_words() -> None:
-    """A cycle of 24 half-gaps is nearly sinusoidal; one of 1.2 is not; one whose phase hardly turns may not exist."""
+    """A cycle of 24 half-gaps is nearly sinusoidal, one of 1.2 is not. A cycle whose phase hardly turns may not exist."""
     large = predict_limit_cycles(two_inertia_loop(PAPER, p_pi_cascade(180.0, 5.0)))[0]
     small = predict_limit_cycles(two_inertia_loop(PAPER, p_pi_cascade(30.0, 2.0)))[0]
     doubtful = predict_limit_cycles(two_inertia_loop(PAPER, p_pi_cascade(60.0, 1.0, 1700.0, "motor")))[0]
     assert large.validity.startswith("good")
     assert small.validity.startswith("poor")
     assert large.harmonics < 0.01 < 0.1 < small.harmonics
-    # Its harmonics are few and its amplitude is large, yet shooting finds no such orbit.
+    # Its harmonics are small and its amplitude is large, yet shooting finds no such orbit.
     assert doubtful.harmonics < 0.05
     assert doubtful.ratio > 4.0
     assert doubtful.uncertainty > 1.0

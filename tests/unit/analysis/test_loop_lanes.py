@@ -1,4 +1,4 @@
-"""Margins of many loops at once, against the exact ones of each."""
+"""Margins of many loops at once, against the exact margins of each."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_lanes_agree_with_the_margins_of_each_loop(delay: float) -> None:
     assert 0 < kept.sum() < N
 
 
-def test_a_guard_asks_all_axes_and_remembers() -> None:
+def test_a_guard_checks_all_axes_and_caches_the_result() -> None:
     stage, made, columns = candidates()
     guard, known = Guards([(stage, made)], Bounds(GAIN, 25.0)), {}
     excess = guard.excess(columns, known)

@@ -1,4 +1,4 @@
-"""Matrices of loops with a gap, against what is written down by hand."""
+"""Matrices of loops with a gap, against hand-written ones."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from contourlab.errors import ParameterError
 from contourlab.papers.shahin.two_inertia_loop import Feedback, motor_pid, p_pi_cascade, two_inertia_loop
 
 
-def test_the_papers_modes() -> None:
+def test_the_modes_of_the_paper() -> None:
     """Gap: the motor's two poles and the free load's two zeros; contact: 464.7 rad/s with a damping of 0.475 1/s."""
     loop = paper_loop()
     gap = np.sort(np.linalg.eigvals(loop.gap_matrix).real)
@@ -73,7 +73,7 @@ def test_dead_zone() -> None:
     assert dead_zone([-2.0, -1.0, 0.3, 1.0, 4.0], 1.0).tolist() == [-1.0, 0.0, 0.0, 0.0, 3.0]
 
 
-def test_controllers_that_do_not_fit_are_refused() -> None:
+def test_mismatched_controllers_are_refused() -> None:
     with refuses(ParameterError, name="contact_feedback"):
         two_inertia_loop(PAPER, motor_pid(1.0, 1.0), SCHEME_III)
     with refuses(ParameterError, name="load_inertia", value=0.0):

@@ -15,7 +15,7 @@ from contourlab.components.contract import LinearModel
 from contourlab.papers.ghaffari.axis_response import transfer
 
 W = np.logspace(-3, 3, 601)
-# Crossings are found to rounding, wherever they lie between the points of the grid.
+# Crossings are found to rounding, even between the points of the grid.
 EXACT = 1e-9
 Loop = Callable[[np.ndarray], np.ndarray]
 
@@ -37,14 +37,14 @@ def test_third_order_loop(gain: float) -> None:
 
 
 def test_an_unstable_loop_has_no_margins() -> None:
-    """Its curve has crossings all the same: K = 12 is twice what the loop bears."""
+    """Its curve still has crossings: K = 12 is twice the stable gain."""
     found = margins(third_order(12.0), W, stable=False)
     assert not found.stable
     assert all(math.isnan(value) for value in (found.gain, found.phase, found.crossover, found.modulus, found.phase_crossover))
 
 
-def test_a_lead_that_would_reach_the_limit_is_negative() -> None:
-    """A resonance turned past -180 deg by a delay: where its peak comes down to 1 the phase is -325 deg, a lag of 145 or a lead of 215."""
+def test_a_lead_that_would_reach_minus_one_is_negative() -> None:
+    """A resonance delayed past -180 deg: where its peak falls to 1 the phase is -325 deg, a lag of 145 or a lead of 215."""
 
     def loop(w: np.ndarray) -> np.ndarray:
         s = 1j * w
@@ -54,7 +54,7 @@ def test_a_lead_that_would_reach_the_limit_is_negative() -> None:
     at = 1j * found.crossover
     value = complex(loop(np.array([found.crossover]))[0])
     assert abs(value) == pytest.approx(1.0, rel=EXACT)
-    # Turned by the margin, a lag if it is positive, the loop stands at -1.
+    # Rotated by the margin (a lag if it is positive), the loop is at -1.
     assert value * np.exp(-1j * found.phase) == pytest.approx(-1.0, abs=1e-8), at
 
 
@@ -79,14 +79,14 @@ def test_second_order_phase_margin() -> None:
 
 
 def test_modulus_margin() -> None:
-    """1/s keeps a distance of 1 from -1, met at infinite frequency; another loop as python-control finds it."""
+    """1/s keeps a distance of 1 from -1, reached at infinite frequency; for another loop python-control gives the value."""
     assert margins(lambda w: 1.0 / (1j * w), W, stable=True).modulus == pytest.approx(1.0, abs=1e-6)
     loop = control.tf([4.0], [1.0, 3.0, 2.0, 0.0])
     assert margins(lambda w: loop(1j * w), W, stable=True).modulus == pytest.approx(control.stability_margins(loop)[2], rel=1e-5)
 
 
-def test_modulus_between_the_points_of_the_grid() -> None:
-    """|1 + L|^2 = (1 - K w^-2)^2 + w^2 c^2 of L = -K/w^2 + j c w: a grid of 40 points a decade misses its least value."""
+def test_modulus_margin_between_the_points_of_the_grid() -> None:
+    """|1 + L|^2 = (1 - K w^-2)^2 + w^2 c^2 of L = -K/w^2 + j c w: a grid of 40 points per decade misses its minimum."""
     k, c = 4.0, 0.05
     w = np.linspace(1.5, 2.5, 2_000_001)
     least = np.sqrt((1.0 - k / w**2) ** 2 + (c * w) ** 2).min()
@@ -103,13 +103,13 @@ def test_modulus_between_the_points_of_the_grid() -> None:
         ([10.0, 10.0], [1.0, 10.0, 0.0, 0.0]),
         ([0.3, 1.5, 2.0], [1.0, 1.2, 3.0, 0.4]),
         ([200.0], [1.0, 35.0, 250.0, 0.0]),
-        # A resonance: three crossings of 1, of which the last has a large negative phase margin.
+        # A resonance has three crossings of 1; the last one has a large negative phase margin.
         ([0.3], [0.3, 1.006, 0.32, 1.0, 0.0]),
-        # Conditionally stable: with less gain it is not.
+        # Conditionally stable: unstable with less gain.
         ([30.0, 60.0, 30.0], [1.0, 0.0, 0.0, 0.0]),
     ],
 )
-def test_as_python_control(numerator: list[float], denominator: list[float]) -> None:
+def test_agrees_with_python_control(numerator: list[float], denominator: list[float]) -> None:
     loop = control.tf(numerator, denominator)
     found = margins(lambda w: loop(1j * w), W, stable=True)
     factors, phases, _, turns, crossovers, _ = control.stability_margins(loop, returnall=True)
@@ -122,7 +122,7 @@ def test_as_python_control(numerator: list[float], denominator: list[float]) -> 
     assert found.crossover == pytest.approx(float(crossovers[least]), rel=1e-6)
 
 
-def test_margins_mean_what_they_say() -> None:
+def test_margins_bring_the_loop_to_minus_one() -> None:
     """A delay of exactly the phase margin, or a gain of exactly the gain margin, brings the loop to -1."""
 
     def loop(w: np.ndarray) -> np.ndarray:
@@ -134,17 +134,17 @@ def test_margins_mean_what_they_say() -> None:
     assert found.gain * loop(np.array([found.phase_crossover]))[0] == pytest.approx(-1.0, abs=1e-9)
 
 
-def test_the_positive_axis_is_no_limit() -> None:
-    """0.8 e^(j (1 - w))/(1 + w/10): real and positive at 1, negative first at 1 + pi."""
+def test_the_positive_real_axis_is_no_limit() -> None:
+    """0.8 e^(j (1 - w))/(1 + w/10): real and positive at 1, first negative at 1 + pi."""
     found = margins(lambda w: 0.8 * np.exp(1j * (1.0 - w)) / (1.0 + w / 10.0), np.linspace(0.1, 30.0, 400), stable=True)
     assert found.phase_crossover == pytest.approx(1.0 + math.pi, rel=EXACT)
     assert found.gain == pytest.approx((1.0 + (1.0 + math.pi) / 10.0) / 0.8, rel=EXACT)
 
 
 def test_the_end_of_the_grid_counts_where_the_loop_is_real() -> None:
-    """At half of the sampling frequency a sampled loop is real: it meets the axis there and crosses it nowhere else."""
+    """A sampled loop is real at half the sampling frequency: here it meets the axis there and nowhere else."""
     grid = np.linspace(0.01, math.pi, 300)
-    # 0.4/(z - 0.2): at z = -1 it is -1/3, so that three times the gain puts the pole 0.2 - 1.2 on -1.
+    # 0.4/(z - 0.2): at z = -1 it is -1/3, so three times the gain puts the pole 0.2 - 1.2 on -1.
     found = margins(lambda w: 0.4 / (np.exp(1j * w) - 0.2), grid, stable=True)
     assert found.gain == pytest.approx(3.0, rel=EXACT)
     assert found.phase_crossover == pytest.approx(math.pi)

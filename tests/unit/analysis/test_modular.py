@@ -1,4 +1,4 @@
-"""Linear base and local controllers: the paper's axes, and a case with a closed form."""
+"""Linear base and local controllers: the paper's axes, and a closed-form case."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ BEHIND = [LinearAxis(873.0, 19.7), LinearAxis(754.0, 24.7), LinearAxis(801.0, 19
 """a, b and a', b' of the stage's axes, section III and Table II."""
 
 
-def test_cost_of_the_optimum_is_the_riccati_solution_and_the_least() -> None:
+def test_the_riccati_solution_is_the_minimum_cost() -> None:
     weights = LqWeights()
     gains, best = optimum(RAW[0], weights)
     assert cost(RAW[0], gains, weights) == pytest.approx(best, rel=1e-9)
@@ -34,8 +34,8 @@ def test_cost_of_the_optimum_is_the_riccati_solution_and_the_least() -> None:
     assert cost(RAW[0], -gains, weights) == np.inf
 
 
-def test_the_observer_cuts_what_a_swap_loses() -> None:
-    # Figures of the technical brief, whose weights are not known: 1.147 against 1.006 for blind swaps, losses cut 10 to 25 times.
+def test_the_observer_reduces_the_loss_of_a_swap() -> None:
+    # Figures of the technical brief, with unknown weights: 1.147 against 1.006 for blind swaps, losses cut 10 to 25 times.
     weights = LqWeights()
     raw, behind = (blind_swaps(axes, weights).max() for axes in (RAW, BEHIND))
     assert raw == pytest.approx(1.147, abs=0.01) and behind == pytest.approx(1.006, abs=0.001)
@@ -50,20 +50,20 @@ def test_all_gains_local_lose_nothing() -> None:
         assert design(RAW, GAINS).ratio == pytest.approx(np.ones(3), abs=1e-6)
 
 
-def test_more_local_gains_never_lose_more_in_sum() -> None:
+def test_more_local_gains_never_lose_more_in_total() -> None:
     totals = [direct_design(RAW, local).ratio.sum() for local in ((), ("velocity",), ("velocity", "position"), GAINS)]
-    # From the second on nothing is lost: the integral gain is the root of q over r for all of them.
+    # From the second set on nothing is lost: the integral gain is the root of q over r for all of them.
     assert (np.diff(totals) <= 1e-9).all() and totals[2] == pytest.approx(3.0, abs=1e-6) and totals[0] > 3.05
 
 
-def test_a_single_axis_has_its_optimum_by_every_method() -> None:
+def test_every_method_finds_the_optimum_of_a_single_axis() -> None:
     weights = LqWeights()
     for found in (direct_design(RAW[:1]), three_step_design(RAW[:1]), lmi_design(RAW[:1])[0]):
         assert found.ratio == pytest.approx([1.0], abs=1e-4)
         assert found.gains[0] == pytest.approx(optimum(RAW[0], weights)[0], rel=2e-2)
 
 
-def test_bounds_of_the_lmi_are_bounds() -> None:
+def test_the_bounds_of_the_lmi_hold() -> None:
     found, bounds = lmi_design(RAW)
     assert (found.ratio <= bounds * (1.0 + 1e-6)).all()
 

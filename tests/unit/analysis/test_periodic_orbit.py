@@ -1,4 +1,4 @@
-"""Exact periodic orbits: closed forms, Liouville's formula, differences, and the integrator that knows nothing of modes."""
+"""Exact periodic orbits: closed forms, Liouville's formula, differences, and an integrator without knowledge of modes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from contourlab.papers.shahin.two_inertia_loop import p_pi_cascade, two_inertia_
 
 
 def test_the_orbit_of_two_free_inertias() -> None:
-    """They bounce to and fro at any speed: period 2 (pi/w + 2 h/v), and every multiplier is 1."""
+    """They bounce back and forth at any speed: period 2 (pi/w + 2 h/v), and every multiplier is 1."""
     loop, v = two_inertia_loop(PAPER, FREE), 0.7
     w = math.sqrt(K_S * (1.0 / J_M + 1.0 / J_L))
     share = np.array([0.0, J_L, 0.0, -J_M]) / (J_M + J_L)
@@ -23,7 +23,7 @@ def test_the_orbit_of_two_free_inertias() -> None:
     assert found is not None
     assert found.period == pytest.approx(period, rel=1e-10)
     assert found.ratio == pytest.approx(1.0 + v / w / HALF_GAP, rel=1e-6)
-    # Two of them are pairs of one block each, so that rounding moves them by its root.
+    # Two are pairs in one block each, so rounding moves them by its root.
     assert np.abs(found.multipliers) == pytest.approx(np.ones(3), abs=1e-4)
 
 
@@ -36,7 +36,7 @@ CASES = {
 
 @pytest.mark.parametrize("name", CASES)
 def test_product_of_multipliers(name: str) -> None:
-    """Liouville: volumes change by exp(trace a period), whatever the modes: the torque has no part in the trace."""
+    """Liouville: volumes change by exp(trace times period) in all modes, because the torque does not enter the trace."""
     changes, feedback = CASES[name]
     loop = two_inertia_loop(drive(**changes), feedback)
     orbit = find_orbits(loop, kicks=(30.0,)).stable[0]
@@ -46,7 +46,7 @@ def test_product_of_multipliers(name: str) -> None:
 
 @pytest.mark.parametrize("damping", [0.0, 0.2])
 def test_jacobian_against_differences(damping: float) -> None:
-    """Central differences over some modes, with a shaft that jumps into contact and one that does not."""
+    """Central differences over some modes, for a shaft that jumps into contact and one that does not."""
     loop = two_inertia_loop(drive(shaft_damping=damping, load_damping=0.01), p_pi_cascade(60.0, 2.0))
     shooter = Shooter(loop)
     start = simulate_exact(loop, [0.0, 0.0, -30.0 * HALF_GAP, 0.0], 0.503).spans[-1].end[: shooter.n]
@@ -71,8 +71,8 @@ def test_an_orbit_closes_under_another_integrator() -> None:
     assert 0.5 * np.ptp(path @ loop.c) == pytest.approx(orbit.amplitude, rel=1e-3)
 
 
-def test_multipliers_are_how_neighbours_come_back() -> None:
-    """A motion off the orbit comes closer by the largest multiplier, period after period."""
+def test_multipliers_describe_how_neighbours_return() -> None:
+    """A motion near the orbit approaches it by the largest multiplier, period after period."""
     loop = two_inertia_loop(PAPER, p_pi_cascade(180.0, 5.0))
     orbit = find_orbits(loop, kicks=(30.0,)).stable[0]
     run = simulate_exact(loop, 1.01 * orbit.start, 21.0 * orbit.period)
@@ -80,7 +80,7 @@ def test_multipliers_are_how_neighbours_come_back() -> None:
     assert (sizes[1] / sizes[0]) ** 0.1 == pytest.approx(abs(orbit.multipliers[0]), rel=2e-3)
 
 
-def test_several_rounds_are_one_orbit() -> None:
+def test_several_periods_are_one_orbit() -> None:
     loop = two_inertia_loop(PAPER, p_pi_cascade(120.0, 5.0))
     orbit = find_orbits(loop, kicks=(30.0,)).stable[0]
     again = close_orbit(loop, orbit.start, 3.0 * orbit.period)
@@ -88,8 +88,8 @@ def test_several_rounds_are_one_orbit() -> None:
     assert again.period == pytest.approx(orbit.period, rel=1e-9)
 
 
-def test_an_unstable_orbit_is_found_and_called_so() -> None:
-    """No simulation shows it: off along the unstable direction, a motion is away by the multiplier after a period."""
+def test_an_unstable_orbit_is_found_and_called_unstable() -> None:
+    """No simulation shows it: a motion displaced along the unstable direction grows by the multiplier in one period."""
     loop = two_inertia_loop(PAPER, p_pi_cascade(60.0, 0.2, 200.0, "motor"))
     found = find_orbits(loop, kicks=(30.0,))
     assert [orbit.stable for orbit in found.orbits] == [False]
@@ -104,7 +104,7 @@ def test_an_unstable_orbit_is_found_and_called_so() -> None:
     assert abs(values[worst]) > 2.0
 
 
-def test_none_is_found_where_there_is_none() -> None:
+def test_no_orbit_is_found_where_none_exists() -> None:
     """The paper's own scheme ends at rest (its energy proves it); so does a slow cascade on a damped load."""
     for loop in (two_inertia_loop(drive(load_damping=0.05), SCHEME_II), two_inertia_loop(drive(load_damping=0.02), p_pi_cascade(5.0, 2.0))):
         found = find_orbits(loop, kicks=(3.0, 30.0))

@@ -1,4 +1,4 @@
-"""The ellipse of two quadrature signals: its constants found again, and the errors that they make."""
+"""The ellipse of two quadrature signals: recovery of its constants, and the errors that they cause."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ MODELS = st.builds(
 
 
 def signals(model: QuadratureConstants, phase: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The definition, written out on its own."""
+    """Return the signals from their definition, written out independently."""
     u1, u2 = model.amplitude * np.cos(phase), model.amplitude * np.sin(phase)
     al = model.phase_error
     return u1 + model.offset_1, (u2 * math.cos(al) - u1 * math.sin(al)) / model.ratio + model.offset_2
 
 
 def gap(found: QuadratureConstants, true: QuadratureConstants) -> float:
-    """The largest difference of the constants, lengths over the amplitude."""
+    """Return the largest difference of the constants, with lengths relative to the amplitude."""
     size = true.amplitude
     lengths = [abs(getattr(found, name) - getattr(true, name)) / size for name in ("offset_1", "offset_2", "amplitude")]
     return max(*lengths, abs(found.ratio - true.ratio), abs(found.phase_error - true.phase_error))
@@ -65,7 +65,7 @@ def test_coefficients_are_those_of_the_ellipse_and_of_heydemanns_formulas(model:
 
 
 @given(model=MODELS)
-def test_correction_takes_every_error_away(model: QuadratureConstants) -> None:
+def test_correction_removes_every_error(model: QuadratureConstants) -> None:
     phase = np.linspace(-3.0, 3.0, 200)
     assert np.array(model.distorted(phase)) == pytest.approx(np.array(signals(model, phase)), abs=1e-14)
     u1, u2 = model.corrected(*signals(model, phase))
@@ -76,8 +76,8 @@ def test_correction_takes_every_error_away(model: QuadratureConstants) -> None:
     ("name", "order", "share"),
     [("offset_1", 1, 1.0), ("offset_2", 1, 1.0), ("ratio", 2, 0.5), ("phase_error", 2, 0.5)],
 )
-def test_each_constant_makes_its_own_harmonic(name: str, order: int, share: float) -> None:
-    """Offset: once a pitch, p/R rad; ratio and phase: twice, (r - 1)/2 and al/2 rad. What is left is of second order."""
+def test_each_constant_causes_its_own_harmonic(name: str, order: int, share: float) -> None:
+    """Offset: once per pitch, p/R rad; ratio and phase: twice, (r - 1)/2 and al/2 rad. The rest is of second order."""
     phase = np.linspace(0.0, 6.0 * TURN, 6000, endpoint=False)
     rest = []
     for size in (0.02, 0.01):
@@ -100,7 +100,7 @@ def test_noise_moves_the_constants_by_its_size_over_the_root_of_the_samples() ->
         x, y = signals(true, rng.uniform(0.0, TURN, n))
         found.append(fit_ellipse(x + rng.normal(0.0, sigma, n), y + rng.normal(0.0, sigma, n)).constants)
     spread = [np.std([getattr(one, name) for one in found]) for name in ("offset_1", "offset_2", "ratio", "phase_error")]
-    # Of a mean over n points of a circle: sqrt(2/n) sigma for the centre, twice that for what shows twice a turn.
+    # Mean over n points of a circle: sqrt(2/n) sigma for the centre, twice that for second harmonics.
     assert max(spread) < 3.0 * math.sqrt(2.0 / n) * sigma
     assert min(spread) > 0.3 * math.sqrt(2.0 / n) * sigma
     # The bias of algebraic distances is of the order of sigma^2.
@@ -145,13 +145,13 @@ def a_square() -> tuple[np.ndarray, np.ndarray]:
     ],
     ids=["still", "one still", "line", "arc", "cloud", "square", "few", "nan", "lengths"],
 )
-def test_what_is_no_ellipse_is_refused(points: tuple[np.ndarray, np.ndarray], words: str) -> None:
+def test_signals_without_an_ellipse_are_refused(points: tuple[np.ndarray, np.ndarray], words: str) -> None:
     with pytest.raises(ParameterError, match=words):
         fit_ellipse(*points)
 
 
 @given(a=st.floats(-3.0, 3.0), b=st.floats(-3.0, 3.0), c=st.floats(-9.0, 9.0), d=st.floats(-3.0, 3.0), e=st.floats(-3.0, 3.0))
-def test_coefficients_are_an_ellipse_or_an_error(a: float, b: float, c: float, d: float, e: float) -> None:
+def test_coefficients_give_an_ellipse_or_an_error(a: float, b: float, c: float, d: float, e: float) -> None:
     assume(abs(4.0 * a * b - c * c) > 1e-3)
     try:
         found = QuadratureConstants.from_coefficients(a, b, c, d, e)
@@ -170,7 +170,7 @@ def test_coefficients_are_an_ellipse_or_an_error(a: float, b: float, c: float, d
     slope=st.floats(-1e-9, 1e-9),
     constant=st.floats(-1e-3, 1e-3),
 )
-def test_what_repeats_is_told_from_slow_errors(amplitudes: list[float], slope: float, constant: float) -> None:
+def test_periodic_errors_are_separated_from_slow_ones(amplitudes: list[float], slope: float, constant: float) -> None:
     phase = np.cumsum(np.random.default_rng(3).uniform(0.0, 0.4, 3000))
     waves = sum(size * np.cos((k + 1) * phase - k) for k, size in enumerate(amplitudes))
     found = subdivisional_error(waves + slope * phase + constant, phase)
@@ -180,7 +180,7 @@ def test_what_repeats_is_told_from_slow_errors(amplitudes: list[float], slope: f
     assert found.peak == pytest.approx(float(np.abs(sum(s * np.cos((k + 1) * one - k) for k, s in enumerate(amplitudes))).max()), rel=1e-4)
 
 
-def test_too_short_a_travel_tells_nothing() -> None:
+def test_too_short_a_travel_is_refused() -> None:
     phase = np.linspace(0.0, 1.9 * TURN, 500)
     with pytest.raises(ParameterError, match="travel"):
         subdivisional_error(np.sin(phase), phase)

@@ -1,4 +1,4 @@
-"""The recursive fit against the least-squares problem that it solves, and what it does while nothing is to be learnt."""
+"""The recursive fit against its least-squares problem, and its behaviour without excitation."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def gaps(found: QuadratureConstants, true: QuadratureConstants = TRUE) -> float:
 
 @given(seed=st.integers(0, 1000), forgetting=st.floats(0.97, 1.0), start=st.floats(2.0, 100.0))
 def test_it_solves_the_weighted_problem(seed: int, forgetting: float, start: float) -> None:
-    """min sum lambda^(N-i) (1 - w_i theta)^2 + lambda^N |theta - theta_0|^2/P_0, solved here at once."""
+    """min sum lambda^(N-i) (1 - w_i theta)^2 + lambda^N |theta - theta_0|^2/P_0, solved here in one step."""
     rng = np.random.default_rng(seed)
     n = 150
     turns = np.cumsum(rng.uniform(0.05, 0.2, n))
@@ -41,12 +41,12 @@ def test_it_solves_the_weighted_problem(seed: int, forgetting: float, start: flo
     b = np.concatenate([weight, prior * nominal])
     wanted = np.linalg.lstsq(a, b, rcond=None)[0]
     assert tracked.coefficients[-1] == pytest.approx(wanted, abs=1e-8)
-    assert used.size > 130  # all but those of the first half pitch
+    assert used.size > 130  # all but the first half pitch
     assert used[0] == 0
 
 
-def test_without_noise_what_was_assumed_is_forgotten_geometrically() -> None:
-    """In m updates the error falls by lambda^m: the weight of what was assumed."""
+def test_without_noise_the_initial_guess_is_forgotten_geometrically() -> None:
+    """In m updates the error falls by lambda^m, the weight of the initial guess."""
     found = []
     for n in (400, 600, 800):
         turns = 0.0317 * np.arange(n)
@@ -57,7 +57,7 @@ def test_without_noise_what_was_assumed_is_forgotten_geometrically() -> None:
 
 
 def test_it_follows_constants_that_drift() -> None:
-    """It lags by its memory: 1/(1 - lambda) updates times the drift of one."""
+    """It lags by its memory: 1/(1 - lambda) updates times the drift per update."""
     turns = np.arange(0.0, 6000.0, 0.05)
     offset = 0.02 + 0.1 * turns / turns[-1]
     x, y = TRUE.distorted(TURN * turns)
@@ -70,7 +70,7 @@ def test_it_follows_constants_that_drift() -> None:
     assert gaps(fit_ellipse(x, y).constants, TRUE) > 20.0 * memory
 
 
-def test_an_axis_that_stands_or_dithers_within_a_pitch_keeps_what_it_knows() -> None:
+def test_an_axis_at_rest_or_dithering_within_a_pitch_keeps_its_constants() -> None:
     rng = np.random.default_rng(2)
     moving = np.cumsum(np.full(4000, 0.04))
     still = moving[-1] - 0.4 + 0.4 * np.cos(np.arange(100_000) * 0.001)  # half the play to either side
@@ -83,7 +83,7 @@ def test_an_axis_that_stands_or_dithers_within_a_pitch_keeps_what_it_knows() -> 
     assert gaps(tracked.constants()) < 2e-3
 
 
-def test_standing_with_noise_from_the_start_teaches_nothing() -> None:
+def test_rest_with_noise_from_the_start_teaches_nothing() -> None:
     rng = np.random.default_rng(3)
     x, y = TRUE.distorted(np.full(50_000, 1.0))
     tracked = track_ellipse(x + 0.01 * rng.normal(size=x.size), y + 0.01 * rng.normal(size=y.size), TRUE)
@@ -91,8 +91,8 @@ def test_standing_with_noise_from_the_start_teaches_nothing() -> None:
     assert gaps(tracked.constants()) < 0.02
 
 
-def test_samples_that_always_meet_the_same_phases_are_survived() -> None:
-    """A quarter of a pitch a sample: four points do not tell an ellipse. The covariance is set back, and nothing blows up."""
+def test_samples_at_the_same_few_phases_do_no_harm() -> None:
+    """At a quarter of a pitch per sample, four points do not determine an ellipse. The covariance is reset and stays bounded."""
     rng = np.random.default_rng(4)
     turns = np.concatenate(
         [np.cumsum(np.full(3000, 0.0371)), 111.3 + 0.25 * np.arange(200_000), 50111.3 + np.cumsum(np.full(6000, 0.0371))]
@@ -109,8 +109,8 @@ def test_samples_that_always_meet_the_same_phases_are_survived() -> None:
     assert float(off[3000:].max()) < 2.0 * float(uncorrected.max())
 
 
-def test_blocks_leave_no_seam() -> None:
-    """Longer than a block of the engine, and the same as its beginning alone."""
+def test_blocks_join_seamlessly() -> None:
+    """A record longer than a block of the engine begins like its first part alone."""
     turns = 0.013 * np.arange(140_000)
     x, y = TRUE.distorted(TURN * turns)
     whole, part = track_ellipse(x, y, CIRCLE), track_ellipse(x[:70_000], y[:70_000], CIRCLE)

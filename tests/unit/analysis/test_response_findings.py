@@ -1,4 +1,4 @@
-"""What no axis does in its frequency response."""
+"""Implausible frequency responses of an axis."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ AXES = {
 
 @pytest.mark.parametrize("f", [np.geomspace(1.0, 200.0, 60), np.linspace(2.0, 30.0, 15), np.array([4.0, 10.0, 30.0]), np.array([4.0])])
 @pytest.mark.parametrize("axis", AXES)
-def test_axes_are_told_from_those_counted_the_other_way_round(axis: str, f: np.ndarray) -> None:
+def test_axes_are_distinguished_from_those_with_reversed_sign(axis: str, f: np.ndarray) -> None:
     if axis == "a spring holds it" and f.size < 4:
-        return  # a few points do not tell a spring from a mass counted the other way round
+        return  # a few points do not distinguish a spring from a mass of reversed sign
     h = held_response(AXES[axis], f, PERIOD) * (1.0 + 0.02 * np.random.default_rng(f.size).standard_normal(f.size))
     assert codes(f, h) == []
     assert codes(f, -h) == ["CL509"]
@@ -39,6 +39,6 @@ def test_axes_are_told_from_those_counted_the_other_way_round(axis: str, f: np.n
 
 
 @pytest.mark.parametrize("axis", ["mass", "mass with damping", "two inertias"])
-def test_command_and_position_exchanged(axis: str) -> None:
+def test_swapped_command_and_position(axis: str) -> None:
     f = np.geomspace(1.0, 200.0, 60)
     assert codes(f, 1.0 / held_response(AXES[axis], f, PERIOD)) == ["CL508"]

@@ -1,4 +1,4 @@
-"""The sampled loop against loops put together by hand in z, analytic margins, runs of the engine, and gains scaled to the limit."""
+"""The sampled loop against hand-made loops in z, analytic margins, runs of the engine, and gains scaled to the limit."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ W = np.geomspace(1.0, math.pi / T, 60)
 
 
 class Amplifier(Component):
-    """A drive with a gain: what the gain margin is about."""
+    """A drive with a gain, for tests of the gain margin."""
 
     family = "drive"
     kind = "amplifier"
@@ -48,7 +48,7 @@ class Amplifier(Component):
 
 
 def radius(part: Axis, made: AxisController, period: float = T) -> float:
-    """The spectral radius of the whole schedule, closed as it runs: no part of what is tested has a hand in it."""
+    """Return the spectral radius of the whole closed schedule, independent of the code under test."""
     free = replace(made, controller=made.controller.replace(anti_windup="none"))
     whole = build(Machine("one", (part,), period), Controller({"x": free}), Path([Line((0.0,), (1.0,))]), np.zeros(1))
     return spectral_radius(whole.schedule)
@@ -65,7 +65,7 @@ def test_discrete_integrator_with_delay(gain: float, delay: int) -> None:
     From the velocity of an undamped axis, v(k + 1) = v(k) + a T u(k).
     """
     drive = DelayedSaturation(delay=delay * T) if delay else Saturation()
-    # So weak a position loop that its pole stands 1e-9 inside the circle.
+    # The position loop is so weak that its pole is 1e-9 inside the circle.
     kv = gain / (A * T)
     found = sampled_loop(axis(drive, damping=0.0), controller(kv, 1e-6 * kv, 0.0), T).margins()
     cross = 2.0 * math.asin(gain / 2.0)
@@ -123,12 +123,12 @@ def test_loop_gain_by_hand(seen: bool, velocity: bool, delay: float, rule: str) 
     )
     drive = DelayedSaturation(delay=delay, limit=0.3) if delay else Saturation(limit=0.3)
     found = sampled_loop(axis(drive), made, T).loop_gain(W)
-    # The plant is integrated by Runge-Kutta, exact to (b T)^5/120 = 6e-14 of its decay, and seen through sums of all past.
+    # The plant is integrated by Runge-Kutta, exact to (b T)^5/120 = 6e-14 of its decay; sums over the past accumulate it.
     assert found == pytest.approx(by_hand(np.exp(1j * W * T), velocity, seen, delay, rule), rel=1e-9)
 
 
 def test_substeps_are_those_of_the_plant() -> None:
-    """Strong damping, b T = 0.8: sixteen steps of Runge-Kutta to a period come to the exact plant, one does not."""
+    """Strong damping, b T = 0.8: sixteen Runge-Kutta steps per period reach the exact plant, one does not."""
     z, b = np.exp(1j * W * T), 800.0
     e = math.exp(-b * T)
     exact = KV * A / b * (1.0 - e) / (z - e)
@@ -136,13 +136,13 @@ def test_substeps_are_those_of_the_plant() -> None:
     for steps in (1, 16):
         part = replace(axis(damping=b), substeps=steps)
         gaps.append(np.abs(sampled_loop(part, controller(kp=0.0, ki=0.0), T).loop_gain(W) / exact - 1.0).max())
-    # Of one step x + x^2/2 + x^3/6 + x^4/24 stands for the exponential: x^5/120 is left out, of e^-0.8 and more.
+    # One Runge-Kutta step misses x^5/120 and higher terms of the exponential e^-0.8.
     assert gaps[0] > 1e-3
     assert gaps[1] < 16.0**-3 * gaps[0]
 
 
-def test_what_the_position_loop_sees() -> None:
-    """Behind the observer: v over the command ahead of it, v = V u with u = u_c - d_hat."""
+def test_the_response_behind_the_observer() -> None:
+    """v over the command before the observer: v = V u with u = u_c - d_hat."""
     found = sampled_loop(axis(), controller(seen=observer()), T).response(W).compensated
     z = np.exp(1j * W * T)
     v = np.array([np.linalg.solve([[x - math.exp(-B * T)]], [A / B * (1.0 - math.exp(-B * T))])[0] for x in z])
@@ -152,7 +152,7 @@ def test_what_the_position_loop_sees() -> None:
     assert found == pytest.approx(v / (1.0 + estimate), rel=1e-9)
 
 
-# --- the limit is where the margin says ----------------------------------------------------------------------------------------------
+# --- margins are the limit of stability ------------------------------------------------------------------------------------------------
 
 
 gains = st.fixed_dictionaries({"kv": st.floats(20.0, 120.0), "kp": st.floats(200.0, 4000.0), "ki": st.just(0.0) | st.floats(0.1, 15.0)})
@@ -161,10 +161,10 @@ filters = st.sampled_from(["backward-euler", "pole-matched"])
 
 @settings(max_examples=40, deadline=None)
 @given(gains, st.floats(50.0, 400.0), st.floats(400.0, 3000.0), filters, st.floats(0.0, 4.0), st.sampled_from([True, False]))
-def test_a_gain_of_the_gain_margin_is_the_limit(
+def test_the_gain_margin_is_the_limit_of_stability(
     gain: dict[str, float], w_d: float, w_v: float, rule: str, periods: float, seen: bool
 ) -> None:
-    """With the drive's gain raised by the margin the closed loop has a pole on the circle; a little less, and it has none."""
+    """With the drive's gain raised by the margin the closed loop has a pole on the circle; with slightly less it has none."""
     made = controller(
         **gain,
         velocity=FilteredDifference(bandwidth=w_v, discretisation=rule),
@@ -193,8 +193,8 @@ def test_a_gain_of_the_gain_margin_is_the_limit(
         assert radius(axis(Late(gain=1.01 * found.gain)), made) > 1.0
 
 
-def test_a_delay_of_the_phase_margin_is_the_limit() -> None:
-    """A lag of whole periods at the crossover: with one more the loop is unstable, with one less it is not."""
+def test_a_delay_of_the_phase_margin_is_the_limit_of_stability() -> None:
+    """A delay of whole periods at the crossover: with one more the loop is unstable, with one less it is not."""
     made = controller(velocity=FilteredDifference(bandwidth=W_V))
     found = sampled_loop(axis(), made, T).margins()
     periods = math.floor(found.phase / (found.crossover * T))
@@ -205,29 +205,29 @@ def test_a_delay_of_the_phase_margin_is_the_limit() -> None:
 
 @pytest.mark.parametrize("seen", [None, observer(), observer(bandwidth=500.0)])
 @pytest.mark.parametrize("drive", [Saturation(), DelayedSaturation(delay=2.5e-3)])
-def test_poles_of_the_opened_loop_closed_are_those_of_the_whole(seen: Component | None, drive: Component) -> None:
+def test_closing_the_opened_loop_gives_the_poles_of_the_whole(seen: Component | None, drive: Component) -> None:
     made = controller(velocity=FilteredDifference(bandwidth=W_V), seen=seen)
     found = sampled_loop(axis(drive), made, T)
     assert np.abs(found.poles).max() == pytest.approx(radius(axis(drive), made), abs=1e-9)
 
 
-def test_nyquist_counts_what_the_eigenvalues_count() -> None:
-    """Turns of 1 + L around 0 as z goes round the circle once: with the loop gain's poles inside or at 1, one for each pole outside."""
+def test_the_nyquist_criterion_agrees_with_the_eigenvalues() -> None:
+    """Turns of 1 + L around 0 as z circles once: with the loop gain's poles inside or at 1, one turn per unstable pole."""
     for kp, outside in ((1500.0, 0), (2e5, 2)):
         loop = sampled_loop(axis(), controller(kp=kp, velocity=FilteredDifference(bandwidth=W_V)), T)
         w = np.geomspace(1e-3, loop.nyquist, 20000)
         turn = np.unwrap(np.angle(1.0 + loop.loop_gain(w)))
-        # Half of the circle; L has two poles at z = 1, passed on the outside, which turn by pi there.
+        # Half of the circle. L has two poles at z = 1, passed on the outside, which add a turn of pi there.
         assert round((turn[-1] - turn[0] - math.pi) / math.pi) == -outside
         assert int((np.abs(loop.poles) > 1.0).sum()) == outside
         assert loop.stable == (outside == 0)
 
 
-# --- borders -------------------------------------------------------------------------------------------------------------------------
+# --- edge cases ----------------------------------------------------------------------------------------------------------------------
 
 
-def test_what_is_left_out_changes_nothing() -> None:
-    """Friction, counts, a limit below the unit that states are moved by, an integral that waits for it, a disturbance."""
+def test_nonlinear_parts_and_disturbances_do_not_change_the_margins() -> None:
+    """Friction, counts, a limit below the unit step of the linearisation, an integral that waits for it, a disturbance."""
     bare = sampled_loop(axis(), controller(anti_windup="none"), T)
     full = Axis("x", RigidAxis(gain=A, damping=B), Coulomb(coulomb=0.2), Saturation(limit=0.01), Encoder(resolution=1e-4))
     found = sampled_loop(replace(full, disturbance=SineLoad(amplitude=1.0, frequency=3.0)), controller(), T)
@@ -270,24 +270,24 @@ class DeadBand(Component):
         return (), ((100.0 * error if abs(error) > 1e-6 else 0.0) * abs(error) - inp.velocity,)
 
 
-def test_a_step_that_is_not_linear_is_named() -> None:
+def test_a_nonlinear_step_is_named() -> None:
     with pytest.raises(ComponentError, match=r"x\.controller .*linear"):
         sampled_loop(axis(), AxisController(DeadBand()), T)
 
 
-def test_a_delay_that_would_take_too_long_is_refused() -> None:
+def test_too_long_a_delay_is_refused() -> None:
     with pytest.raises(ComponentError, match=r"axis x: .*\b1000\b"):
         sampled_loop(axis(DelayedSaturation(delay=5.0)), controller(), T)
 
 
-def test_a_long_delay_is_looked_at_closely() -> None:
-    """From one frequency to the next the loop turns by less than a quarter of a turn, so that no two crossings lie between them."""
+def test_a_long_delay_gets_a_fine_grid() -> None:
+    """Between neighbouring frequencies the loop turns by less than a quarter turn, so no two crossings lie between them."""
     loop = sampled_loop(axis(DelayedSaturation(delay=60e-3)), controller(10.0, 60.0, 0.0), T)
     assert np.diff(loop._grid()).max() * 60e-3 < 0.25 * math.pi
 
 
-def test_a_long_delay_costs_no_crossing() -> None:
-    """Between 60 and 61 ms of it the loop gain turns past -180 deg many times; the least factor is the one that the poles bear out."""
+def test_with_a_long_delay_no_crossing_is_missed() -> None:
+    """Between 60 and 61 ms of delay the loop gain turns past -180 deg many times; the least factor agrees with the poles."""
     made, drive = controller(10.0, 60.0, 0.0), DelayedSaturation(delay=60e-3)
     found = sampled_loop(axis(drive), made, T)
     said = found.margins()

@@ -1,4 +1,4 @@
-"""The sampled loop against runs of the engine, and the figures of machines that are known."""
+"""The sampled loop against runs of the engine, and the known figures of machines."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ CALIBRATED = {1: (0.6, 20.0, 0.9, 30.0), 2: (0.6, 20.0, 0.9, 30.0), 3: (1.0, 25.
 
 
 def of_the_paper(number: int, rule: str, w_d: float = 200.0) -> SampledLoop:
-    """An axis of Ghaffari & Ulsoy with the gains of their Table III, at 1 ms, velocity behind 800 rad/s, w_z = 2000 rad/s."""
+    """Return an axis of Ghaffari & Ulsoy with the gains of their Table III, at 1 ms, velocity behind 800 rad/s, w_z = 2000 rad/s."""
     (a, b), (a_hat, b_hat, model_gain, model_damping) = PLANTS[number], CALIBRATED[number]
     made = PositionController(
         velocity_gain=100.0, position_gain=4000.0, integral_gain=11.8, model_gain=model_gain, model_damping=model_damping
@@ -51,11 +51,11 @@ def of_the_paper(number: int, rule: str, w_d: float = 200.0) -> SampledLoop:
     ],
 )
 def test_gain_margins_found_by_raising_the_gain(number: int, rule: str, w_d: float, gain: float) -> None:
-    """Factors at which the tick matrix reaches the circle, worked out apart from this code."""
+    """Factors at which the tick matrix reaches the unit circle, computed independently."""
     assert of_the_paper(number, rule, w_d).margins().gain == pytest.approx(gain, abs=0.005)
 
 
-def test_an_unstable_loop_is_called_so() -> None:
+def test_an_unstable_loop_is_called_unstable() -> None:
     found = of_the_paper(1, "backward-euler", 600.0)
     assert not found.stable
     said = found.margins()
@@ -75,8 +75,8 @@ def test_shipped_machine_without_the_delay_of_its_drive() -> None:
     assert found.gain == pytest.approx(3.35, abs=0.005)
 
 
-def test_modulus_margins_that_the_documents_print() -> None:
-    """The demo part says 0.70 of the position loop; the page on contouring 0.60 of one at 160 rad/s, and 0.59 of the observer."""
+def test_modulus_margins_printed_in_the_documents() -> None:
+    """The demo gives 0.70 for the position loop; the page on contouring 0.60 for one at 160 rad/s, and 0.59 for the observer."""
 
     def least(machine: Machine, made: Controller) -> float:
         loops = [sampled_loop(a, made.axes[a.name], machine.servo_period, machine.carried_mass(a.name)) for a in machine.axes]
@@ -103,7 +103,7 @@ def phasor(signal: np.ndarray, turn: np.ndarray) -> complex:
 @pytest.mark.parametrize("hertz", [4.0, 40.0, 160.0])
 @pytest.mark.parametrize("structure", ["feedforward", "ipv"])
 def test_closed_loop_as_simulated(structure: str, hertz: float) -> None:
-    """A sine of 0.1 mm through the whole loop, its last periods taken apart: no order of approximation, the very same figure."""
+    """A sine of 0.1 mm through the whole loop, analysed over its last periods: the same figure, without approximation."""
     w = 2.0 * math.pi * hertz
     made = controller(structure=structure, velocity=FilteredDifference(bandwidth=W_V), seen=observer())
     part = axis(DelayedSaturation(delay=1.4e-3))
@@ -116,7 +116,7 @@ def test_closed_loop_as_simulated(structure: str, hertz: float) -> None:
     turn = np.exp(-1j * w * time[kept])
     names = ("reference", "reference_velocity", "reference_acceleration", "position")
     r, rv, ra, p = (phasor(run[name][kept, 0], turn) for name in names)
-    # What from_samples makes of the derivatives is its own affair: they enter as they were fed.
+    # Compare with the derivatives as fed, independent of how from_samples makes them.
     found = sampled_loop(part, made, T)
     driven = found.response([w])
     assert p / r == pytest.approx(driven_by(found, w, rv / r, ra / r), rel=1e-6)
@@ -126,13 +126,13 @@ def test_closed_loop_as_simulated(structure: str, hertz: float) -> None:
 
 
 def driven_by(loop: SampledLoop, w: float, velocity: complex, acceleration: complex) -> complex:
-    """Position per reference whose derivatives are these parts of it, from the matrices of the closed loop."""
+    """Return position per reference with these ratios of velocity and acceleration, from the matrices of the closed loop."""
     a, b = loop.closed
     mixed = b[:, 0] + velocity * b[:, 1] + acceleration * b[:, 2]
     return complex(loop.state[0] @ np.linalg.solve(np.exp(1j * w * T) * np.eye(len(a)) - a, mixed))
 
 
-def test_feedforward_takes_the_derivatives_of_the_sine() -> None:
+def test_feedforward_uses_the_derivatives_of_the_sine() -> None:
     """r_v = j w r and r_a = -w^2 r: with them the response is the sum of its three paths."""
     loop = sampled_loop(axis(), controller(seen=observer()), T)
     for w in (3.0, 200.0, 3000.0):
@@ -153,8 +153,8 @@ def test_compliance_as_simulated(hertz: float) -> None:
     assert phasor(run["position"][-600:, 0], turn) / force == pytest.approx(found, rel=1e-6)
 
 
-def test_a_short_period_tends_to_continuous_time() -> None:
-    """To first order, in everything that is said of an axis."""
+def test_a_short_period_converges_to_continuous_time() -> None:
+    """All figures of an axis converge to first order."""
     made, w = controller(velocity=FilteredDifference(bandwidth=W_V), seen=observer()), np.geomspace(5.0, 300.0, 7)
     exact = axis_response(axis(), made, 0.0, w)
     for name in ("closed_loop", "modified", "loop_gain", "compliance", "compensated"):

@@ -1,4 +1,4 @@
-"""Loops of many variants, probed in lanes, are those that are probed one by one."""
+"""Loops of many variants, analysed in lanes, equal loops analysed one by one."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def mill() -> tuple[Machine, Controller]:
 
 
 @pytest.mark.parametrize("made", [stage, mill])
-def test_each_lane_is_the_loop_of_its_own_numbers(made: object) -> None:
+def test_each_lane_is_the_loop_of_its_own_values(made: object) -> None:
     machine, controller = made()  # type: ignore[operator]
     space = Space.chosen(machine, controller)
     points = np.vstack([space.start, np.random.default_rng(7).uniform(0.25, 0.75, (39, len(space.numbers)))])
@@ -53,7 +53,7 @@ def test_each_lane_is_the_loop_of_its_own_numbers(made: object) -> None:
             assert rough.modulus == pytest.approx(exact.modulus, rel=0.02)
 
 
-def test_a_delay_of_several_ticks_is_in_the_lanes() -> None:
+def test_lanes_may_have_a_delay_of_several_ticks() -> None:
     machine, controller = stage()
     axis = replace(machine.axes[0], drive=DelayedSaturation(limit=1.0, delay=2.4e-3))
     columns = {"controller.axes.1.controller.position_gain": np.array([1000.0, 2120.0])}
@@ -63,14 +63,14 @@ def test_a_delay_of_several_ticks_is_in_the_lanes() -> None:
     assert rough_margins(found).stable == alone.stable
 
 
-def test_numbers_of_other_axes_are_passed_over() -> None:
+def test_parameters_of_other_axes_are_ignored() -> None:
     machine, controller = stage()
     columns = {"controller.axes.3.controller.position_gain": np.array([1.0, 2.0]), "controller.coupling.weight": np.array([0.1, 0.9])}
     found = sampled_loops(machine.axes[0], controller.axes["1"], machine.servo_period, columns)
     np.testing.assert_array_equal(found[0].a, found[1].a)
 
 
-def test_what_is_not_linear_is_refused() -> None:
+def test_a_nonlinear_part_is_refused() -> None:
     machine, controller = stage()
     axis = replace(machine.axes[0], drive=DelayedSaturation(limit=1.0, delay=1.5))
     with pytest.raises(ComponentError, match=r"axis 1: .*\b1000\b"):

@@ -1,4 +1,4 @@
-"""The linear models against the steps that run: what a component says of itself is what it does."""
+"""The linear models of components against their steps."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ Matrices = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 
 
 def matrices_of(step: Step, values: dict[str, Any], dt: float) -> Matrices:
-    """Return A, B, C, D of one tick of a linear step, by moving each state and each input by one."""
+    """Return A, B, C, D of one tick of a linear step, from unit changes of each state and input."""
     par = record(tuple(values))(**values)
     states, inputs = (record(tuple(p.name for p in ports)) for ports in (step.states, step.inputs))
     n, m = len(step.states), len(step.inputs)
@@ -53,14 +53,14 @@ PLANTS: list[SingleMass] = [
 
 
 @pytest.mark.parametrize("plant", PLANTS, ids=lambda plant: plant.kind)
-def test_plant_is_its_model_held(plant: SingleMass) -> None:
-    """One tick is the model under held inputs, by the matrix exponential, to the first term that Runge-Kutta leaves out."""
+def test_a_plant_equals_its_held_model(plant: SingleMass) -> None:
+    """One tick is the model under held inputs, by the matrix exponential, up to the first term that Runge-Kutta neglects."""
     dt = 1e-3
     model = plant.linearize()
     a, b, *_ = cont2discrete((model.a, model.b, model.c, model.d), dt)
     found = matrices_of(link(plant, NoFriction()), {**plant.block(dt), **NoFriction().block(dt)}, dt)
     rate = -model.a[1, 1]
-    # What Runge-Kutta leaves out, in position and velocity, from a unit velocity and from the push of a unit of each input.
+    # The Runge-Kutta error in position and velocity, for a unit velocity and for a unit of each input.
     free, pushed = rate**4 * dt**5 / 120.0, np.abs(model.b[1]) * rate**3 * dt**5 / 120.0
     assert np.abs(found[0] - a)[:, 0].max() == 0.0
     assert (np.abs(found[0] - a)[:, 1] < [1.01 * free + 1e-18, 1.01 * free * rate + 2e-16]).all()
@@ -83,8 +83,8 @@ SAMPLED: list[Component] = [
 
 
 @pytest.mark.parametrize("part", SAMPLED, ids=lambda part: part.kind + "-" + str(getattr(part, "discretisation", "")))
-def test_sampled_part_tends_to_its_model(part: Component) -> None:
-    """From every input to every output, at 3 frequencies: the difference goes with the period, or faster."""
+def test_a_sampled_part_converges_to_its_model(part: Component) -> None:
+    """From every input to every output, at 3 frequencies: the difference falls with the period, or faster."""
     model = part.linearize()
     assert model is not None
     step = part.make_step()

@@ -1,4 +1,4 @@
-"""Breakaway of simulated axes with known friction, through an encoder's counts and noise."""
+"""Breakaway of simulated axes with known friction, through encoder counts and noise."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def record(friction: Any, top: float, resolution: float, noise: float = 0.0, cou
 
 
 @pytest.mark.parametrize(("resolution", "noise"), [(1e-7, 0.0), (1e-6, 0.0), (1e-7, 5e-7)])
-def test_the_level_is_that_of_the_axis_through_counts_and_noise(resolution: float, noise: float) -> None:
+def test_the_breakaway_level_is_found_through_counts_and_noise(resolution: float, noise: float) -> None:
     found, said = breakaways(*record(Coulomb(coulomb=15.0, breakaway=20.0), 40.0, resolution, noise))
     assert len(found) == 4 and not said
     assert [one.direction for one in found] == [1, -1, 1, -1]
@@ -43,7 +43,7 @@ def test_the_level_is_that_of_the_axis_through_counts_and_noise(resolution: floa
         assert one.rate == pytest.approx(one.direction * 20.0, rel=0.01)
 
 
-def test_without_a_stribeck_drop_the_axis_leaves_slowly_and_is_followed_back() -> None:
+def test_without_a_stribeck_drop_the_slow_departure_is_traced_back() -> None:
     found, _ = breakaways(*record(Coulomb(coulomb=20.0), 40.0, 1e-6))
     assert [abs(one.level) for one in found] == pytest.approx([20.0] * 4, rel=0.02)
 
@@ -54,7 +54,7 @@ def test_bristles_bend_before_they_slip() -> None:
     assert [abs(one.level) for one in found] == pytest.approx([20.0] * 4, rel=0.03)
 
 
-def test_a_ramp_that_moves_nothing_is_told() -> None:
+def test_a_ramp_without_motion_is_reported() -> None:
     friction = Coulomb(coulomb=50.0)
     with pytest.raises(ParameterError, match="breakaway"):
         time, u, place = record(friction, 40.0, 1e-7)
@@ -67,7 +67,7 @@ def test_a_ramp_that_moves_nothing_is_told() -> None:
     assert len(said) == 2 and all("breakaway" in note.text for note in said)
 
 
-def test_what_is_no_ramp_is_refused() -> None:
+def test_an_invalid_ramp_is_refused() -> None:
     time, u, place = record(Coulomb(coulomb=20.0), 40.0, 1e-7)
     with refuses(ParameterError, "slow ramps", name="command"):
         breakaways(time, 40.0 * np.sign(u), place)

@@ -1,4 +1,4 @@
-"""Poles of the sampled loop against loops put together by hand from exact discretisations, and against Jury's conditions."""
+"""Poles of the sampled loop against hand-made loops from exact discretisations, and against Jury's conditions."""
 
 from __future__ import annotations
 
@@ -43,15 +43,15 @@ def loop(
 
 
 def held_plant() -> tuple[np.ndarray, np.ndarray]:
-    """The axis under a command held over the period, exactly: (2, 2) and (2, 1)."""
+    """Return the axis under a command held over the period, exactly: (2, 2) and (2, 1)."""
     a, b, *_ = cont2discrete((np.array([[0.0, 1.0], [0.0, -B]]), np.array([[0.0], [A]]), np.eye(2), np.zeros((2, 1))), PERIOD)
     return a, b
 
 
 def poles(matrix: np.ndarray) -> np.ndarray:
-    """The eigenvalues that are neither at 0 (signals) nor at 1 (what only remembers), sorted."""
+    """Return the sorted eigenvalues without those at 0 (signals) and at 1 (memory)."""
     values = np.linalg.eigvals(matrix)
-    # A pair is found to the root of rounding where it is nearly double.
+    # Where a pair is nearly double, rounding costs half of its digits.
     moving = values[(np.abs(values) > 1e-5) & (np.abs(values - 1.0) > 1e-9)]
     return np.sort_complex(moving)
 
@@ -67,7 +67,7 @@ def assert_poles(schedule: Schedule, by_hand: np.ndarray) -> None:
 
 
 def by_hand_pid(kv: float, kp: float, ki: float) -> np.ndarray:
-    """Position, velocity, integral: the integral takes in this tick's error before the command is made."""
+    """Position, velocity, integral: the integral includes this tick's error before the command is formed."""
     plant, push = held_plant()
     row = np.array([[-kp - kp * ki * PERIOD, -kv, kp * ki]])
     top = np.hstack([plant, np.zeros((2, 1))]) + push @ row
@@ -83,7 +83,7 @@ def test_pid_loop(gains: tuple[float, float, float], structure: str) -> None:
 @pytest.mark.parametrize("n", [1, 2, 3, 7])
 @pytest.mark.parametrize("fraction", [0.0, 0.4])
 def test_delay_is_a_chain_of_states(n: int, fraction: float) -> None:
-    """u(k) acts n periods and a fraction late: n + 1 more states, of which the last two act, weighted."""
+    """u(k) acts n periods and a fraction late: n + 1 more states; the last two act, weighted."""
     kv, kp = 20.0, 600.0
     plant, push = held_plant()
     matrix = np.zeros((n + 3, n + 3))
@@ -96,7 +96,7 @@ def test_delay_is_a_chain_of_states(n: int, fraction: float) -> None:
 
 
 def test_velocity_from_differences() -> None:
-    """States: position, velocity, the position before, the filtered velocity; backward Euler with weight w T/(1 + w T)."""
+    """States: position, velocity, previous position, filtered velocity; backward Euler with weight w T/(1 + w T)."""
     kv, kp, w = 40.0, 1500.0, 300.0
     plant, push = held_plant()
     weight = w * PERIOD / (1.0 + w * PERIOD)
@@ -108,7 +108,7 @@ def test_velocity_from_differences() -> None:
 
 
 def test_observer_of_the_applied_command() -> None:
-    """States: position, velocity, filtered velocity, estimate, and the command of the tick before, which the observer sees."""
+    """States: position, velocity, filtered velocity, estimate, and the previous command, which the observer reads."""
     kv, kp, w_d, w_z, a_hat, b_hat = 50.0, 1500.0, 120.0, 400.0, 0.7, 15.0
     plant, push = held_plant()
     z, d = (w * PERIOD / (1.0 + w * PERIOD) for w in (w_z, w_d))
@@ -124,7 +124,7 @@ def test_observer_of_the_applied_command() -> None:
 
 
 def limit_of(name: str, low: float, high: float, **fixed: float) -> float:
-    """Return the gain at which the sampled loop stops being stable."""
+    """Return the gain at which the sampled loop becomes unstable."""
     for _ in range(50):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if spectral_radius(loop(**{name: middle}, **fixed)) < 1.0 else (low, middle)
@@ -148,12 +148,12 @@ def test_largest_velocity_gain() -> None:
     """Velocity loop alone: its pole e - K a (1 - e)/b reaches -1 at K = (1 + e) b/(a (1 - e)). The position integrates, at 1."""
     e = math.exp(-B * PERIOD)
     law = (1.0 + e) * B / (A * (1.0 - e))
-    tiny = 1e-3  # the position's own pole, kept just inside the circle
+    tiny = 1e-3  # keeps the position's own pole just inside the circle
     assert limit_of("velocity_gain", 1.0, 1e6, position_gain=tiny) == pytest.approx(law, rel=1e-6)
 
 
-def test_largest_integral_gain_tends_to_routh() -> None:
-    """Routh on eq (16): K_I < b + a K_V. The sampled loop comes to it as its period goes to zero, to first order."""
+def test_largest_integral_gain_converges_to_routh() -> None:
+    """Routh on eq (16): K_I < b + a K_V. The sampled loop converges to it to first order in the period."""
     kv, kp = 60.0, 500.0
     law = B + A * kv
     gaps = [limit_of("integral_gain", 1.0, 1e3, velocity_gain=kv, position_gain=kp, period=period) - law for period in (4e-4, 2e-4)]
@@ -162,24 +162,24 @@ def test_largest_integral_gain_tends_to_routh() -> None:
 
 
 def test_memory_is_no_pole() -> None:
-    """Where an axis stood at the start, and what the watch noted, stay for ever; a stable loop is stable all the same."""
+    """The start position and the records of the watch stay for ever; a stable loop is still stable."""
     schedule = loop(60.0, 2200.0, 12.0, structure="ipv")
     assert np.abs(np.linalg.eigvals(tick_matrix(schedule))).max() == pytest.approx(1.0)
     assert spectral_radius(schedule) < 0.999
 
 
-def test_an_integral_that_nothing_reads_is_no_pole() -> None:
-    """With K_I = 0 the integral still sums up, beside the loop."""
+def test_an_unread_integral_is_no_pole() -> None:
+    """With K_I = 0 the integral still sums, outside the loop."""
     assert spectral_radius(loop(60.0, 2200.0)) == pytest.approx(np.abs(np.linalg.eigvals(by_hand_pid(60.0, 2200.0, 0.0)[:2, :2])).max())
 
 
 def test_an_axis_without_feedback_is_no_stable_loop() -> None:
-    """The position integrates: a pole at 1 that is no memory."""
+    """The position integrates: a pole at 1 that is not memory."""
     assert spectral_radius(loop()) == pytest.approx(1.0, abs=1e-12)
 
 
 def test_matrix_of_a_schedule_by_hand() -> None:
-    """y = 2 x + 3 and x' = 0.5 y before: constants are taken out, the wire that is late is a column."""
+    """y = 2 x + 3 with the old x, then x' = 0.5 y: constants are removed; the delayed wire is a column."""
 
     def half(par, x, inp, clock):  # type: ignore[no-untyped-def]
         return (0.5 * inp.u,), (2.0 * x.x + 3.0,)
@@ -197,7 +197,7 @@ def test_matrix_of_a_schedule_by_hand() -> None:
 
 
 def summed(gain: float, bend: float = 0.0) -> Schedule:
-    """y = gain u + x + bend x^2, x' = 0.5 x + y, of an external u that a vector w stands before."""
+    """y = gain u + x + bend x^2, x' = 0.5 x + y, with an external u from a vector w."""
 
     def step(par, x, inp, clock):  # type: ignore[no-untyped-def]
         y = par.gain * inp.u + x.x + par.bend * x.x * x.x + 2.0
@@ -208,22 +208,22 @@ def summed(gain: float, bend: float = 0.0) -> Schedule:
 
 
 def test_map_of_externals() -> None:
-    """Matrices as one writes them down; row and column find what they are asked for."""
+    """Matrices written by hand; row and column find the named signals."""
     found = tick_map(summed(3.0))
     x, y, u = 0, found.row("s.y"), found.column("in.u")
     assert (y, u) == (len(found.a) - 1, 2)
-    assert found.b[:, u].tolist() == [3.0, 0.0, 0.0, 1.0, 3.0]  # x, what stands for the externals, y
+    assert found.b[:, u].tolist() == [3.0, 0.0, 0.0, 1.0, 3.0]  # x, placeholder for the externals, y
     assert found.b[[x, y], :2].tolist() == [[0.0, 0.0], [0.0, 0.0]]
     assert found.a[[x, y], x].tolist() == [1.5, 1.0]
     assert not found.a[:, 1:].any()
 
 
-def test_what_is_not_linear_has_no_map() -> None:
+def test_a_nonlinear_schedule_has_no_map() -> None:
     with pytest.raises(ComponentError, match=r"^s .*linear"):
         tick_map(summed(3.0, bend=1e-6))
 
 
-def test_a_step_that_breaks_has_no_map() -> None:
+def test_a_failing_step_has_no_map() -> None:
     def step(par, x, inp, clock):  # type: ignore[no-untyped-def]
         return (), (1.0 / (inp.u - 1.0),)
 
@@ -233,7 +233,7 @@ def test_a_step_that_breaks_has_no_map() -> None:
 
 
 def test_undamped_axis_without_feedback_is_no_stable_loop() -> None:
-    """Velocity stays and position grows: the pole of the position at 1 counts, although the velocity only remembers."""
+    """Velocity stays and position grows: the pole of the position at 1 counts, although the velocity is pure memory."""
     machine = Machine("one", (Axis("x", RigidAxis(gain=A, damping=0.0)),), PERIOD)
     free = AxisController(PositionController(anti_windup="none"))
     schedule = build(machine, Controller({"x": free}), Path([Line((0.0,), (1.0,))]), np.zeros(1)).schedule

@@ -1,4 +1,4 @@
-"""A loop that is unstable is called so wherever its margins would stand."""
+"""An unstable loop is called unstable wherever its margins would appear."""
 
 from __future__ import annotations
 

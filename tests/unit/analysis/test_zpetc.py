@@ -1,4 +1,4 @@
-"""Zero-phase filters of real loops: no phase, the gain of what is not cancelled, and the run that bears it out."""
+"""Zero-phase filters of real loops: zero phase, the gain of the uncancelled part, and confirmation by a run."""
 
 from __future__ import annotations
 
@@ -63,8 +63,8 @@ def axis(plant: Any, delay: float, name: str = "x") -> cl.Axis:
 
 
 @pytest.mark.parametrize(("plant", "delay", "servo"), LOOPS)
-def test_there_is_no_phase_at_any_frequency(plant: Any, delay: float, servo: cl.AxisController) -> None:
-    """F G over the whole range is real and positive, to the rounding of F's coefficients, and 1 at rest to second order."""
+def test_the_phase_is_zero_at_every_frequency(plant: Any, delay: float, servo: cl.AxisController) -> None:
+    """F G is real and positive over the whole range, up to the rounding of F's coefficients, and 1 at rest to second order."""
     loop = sampled_loop(axis(plant, delay), servo, T)
     made = zpetc_design(loop)
     w = np.concatenate([loop.frequencies(200), np.linspace(1.0, loop.nyquist, 200)])
@@ -76,25 +76,25 @@ def test_there_is_no_phase_at_any_frequency(plant: Any, delay: float, servo: cl.
 
 
 @pytest.mark.parametrize(("plant", "delay", "servo"), LOOPS)
-def test_the_delay_of_the_loop_is_looked_ahead(plant: Any, delay: float, servo: cl.AxisController) -> None:
-    """The whole ticks of the drive's delay and one of the hold, and one more for each zero that is mirrored."""
+def test_the_filter_looks_ahead_by_the_delay_of_the_loop(plant: Any, delay: float, servo: cl.AxisController) -> None:
+    """The whole ticks of the drive's delay, one for the hold, and one for each mirrored zero."""
     made = zpetc_design(sampled_loop(axis(plant, delay), servo, T))
     assert made.lead >= math.floor(delay / T + 1e-9) + 1
     assert made.ahead(T) == made.lead
 
 
-def test_zeros_of_the_hold_are_where_sampling_puts_them() -> None:
-    """For 1/s^3 behind a hold -2 - sqrt 3 and its inverse (Astrom, Hagander & Sternby 1984), as T becomes small beside the lag."""
+def test_zeros_of_the_hold_are_those_of_sampling() -> None:
+    """For 1/s^3 with a hold: -2 - sqrt 3 and its inverse (Astrom, Hagander & Sternby 1984), for T small against the lag."""
     period = 1e-4
     made = zpetc_design(sampled_loop(axis(LAGGING, 0.0), cl.AxisController(PID(proportional_gain=15.0)), period))
     inner = -2.0 + math.sqrt(3.0)
     assert np.abs(np.roots(made.denominator) - inner).min() < 0.01
-    # The outer zero is mirrored: F has its inverse.
+    # The outer zero is mirrored: F contains its inverse.
     assert np.abs(np.roots(made.numerator) - inner).min() < 0.01
 
 
-def test_a_run_bears_it_out() -> None:
-    """On a circle each axis comes to the reference times the gain, in phase: what is left is radial, (1 - gain) R, and known."""
+def test_a_run_confirms_the_gain_and_the_zero_phase() -> None:
+    """On a circle each axis follows the reference times the gain, in phase: the error is radial, (1 - gain) R."""
     radius, frequency, delay = 0.02, 4.0, 5e-3
     servo = cl.AxisController(PID(proportional_gain=20.0), TrueVelocity())
     made = zpetc_design(sampled_loop(axis(LAGGING, delay), servo, T))
@@ -104,7 +104,7 @@ def test_a_run_bears_it_out() -> None:
         axes = tuple(axis(LAGGING, delay, name) for name in "xy")
         mine = cl.AxisController(servo.controller, servo.velocity, feedforward=part)
         found = cl.simulate(cl.Machine("led", axes, T), cl.Controller(dict.fromkeys("xy", mine)), reference)
-        # The last ticks do not know what comes after the end.
+        # The last ticks lack the reference beyond the end.
         last = slice(6 * found.n_sample // 8, found.n_sample - 2 * int(made.lead))
         away = found["axis_position"][last] - found["reference"][last]
         around = found["reference"][last] - found["reference"].mean(axis=0)
@@ -129,9 +129,9 @@ def pairs(points: list[complex]) -> np.ndarray:
 
 @settings(max_examples=100, deadline=None)
 @given(st.lists(inside, max_size=2), st.lists(anywhere, max_size=2), st.integers(0, 20), st.floats(0.1, 0.99))
-def test_any_loop_comes_out_without_phase(poles: list[complex], zeros: list[complex], delay: int, radius: float) -> None:
+def test_the_phase_is_zero_for_any_loop(poles: list[complex], zeros: list[complex], delay: int, radius: float) -> None:
     a, b = pairs(poles), pairs(zeros)
-    # Zeros near 1, and those to be cancelled near the circle, cost digits: with these bounds six of sixteen, (2.4/0.4)^4 (1.7/0.3)^4.
+    # Zeros near 1, and cancelled zeros near the circle, cost digits: within these bounds six of sixteen, (2.4/0.4)^4 (1.7/0.3)^4.
     assume(all(abs(1.0 - zero) > 0.4 and (abs(abs(zero) - 1.0) > 0.1 or zero.real <= 0.0) for zero in zeros))
     b = b * (a.sum() / b.sum())
     made = zero_phase_filter(b, a, delay, radius=radius)
@@ -154,10 +154,10 @@ def test_the_filter_of_a_loop_by_hand() -> None:
     assert made.denominator == pytest.approx([1.0])
 
 
-# --- refused -------------------------------------------------------------------------------------------------------------------------
+# --- refusals ------------------------------------------------------------------------------------------------------------------------
 
 
-def test_what_feeds_derivatives_forward_is_refused() -> None:
+def test_derivative_feedforward_is_refused() -> None:
     servo = cl.AxisController(Cascade(**{**TUNED, "velocity_feedforward": 1.0}), TrueVelocity())
     with pytest.raises(ComponentError, match="acceleration"):
         zpetc_design(sampled_loop(axis(RIGID, 0.0), servo, T))
@@ -168,7 +168,7 @@ def test_an_unstable_loop_is_refused() -> None:
         zpetc_design(sampled_loop(axis(LAGGING, 15e-3), cl.AxisController(PID(proportional_gain=500.0)), T))
 
 
-def test_polynomials_that_cannot_be_led_are_refused() -> None:
+def test_impossible_polynomials_are_refused() -> None:
     with pytest.raises(ComponentError, match="at rest"):
         zero_phase_filter([0.1], [1.0, -0.7])
     with pytest.raises(ComponentError, match="9 zeros"):

@@ -1,4 +1,4 @@
-"""Checkpoints: pieces are found again, damaged ones are not used, those of another study are left alone."""
+"""Checkpoints: pieces are reused, damaged ones are not, and those of another study are left alone."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def test_pieces_of_another_study_are_left_alone_and_damaged_ones_not_used(tmp_pa
     assert [(one.code, one.values["count"]) for one in first.findings("runs")] == [("CL902", 1)]
 
 
-def test_an_interrupt_says_that_the_work_continues_only_if_there_is_any(tmp_path: Path) -> None:
+def test_an_interrupt_promises_to_continue_only_if_there_is_something_to_continue(tmp_path: Path) -> None:
     for notes in (0, 1):
         with pytest.raises(KeyboardInterrupt) as stop, resumable(tmp_path, "runs"):
             raise KeyboardInterrupt

@@ -1,4 +1,4 @@
-"""JSON Schemas from types, held against the values that the same types give."""
+"""JSON Schemas from types, checked against values of the same types."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def test_the_values_of_a_type_follow_its_schema() -> None:
     [("points", [{"from": 1.0}]), ("pair", [1.0]), ("way", "left"), ("named", {"x": None, "y": []}), ("values", 1.0), ("file", None),
      ("findings", ["words"])],
 )  # fmt: skip
-def test_other_values_do_not(key: str, value: object) -> None:
+def test_other_values_violate_the_schema(key: str, value: object) -> None:
     values = json_values(MADE) | {key: value}
     assert list(Draft202012Validator(json_schema(Everything)).iter_errors(values))
 
@@ -98,7 +98,7 @@ def test_keys_have_their_names_and_meaning_from_the_class() -> None:
     assert point["properties"]["pass"] == {"type": "boolean", "description": "Whether it is ahead."}
 
 
-def test_what_has_no_form_in_json_is_refused() -> None:
+def test_a_type_without_a_json_form_is_refused() -> None:
     with pytest.raises(TypeError):
         json_schema(complex)
 

@@ -1,4 +1,4 @@
-"""Where results go: refused before the work where they cannot, and never at the cost of older ones, of what is read, or of a stranger's."""
+"""Where results go: impossible targets are refused before the work; older results, inputs and foreign files are protected."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def listed(folder: Path) -> set[str]:
     return {name for names in json.loads((folder / LIST).read_text())["files"].values() for name in names}
 
 
-def test_newer_results_replace_all_older_ones_and_nothing_else(used: Path) -> None:
+def test_new_results_replace_all_older_ones_and_nothing_else(used: Path) -> None:
     with staged(used, "summary.json") as stage:
         write(stage, {"summary.json": "new"})
         assert read(used).items() >= OLD.items()
@@ -45,7 +45,7 @@ def test_newer_results_replace_all_older_ones_and_nothing_else(used: Path) -> No
     assert listed(used) == {"summary.json"}
 
 
-def test_pictures_by_themselves_replace_their_namesakes_only(used: Path) -> None:
+def test_pictures_alone_replace_only_files_of_the_same_name(used: Path) -> None:
     with staged(used) as stage:
         write(stage, {"plots/path.svg": "new", "plots/other.png": "new"})
     assert read(used) == OLD | NOTES | {"plots/path.svg": "new", "plots/other.png": "new"}
@@ -54,7 +54,7 @@ def test_pictures_by_themselves_replace_their_namesakes_only(used: Path) -> None
     assert read(used).keys() == {"summary.json", "plots/path.svg", "plots/other.png", *NOTES}
 
 
-def test_results_of_another_kind_and_products_stay(used: Path) -> None:
+def test_results_of_another_kind_and_products_are_kept(used: Path) -> None:
     swap = {"swap.json": "swap", "controllers/shared.toml": "swap", "plots/swap.png": "swap"}
     with staged(used, "swap.json") as stage:
         write(stage, swap)
@@ -69,7 +69,7 @@ def test_results_of_another_kind_and_products_stay(used: Path) -> None:
 
 
 @pytest.mark.parametrize("file", ["summary.json", "signals/bench.nc"])
-def test_what_contourlab_did_not_write_is_not_replaced(tmp_path: Path, file: str) -> None:
+def test_files_not_written_by_contourlab_are_not_replaced(tmp_path: Path, file: str) -> None:
     write(tmp_path, {file: "of the user"})
     ahead = pytest.raises(OutputError, match=rf"{file}: would be replaced.*another folder with --to")
     with ahead, staged(tmp_path, "summary.json", file, option="--to"):
@@ -80,7 +80,7 @@ def test_what_contourlab_did_not_write_is_not_replaced(tmp_path: Path, file: str
 
 
 @pytest.mark.parametrize("names", ["", '[["signals/a.nc"]]', '["../mine.nc", "notes.txt"]'])
-def test_a_damaged_list_makes_nothing_ours(tmp_path: Path, names: str) -> None:
+def test_a_damaged_list_claims_no_files(tmp_path: Path, names: str) -> None:
     folder = tmp_path / "results"
     mine = {"../mine.nc": "of the user", "notes.txt": "of the user", "signals/a.nc": "of the user"}
     write(folder, {**mine, LIST: f'{{"files": {{"summary.json": {names}}}}}'})
@@ -90,13 +90,13 @@ def test_a_damaged_list_makes_nothing_ours(tmp_path: Path, names: str) -> None:
 
 
 @pytest.mark.parametrize("spelling", ["results/plots/path.svg", "results/../results/plots/path.svg", "link/plots/path.svg"])
-def test_what_is_read_is_not_replaced_by_whatever_name(used: Path, spelling: str) -> None:
+def test_an_input_in_the_results_folder_is_not_replaced_under_any_spelling(used: Path, spelling: str) -> None:
     (used.parent / "link").symlink_to(used, target_is_directory=True)
     before = read(used)
-    ahead = pytest.raises(ParameterError, match=r"another folder: .* is read, and would be replaced")
+    ahead = pytest.raises(ParameterError, match=r"a different folder: .* would be replaced")
     with ahead, staged(used, "summary.json", inputs=[used.parent / spelling]):
         pytest.fail("it is told ahead of the work")
-    with pytest.raises(ParameterError, match="is read"), staged(used, inputs=[used.parent / spelling]) as stage:
+    with pytest.raises(ParameterError, match="command reads"), staged(used, inputs=[used.parent / spelling]) as stage:
         write(stage, {"plots/path.svg": "new"})
     assert read(used) == before
     with staged(used, "summary.json", inputs=[used / "signals" / "bench.nc", "builtin:xyz"]) as stage:
@@ -104,25 +104,25 @@ def test_what_is_read_is_not_replaced_by_whatever_name(used: Path, spelling: str
     assert read(used) == {"summary.json": "new", **NOTES}
 
 
-def test_a_file_that_is_read_is_not_written_over_by_whatever_name(tmp_path: Path) -> None:
+def test_an_input_file_is_not_overwritten_under_any_spelling(tmp_path: Path) -> None:
     (tmp_path / "log.csv").write_text("of the user")
     (tmp_path / "link.csv").symlink_to(tmp_path / "log.csv")
     for name in ("log.csv", "link.csv", f"../{tmp_path.name}/log.csv"):
-        with pytest.raises(ParameterError, match=r"--out = .*: must be another file than .*log\.csv, which is read"):
+        with pytest.raises(ParameterError, match=r"--out = .*: must be a different file: .*log\.csv"):
             check_file(tmp_path / name, ["nowhere.csv", tmp_path / "log.csv"])
     check_file(tmp_path / "other.csv", [tmp_path / "log.csv", "builtin:xyz"])
 
 
-def test_a_block_that_writes_nothing_takes_nothing_away(used: Path) -> None:
-    """As of a command that only sees whether it may write there."""
+def test_a_block_that_writes_nothing_removes_nothing(used: Path) -> None:
+    """As when a command only checks whether it may write there."""
     with staged(used, "summary.json"):
         pass
     check_file(used / "machine.toml")
     assert read(used) == OLD | NOTES
 
 
-def test_what_cannot_be_moved_in_leaves_the_older_results(used: Path) -> None:
-    """A file of the user stands where a folder is wanted."""
+def test_a_failed_move_keeps_the_older_results(used: Path) -> None:
+    """A file of the user is in the place of a folder."""
     write(used, {"switches": "of the user"})
     before = {path: path.read_bytes() for path in used.rglob("*") if path.is_file()}
     new = {"report.html": "new", "switches/base.csv": "new", "plots/path.svg": "new"}
@@ -134,8 +134,8 @@ def test_what_cannot_be_moved_in_leaves_the_older_results(used: Path) -> None:
 
 
 @pytest.mark.parametrize("reached", range(6))
-def test_what_is_killed_while_it_replaces_leaves_nothing_unknown(used: Path, reached: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whatever is there afterwards is known as ours, so that the next run replaces all of it."""
+def test_a_kill_during_replacement_leaves_no_unknown_file(used: Path, reached: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """All files afterwards are known as ours, so that the next run replaces them."""
     replace, done = Path.replace, []
 
     def until_killed(path: Path, target: Path) -> Path:
@@ -154,7 +154,7 @@ def test_what_is_killed_while_it_replaces_leaves_nothing_unknown(used: Path, rea
 
 
 @pytest.mark.parametrize("reached", range(6))
-def test_an_interrupt_while_it_replaces_leaves_all_as_it_was(used: Path, reached: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_interrupt_during_replacement_leaves_everything_unchanged(used: Path, reached: int, monkeypatch: pytest.MonkeyPatch) -> None:
     before, listed_before = read(used), (used / LIST).read_bytes()
     replace, done = Path.replace, []
 
@@ -172,13 +172,13 @@ def test_an_interrupt_while_it_replaces_leaves_all_as_it_was(used: Path, reached
 
 
 @pytest.mark.parametrize(("place", "said"), [("folder.toml", "is a folder"), ("file/below.toml", "choose another folder with --to")])
-def test_a_file_that_cannot_be_is_refused(place: str, said: str, tmp_path: Path) -> None:
+def test_an_impossible_file_is_refused(place: str, said: str, tmp_path: Path) -> None:
     (tmp_path / "folder.toml").mkdir()
     (tmp_path / "file").write_text("of the user")
     with pytest.raises(OutputError, match=said):
         check_file(tmp_path / place, option="--to")
 
 
-def test_folders_that_are_not_there_yet_are_no_fault_and_are_not_left_behind(tmp_path: Path) -> None:
+def test_missing_folders_are_accepted_and_not_left_behind(tmp_path: Path) -> None:
     check_file(tmp_path / "some" / "where" / "machine.toml")
     assert list(tmp_path.iterdir()) == []

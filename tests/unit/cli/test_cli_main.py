@@ -1,4 +1,4 @@
-"""The shell around the commands: exit codes, messages, and what goes to which stream."""
+"""The shell around the commands: exit codes, messages and output streams."""
 
 import json
 import os
@@ -19,7 +19,7 @@ LAUNCH = [sys.executable, "-c", "from contourlab.__main__ import run; run()"]
 
 
 def fail_with(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:
-    """Let `contourlab components` run into an error."""
+    """Let `contourlab components` raise an error."""
 
     def components(family: str | None = None) -> None:
         raise error
@@ -40,7 +40,7 @@ def test_no_arguments_show_the_commands(capsys):
 
 
 @pytest.mark.parametrize("command", ["demo", "run", "reproduce ghaffari", "components", "new machine"])
-def test_each_command_explains_itself(command, capsys):
+def test_each_command_has_a_help_text(command, capsys):
     assert main([*command.split(), "--help"]) == 0
     assert f"contourlab {command}" in capsys.readouterr().out
 
@@ -82,7 +82,7 @@ def test_debug_shows_the_traceback(arguments, capsys):
     assert "ComponentError" in shown
 
 
-def test_debug_behind_two_dashes_is_an_argument(capsys):
+def test_debug_after_two_dashes_is_an_argument(capsys):
     assert main(["components", "--", "--debug"]) == 2
     assert "'--debug'" in capsys.readouterr().err
 
@@ -97,7 +97,7 @@ def test_debug_behind_two_dashes_is_an_argument(capsys):
         (ZeroDivisionError("division by zero"), 70, "internal error: ZeroDivisionError: division by zero"),
     ],
 )
-def test_every_kind_of_failure_has_its_code(error, code, said, monkeypatch, capsys):
+def test_every_kind_of_failure_has_its_exit_code(error, code, said, monkeypatch, capsys):
     fail_with(monkeypatch, error)
     assert main(["components"]) == code
     shown = capsys.readouterr()
@@ -106,7 +106,7 @@ def test_every_kind_of_failure_has_its_code(error, code, said, monkeypatch, caps
     assert "Traceback" not in shown.err
 
 
-def test_a_parameter_is_called_as_it_was_typed(monkeypatch, capsys):
+def test_a_parameter_is_named_as_it_was_typed(monkeypatch, capsys):
     for words in (["--gain-margin", "-5"], ["--gain-margin=-5"]):
         assert main(["tune", "builtin:ghaffari/demo-stage", *words]) == 2
         assert re.fullmatch(r"contourlab: --gain-margin = -5 dB: .*\b0 to 60 dB\n", capsys.readouterr().err)
@@ -115,7 +115,7 @@ def test_a_parameter_is_called_as_it_was_typed(monkeypatch, capsys):
     assert re.fullmatch(r"contourlab: gain_margin = -5 dB: .*\b0 to 60 dB\n", capsys.readouterr().err)
 
 
-def test_an_interrupted_command_says_what_it_kept(monkeypatch, capsys):
+def test_an_interrupted_command_names_what_it_kept(monkeypatch, capsys):
     error = KeyboardInterrupt()
     error.add_note("kept: results/baseline.nc")
     fail_with(monkeypatch, error)
@@ -125,7 +125,7 @@ def test_an_interrupted_command_says_what_it_kept(monkeypatch, capsys):
 
 @pytest.mark.skipif(os.name == "nt", reason="pipes close differently on Windows")
 @pytest.mark.parametrize("arguments", [["components", "--json"], ["components"]])
-def test_a_reader_that_goes_away_is_no_error(arguments):
+def test_a_closed_pipe_is_no_error(arguments):
     reading, writing = os.pipe()
     os.close(reading)
     done = subprocess.run([*LAUNCH, *arguments], stdout=writing, stderr=subprocess.PIPE, text=True, timeout=60)
@@ -149,7 +149,7 @@ def test_a_terminal_without_greek_letters_is_no_error():
     assert b"rigid-axis" in done.stdout
 
 
-def test_what_json_cannot_hold_becomes_null_or_is_refused():
+def test_values_without_a_json_form_become_null_or_are_refused():
     np = pytest.importorskip("numpy")
     given = {"a": float("nan"), "b": np.array([1.0, np.inf]), "c": (np.float64(2.0), np.int64(3), True), "d": Path("x"), "e": None}
     clean = json_values(given)

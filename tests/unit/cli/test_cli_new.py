@@ -1,4 +1,4 @@
-"""`contourlab new machine`: from answers, typed or in a file, to files that run."""
+"""`contourlab new machine`: answers, typed or from a file, become files that run."""
 
 import io
 import tomllib
@@ -27,18 +27,18 @@ moved_mass = 40
 lead = "5 mm"
 """
 OTHER_WORDS = {"y.peak_torque": "7200 mN*m", "y.lead": "0.5 cm", "x.peak_torque": " 3.9 "}
-"""Answers of the file in other words that mean the same."""
+"""Equivalent answers in other words."""
 
 
 def typed() -> list[str]:
-    """Return the answers of the file as a person types them; an empty line takes the default."""
+    """Return the answers of the file as typed; an empty line takes the default."""
     given = tomllib.loads(ANSWERS)
     flat = {f"{axis}.{key}": str(value) for axis in "xy" for key, value in given[axis].items()} | OTHER_WORDS
     return [given["name"], "", "", *(flat.get(question.key, "") for question in questions(["x", "y"]))]
 
 
 class Terminal(io.StringIO):
-    """Standard input that says it is a terminal."""
+    """Standard input that claims to be a terminal."""
 
     def isatty(self) -> bool:
         return True
@@ -55,7 +55,7 @@ def read_all(folder):
     return {file.name: tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted(folder.iterdir())}
 
 
-def test_answers_in_a_file_make_a_machine_that_is_accepted(answers, tmp_path, capsys):
+def test_answers_in_a_file_make_a_valid_machine(answers, tmp_path, capsys):
     out = tmp_path / "mill"
     assert main(["new", "machine", "--answers", str(answers), "--out", str(out)]) == 0
     shown = capsys.readouterr().out
@@ -63,7 +63,7 @@ def test_answers_in_a_file_make_a_machine_that_is_accepted(answers, tmp_path, ca
     assert made["machine.toml"]["machine"]["name"] == "Bench mill"
     assert made["machine.toml"]["axes"]["x"]["mounted_on"] == "y"
     assert made["axis-y.toml"]["plant"]["lead"] == {"value": "5 mm", "source": "datasheet", "from": "as given"}
-    assert made["axis-x.toml"]["plant"]["lead"] == {"value": "10 mm", "source": "assumed", "note": "as proposed"}
+    assert made["axis-x.toml"]["plant"]["lead"] == {"value": "10 mm", "source": "assumed", "note": "default of the question"}
     assert {made["axis-x.toml"]["friction"][name]["source"] for name in ("coulomb", "breakaway", "stribeck_velocity")} == {"assumed"}
     assert made["controller.toml"]["controller"]["axes"]["x"]["observer"]["model_gain"]["source"] == "design"
     for name in made:
@@ -81,7 +81,7 @@ def test_typed_answers_make_the_same_files(answers, tmp_path, monkeypatch, capsy
     assert "Rated torque" not in shown.out
 
 
-def test_a_person_is_asked_again_and_told_why(tmp_path, monkeypatch, capsys):
+def test_invalid_answers_are_explained_and_asked_again(tmp_path, monkeypatch, capsys):
     right = typed()
     wrong_first = [right[0], "x, x", *right[1:3], "much", *right[3:]]
     monkeypatch.setattr("sys.stdin", Terminal("\n".join(wrong_first) + "\n"))
@@ -95,19 +95,19 @@ def test_a_person_is_asked_again_and_told_why(tmp_path, monkeypatch, capsys):
 @pytest.mark.parametrize(
     ("stdin", "code", "said"),
     [
-        (io.StringIO("Mill\nx, y\n"), 2, "servo_period: the answers end before this question"),
-        (io.StringIO("Mill\nx, x\n"), 2, "axis 'x' is there twice"),
+        (io.StringIO("Mill\nx, y\n"), 2, "servo_period: the input ends"),
+        (io.StringIO("Mill\nx, x\n"), 2, "axis 'x' is given twice"),
         (Terminal("Mill\n"), 130, "interrupted"),
     ],
 )
-def test_answers_that_end_or_are_wrong_leave_nothing_behind(stdin, code, said, tmp_path, monkeypatch, capsys):
+def test_missing_or_wrong_answers_leave_no_files(stdin, code, said, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr("sys.stdin", stdin)
     assert main(["new", "machine", "--out", str(tmp_path / "mill")]) == code
     assert said in capsys.readouterr().err
     assert not (tmp_path / "mill").exists()
 
 
-def test_files_are_overwritten_only_when_told(answers, tmp_path, capsys):
+def test_files_are_overwritten_only_on_request(answers, tmp_path, capsys):
     out = tmp_path / "mill"
     command = ["new", "machine", "--answers", str(answers), "--out", str(out)]
     assert main(command) == 0
@@ -122,15 +122,15 @@ def test_files_are_overwritten_only_when_told(answers, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("axes = [", "is no TOML"),
-        ("axes = [1, 2]", "axes: [1, 2] is no answer"),
-        ("[x.deep]\nlead = 1", "x.deep: {'lead': 1} is no answer"),
-        ("[x]\nlead = true", "x.lead: True is no answer"),
+        ("axes = [", "is not valid TOML"),
+        ("axes = [1, 2]", "axes: [1, 2] is not an answer"),
+        ("[x.deep]\nlead = 1", "x.deep: {'lead': 1} is not an answer"),
+        ("[x]\nlead = true", "x.lead: True is not an answer"),
         (ANSWERS.replace("moved_mass = 40", "moved_mass = -40"), "y.moved_mass"),
-        (ANSWERS.replace("lead =", "led ="), "y.led: there is no such question"),
+        (ANSWERS.replace("lead =", "led ="), "y.led: no such question"),
     ],
 )
-def test_a_wrong_file_of_answers_is_named_with_its_key(text, said, tmp_path, capsys):
+def test_an_error_in_the_answers_names_file_and_key(text, said, tmp_path, capsys):
     file = tmp_path / "wrong.toml"
     file.write_text(text, encoding="utf-8")
     assert main(["new", "machine", "--answers", str(file), "--out", str(tmp_path / "mill")]) == 2
@@ -140,6 +140,6 @@ def test_a_wrong_file_of_answers_is_named_with_its_key(text, said, tmp_path, cap
     assert not (tmp_path / "mill").exists()
 
 
-def test_a_file_of_answers_that_is_not_there_is_2(tmp_path, capsys):
+def test_a_missing_file_of_answers_exits_with_2(tmp_path, capsys):
     assert main(["new", "machine", "--answers", str(tmp_path / "none.toml"), "--out", str(tmp_path)]) == 2
     assert "none.toml: " in capsys.readouterr().err

@@ -1,4 +1,4 @@
-"""The gap learnt while the axis moves: where it ends, how fast, and what teaches it nothing."""
+"""The backlash gap learnt during motion: its final value, its rate, and the conditions under which learning stops."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ PERIOD = 1e-3
 
 
 class Stepped:
-    """A component in plain Python, a tick at a time, with its states to be looked at."""
+    """A component in plain Python, stepped tick by tick, with visible states."""
 
     def __init__(self, **parameters: float) -> None:
         self.part = AdaptiveBacklashInverse(**parameters)
@@ -45,7 +45,7 @@ class Stepped:
 
 @dataclass
 class Drive:
-    """Motor with position and velocity feedback, a spring with a gap in it, and a load that rubs."""
+    """Motor with position and velocity feedback, a spring with a gap, and a load with friction."""
 
     gap: float
     motor_mass: float = 30.0
@@ -81,15 +81,15 @@ LEARNING = {"largest_gap": 150e-6, "adaptation_time": 0.2, "dead_zone": 1e-7, "l
 
 
 def back_and_forth(k: int) -> tuple[float, float, float]:
-    """Position, velocity and acceleration of 5 mm at 0.5 Hz."""
+    """Return position, velocity and acceleration of 5 mm at 0.5 Hz."""
     w, r = math.pi, 5e-3
     t = k * PERIOD
     return r * (1.0 - math.cos(w * t)), r * w * math.sin(w * t), r * w * w * math.cos(w * t)
 
 
 @pytest.mark.parametrize(("gap", "guess"), [(40e-6, 0.0), (15e-6, 60e-6)])
-def test_it_finds_the_gap_of_a_drive_with_inertia_and_friction_and_keeps_it(gap: float, guess: float) -> None:
-    """Encoders with counts of 0.1 um and scales that are 3 mm apart; at the end the load runs where it is asked to, and then it stands."""
+def test_it_learns_the_gap_of_a_drive_with_inertia_and_friction_and_keeps_it_at_rest(gap: float, guess: float) -> None:
+    """Encoder counts of 0.1 um; scales 3 mm apart. Finally the load follows the reference, then rests."""
     drive, learner = Drive(gap), Stepped(backlash_gap=guess, **LEARNING)
     shift, late, count = 0.0, [], 1e-7
     for k in range(10_000):
@@ -97,13 +97,13 @@ def test_it_finds_the_gap_of_a_drive_with_inertia_and_friction_and_keeps_it(gap:
         drive.move(position + shift, velocity)
         motor, load = (count * round(x / count) for x in (drive.state[0], drive.state[2] - 3e-3))
         shift = learner.tick(velocity, motor, load, acceleration)
-        # Away from the reversals, where the ramp is done and friction is at rest.
+        # Far from the reversals: the ramp is complete and friction is steady.
         if k > 8000 and abs(velocity) > 8e-3:
             late.append(drive.state[2] - back_and_forth(k + 1)[0])
     lost = gap + 2.0 * drive.windup(0.7 * 5e-3 * math.pi)
     assert learner.gap == pytest.approx(lost, abs=2.0 * 1e-7 + count + 2.0 * drive.windup(0.3 * 5e-3 * math.pi) - 2.0 * drive.windup(0.0))
-    # Of half the gap on either side is left, both sides together: 0.5 um by which the motor gives way to friction, 0.3 um of dead zones and
-    # count, 0.2 um of windup that varies with speed and acceleration.
+    # Both sides together: 0.5 um because the motor yields to friction, 0.3 um of dead zones and counts,
+    # 0.2 um of windup that varies with speed and acceleration.
     assert np.ptp(late) < 1e-6
     learnt = learner.gap
     for k in range(3000):
@@ -113,10 +113,10 @@ def test_it_finds_the_gap_of_a_drive_with_inertia_and_friction_and_keeps_it(gap:
 
 
 @given(gap=st.floats(2e-6, 140e-6), apart=st.floats(-1.0, 1.0), time=st.floats(0.02, 1.0), start=st.floats(-0.5, 0.5))
-def test_each_side_closes_in_as_its_time_constant_says(gap: float, apart: float, time: float, start: float) -> None:
-    """A load in play, at speed: forwards the first reading, backwards e = (gap - guess) exp(-t/T) in the ticks that it learns in.
+def test_each_side_converges_with_its_time_constant(gap: float, apart: float, time: float, start: float) -> None:
+    """With a moving load in play, forwards sets the first reading; backwards follows e = (gap - guess) exp(-t/T) in learning ticks.
 
-    Where in the gap it lies at the start does not matter: what is read before contact is sure is not learnt.
+    The initial place in the gap does not matter: nothing is learnt before contact is certain.
     """
     learner = Stepped(**{**LEARNING, "adaptation_time": time, "dead_zone": 0.0, "backlash_gap": 70e-6, "settling_time": 0.01})
     motor, load, gaps = 0.0, start * gap, []
@@ -127,7 +127,7 @@ def test_each_side_closes_in_as_its_time_constant_says(gap: float, apart: float,
         learner.tick(velocity, motor, load - apart)
         gaps.append(learner.gap)
     assert gaps[149] == pytest.approx(70e-6, abs=1e-15)
-    # Backwards: 150 um at 20 um a tick are 8 ticks, and 10 ms more until contact counts as settled.
+    # Backwards: 150 um at 20 um per tick take 8 ticks; contact counts as settled 10 ms later.
     first = 150 + 7 + 10
     assert gaps[first - 1] == pytest.approx(70e-6, abs=1e-15)
     assert gaps[-1] == pytest.approx(gap + (70e-6 - gap) * math.exp(-(300 - first) * PERIOD / time), abs=1e-13)
@@ -153,7 +153,7 @@ def test_an_error_within_the_dead_zone_teaches_nothing() -> None:
         ("the motor has not crossed the largest gap", 0.0, False, 0.02),
     ],
 )
-def test_what_is_not_excited_teaches_nothing(why: str, speed: float, load_follows: bool, reference: float) -> None:
+def test_nothing_is_learnt_without_excitation(why: str, speed: float, load_follows: bool, reference: float) -> None:
     learner = Stepped(**LEARNING)
     for k in range(500):
         motor = speed * PERIOD * k
@@ -162,7 +162,7 @@ def test_what_is_not_excited_teaches_nothing(why: str, speed: float, load_follow
 
 
 @given(st.lists(st.tuples(st.floats(-0.1, 0.1), st.floats(-1e-3, 1e-3)), min_size=5, max_size=30))
-def test_the_estimate_stays_in_its_bounds_whatever_is_measured(legs: list[tuple[float, float]]) -> None:
+def test_the_estimate_stays_in_its_bounds_for_any_measurement(legs: list[tuple[float, float]]) -> None:
     learner = Stepped(**{**LEARNING, "adaptation_time": 1e-3, "settling_time": 0.0, "largest_gap": 50e-6})
     motor = 0.0
     for velocity, load in legs:
@@ -173,8 +173,8 @@ def test_the_estimate_stays_in_its_bounds_whatever_is_measured(legs: list[tuple[
             assert abs(shift) <= 25e-6 + 1e-15
 
 
-def test_inertia_without_friction_is_learnt_right_with_its_time_constant_alone() -> None:
-    """While it is braked the load presses against the other side: taken for the side of motion, that makes the gap shrink."""
+def test_a_frictionless_load_needs_its_time_constant_for_the_right_gap() -> None:
+    """A braked load presses against the opposite flank. Without the time constant the learner confuses the flanks and the gap shrinks."""
     found = {}
     for constant in (0.0, 100.0):
         learner = Stepped(**{**LEARNING, "load_time_constant": constant, "settling_time": 0.002})

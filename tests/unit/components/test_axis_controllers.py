@@ -1,4 +1,4 @@
-"""Controllers of one axis against closed forms of their loops, filters of another library, and what they do at a limit."""
+"""Controllers of one axis against closed forms of their loops, filters of another library, and their behaviour at a limit."""
 
 from __future__ import annotations
 
@@ -43,11 +43,11 @@ def lagging() -> Axis:
     return Axis("x", make("plant", "second-order-integrator", **LAGGING))
 
 
-# --- all of them ---------------------------------------------------------------------------------------------------------------------
+# --- all controllers -------------------------------------------------------------------------------------------------------------------
 
 
 def _variants() -> list[Any]:
-    """Every controller with every word that it knows, but those of its example."""
+    """Return every controller with every option value that its example does not use."""
     found = []
     for kind in CONTROLLERS:
         part = kind(**kind.example)
@@ -58,14 +58,14 @@ def _variants() -> list[Any]:
 
 
 @pytest.mark.parametrize(("kind", "words"), _variants())
-def test_a_controller_keeps_the_contract_with_every_word(kind: Any, words: dict[str, str]) -> None:
-    """Finite, resumed, and in agreement with its linear model where the words leave it linear."""
+def test_a_controller_keeps_the_contract_with_every_option(kind: Any, words: dict[str, str]) -> None:
+    """Finite, resumable, and consistent with its linear model where the options leave it linear."""
 
     class Variant(kind):  # type: ignore[misc]
-        """A controller with other words."""
+        """A controller with other options."""
 
         example = {**kind.example, **words}
-        # What acts under other words only; the example shows that each acts under its own.
+        # Ports that act under other options only; the example shows that each acts under its own.
         without_effect = tuple(kind.parameters)
 
         def linearize(self) -> Any:
@@ -75,7 +75,7 @@ def test_a_controller_keeps_the_contract_with_every_word(kind: Any, words: dict[
 
 
 @pytest.mark.parametrize("kind", CONTROLLERS)
-def test_what_is_fed_forward_is_added_and_what_is_observed_taken_off(kind: type[Component]) -> None:
+def test_feedforward_is_added_and_the_disturbance_estimate_subtracted(kind: type[Component]) -> None:
     rng = np.random.default_rng(1)
     part = kind(**kind.example)
     part = part.replace(**{name: math.inf for name in ("command_limit",) if name in part.parameters})
@@ -87,7 +87,7 @@ def test_what_is_fed_forward_is_added_and_what_is_observed_taken_off(kind: type[
 
 
 @pytest.mark.parametrize("kind", CONTROLLERS)
-def test_an_axis_at_rest_anywhere_is_asked_for_nothing(kind: type[Component]) -> None:
+def test_an_axis_at_rest_gets_zero_command_at_any_position(kind: type[Component]) -> None:
     part, still = kind(**kind.example), np.full(20, 0.3)
     places = ("reference", "position", "motor_position", "load_position")
     fed = {port.name: still for port in part.inputs if port.name in places}
@@ -96,7 +96,7 @@ def test_an_axis_at_rest_anywhere_is_asked_for_nothing(kind: type[Component]) ->
 
 
 def behind_a_drive(part: Component, error: Array, limit: float) -> Array:
-    """Return the commands (n_tick,) of a controller whose drive has a limit, for an error that is given."""
+    """Return the commands (n_tick,) of a controller with a limited drive, for a given error."""
     drive = make("drive", "saturation", limit=limit)
     wires: dict[str, Any] = {port.name: 0.0 for port in part.inputs}
     wires |= {"reference": "in.error", "accepted": Late("drive.applied")}
@@ -114,20 +114,20 @@ INTEGRALS: list[Any] = [
     StateFeedback(position_gain=0.0, integral_gain=500.0, tracking_time=0.005),
     LeadLag(gain=5.0, lead_time=0.01, lag_time=0.01, integral_rate=100.0, tracking_time=0.005),
 ]
-"""All with an integral that rises by 500 a second under an error of 1; two of them have 5 of it in proportion."""
+"""All integrals rise by 500 per second at an error of 1; two controllers also have a proportional gain of 5."""
 
 
 @pytest.mark.parametrize("part", INTEGRALS, ids=lambda part: part.kind)
-def test_back_calculation_settles_where_the_leak_meets_the_rise(part: Any) -> None:
-    """dt K_I e = (1 - exp(-dt/T_t)) (u - limit) at rest."""
+def test_back_calculation_settles_where_leak_equals_integration(part: Any) -> None:
+    """At rest, dt K_I e = (1 - exp(-dt/T_t)) (u - limit)."""
     command = behind_a_drive(part.replace(anti_windup="back-calculation"), np.ones(200), 7.0)
     surplus = PERIOD * 500.0 / (1.0 - math.exp(-PERIOD / 0.005))
     assert command[-1] - 7.0 == pytest.approx(surplus, rel=1e-9)
 
 
 @pytest.mark.parametrize("part", INTEGRALS, ids=lambda part: part.kind)
-def test_an_integral_that_is_held_goes_no_further_than_one_tick(part: Any) -> None:
-    """It learns of the limit a tick after it got there, and leaves it with the first error of the other sign."""
+def test_a_held_integral_exceeds_the_limit_by_one_tick_at_most(part: Any) -> None:
+    """It learns of the limit one tick late and leaves the limit at the first error of opposite sign."""
     error = np.concatenate([np.ones(200), -np.ones(40)])
     held, free = (behind_a_drive(part.replace(anti_windup=word), error, 7.0) for word in ("hold", "none"))
     assert 7.0 < held[:200].max() <= 7.0 + 2.0 * 500.0 * PERIOD + 1e-9
@@ -137,7 +137,7 @@ def test_an_integral_that_is_held_goes_no_further_than_one_tick(part: Any) -> No
 @pytest.mark.parametrize("part", INTEGRALS, ids=lambda part: part.kind)
 @pytest.mark.parametrize("word", ["hold", "back-calculation"])
 def test_a_limit_is_left_without_a_bump(part: Any, word: str) -> None:
-    """From tick to tick the command moves by no more than its proportional part and one step of the integral with its leak."""
+    """Per tick, the command moves by at most its proportional part and one step of the integral with its leak."""
     error = np.cos(np.arange(400) * 0.03)
     command = behind_a_drive(part.replace(anti_windup=word), error, 7.0)
     proportional = 5.0 * np.abs(np.diff(error)).max()
@@ -146,7 +146,7 @@ def test_a_limit_is_left_without_a_bump(part: Any, word: str) -> None:
 
 
 @pytest.mark.parametrize("kind", [PID, Cascade])
-def test_a_limit_of_its_own_is_that_of_a_drive(kind: type[Component]) -> None:
+def test_the_command_limit_acts_like_the_limit_of_a_drive(kind: type[Component]) -> None:
     values = (
         {"proportional_gain": 2.0, "integral_gain": 300.0}
         if kind is PID
@@ -176,7 +176,7 @@ def test_a_pid_is_the_sum_of_three_filters(on: str) -> None:
 
 @pytest.mark.parametrize("weight", [0.0, 0.5, 1.0])
 def test_weights_move_the_zeros_and_leave_the_loop(weight: float) -> None:
-    """On 1/s^2 a PID has the loop (K_D s^2 + K_P s + K_I)/s^3, and b K_P s in the response to the reference alone."""
+    """On 1/s^2 a PID has the loop (K_D s^2 + K_P s + K_I)/s^3; b K_P s appears in the response to the reference alone."""
     part = PID(proportional_gain=900.0, integral_gain=3000.0, reference_weight=weight, derivative_gain=50.0, derivative_bandwidth=500.0)
     s = 1j * W
     d = 50.0 * 500.0 * s / (s + 500.0)
@@ -193,7 +193,7 @@ def speed_pid(**more: Any) -> SpeedPID:
 
 
 def test_the_loop_on_the_speed_error_is_a_first_order_lag() -> None:
-    """1/(1 + T_a s), as far as the filter of the acceleration lets it: what is missing halves as its bandwidth doubles."""
+    """1/(1 + T_a s), up to the filter of the acceleration: the difference halves as its bandwidth doubles."""
     wanted = 1.0 / (1.0 + 1j * W * TA)
     missing = []
     for bandwidth in (2e5, 4e5, 8e5):
@@ -203,7 +203,7 @@ def test_the_loop_on_the_speed_error_is_a_first_order_lag() -> None:
     assert np.array(missing[:-1]) / missing[1:] == pytest.approx([2.0, 2.0], rel=0.02)
 
 
-def test_as_it_runs_it_comes_to_that_lag_with_the_first_order_of_the_period() -> None:
+def test_the_sampled_loop_converges_to_that_lag_to_first_order() -> None:
     w = np.geomspace(0.5, 500.0, 30)
     gaps = []
     for period in (1e-3, 5e-4, 2.5e-4, 1.25e-4):
@@ -215,8 +215,8 @@ def test_as_it_runs_it_comes_to_that_lag_with_the_first_order_of_the_period() ->
 
 
 @pytest.mark.parametrize("period", [1e-3, 1e-4])
-def test_it_lags_by_the_time_constant_however_it_is_sampled(period: float) -> None:
-    """At a steady speed v the command v/G is K_I e: the lag is v T_a, that is 1 - T(s) = T_a s at low frequencies."""
+def test_it_lags_by_the_time_constant_at_any_period(period: float) -> None:
+    """At a steady speed v the command v/G is K_I e, so the lag is v T_a: 1 - T(s) = T_a s at low frequencies."""
     w = 1e-3
     found = sampled_loop(lagging(), AxisController(speed_pid()), period).response([w]).closed_loop[0]
     assert (1.0 - found) / (1j * w) == pytest.approx(TA, rel=1e-4)
@@ -233,16 +233,16 @@ def test_read_as_a_position_pid_it_has_no_damping() -> None:
 
 @given(bandwidth=st.floats(20.0, 500.0), zeta=st.floats(0.5, 2.0), gain=st.floats(0.01, 100.0), part=st.floats(0.0, 0.9))
 @settings(max_examples=40, deadline=None)
-def test_a_tuned_velocity_loop_has_the_poles_asked_for(bandwidth: float, zeta: float, gain: float, part: float) -> None:
+def test_a_tuned_velocity_loop_has_the_requested_poles(bandwidth: float, zeta: float, gain: float, part: float) -> None:
     damping = part * 2.0 * zeta * bandwidth
     made = Cascade(**Cascade.tune(bandwidth, zeta, gain, damping, position_gain=10.0)).replace(position_gain=0.0)
     s = 1j * W
     found = axis_response(rigid(gain, damping), AxisController(made), 0.0, W).loop_gain
-    # Of 1 + L with L over s (s + b), what stands above is the polynomial of the closed loop.
+    # The numerator of 1 + L, with L over s (s + b), is the polynomial of the closed loop.
     assert (1.0 + found) * s * (s + damping) == pytest.approx(s * s + 2.0 * zeta * bandwidth * s + bandwidth**2, rel=1e-8)
 
 
-def test_with_both_feedforwards_an_undamped_axis_follows() -> None:
+def test_with_both_feedforwards_an_undamped_axis_follows_exactly() -> None:
     found = axis_response(rigid(0.7), AxisController(Cascade(**Cascade.tune(200.0, 0.9, 0.7))), 0.0, W).closed_loop
     assert found == pytest.approx(np.ones(W.size), abs=1e-10)
 
@@ -264,7 +264,7 @@ def test_a_cascade_that_cannot_be_tuned_is_refused(change: dict[str, float]) -> 
 # --- lead-lag ------------------------------------------------------------------------------------------------------------------------
 
 
-def test_a_lead_lag_is_tustins_filter() -> None:
+def test_a_lead_lag_is_the_tustin_filter() -> None:
     error = np.random.default_rng(3).normal(size=80)
     k, a, b, ki = 40.0, 0.02, 0.003, 25.0
     above, below = bilinear(k * np.polymul([a, 1.0], [1.0, ki]), np.polymul([b, 1.0], [1.0, 0.0]), 1.0 / PERIOD)
@@ -291,8 +291,8 @@ def test_a_designed_lead_has_its_margin_at_its_crossover(margin: float, crossove
     assert cmath.phase(-found) == pytest.approx(math.radians(margin), abs=1e-9)
 
 
-def test_the_integral_costs_what_the_course_leaves_out() -> None:
-    """UBC MECH 467: 60 degrees at 20 Hz for the lead, k_i of a tenth; the whole loop has atan(0.1) less."""
+def test_a_design_that_ignores_the_integral_loses_its_phase() -> None:
+    """UBC MECH 467: 60 degrees at 20 Hz for the lead, k_i a tenth; the whole loop has atan(0.1) less."""
     crossover = 2.0 * math.pi * 20.0
     made = LeadLag(**LeadLag.design(math.radians(60.0), crossover, 1.8, 20.0, integral_counted=False))
     found = axis_response(rigid(1.8, 20.0), AxisController(made), 0.0, [crossover]).loop_gain[0]
@@ -300,8 +300,8 @@ def test_the_integral_costs_what_the_course_leaves_out() -> None:
     assert abs(found) == pytest.approx(math.hypot(1.0, 0.1), rel=1e-9)
 
 
-def test_as_it_runs_the_margin_comes_with_half_a_period_counted() -> None:
-    """The hold is half a period of delay but for the second order of the period, as is Tustin's rule."""
+def test_the_sampled_loop_has_the_margin_if_half_a_period_is_counted() -> None:
+    """The hold equals half a period of delay up to the second order of the period; so does Tustin's rule."""
     gaps = []
     for period in (2.5e-4, 1.25e-4, 6.25e-5):
         made = LeadLag(**LeadLag.design(math.radians(60.0), 125.0, 1.8, 20.0, delay=0.5 * period))
@@ -332,7 +332,7 @@ pairs = st.tuples(st.floats(10.0, 200.0), st.floats(0.3, 1.5)).map(lambda p: np.
 
 @given(pair=pairs, extra=st.none() | st.floats(10.0, 200.0), gain=st.floats(0.01, 100.0), damping=st.floats(0.0, 50.0))
 @settings(max_examples=40, deadline=None)
-def test_poles_of_a_rigid_axis_come_to_lie_where_they_were_placed(
+def test_a_rigid_axis_has_the_placed_poles(
     pair: list[complex], extra: float | None, gain: float, damping: float
 ) -> None:
     poles = pair if extra is None else [*pair, -extra]
@@ -345,7 +345,7 @@ def test_poles_of_a_rigid_axis_come_to_lie_where_they_were_placed(
     assert found.closed_loop == pytest.approx(np.ones(W.size), abs=1e-8)
 
 
-def test_followed_by_position_it_is_the_lag_of_text_books() -> None:
+def test_on_the_position_alone_it_is_the_second_order_lag() -> None:
     """w^2/(s^2 + 2 zeta w s + w^2): at 20 Hz and 0.7 it lags by 2 zeta/w = 11.1 ms at any speed."""
     w, zeta, s = 2.0 * math.pi * 20.0, 0.7, 1j * W
     placed = StateFeedback.place_rigid(np.roots([1.0, 2.0 * zeta * w, w * w]).tolist(), 1.8, 20.0)
@@ -355,8 +355,8 @@ def test_followed_by_position_it_is_the_lag_of_text_books() -> None:
 
 
 @pytest.mark.parametrize("poles", [[-40.0, -30.0 + 30.0j, -30.0 - 30.0j], [-25.0, -60.0, -30.0 + 30.0j, -30.0 - 30.0j]])
-def test_poles_of_an_axis_of_third_order_come_with_the_period(poles: list[complex]) -> None:
-    """As it runs: the loop's slowest poles tend to those placed, and position to the reference, with the first order of the period."""
+def test_a_third_order_axis_converges_to_the_placed_poles(poles: list[complex]) -> None:
+    """Sampled loop: the slowest poles converge to the placed ones, and position to the reference, to first order in the period."""
     part = StateFeedback(**StateFeedback.place_second_order(poles, G, ZETA, WN))
     away, behind = [], []
     w = np.geomspace(0.5, 300.0, 20)
@@ -368,14 +368,14 @@ def test_poles_of_an_axis_of_third_order_come_with_the_period(poles: list[comple
     assert np.log2(np.array(away[:-1]) / away[1:]) == pytest.approx([1.0, 1.0], abs=0.15)
     assert np.log2(np.array(behind[:-1]) / behind[1:]) == pytest.approx([1.0, 1.0], abs=0.15)
     assert away[-1] < 0.5
-    # The jerk by a difference and the hold are late by half a period each.
+    # The jerk by a difference and the hold each add half a period of delay.
     assert behind[-1] < 2.0 * w[-1] * 5e-5
 
 
 @pytest.mark.parametrize(
     ("poles", "said"),
     [
-        ([-30.0], "poles = 1 of them: must be 2, or 3"),
+        ([-30.0], "poles = a list of 1: .* 2, or of 3"),
         ([-30.0, 1.0], "negative"),
         ([-30.0 + 5.0j, -30.0 + 5.0j], "conjugate pairs"),
         ([-30.0, math.nan], "finite"),

@@ -1,4 +1,4 @@
-"""Backlash and quadrant compensation: where the shift stands when, that it undoes the gap, and that nothing chatters."""
+"""Backlash and quadrant compensation: the shift over time, cancellation of the gap, and no chatter."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ SHIFTING = [
 
 
 def play(motor: Array, gap: float, start: float) -> Array:
-    """The position of a load with friction and no inertia: it moves where the gap is used up."""
+    """Return the position of a load with friction and no inertia: it moves once the gap is crossed."""
     load, at = np.empty_like(motor), start
     for k, m in enumerate(motor):
         at = min(max(at, m - 0.5 * gap), m + 0.5 * gap)
@@ -44,15 +44,15 @@ def shift_of(part: Any, velocity: Any, **more: Any) -> Array:
 
 
 def legs(*ticks_and_speeds: tuple[int, float]) -> Array:
-    """Velocity of the reference, leg by leg."""
+    """Return the velocity of the reference, leg by leg."""
     return np.concatenate([np.full(n, v) for n, v in ticks_and_speeds])
 
 
 # --- the inverse --------------------------------------------------------------------------------------------------------------------
 
 
-def test_the_shift_is_across_the_gap_when_it_says() -> None:
-    """10 um at 1 mm/s take ten ticks from nothing, 20 um twenty after the reversal: a straight line in between."""
+def test_the_shift_crosses_the_gap_in_its_time() -> None:
+    """At 1 mm/s, 10 um take ten ticks from zero and 20 um take twenty after the reversal, as a straight ramp."""
     part = BacklashInverse(backlash_gap=GAP, jump_velocity=1e-3)
     shift = shift_of(part, legs((30, 0.1), (40, -0.1)))
     assert shift[:30] == pytest.approx(np.minimum(1e-6 * np.arange(1, 31), 0.5 * GAP), abs=1e-18)
@@ -68,12 +68,12 @@ def test_the_shift_is_across_the_gap_when_it_says() -> None:
     start=st.floats(-0.5, 0.0),
     jump=st.integers(2, 30),
 )
-def test_inverse_and_dead_zone_together_are_nothing(
+def test_the_inverse_cancels_the_dead_zone(
     gap: float, speeds: list[float], lengths: list[int], stands: list[int], start: float, jump: int
 ) -> None:
-    """Along any motion back and forth whose legs outlast the ramp, the load is where it is asked to be when the ramp is done.
+    """For any motion whose legs outlast the ramp, the load is at its reference when the ramp is complete.
 
-    It begins behind the reference: a load that lies ahead is met on the way.
+    The load starts behind the reference: if it lies ahead, the motor meets it on the way.
     """
     velocity = np.concatenate(
         [legs((n, v * (-1.0) ** i), (s, 0.0)) for i, (v, n, s) in enumerate(zip(speeds, lengths, stands, strict=False))]
@@ -86,11 +86,11 @@ def test_inverse_and_dead_zone_together_are_nothing(
     done = turned >= jump + 1
     assert done.any()
     assert load[done] == pytest.approx(reference[done], abs=1e-12)
-    # While the motor crosses the gap the load stays behind by no more than the motor has yet to go.
+    # While the motor crosses the gap, the load lags by at most the rest of the motor's way.
     assert np.abs(load - reference).max() <= gap + np.abs(velocity).max() * jump * PERIOD
 
 
-def test_without_it_the_load_is_half_the_gap_off() -> None:
+def test_without_the_inverse_the_load_is_half_the_gap_off() -> None:
     velocity = legs((50, 0.1), (50, -0.1))
     reference = np.cumsum(velocity) * PERIOD
     load = play(reference, GAP, 0.0)
@@ -98,7 +98,7 @@ def test_without_it_the_load_is_half_the_gap_off() -> None:
     assert load[95] - reference[95] == pytest.approx(0.5 * GAP)
 
 
-def test_it_grows_with_the_gap_and_takes_one_that_is_observed() -> None:
+def test_the_shift_grows_with_the_gap_and_uses_an_observed_one() -> None:
     velocity = legs((40, 0.1), (40, -0.1))
     one = shift_of(BacklashInverse(backlash_gap=GAP, jump_velocity=1e-3), velocity)
     three = shift_of(BacklashInverse(backlash_gap=3.0 * GAP, jump_velocity=3e-3), velocity)
@@ -111,7 +111,7 @@ def test_it_grows_with_the_gap_and_takes_one_that_is_observed() -> None:
 
 @pytest.mark.parametrize("time_constant", [0.01, 0.1, 1.0])
 def test_a_load_with_inertia_changes_sides_before_it_turns(time_constant: float) -> None:
-    """c v + m a changes its sign at tan(w t) = -w T where v = sin(w t): at pi/2 for inertia alone, at pi for friction alone."""
+    """For v = sin(w t), c v + m a changes sign at tan(w t) = -w T: at pi/2 for inertia alone, at pi for friction alone."""
     w, n = 2.0 * math.pi, 1000
     t = np.arange(n) * PERIOD
     part = BacklashInverse(backlash_gap=GAP, jump_velocity=1e3, load_time_constant=time_constant)
@@ -121,12 +121,12 @@ def test_a_load_with_inertia_changes_sides_before_it_turns(time_constant: float)
     assert t[changes] == pytest.approx(wanted / w, abs=1.5 * PERIOD)
 
 
-def test_a_side_that_is_known_is_taken_up_before_the_first_motion() -> None:
+def test_a_known_side_is_taken_up_before_the_first_motion() -> None:
     known = BacklashInverse(backlash_gap=GAP, initial_direction=-1.0, jump_velocity=1e-3)
     assert shift_of(known, np.zeros(20))[[0, 9, 19]] == pytest.approx([-1e-6, -10e-6, -10e-6])
 
 
-# --- what they have in common ---------------------------------------------------------------------------------------------------------
+# --- properties of all compensations -------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("part", SHIFTING)
@@ -138,7 +138,7 @@ def test_nothing_is_shifted_before_the_first_motion_and_the_side_is_kept_at_stan
 
 @pytest.mark.parametrize("part", SHIFTING)
 def test_noise_at_standstill_does_not_chatter(part: Any) -> None:
-    """Noise of the reference's velocity within the dead band, before the first motion and after it."""
+    """Velocity noise of the reference stays within the dead band, before and after the first motion."""
     noise = np.random.default_rng(3).uniform(-0.99e-4, 0.99e-4, 2000)
     assert not shift_of(part, noise).any()
     found = run_alone(part, {"reference_velocity": np.concatenate([legs((60, 0.1)), noise])})
@@ -147,7 +147,7 @@ def test_noise_at_standstill_does_not_chatter(part: Any) -> None:
 
 
 @pytest.mark.parametrize("part", SHIFTING)
-def test_backwards_is_the_mirror_of_forwards(part: Any) -> None:
+def test_backward_motion_mirrors_forward_motion(part: Any) -> None:
     velocity = np.random.default_rng(4).normal(size=12).repeat(25)
     assert np.array_equal(shift_of(part, -velocity), -shift_of(part, velocity))
 
@@ -160,7 +160,7 @@ def test_backwards_is_the_mirror_of_forwards(part: Any) -> None:
     [pytest.param(2e-3, 2.0, id="trapezoid"), pytest.param(1.0, 2.0, id="triangle"), pytest.param(1e-3, 1e3, id="jump of speed")],
 )
 def test_the_offset_takes_the_time_of_its_limits(speed: float, acceleration: float) -> None:
-    """b/v + v/a with a stretch at full speed, 2 sqrt(b/a) without; the first tick of motion already moves it."""
+    """b/v + v/a with a stretch at full speed, otherwise 2 sqrt(b/a); the first tick of motion already moves the offset."""
     gap = 50e-6
     part = BacklashOffset(backlash_gap=gap, backlash_velocity=speed, backlash_acceleration=acceleration)
     n = 300
@@ -186,11 +186,11 @@ def test_the_offset_keeps_its_limits_whenever_the_axis_turns(gap: float, speed: 
     rise = np.diff(rate, prepend=0.0) / PERIOD
     assert np.abs(offset).max() <= 0.5 * gap * (1.0 + 1e-12)
     assert np.abs(rate).max() <= speed * (1.0 + 1e-9)
-    # Differences of differences lose digits.
+    # Second differences lose digits.
     assert np.abs(rise).max() <= acceleration * (1.0 + 1e-6) + 1e-15 * gap / PERIOD**2 * 10.0
 
 
-def test_the_offset_ends_exactly_where_it_should_at_any_period() -> None:
+def test_the_offset_ends_exactly_at_its_target_at_any_period() -> None:
     for period in (1e-5, 1e-4, 3.3e-4, 1e-3, 7e-3):
         part = BacklashOffset(backlash_gap=17.3e-6, backlash_velocity=3e-3, backlash_acceleration=1.7)
         n = int(0.05 / period)
@@ -201,7 +201,7 @@ def test_the_offset_ends_exactly_where_it_should_at_any_period() -> None:
 # --- pulses -----------------------------------------------------------------------------------------------------------------------------
 
 
-def test_two_stages_of_a_pulse() -> None:
+def test_the_two_stages_of_a_pulse() -> None:
     part = QuadrantPulses(
         first_amplitude=3.0,
         first_width=0.01,
@@ -219,7 +219,7 @@ def test_two_stages_of_a_pulse() -> None:
     assert found["reference_shift"][50:] == pytest.approx(-1e-6 * first, abs=1e-20)
 
 
-def test_a_pulse_that_decays() -> None:
+def test_a_decaying_pulse() -> None:
     part = QuadrantPulses(first_amplitude=2.0, first_width=0.015, first_delay=0.003, shape="decay")
     command = run_alone(part, {"reference_velocity": legs((20, -1.0), (200, 1.0))})["command"][20:]
     t = np.arange(200) * PERIOD - 0.003
@@ -230,11 +230,11 @@ def test_a_pulse_that_decays() -> None:
     ("acceleration", "size"),
     [(0.0, 0.0), (0.1, 0.5), (0.2, 1.0), (0.7, 1.0), (1.5, 1.0), (2.0, 0.7), (2.5, 0.4), (30.0, 0.4)],
 )
-def test_the_size_of_a_pulse_by_the_acceleration_of_the_reversal(acceleration: float, size: float) -> None:
+def test_the_acceleration_at_the_reversal_sets_the_size_of_a_pulse(acceleration: float, size: float) -> None:
     part = QuadrantPulses(first_amplitude=3.0, acceleration_1=0.2, acceleration_2=1.5, acceleration_3=2.5, fast_ratio=0.4)
     for sign in (1.0, -1.0):
         velocity = sign * legs((20, 1.0), (20, -1.0))
-        # What the acceleration is later does not matter.
+        # Later accelerations do not matter.
         pull = np.where(np.arange(40) == 20, -sign * acceleration, 99.0)
         command = run_alone(part, {"reference_velocity": velocity, "reference_acceleration": pull})["command"]
         assert command[20:39] == pytest.approx(np.full(19, -sign * 3.0 * size), abs=1e-12)
@@ -249,7 +249,7 @@ def test_the_characteristic_may_be_a_step() -> None:
     assert sizes == [-1.0, -0.25]
 
 
-def test_pulses_begin_at_a_reversal_alone_and_the_next_one_cuts_them_off() -> None:
+def test_pulses_begin_only_at_a_reversal_and_the_next_one_ends_them() -> None:
     part = QuadrantPulses(first_amplitude=1.0, first_width=0.05)
     velocity = legs((10, 0.0), (30, 1.0), (20, 0.0), (30, 1.0), (20, -1.0), (30, 1.0), (60, 1.0))
     command = run_alone(part, {"reference_velocity": velocity})["command"]
@@ -268,12 +268,12 @@ def test_pulses_begin_at_a_reversal_alone_and_the_next_one_cuts_them_off() -> No
     ],
 )
 @pytest.mark.parametrize("kind", [QuadrantPulses, CncBacklash])
-def test_a_characteristic_that_goes_back_is_refused(kind: Any, changed: dict[str, float], said: str) -> None:
+def test_a_characteristic_with_decreasing_points_is_refused(kind: Any, changed: dict[str, float], said: str) -> None:
     with pytest.raises(ParameterError, match=said):
         kind(**{"first_amplitude": 1.0, **({"backlash_gap": GAP} if kind is CncBacklash else {}), **changed})
 
 
-def test_offset_and_pulses_in_one_are_the_two_added_up() -> None:
+def test_offset_and_pulses_add_up() -> None:
     rng = np.random.default_rng(5)
     fed = {"reference_velocity": rng.normal(size=20).repeat(23), "reference_acceleration": rng.normal(size=460)}
     both = CncBacklash(**CncBacklash.example)

@@ -1,4 +1,4 @@
-"""Compensation on drives that run: what is left of a gap on the load's side, and of friction at the quadrants."""
+"""Compensation on running drives: the rest of a gap at the load, and of friction at the quadrants."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from contourlab.metrics import backlash_from_circle, lost_motion_from_pair, reve
 GAP, LEAD, STIFFNESS, RUB = 20e-6, 0.016, 950.0, 250.0
 TURN = 2.0 * math.pi / LEAD
 LOST = GAP + 2.0 * RUB / (STIFFNESS * TURN**2)
-"""Gap of the drive, and what its friction winds it up by, 3.4 um."""
+"""Gap of the drive plus its windup by friction, 3.4 um."""
 
 COMPENSATIONS = [
     pytest.param("backlash-inverse", {"backlash_gap": LOST, "jump_velocity": 5e-3}, 0.15e-6, id="inverse"),
     pytest.param("backlash-offset", {"backlash_gap": LOST, "backlash_velocity": 5e-3}, 0.15e-6, id="offset"),
-    # What it learns last is the windup of an axis that is braked, 0.7 um less on either side at most.
+    # It learns last while the axis brakes: the windup is smaller by at most 0.7 um on either side.
     pytest.param("adaptive-backlash-inverse", {"largest_gap": 1e-4, "adaptation_time": 0.2, "jump_velocity": 5e-3}, 1.4e-6, id="adaptive"),
 ]
 
 
 def circle_of(kind: str, values: dict[str, float]) -> tuple[Any, Any]:
-    """Run a drive with its motor positioned around a circle, its load left to itself; encoders of 0.1 um."""
+    """Run a drive around a circle under motor feedback, with a free load and encoders of 0.1 um."""
     plant = make(
         "plant",
         "two-inertia",
@@ -57,8 +57,8 @@ def last_lap(result: Any, reference: Any) -> Any:
     return backlash_from_circle(result["axis_position"][start:stop], centre, 0.025, after=math.radians(20.0))
 
 
-def test_the_gap_of_a_drive_is_measured_in_three_ways() -> None:
-    """The circle of its load, motor and load as a pair, and with the stiffness the gap alone."""
+def test_three_ways_to_measure_the_gap_of_a_drive() -> None:
+    """From the load's circle; from motor and load; and, with the stiffness, the gap without windup."""
     result, reference = circle_of("", {})
     found = last_lap(result, reference)
     assert found.backlash == pytest.approx((LOST, LOST), abs=0.15e-6)
@@ -70,7 +70,7 @@ def test_the_gap_of_a_drive_is_measured_in_three_ways() -> None:
 
 
 @pytest.mark.parametrize(("kind", "values", "left"), COMPENSATIONS)
-def test_a_compensation_makes_the_gap_good(kind: str, values: dict[str, float], left: float) -> None:
+def test_compensation_removes_the_effect_of_the_gap(kind: str, values: dict[str, float], left: float) -> None:
     assert last_lap(*circle_of(kind, values)).backlash == pytest.approx((0.0, 0.0), abs=left)
 
 
@@ -85,7 +85,7 @@ def heights(pulses: Any) -> list[float]:
 
 
 def predicted(lasting: float) -> float:
-    """Peak of the axis' error after friction of 2 F_c has turned over, of which a pulse of 2 F_c exp(-t/T) takes its part.
+    """Return the peak error of the axis after friction of 2 F_c reverses, less a pulse of 2 F_c exp(-t/T).
 
     The loop: e (m s^3 + K s^2 + (K/T_i + K K_v) s + K K_v/T_i) = s F.
     """
@@ -97,8 +97,8 @@ def predicted(lasting: float) -> float:
     return float(np.abs(lti([200.0], np.polymul(loop, [lasting, 1.0])).impulse(T=t)[1]).max())
 
 
-def test_pulses_take_friction_off_the_quadrants() -> None:
-    """By as much as the linear loop says, but for the half millisecond in which the friction changes its sign and the servo period."""
+def test_pulses_reduce_the_effect_of_friction_at_the_quadrants() -> None:
+    """As the linear loop predicts, up to the half millisecond in which friction changes sign and the servo period."""
     bare = heights(None)
     assert len(bare) >= 4
     assert bare == pytest.approx([predicted(1e-9)] * len(bare), rel=0.06)

@@ -1,4 +1,4 @@
-"""Every component there is keeps the contract, compiled and in plain Python."""
+"""Every component keeps the contract, compiled and in plain Python."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ def test_a_component_keeps_the_contract(kind: type[Component]) -> None:
     check_component(kind)
 
 
-def test_no_family_is_without_a_component() -> None:
+def test_every_family_has_a_component() -> None:
     assert {kind.family for kind in components()} == set(FAMILIES) == set(SLOTS)
 
 
 @pytest.mark.parametrize("kind", EVERY)
-def test_a_component_tells_where_it_comes_from(kind: type[Component]) -> None:
+def test_a_component_names_its_source(kind: type[Component]) -> None:
     ideal = {("sensor", "ideal"), ("velocity", "true"), ("friction", "none"), ("disturbance", "constant"), ("disturbance", "sine")}
     assert kind.reference or (kind.family, kind.kind) in ideal | {("disturbance", "table")}
 
 
 @pytest.mark.parametrize("kind", EVERY)
-def test_an_example_survives_a_round_through_its_values(kind: type[Component]) -> None:
+def test_an_example_survives_a_round_trip_through_its_values(kind: type[Component]) -> None:
     part = kind(**kind.example)
     again = kind(**part.values())
     assert again == part and hash(again) == hash(part)
@@ -38,4 +38,4 @@ def test_an_example_survives_a_round_through_its_values(kind: type[Component]) -
 
 def test_each_family_has_its_place_in_a_machine_or_its_controller() -> None:
     slots = {name for holder in (Axis, AxisController, Controller) for name in holder.__dataclass_fields__}
-    assert set(FAMILIES) - {"learning"} <= slots  # which acts between runs
+    assert set(FAMILIES) - {"learning"} <= slots  # learning acts between runs

@@ -49,7 +49,7 @@ def scalar_pid(eps: Array, parts: dict[str, float], period: float = PERIOD) -> A
 
 
 def tustin(numerator: list[float], denominator: list[float], eps: Array) -> Array:
-    """Return the record through SciPy's Tustin, in state space: its polynomials in z lose digits."""
+    """Return the record through SciPy's Tustin filter in state space: its polynomials in z lose digits."""
     a, b, c, d, _ = cont2discrete(tf2ss(numerator, denominator), PERIOD, "bilinear")
     x, found = np.zeros((len(a), 1)), []
     for value in eps:
@@ -78,7 +78,7 @@ def test_in_the_plane_the_filter_is_tustins_along_the_normal(numerator: list[flo
     assert found == pytest.approx(expected[:, None] * normal, abs=1e-11 * np.abs(expected).max())
 
 
-def test_on_a_straight_in_five_axes_each_row_is_filtered_by_itself() -> None:
+def test_on_a_line_in_five_axes_each_row_is_filtered_by_itself() -> None:
     rng = np.random.default_rng(4)
     along = rng.standard_normal(5)
     along /= np.linalg.norm(along)
@@ -98,10 +98,10 @@ def test_leading_zeros_and_a_common_factor_change_nothing() -> None:
 
 
 def test_four_slow_poles_keep_their_digits_at_a_short_period() -> None:
-    """The step response of 1/(s + 1)^4 against its closed form, to Tustin's T^2/12; a filter in powers of 1/z is off by 0.07 here."""
+    """Step response of 1/(s + 1)^4 against its closed form, to Tustin's T^2/12; a filter in powers of 1/z is off by 0.07 here."""
     period, n = 1e-4, 20_000
     part = make("coupling", "cross-coupled-filter", numerator=[1.0], denominator=[1.0, 4.0, 6.0, 4.0, 1.0])
-    # A ramp's samples are carried exactly from tick to tick by the trapezoidal rule: its response has no error of the hold.
+    # The trapezoidal rule carries samples of a ramp exactly: its response has no error from the hold.
     t = np.arange(n) * period
     error, tangent = np.column_stack([np.zeros(n), t]), np.tile([1.0, 0.0], (n, 1))
     found = corrections(part, error, tangent, period=period, jit=True)[:, 1]
@@ -122,7 +122,7 @@ VECTORS = st.lists(st.floats(-1.0, 1.0), min_size=3, max_size=6).filter(lambda v
 
 @given(first=VECTORS, seed=st.integers(0, 1000), turn=st.floats(0.0, math.pi))
 def test_the_least_rotation_keeps_length_angle_and_the_normal_plane(first: list[float], seed: int, turn: float) -> None:
-    """It turns only what lies in the plane of both tangents, through any angle up to a reversal."""
+    """It rotates only the plane of both tangents, through any angle up to a reversal."""
     t0 = unit(np.array(first))
     plane = null_space(t0[None]) @ np.linalg.qr(np.random.default_rng(seed).standard_normal((len(first) - 1, 2)))[0]
     inward, vector = plane.T
@@ -145,8 +145,8 @@ def test_where_the_path_turns_back_on_itself_the_states_stay() -> None:
 
 
 @pytest.mark.parametrize("kind", ["cross-coupled", "cross-coupled-filter"])
-def test_around_a_cap_of_the_sphere_the_integral_turns_by_its_solid_angle(kind: str) -> None:
-    """Tangents that go once around a cone of half angle a: the normal plane comes back turned by 2 pi (1 - cos a), as on any sphere."""
+def test_around_a_cone_of_tangents_the_integral_turns_by_the_solid_angle(kind: str) -> None:
+    """Tangents go once around a cone of half angle a: the normal plane returns turned by 2 pi (1 - cos a)."""
     half, gaps = 0.7, []
     for n in (400, 800):
         angle = np.concatenate([[0.0], np.linspace(0.0, 2.0 * math.pi, n + 1)])
@@ -166,7 +166,7 @@ def test_around_a_cap_of_the_sphere_the_integral_turns_by_its_solid_angle(kind: 
     assert gaps[0] / gaps[1] == pytest.approx(4.0, rel=0.02)
 
 
-def test_three_hundred_thousand_ticks_do_not_wear_the_integral() -> None:
+def test_the_integral_does_not_decay_in_three_hundred_thousand_ticks() -> None:
     n = 300_000
     angle = np.linspace(0.0, 600.0 * math.pi, n + 1)
     tangent = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(n + 1)])
@@ -190,8 +190,8 @@ def test_the_correction_keeps_its_limit_and_its_direction(seed: int, limit: floa
     assert found[:, 2] == pytest.approx(0.0, abs=1e-18)
 
 
-def test_a_held_integral_lets_go_at_once() -> None:
-    """One second at twice the limit: a free integral takes as long to come down again; held, the output turns with the error."""
+def test_a_held_integral_releases_at_once() -> None:
+    """After one second at twice the limit a free integral needs as long to come down; a held one turns with the error."""
     n = 1000
     eps = np.concatenate([np.full(n, 2.0), np.full(n, -0.1)])
     error, tangent = np.column_stack([np.zeros(2 * n), eps]), np.tile([1.0, 0.0], (2 * n, 1))
@@ -206,7 +206,7 @@ def test_a_held_integral_lets_go_at_once() -> None:
 
 
 @pytest.mark.parametrize(("numerator", "denominator"), FILTERS)
-def test_the_filters_model_is_its_polynomials(numerator: list[float], denominator: list[float]) -> None:
+def test_the_model_of_the_filter_is_its_polynomials(numerator: list[float], denominator: list[float]) -> None:
     model = make("coupling", "cross-coupled-filter", gain=3.0, numerator=numerator, denominator=denominator).linear_controller()
     assert model.inputs == ("contour_error",) and model.outputs == ("correction",)
     for w in (0.3, 7.0, 900.0):
@@ -216,8 +216,8 @@ def test_the_filters_model_is_its_polynomials(numerator: list[float], denominato
 
 
 @pytest.mark.parametrize("off", [(), ("integral_rate",), ("derivative_time",), ("integral_rate", "derivative_time")])
-def test_the_pids_model_is_what_its_step_tends_to(off: tuple[str, ...]) -> None:
-    """Backward Euler is of the first order: the difference halves with the period."""
+def test_the_model_of_the_pid_is_the_limit_of_its_step(off: tuple[str, ...]) -> None:
+    """Backward Euler is of first order: the difference halves with the period."""
     parts = PID | dict.fromkeys(off, 0.0)
     part = make("coupling", "cross-coupled", **parts)
     model = part.linear_controller()
@@ -228,7 +228,7 @@ def test_the_pids_model_is_what_its_step_tends_to(off: tuple[str, ...]) -> None:
         found = corrections(
             part, np.column_stack([np.zeros(t.size), np.sin(w * t)]), np.tile([1.0, 0.0], (t.size, 1)), period=period, jit=True
         )
-        # Past the filter's transient: the response at w, and what the integral of a sine starts from.
+        # After the filter's transient: the response at w plus the constant from the start of the integral.
         late = t > 0.1
         basis = np.column_stack([np.sin(w * t), np.cos(w * t), np.ones(t.size)])[late]
         (real, imaginary, _), *_ = np.linalg.lstsq(basis, found[late, 1], rcond=None)
@@ -246,18 +246,18 @@ def test_the_pids_model_is_what_its_step_tends_to(off: tuple[str, ...]) -> None:
     [
         ([1.0, 0.0, 0.0], [1.0, 2.0], "improper"),
         ([1.0], [0.0, 0.0], "than 0"),
-        ([1.0], [1.0] * 6, "to 4"),
+        ([1.0], [1.0] * 6, "order 4"),
         ([1.0], [1.0, -3.0], "imaginary"),
         ([1.0], [1.0, 1.0, 1.0, 50.0], "imaginary"),
         ([1.0], [1e-300, 1.0, 1e300], "nearly 0"),
     ],
 )
-def test_what_cannot_be_run_is_refused(numerator: list[float], denominator: list[float], words: str) -> None:
+def test_invalid_settings_are_refused(numerator: list[float], denominator: list[float], words: str) -> None:
     with pytest.raises(ParameterError, match=words):
         make("coupling", "cross-coupled-filter", numerator=numerator, denominator=denominator)
 
 
-def test_poles_on_the_axis_are_taken() -> None:
-    """Integrators and a resonance without damping: repetitive and resonant control want them."""
+def test_poles_on_the_imaginary_axis_are_accepted() -> None:
+    """Integrators and undamped resonances: repetitive and resonant control need them."""
     for den in ([1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 400.0], [1.0, 0.0, 800.0, 0.0, 160_000.0]):
         make("coupling", "cross-coupled-filter", numerator=[1.0], denominator=den)

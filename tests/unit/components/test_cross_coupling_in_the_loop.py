@@ -1,4 +1,4 @@
-"""Estimators and cross-coupling in the servo loop, against loops that must do the same and against the judge."""
+"""Estimators and cross-coupling in the servo loop, against equivalent loops and the judge."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LOADS = (0.2, -0.35, 0.1, 0.4, -0.15)
 
 
 def stage(n_axis: int, gains: tuple[float, ...] | None = None) -> cl.Machine:
-    """Return axes that are alike, or differ in gain, each with a constant load."""
+    """Return axes with equal or different gains, each with a constant load."""
     axes = []
     for j, name in enumerate("xyzuv"[:n_axis]):
         plant = make("plant", "rigid-axis", gain=gains[j] if gains else 1.0, damping=6.0)
@@ -42,7 +42,7 @@ def off_the_path(result: cl.Result, normal: Array) -> Array:
 
 
 def lissajous(n_axis: int) -> Path:
-    """Return a smooth closed figure in some axes, a sine of its own frequency in each."""
+    """Return a smooth closed figure: each axis follows a sine of its own frequency."""
     u = np.linspace(0.0, 2.0 * math.pi, 61)
     points = 0.02 * np.column_stack([np.sin((1.0 + j) * u + 0.6 * j) / (1.0 + 0.5 * j) for j in range(n_axis)])
     points[-1] = points[0]
@@ -52,8 +52,8 @@ def lissajous(n_axis: int) -> Path:
 
 @pytest.mark.parametrize("n_axis", [2, 3, 5])
 @pytest.mark.parametrize("kind", ["cross-coupled", "cross-coupled-filter"])
-def test_with_axes_that_are_alike_a_gain_acts_across_the_path_alone(n_axis: int, kind: str) -> None:
-    """On a straight, K on the contour error is K more position gain across it, and nothing along it, at each tick."""
+def test_with_equal_axes_a_gain_acts_across_the_path_only(n_axis: int, kind: str) -> None:
+    """On a line, K on the contour error adds K to the position gain across it and nothing along it, at each tick."""
     end = np.array([0.03, 0.04, -0.02, 0.05, 0.01])[:n_axis]
     direction = end / np.linalg.norm(end)
     normal = np.eye(n_axis)[1] - direction[1] * direction
@@ -68,8 +68,8 @@ def test_with_axes_that_are_alike_a_gain_acts_across_the_path_alone(n_axis: int,
 
 
 @pytest.mark.parametrize("n_axis", [2, 5])
-def test_a_part_of_the_axes_own_pid_is_that_much_more_of_it_across_the_path(n_axis: int) -> None:
-    """C_cc = kappa C_fb with its integral and its filtered derivative: eps as with (1 + kappa) C_fb, that is eps_u/(1 + kappa T)."""
+def test_a_share_of_the_axis_pid_scales_its_loop_across_the_path(n_axis: int) -> None:
+    """C_cc = kappa C_fb with integral and filtered derivative: eps as with (1 + kappa) C_fb, that is eps_u/(1 + kappa T)."""
     kappa, gains = 0.7, {"proportional_gain": 900.0, "integral_gain": 9000.0, "derivative_gain": 40.0, "derivative_bandwidth": 600.0}
     end = np.array([0.03, 0.04, -0.02, 0.05, 0.01])[:n_axis]
     direction = end / np.linalg.norm(end)
@@ -88,8 +88,8 @@ def test_a_part_of_the_axes_own_pid_is_that_much_more_of_it_across_the_path(n_ax
     assert np.abs(off_the_path(coupled, normal) - off_the_path(axes(1.0), normal)).max() > 1e-5
 
 
-def test_an_integral_of_the_contour_error_takes_constant_loads_out_of_it() -> None:
-    """Across the path a load is gone, along it the position gain alone holds it: d/K_P."""
+def test_an_integral_of_the_contour_error_removes_constant_loads_across_the_path() -> None:
+    """Along the path only the position gain holds the load: d/K_P."""
     direction, normal = np.array([0.8, 0.6]), np.array([-0.6, 0.8])
     reference = along(Path([Line((0.0, 0.0), (0.08, 0.06))]), 0.02)
     held = {"kind": "cross-coupled", "gain": 1500.0, "integral_rate": 20.0}
@@ -103,8 +103,8 @@ def test_an_integral_of_the_contour_error_takes_constant_loads_out_of_it() -> No
 
 
 @pytest.mark.parametrize("kind", ["tangent", "koren-lo", "osculating-circle", "newton"])
-def test_on_line_estimates_differ_from_the_judge_by_what_they_leave_out(kind: str) -> None:
-    """On a circle, left turning, with axes that are unlike and a lag of phi rho: closed forms at each tick."""
+def test_on_line_estimates_differ_from_the_judge_by_their_closed_form_error(kind: str) -> None:
+    """On a circle, left turning, with unequal axes and a lag of phi rho: closed forms at each tick."""
     radius = 0.02
     reference = cl.uniform(cl.contour("circle", radius=radius), 0.25, 1, PERIOD)
     result = cl.judge(cl.simulate(stage(2, (1.0, 0.7)), control(2, make("estimator", kind)), reference), reference)
@@ -119,7 +119,7 @@ def test_on_line_estimates_differ_from_the_judge_by_what_they_leave_out(kind: st
 
 
 @pytest.mark.parametrize("n_axis", [2, 3, 5])
-def test_coupling_lessens_the_contour_error_with_any_estimator_in_any_number_of_axes(n_axis: int) -> None:
+def test_coupling_reduces_the_contour_error_with_any_estimator_and_number_of_axes(n_axis: int) -> None:
     reference = cl.uniform(lissajous(n_axis), 0.2, 1, PERIOD)
     machine = stage(n_axis, (1.0, 0.7, 1.2, 0.9, 0.8)[:n_axis])
 

@@ -1,4 +1,4 @@
-"""A delayed drive inside a loop: what else reads its command, and what a batch varies."""
+"""A delayed drive inside a loop: other readers of its command, and batches that vary the delay."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import contourlab as cl
 
 
 def stage(delay: float, anti_windup: str = "none") -> tuple[cl.Machine, cl.Controller]:
-    """Return two ideal axes with delayed drives that have no limit."""
+    """Return two ideal axes with delayed, unlimited drives."""
     plant = make("plant", "rigid-axis", gain=1.0, damping=6.0)
     axes = tuple(cl.Axis(name, plant, drive=make("drive", "delayed-saturation", delay=delay)) for name in "xy")
     gains = {"velocity_gain": 70.0, "position_gain": 2800.0, "integral_gain": 12.0}
@@ -23,9 +23,9 @@ def circle() -> cl.Reference:
     return cl.uniform(cl.contour("circle", radius=0.02), 1.0, 1, PERIOD)
 
 
-def test_where_there_is_no_limit_anti_windup_does_nothing(circle: cl.Reference) -> None:
+def test_without_a_limit_anti_windup_does_nothing(circle: cl.Reference) -> None:
     runs = [cl.simulate(*stage(1.5e-3, kind), circle)["axis_position"] for kind in ("hold", "none")]
-    assert np.abs(runs[0] - runs[1]).max() < 1e-12  # the two are compiled apart, so rounding may differ
+    assert np.abs(runs[0] - runs[1]).max() < 1e-12  # they are compiled separately, so rounding may differ
 
 
 @pytest.mark.parametrize("shorter", [0.5e-3, 1e-3])

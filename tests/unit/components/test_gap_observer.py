@@ -1,4 +1,4 @@
-"""The observer of backlash at the motor: its statistics against quadrature and matrices, and what it finds of gaps after a circle."""
+"""The backlash observer at the motor: its statistics against quadrature and matrices, and its gap estimates after a circle."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ SCALE = np.array([1e-6, 1e-3, 1e-6, 1e-3, 5e-6, 0.03, 0.03, 0.03])
 
 
 def spread(numbers: Array) -> Array:
-    """Return a covariance of a size that a filter has."""
+    """Return a covariance of a realistic size."""
     root = np.diag(SCALE) @ numbers
     return np.asarray(root @ root.T + np.diag((0.1 * SCALE) ** 2))
 
@@ -57,12 +57,12 @@ matrices = st.lists(UNIT, min_size=N * N, max_size=N * N).map(lambda numbers: np
 def test_the_normal_law(z: float) -> None:
     density, below = load_filter.normal_law(z)
     assert density == pytest.approx(np.exp(-0.5 * z * z) / np.sqrt(2.0 * np.pi), rel=1e-12)
-    assert below == pytest.approx(ndtr(z), abs=7.5e-8)  # as Abramowitz & Stegun have it
+    assert below == pytest.approx(ndtr(z), abs=7.5e-8)  # accuracy of Abramowitz & Stegun
 
 
 @given(st.floats(-5e-5, 5e-5), st.floats(1e-8, 2e-5))
 def test_friction_and_flank_are_moments_of_the_normal_law(x: float, s: float) -> None:
-    """Mean, slope and variance left of max(x + s n, 0), by quadrature."""
+    """Mean, slope and residual variance of max(x + s n, 0), by quadrature."""
     n = np.linspace(-9.0, 9.0, 40_001)
     weight = np.exp(-0.5 * n * n)
     weight /= weight.sum()
@@ -74,8 +74,8 @@ def test_friction_and_flank_are_moments_of_the_normal_law(x: float, s: float) ->
 
 
 @given(st.floats(-3e-3, 3e-3), st.floats(0.0, 2e-3), st.floats(1e-5, 1e-3))
-def test_what_friction_leaves_of_a_speed(speed: float, threshold: float, s: float) -> None:
-    """Mean, slope and what the slope leaves of the variance, by quadrature; without friction all is left, and nothing is noise."""
+def test_moments_of_the_speed_after_friction(speed: float, threshold: float, s: float) -> None:
+    """Mean, slope and residual variance, by quadrature; without friction the speed is unchanged and adds no noise."""
     n = np.linspace(-9.0, 9.0, 40_001)
     weight = np.exp(-0.5 * n * n)
     weight /= weight.sum()
@@ -90,13 +90,13 @@ def test_what_friction_leaves_of_a_speed(speed: float, threshold: float, s: floa
 
 @settings(max_examples=40)
 @given(matrices, st.lists(UNIT, min_size=N, max_size=N), st.floats(0.0, 3e-6), st.sampled_from([1.0, -1.0]))
-def test_a_sub_step_carries_the_covariance_along_its_own_slopes(numbers: Array, start: list[float], wound: float, side: float) -> None:
-    """P+ = F P F' + Q, F from differences of the mean at the same P; Q is a variance, and none of it falls on gap and parameters."""
-    # The damper's share in contact is taken as it is at the mean.
+def test_a_sub_step_propagates_the_covariance_by_its_slopes(numbers: Array, start: list[float], wound: float, side: float) -> None:
+    """P+ = F P F' + Q, with F from differences of the mean at constant P; Q is a variance and is zero for gap and parameters."""
+    # The damper's share in contact uses the mean.
     par, dt = parameters(coulomb=40.0, motor_coulomb=10.0, load_damping=0.05, shaft_damping=0.0), 2.5e-4
     p = spread(numbers)
     x = np.array([0.0, 1e-2, 1e-6, 1e-2, 1e-5, 0.03, 0.03, 0.03]) * np.array(start) + np.array([0, 0, 0, 0, 8e-5, 0, 0, 0])
-    x[0] = x[2] + side * (0.5 * x[4] + wound)  # the other flank is too far away to be thought of
+    x[0] = x[2] + side * (0.5 * x[4] + wound)  # too far from the other flank for it to matter
 
     def mean(state: Array) -> Array:
         return np.array(load_filter.advance(par, tuple(map(float, state)), triangle(p), 5.0 * start[0], dt)[0])
@@ -123,8 +123,8 @@ def test_a_reading_is_a_kalman_update(numbers: Array, off: float) -> None:
 
 
 @given(matrices, st.sampled_from([1.0, -1.0]), st.sampled_from([1.0, 0.0]))
-def test_another_guess_shares_the_flank(numbers: Array, side: float, keep: float) -> None:
-    """q + side g/2 and the motion are the same for both, and the new gap is not known by them."""
+def test_a_restart_with_another_gap_keeps_the_flank(numbers: Array, side: float, keep: float) -> None:
+    """q + side g/2 and the motion are kept; they carry no information about the new gap."""
     p, x = spread(numbers), (1e-5, 0.1, -1e-5, 0.1, 3e-5, 0.01, 0.02, -0.01)
     mean, c = load_filter.restarted(x, triangle(p), side, 5e-5, 1e-5, 0.03, keep)
     flank = np.array([[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 1, 0, 0.5 * side], [0, 0, 0, 1, 0]])
@@ -146,16 +146,16 @@ def seen(run: dict[str, Array]) -> dict[str, Array]:
     return run_alone(observer(), {name: run[name] for name in ("motor_position", "applied")}, jit=True)
 
 
-def test_the_load_is_seen_from_the_motor(run: dict[str, Array], seen: dict[str, Array]) -> None:
-    """Behind the first crossing: state, place within two deviations of the gap, and speed; a servo period is 1 ms."""
+def test_the_motor_side_estimates_the_load(run: dict[str, Array], seen: dict[str, Array]) -> None:
+    """After the first crossing: gap state, position within two deviations of the gap, and velocity; servo period 1 ms."""
     after = slice(int(np.flatnonzero(seen["confidence"] > 0.9)[0]) + 50, None)
     assert np.mean(seen["gap_state"][after] == run["gap_state"][after]) > 0.97
     assert np.all(np.abs(seen["load_position"] - run["load_position"])[after] < 2.0 * seen["gap_deviation"][after])
     assert np.abs(seen["load_velocity"][after] - run["load_velocity"][after]).max() < 1e-3
 
 
-def test_a_gap_that_was_not_crossed_is_not_known(run: dict[str, Array], seen: dict[str, Array]) -> None:
-    """Up to the first loss of contact the deviation is that of the guesses, and the confidence is low; then both flanks are known."""
+def test_an_uncrossed_gap_is_unknown(run: dict[str, Array], seen: dict[str, Array]) -> None:
+    """Before the first loss of contact the deviation is that of the guesses and confidence is low; after it both flanks are known."""
     state = run["gap_state"]
     touched = int(np.flatnonzero(state)[0])
     crossed = int(np.flatnonzero(state == -state[touched])[0])
@@ -166,7 +166,7 @@ def test_a_gap_that_was_not_crossed_is_not_known(run: dict[str, Array], seen: di
 
 
 @pytest.mark.parametrize(("rub", "gap"), [(40.0, 50e-6), (103.0, 80e-6)])
-def test_a_gap_that_is_crossed_while_friction_holds_the_load(rub: float, gap: float) -> None:
+def test_a_gap_crossed_while_friction_holds_the_load(rub: float, gap: float) -> None:
     run = recorded(4000.0, 2.5e-4, gap, LIGHT, rub)
     said = run_alone(observer(LIGHT, coulomb=rub), {name: run[name] for name in ("motor_position", "applied")}, period=2.5e-4, jit=True)
     assert said["gap"][-1] == pytest.approx(gap, rel=0.03)
@@ -174,19 +174,19 @@ def test_a_gap_that_is_crossed_while_friction_holds_the_load(rub: float, gap: fl
     assert said["confidence"][-1] > 0.95
 
 
-def test_a_gap_beyond_the_largest_guess_is_not_called_a_smaller_one(run: dict[str, Array]) -> None:
+def test_a_gap_above_the_largest_guess_is_not_reported_as_smaller(run: dict[str, Array]) -> None:
     said = run_alone(observer(largest_gap=30e-6), {name: run[name] for name in ("motor_position", "applied")}, jit=True)
     assert said["confidence"][-1] < 0.5
     assert said["gap_deviation"][-1] == pytest.approx(said["gap_deviation"][0])
 
 
-def test_a_gap_below_the_smallest_guess_is_not_called_a_larger_one(run: dict[str, Array]) -> None:
+def test_a_gap_below_the_smallest_guess_is_not_reported_as_larger(run: dict[str, Array]) -> None:
     said = run_alone(observer(smallest_gap=80e-6), {name: run[name] for name in ("motor_position", "applied")}, jit=True)
     assert said["confidence"][-1] < 0.9 and 1.96 * said["gap_deviation"][-1] > said["gap"][-1] - 80e-6
 
 
-def test_a_glitch_of_the_encoder_is_got_over(run: dict[str, Array]) -> None:
-    """Five circles, in the second one reading that is 10 mm off: unknown there, and known again at the end."""
+def test_it_recovers_from_a_glitch_of_the_encoder(run: dict[str, Array]) -> None:
+    """Five circles with one reading 10 mm off in the second: unknown there, known again at the end."""
     fed = {name: np.tile(run[name], 5) for name in ("motor_position", "applied")}
     n = len(run["applied"])
     fed["motor_position"][n + n // 2] += 10e-3
@@ -197,7 +197,7 @@ def test_a_glitch_of_the_encoder_is_got_over(run: dict[str, Array]) -> None:
 
 @settings(max_examples=25, deadline=None)
 @given(st.integers(0, 2**32 - 1), st.floats(-9.0, 3.0), st.floats(-3.0, 6.0))
-def test_whatever_it_is_fed_its_outputs_are_finite(seed: int, place: float, push: float) -> None:
+def test_outputs_are_finite_for_any_input(seed: int, place: float, push: float) -> None:
     random = np.random.default_rng(seed)
     fed = {"motor_position": 10.0**place * random.standard_normal(300), "applied": 10.0**push * random.standard_normal(300)}
     said = run_alone(observer(), fed, jit=True)
@@ -209,14 +209,14 @@ def test_whatever_it_is_fed_its_outputs_are_finite(seed: int, place: float, push
 @pytest.mark.slow
 @pytest.mark.parametrize("feed", [2000.0, 4000.0, 8000.0])
 def test_gaps_from_the_motor_side_after_one_circle(feed: float) -> None:
-    """Servo period 1 ms. Exact: within 10 %. Off by up to 5 %, 20 seeds: within 25 % from 20 um on, 95 % interval right in 18 of 20."""
+    """Servo period 1 ms. Exact model: within 10 %. Up to 5 % off, 20 seeds: within 25 % from 20 um on, 95 % interval right in 18 of 20."""
     found, deviation = estimates(feed, 1e-3, GAPS, 0.05, 20)
     error = found - GAPS[None, :, None]
     assert np.abs(error[:, :, 0] / GAPS).max() < 0.10
     assert np.abs(error[:, 1:, 1:] / GAPS[None, 1:, None]).max() < 0.25
     covered = (np.abs(error) < 1.96 * deviation)[:, :, 1:].sum(axis=2)
     assert covered.min() >= 18
-    # An interval that covers because it is wide says nothing.
+    # A wide interval covers the truth but is useless.
     assert (deviation[:, 1:] / GAPS[None, 1:, None]).max() < 0.125
 
 
@@ -224,14 +224,14 @@ def test_gaps_from_the_motor_side_after_one_circle(feed: float) -> None:
     ("values", "name"),
     [({"load_inertia": 0.0}, "load_inertia"), ({"largest_gap": 4e-6}, "largest_gap"), ({"hypotheses": 2.5}, "hypotheses")],
 )
-def test_what_makes_no_observer_is_said(values: dict[str, float], name: str) -> None:
+def test_invalid_settings_are_refused_by_name(values: dict[str, float], name: str) -> None:
     with pytest.raises(ParameterError, match=name):
         observer(**values)
 
 
 @pytest.mark.slow
 def test_gaps_of_drives_drawn_at_random() -> None:
-    """Sixty axes after a circle at 1 ms: found, or said to be unknown; what is neither within 10 % nor in its interval is rare."""
+    """Sixty axes after a circle at 1 ms: found or reported as unknown. A gap neither within 10 % nor in its interval is rare."""
     random = np.random.default_rng(7)
     found = wrong = 0
     for _ in range(30):
@@ -239,7 +239,7 @@ def test_gaps_of_drives_drawn_at_random() -> None:
         watching = observer(drive, coulomb=rub, substeps=8.0)
         circle = scene(feed, 1e-3, gap, watching, drive, rub)
         result = cl.simulate(*circle, signals=("gap_estimate", "gap_deviation"), on_failure="return")
-        if not result.status.ok:  # too fast a loop for so light a rotor
+        if not result.status.ok:  # the loop is too fast for such a light rotor
             continue
         off, deviation = np.abs(result["gap_estimate"][-1] - gap), result["gap_deviation"][-1]
         found += np.count_nonzero((off < 0.1 * gap) & (deviation < 0.1 * gap))
@@ -248,7 +248,7 @@ def test_gaps_of_drives_drawn_at_random() -> None:
     assert wrong <= 3
 
 
-def test_variants_that_do_not_go_together_are_refused() -> None:
+def test_incompatible_variants_are_refused() -> None:
     circle = scene(4000.0, 1e-3, watching=observer())
     for name, value in (("largest_gap", 4e-6), ("smallest_gap", 2e-4), ("load_inertia", 0.0)):
         with pytest.raises(ParameterError, match=name) as refusal:

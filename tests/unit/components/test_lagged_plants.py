@@ -1,4 +1,4 @@
-"""Plants whose force lags behind the command: against eqs (3) and (4) of Gecer Ulu et al., and in a machine."""
+"""Plants whose force lags the command: against eqs (3) and (4) of Gecer Ulu et al., and in a machine."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ MOTORS = st.builds(
 
 
 def response(plant: Any) -> Array:
-    """Return position over command and over load at the frequencies W: (n, 2)."""
+    """Return position per command and per load at the frequencies W: (n, 2)."""
     return np.asarray(transfer(plant.linearize(), 1j * W)[:, 0, :])
 
 
@@ -55,7 +55,7 @@ def test_a_linear_motor_has_the_transfer_function_of_equation_3(motor: LinearMot
     bottom = s * (inductance * m * s**2 + (r * m + b * inductance) * s + stiffness)
     found = response(motor)
     assert found[:, 0] == pytest.approx(motor.amplifier_gain * motor.force_constant / bottom, rel=1e-8)
-    # A load meets the impedance of the winding: (L s + R)/(...), from eqs (1) and (2) with the load beside K_force i.
+    # A load meets the impedance of the winding: (L s + R)/(...), from eqs (1) and (2) with the load added to K_force i.
     assert found[:, 1] == pytest.approx((inductance * s + r) / bottom, rel=1e-8)
 
 
@@ -69,8 +69,8 @@ def test_a_second_order_integrator_has_the_transfer_function_of_equation_4(gain:
 
 
 @given(motor=MOTORS, carried=st.floats(0.0, 20.0))
-def test_a_mass_put_on_a_known_response_does_what_it_does_to_the_motor(motor: LinearMotor, carried: float) -> None:
-    """Eq (3) with b = 0 is eq (4): wn^2 = K_b K_f/(L m), 2 zeta wn = R/L, G = K_amp/K_b. Both are loaded then."""
+def test_extra_mass_on_an_identified_response_acts_as_on_the_motor(motor: LinearMotor, carried: float) -> None:
+    """Eq (3) with b = 0 is eq (4): wn^2 = K_b K_f/(L m), 2 zeta wn = R/L, G = K_amp/K_b. Both carry an extra mass here."""
     motor = motor.replace(viscous_friction=0.0, carried_mass=0.0, back_emf=motor.back_emf + 1.0)
     wn = math.sqrt(motor.back_emf * motor.force_constant / (motor.inductance * motor.mass))
     zeta = motor.resistance / motor.inductance / (2.0 * wn)
@@ -83,7 +83,7 @@ def test_a_mass_put_on_a_known_response_does_what_it_does_to_the_motor(motor: Li
 
 
 @pytest.mark.parametrize("zeta", [0.3, 1.0, 1.1, 5.0])
-def test_a_steady_load_is_balanced_by_a_command_of_its_size(zeta: float) -> None:
+def test_a_steady_load_is_balanced_by_an_equal_command(zeta: float) -> None:
     plant = SecondOrderIntegrator(dc_gain=0.05, damping_ratio=zeta, natural_frequency=150.0)
     out = run_alone(plant, {"command": np.full(2000, 0.7), "load": np.full(2000, -0.7)}, jit=True)
     assert abs(out["velocity"][-1]) < 1e-12
@@ -110,7 +110,7 @@ def test_the_rigid_model_follows_slow_motions(motor: LinearMotor) -> None:
     assert gain / (s + damping) == pytest.approx(exact, rel=1e-4)
 
 
-def test_the_rigid_model_of_a_rigid_plant_is_its_own() -> None:
+def test_a_rigid_plant_is_its_own_rigid_model() -> None:
     assert RigidAxis(gain=2.0, damping=3.0).rigid_model() == (2.0, 3.0)
     screw = BallScrew(mass=20.0, inertia=2e-4, lead=0.01, torque_constant=0.5, damping=100.0)
     linear = screw.linearize()
@@ -124,8 +124,8 @@ KNOWN = SecondOrderIntegrator(dc_gain=0.05, damping_ratio=1.1, natural_frequency
 
 
 @pytest.mark.parametrize("substeps", [1, 3, 10])
-def test_substeps_of_a_machine_leave_a_linear_motion_as_it_is(substeps: int) -> None:
-    """R/L is 1e4 1/s: the propagator belongs to the substep, whatever the servo period."""
+def test_substeps_do_not_change_a_linear_motion(substeps: int) -> None:
+    """R/L is 1e4 1/s: the propagator belongs to the substep, at any servo period."""
     machine = Machine("m", (Axis("x", MOTOR, substeps=substeps),), PERIOD)
     controller = Controller({"x": AxisController(make("controller", "position", velocity_gain=30.0, position_gain=600.0))})
     schedule = build(machine, controller, Path([Line((0.0,), (0.1,))]), np.zeros(1)).schedule
@@ -136,20 +136,20 @@ def test_substeps_of_a_machine_leave_a_linear_motion_as_it_is(substeps: int) -> 
     assert run_alone(MOTOR, {"command": np.sin(np.arange(50.0))}, substeps=substeps)["position"] == pytest.approx(one, rel=1e-11)
 
 
-def test_a_lag_beyond_what_a_step_follows_names_substeps() -> None:
+def test_a_lag_too_fast_for_a_step_recommends_substeps() -> None:
     stiff = MOTOR.replace(inductance=1e-6)
     with refuses(ParameterError, r"\b3 .*linear-motor", name="axes.x.substeps", value="1"):
         Machine("m", (Axis("x", stiff),), PERIOD)
     assert Machine("m", (Axis("x", stiff, substeps=3),), PERIOD)
 
 
-def test_a_steep_friction_names_substeps_on_a_lagged_plant_too() -> None:
+def test_a_steep_friction_recommends_substeps_on_a_lagged_plant_too() -> None:
     steep = SmoothCoulomb(coulomb=10.0, breakaway=10.0, smoothing_velocity=1e-4)
     with refuses(ParameterError, r"\b20\b", name="axes.x.substeps", value="1"):
         Machine("m", (Axis("x", MOTOR, friction=steep),), PERIOD)
 
 
-def test_mass_on_a_plant_is_taken_where_its_own_is_known() -> None:
+def test_extra_mass_needs_a_plant_of_known_mass() -> None:
     upper = Axis("x", KNOWN, mounted_on="y", stage_mass=3.0)
     with refuses(ParameterError, "3 kg", name="axes.y.plant"):
         Machine("m", (upper, Axis("y", KNOWN)), PERIOD)
@@ -157,7 +157,7 @@ def test_mass_on_a_plant_is_taken_where_its_own_is_known() -> None:
     assert machine.loaded_plant("y").carried_mass == 3.0
     mobility = [type(p).mobility(p.constants()) for p in (machine.loaded_plant("y"), KNOWN)]
     assert mobility[0] / mobility[1] == pytest.approx(1.5 / 4.5, rel=1e-14)
-    # Its forces are no newtons, so what a module that moves along it pushes with cannot be said.
+    # Its forces are not in newtons, so the push of a module that moves along it is unknown.
     along = replace(upper, plant=MOTOR, alignment=0.5)
     with refuses(ParameterError, name="axes.x.alignment", value="0.5"):
         Machine("m", (along, Axis("y", KNOWN.replace(mass=1.5))), PERIOD)
@@ -198,7 +198,7 @@ feedrate = "1 m/min"
         assert {key: getattr(found, key) for key in placed} == pytest.approx(placed)
 
 
-def test_the_shipped_stage_is_the_papers() -> None:
+def test_the_shipped_stage_is_the_one_of_the_paper() -> None:
     machine = load_machine(builtin_file("gecer-ulu/xy-stage"))
     assert machine.axis_names == ("x", "y") and machine.servo_period == 1e-3
     for axis in machine.axes:

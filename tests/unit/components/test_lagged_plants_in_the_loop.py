@@ -1,4 +1,4 @@
-"""Plants whose force lags, in whole machines: batches against single runs, and the sampled loop against the continuous one."""
+"""Plants with lagging force in whole machines: batches against single runs, sampled loop against continuous loop."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ def controllers(plant: Any, **more: Any) -> AxisController:
         (KNOWN, NoFriction(), "damping_ratio"),
     ],
 )
-def test_lanes_of_a_batch_are_the_runs_one_by_one(plant: Any, friction: Component, varied: str) -> None:
-    """y carries x, so that its mass is put together from several."""
+def test_lanes_of_a_batch_equal_single_runs(plant: Any, friction: Component, varied: str) -> None:
+    """y carries x, so its mass has several parts."""
     axes = (Axis("x", plant, friction=friction, mounted_on="y", stage_mass=1.5), Axis("y", plant, friction=friction, substeps=2))
     machine = Machine("m", axes, 1e-3)
     controller = Controller({name: controllers(plant) for name in "xy"})
@@ -57,8 +57,8 @@ def test_lanes_of_a_batch_are_the_runs_one_by_one(plant: Any, friction: Componen
 
 @pytest.mark.parametrize("plant", [MOTOR, KNOWN])
 @pytest.mark.parametrize("observed", [False, True])
-def test_the_sampled_loop_becomes_the_continuous_one(plant: Any, observed: bool) -> None:
-    """Halving the servo period halves the distance: load and drive act in different places, which `compliance` has to know."""
+def test_the_sampled_loop_converges_to_the_continuous_one(plant: Any, observed: bool) -> None:
+    """Half the servo period halves the difference. Load and drive act at different places, which `compliance` must model."""
     a, b = plant.rigid_model()
     seen = DisturbanceObserver(bandwidth=40.0, filter_bandwidth=800.0, model_gain=a, model_damping=b) if observed else None
     axis, part, w = Axis("x", plant), controllers(plant, observer=seen), np.geomspace(1.0, 300.0, 25)

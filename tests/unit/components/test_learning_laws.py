@@ -62,11 +62,11 @@ def test_the_average_has_the_response_of_eq_9(frequency: float, passes: int) -> 
     assert moving_average(wave, m, passes)[inner] == pytest.approx(expected * wave[inner], abs=1e-12)
 
 
-def test_the_average_of_a_constant_is_that_constant_to_the_very_ends() -> None:
+def test_the_average_keeps_a_constant_up_to_both_ends() -> None:
     assert moving_average(np.full((40, 2), 3.0), 11) == pytest.approx(np.full((40, 2), 3.0), rel=1e-14)
 
 
-def test_the_average_is_as_wide_as_it_says() -> None:
+def test_the_average_has_the_stated_width() -> None:
     impulse = np.zeros((50, 1))
     impulse[20] = 1.0
     found = moving_average(impulse, 3)[:, 0]
@@ -75,7 +75,7 @@ def test_the_average_is_as_wide_as_it_says() -> None:
 
 @pytest.mark.parametrize("order", [1, 2, 4])
 def test_the_q_filter_is_a_butterworth_run_both_ways(order: int) -> None:
-    """Beside SciPy's, in the time domain, over a long mirror image."""
+    """Against SciPy's, in the time domain, over a long mirror image."""
     from scipy.signal import butter, sosfiltfilt
 
     signal = np.random.default_rng(5).normal(size=(4000, 2)).cumsum(axis=0)
@@ -87,18 +87,18 @@ def test_the_q_filter_is_a_butterworth_run_both_ways(order: int) -> None:
 
 
 @pytest.mark.parametrize("order", [1, 3])
-def test_the_q_filter_leaves_half_of_the_amplitude_at_its_bandwidth(order: int) -> None:
+def test_the_q_filter_halves_the_amplitude_at_its_bandwidth(order: int) -> None:
     t = np.arange(5000)[:, None] * PERIOD
     for ratio in (0.5, 1.0, 2.0):
         wave = np.cos(ratio * 40.0 * t)
         found = q_filter(wave, 40.0, order, PERIOD)
-        assert found[2000:3000] == pytest.approx(wave[2000:3000] / (1.0 + ratio ** (2 * order)), abs=2e-4)  # warping
+        assert found[2000:3000] == pytest.approx(wave[2000:3000] / (1.0 + ratio ** (2 * order)), abs=2e-4)  # frequency warping
 
 
 @given(st.integers(2, 300), st.floats(1.0, 4000.0), st.integers(1, 4), st.integers(0, 40), st.integers(0, 2**31))
 @settings(max_examples=60)
-def test_the_filters_keep_a_constant_and_make_nothing_larger(n: int, bandwidth: float, order: int, half_width: int, seed: int) -> None:
-    """Symmetric, too: all that keeps the ends of a trial from going astray while the rest converges."""
+def test_the_filters_keep_a_constant_and_amplify_nothing(n: int, bandwidth: float, order: int, half_width: int, seed: int) -> None:
+    """They are symmetric too. All of this keeps the ends of a trial bounded while the rest converges."""
     rng = np.random.default_rng(seed)
     x, y = rng.normal(size=(2, n, 1))
     for filtered in (lambda s: q_filter(s, bandwidth, order, PERIOD), lambda s: moving_average(s, half_width)):
@@ -107,7 +107,7 @@ def test_the_filters_keep_a_constant_and_make_nothing_larger(n: int, bandwidth: 
         assert float(np.vdot(y, filtered(x))) == pytest.approx(float(np.vdot(filtered(y), x)), abs=1e-10 * n)
 
 
-def test_what_is_advanced_comes_sooner_and_is_nothing_beyond_the_end() -> None:
+def test_an_advanced_signal_is_zero_beyond_the_end() -> None:
     signal = np.arange(1.0, 7.0)[:, None]
     assert advanced(signal, 2)[:, 0].tolist() == [3.0, 4.0, 5.0, 6.0, 0.0, 0.0]
     assert advanced(signal, 0) is signal
@@ -137,7 +137,7 @@ def test_every_law_keeps_the_contract(kind: type[LearningLaw]) -> None:
     check_component(kind)
 
 
-def test_p_and_pd_type_and_cross_coupled_add_up_what_they_say() -> None:
+def test_p_pd_and_cross_coupled_laws_add_the_stated_terms() -> None:
     rng = np.random.default_rng(3)
     error, contour, table = rng.normal(size=(3, 50, 2))
     nothing = problem_of(np.zeros((2, 2)), 50)
@@ -152,7 +152,7 @@ def test_p_and_pd_type_and_cross_coupled_add_up_what_they_say() -> None:
     assert shifted[:-3] == pytest.approx(table[:-3] + 0.5 * error[3:])
 
 
-def test_the_vector_form_is_the_scalar_one_of_barton_and_alleyne_in_the_plane() -> None:
+def test_in_the_plane_the_vector_form_equals_the_scalar_form_of_barton_and_alleyne() -> None:
     """u_x + L e_x - C_x L_c eps and u_y + L e_y + C_y L_c eps with eps = -C_x e_x + C_y e_y, C_x = sin, C_y = cos."""
     rng = np.random.default_rng(4)
     angle = rng.uniform(0.0, 6.0, 80)
@@ -167,7 +167,7 @@ def test_the_vector_form_is_the_scalar_one_of_barton_and_alleyne_in_the_plane() 
     assert found[:, 1] == pytest.approx(2.0 * error[:, 1] + np.cos(angle) * 5.0 * eps)
 
 
-def test_the_inverse_of_an_exact_model_takes_the_error_away_in_one_trial() -> None:
+def test_the_inverse_of_an_exact_model_removes_the_error_in_one_trial() -> None:
     n, impulse = 400, settling(300, 0.9, 0.8)
     model = InputModel(impulse, n)
     wanted = np.zeros((n, 2))
@@ -181,7 +181,7 @@ def test_the_inverse_of_an_exact_model_takes_the_error_away_in_one_trial() -> No
 
 @pytest.mark.parametrize("contour", [0.0, 3.0])
 def test_norm_optimal_solves_the_dense_equation(contour: float) -> None:
-    """u+ = (G'QG + S + R)^-1 ((G'QG + R) u + G'Q e), Q = q I + Gamma' q_c Gamma, with matrices as large as they are."""
+    """u+ = (G'QG + S + R)^-1 ((G'QG + R) u + G'Q e), Q = q I + Gamma' q_c Gamma, with full matrices."""
     n, rng = 40, np.random.default_rng(8)
     angle = np.linspace(0.0, 3.0, n)
     tangent = np.column_stack([np.cos(angle), np.sin(angle)])
@@ -220,7 +220,7 @@ def test_norm_optimal_lowers_the_weighted_error_in_every_trial() -> None:
     assert sizes[-1] < 0.05 * sizes[0]
 
 
-def test_zero_phase_takes_the_feedback_or_for_the_reference_the_error() -> None:
+def test_zero_phase_uses_the_feedback_or_for_a_reference_table_the_error() -> None:
     rng = np.random.default_rng(6)
     feedback, error, table = rng.normal(size=(3, 200, 2))
     nothing = problem_of(np.zeros((2, 2)), 200)
@@ -233,8 +233,8 @@ def test_zero_phase_takes_the_feedback_or_for_the_reference_the_error() -> None:
 
 
 @pytest.mark.parametrize("kind", [kind.kind for kind in components("learning")])
-def test_a_saturated_drive_is_driven_no_further(kind: str) -> None:
-    """A hundred trials of a machine that stays at its limit: the table there does not grow."""
+def test_the_table_does_not_grow_where_the_drive_saturates(kind: str) -> None:
+    """A hundred trials of a machine at its limit: the table there stays constant."""
     n = 300
     one = component("learning", kind)
     problem = problem_of(settling(100, 0.9, 0.8), n)
@@ -262,7 +262,7 @@ class _Sound(LearningLaw):
         return table + (1.0 if self.target == "command" else 2.0) * trial.tracking_error
 
 
-def test_a_sound_law_has_no_fault() -> None:
+def test_a_correct_law_passes_the_check() -> None:
     assert learning_fault(_Sound(), _other) == ""
 
 
@@ -297,11 +297,11 @@ def test_a_planted_fault_is_found(said: str) -> None:
     assert said in learning_fault(_faulty(FAULTS[said]), _other)
 
 
-def test_a_law_that_is_none_is_refused() -> None:
+def test_an_invalid_law_is_refused() -> None:
     assert "subclass" in learning_fault(object(), _other)
 
 
-def test_bounds_are_held() -> None:
+def test_bounds_are_respected() -> None:
     with pytest.raises(ParameterError, match="gain"):
         law("zero-phase", gain=-0.1)
     with pytest.raises(ParameterError, match="whole"):

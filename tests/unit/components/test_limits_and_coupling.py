@@ -1,4 +1,4 @@
-"""Drives at their limit: what a coupling's integral and a learned table do then, and the order of limit and delay."""
+"""Drives at their limit: the integral of a coupling, a learned table, and the order of limit and delay."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ PERIOD = 1e-3
 def stage(
     limit: float = float("inf"), command_limit: float = float("inf"), delay: float = 0.0
 ) -> tuple[cl.Machine, dict[str, cl.AxisController]]:
-    """Two alike axes with a limit in the drive, or in the controller."""
+    """Two equal axes with a limit in the drive or in the controller."""
     plant = make("plant", "second-order-integrator", dc_gain=0.05, damping_ratio=1.1, natural_frequency=150.0)
     drive = make("drive", "delayed-saturation", limit=limit, delay=delay) if delay else make("drive", "saturation", limit=limit)
     axes = tuple(cl.Axis(name, plant, drive=drive, limits=cl.Limits(following_error=1.0)) for name in "xy")
@@ -32,14 +32,14 @@ def coupled(axes: dict[str, cl.AxisController], **gains: float) -> cl.Controller
 
 
 def fast_then_slow() -> cl.Reference:
-    """A second of an ellipse that the drives cannot follow, then a slow one."""
+    """Return one second of an ellipse too fast for the drives, then a slow one."""
     path = cl.contour("ellipse", a=0.02, b=0.01)
     rate = np.concatenate([np.full(1000, 0.4), np.full(1500, 0.01)])
     along = np.concatenate([[0.0], np.cumsum(rate * PERIOD)])
     return cl.Reference.from_samples(path.position(along), PERIOD, path, arc_length=along)
 
 
-def test_the_integral_of_a_coupling_waits_for_the_drives() -> None:
+def test_the_integral_of_a_coupling_waits_while_drives_saturate() -> None:
     machine, axes = stage(limit=1.0)
     reference, errors = fast_then_slow(), {}
     for rate in (0.0, 30.0):
@@ -48,8 +48,8 @@ def test_the_integral_of_a_coupling_waits_for_the_drives() -> None:
     assert errors[30.0] < 1.5 * errors[0.0] + 1e-5
 
 
-def test_within_the_limits_the_integral_is_what_it_was() -> None:
-    """Without saturation the new inputs change nothing: a drive without limit, and one whose limit is never met."""
+def test_below_the_limits_the_integral_is_unchanged() -> None:
+    """A drive without limit, and one that never reaches its limit, give the same run."""
     path = cl.contour("ellipse", a=0.02, b=0.01)
     reference = cl.uniform(path, 0.2, 1, PERIOD)
     free, axes = stage()
@@ -59,7 +59,7 @@ def test_within_the_limits_the_integral_is_what_it_was() -> None:
 
 
 def test_the_limit_comes_before_the_delay() -> None:
-    """A pulse of 30 V for two ticks behind a limit of 10 V, 2.5 periods late: what gets through is 10 V for two periods."""
+    """A pulse of 30 V for two ticks, limited to 10 V and delayed by 2.5 periods, acts as 10 V for two periods."""
     machine, _ = stage(limit=10.0, delay=2.5e-3)
     drive: Any = machine.axis("x").drive
 
@@ -78,7 +78,7 @@ def test_the_limit_comes_before_the_delay() -> None:
 @pytest.mark.parametrize(
     ("kind", "gains"), [("p-type", {"gain": 200.0, "bandwidth": 120.0}), ("zero-phase", {"gain": 0.4, "half_width": 8})]
 )
-def test_a_table_does_not_wind_up_whoever_limits_the_command(where: str, kind: str, gains: dict[str, float]) -> None:
+def test_a_table_does_not_wind_up_with_the_limit_in_drive_or_controller(where: str, kind: str, gains: dict[str, float]) -> None:
     machine, axes = stage(**{"limit" if where == "drive" else "command_limit": 0.8})
     reference, controller = cl.uniform(cl.contour("ellipse", a=0.02, b=0.01), 0.8, 1, PERIOD), cl.Controller(axes)
     law = make("learning", kind, **gains)

@@ -1,4 +1,4 @@
-"""Messages on a link: their lag, their loss, their order, and that chance is the same for all that travels together."""
+"""Messages on a link: lag, loss, order, and equal chance for all signals of one message."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ TICKS = np.arange(400.0)
 
 
 def received(sent: Any, jit: bool = False, **parameters: Any) -> Array:
-    """Return what comes out of a network."""
+    """Return the output of a network."""
     found = run_alone(make("link", "network", **parameters), {"sent": np.asarray(sent, dtype=float)}, jit=jit)["received"]
     return np.asarray(found, dtype=float).ravel()
 
 
 def stamps(n: int = 400, **parameters: Any) -> Array:
-    """Return the tick at which what is held at each tick was sent; 0 as well where nothing has come yet."""
+    """Return, per tick, the sending tick of the held message; 0 as well before the first arrival."""
     return received(np.arange(float(n)), **parameters)
 
 
 def expected(sent: Array, spacing: int, delay: float, jitter: float, loss: float, stream: float) -> Array:
-    """Return what arrives, message by message: an oracle that knows times and no ring."""
+    """Return what arrives, message by message: an oracle that uses times and no ring buffer."""
     arrivals = []
     for number in range(-(-len(sent) // spacing)):
         if uniform(stream, float(number), 1.0) > loss:
@@ -51,7 +51,7 @@ def test_constant_velocity_lags_by_velocity_times_delay(ticks: int) -> None:
     assert np.allclose(lag[ticks:], 0.3 * ticks * PERIOD, rtol=0, atol=1e-15)
 
 
-def test_a_message_period_adds_half_of_what_it_holds_on_average() -> None:
+def test_a_message_period_adds_half_its_length_on_average() -> None:
     age = TICKS - stamps(message_period=5 * PERIOD, delay=2 * PERIOD)
     assert set(age[2:].tolist()) == {2.0, 3.0, 4.0, 5.0, 6.0}
     assert age[2:397].mean() == pytest.approx(2.0 + (5 - 1) / 2)
@@ -71,12 +71,12 @@ def test_nothing_is_lost_at_a_loss_of_0_and_all_at_1() -> None:
 
 
 @pytest.mark.parametrize("loss", [0.05, 0.3, 0.8])
-def test_the_part_that_is_lost_is_that_asked_for(loss: float) -> None:
+def test_the_share_of_lost_messages_is_the_requested_one(loss: float) -> None:
     n = 20_000
     held = stamps(n, jit=True, loss=loss, stream=5.0)
     arrived = len(np.unique(held)) - 1
     assert stats.binomtest(arrived, n - 1, 1.0 - loss).pvalue > 1e-3
-    # Independent: as many arrive behind a lost one as behind any.
+    # Independent: as many messages arrive after a lost one as after any other.
     fresh = np.diff(held) > 0
     behind = fresh[1:][~fresh[:-1]]
     assert stats.binomtest(int(behind.sum()), len(behind), 1.0 - loss).pvalue > 1e-3
@@ -88,7 +88,7 @@ def test_jitter_is_uniform() -> None:
     first = np.flatnonzero(np.diff(held) > 0) + 1
     taken = first - held[first]
     counts = np.bincount(taken.astype(int), minlength=14)
-    assert counts[:4].sum() == 0 and counts[14:].sum() == 0  # rounded up: from 4 to 13 ticks, each as often
+    assert counts[:4].sum() == 0 and counts[14:].sum() == 0  # rounded up: 4 to 13 ticks, equally often
     assert stats.chisquare(counts[4:14]).pvalue > 1e-3
 
 
@@ -100,7 +100,7 @@ def test_jitter_is_uniform() -> None:
     stream=st.integers(1, 2**40),
 )
 @settings(max_examples=60, deadline=None)
-def test_what_is_held_is_the_newest_that_has_arrived(spacing: int, delay: float, jitter: float, loss: float, stream: int) -> None:
+def test_the_newest_arrived_message_is_held(spacing: int, delay: float, jitter: float, loss: float, stream: int) -> None:
     sent = np.sin(0.7 * np.arange(80.0)) + np.arange(80.0)
     times = {"message_period": spacing * PERIOD, "delay": delay * PERIOD, "jitter": jitter * PERIOD}
     found = received(sent, **times, loss=loss, stream=float(stream))
@@ -117,12 +117,12 @@ def test_time_stamps_never_go_back(jitter: float, loss: float, stream: int) -> N
 
 
 def test_messages_do_overtake_each_other() -> None:
-    """That the order is kept is worth something only where it is lost on the way."""
+    """Keeping the order is a real test only if messages lose it on the way."""
     taken = [uniform(3.0, float(number), 0.0) * 30.0 + number for number in range(150)]
     assert (np.diff(taken) < 0.0).sum() > 20
 
 
-def test_extrapolation_makes_good_a_delay_at_constant_velocity() -> None:
+def test_extrapolation_removes_a_delay_at_constant_velocity() -> None:
     ramp = 0.3 * PERIOD * TICKS + 0.01
     slow = {"message_period": 4 * PERIOD, "delay": 3 * PERIOD, "between": "extrapolate", "horizon": 1.0}
     found = received(ramp, **slow)
@@ -144,7 +144,7 @@ def test_signals_of_one_stream_share_the_fate_of_their_message() -> None:
     assert not np.array_equal(one, received(TICKS, **chance, stream=22.0))
 
 
-def test_without_any_loss_of_time_it_is_a_wire() -> None:
+def test_with_zero_delay_it_is_a_wire() -> None:
     noise = np.random.default_rng(1).normal(size=300)
     for between in ("hold", "extrapolate"):
         for jit in (False, True):

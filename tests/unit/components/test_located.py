@@ -1,4 +1,4 @@
-"""The first zero of a cubic in a step, against all of its zeros."""
+"""The first zero of a cubic within a step, against all of its zeros."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def zeros(y0: float, y1: float, d0: float, d1: float) -> NDArray[np.float64]:
 @given(y0=SIZES, y1=SIZES, d0=SLOPES, d1=SLOPES)
 def test_the_first_fall_through_zero_is_found(y0: float, y1: float, d0: float, d1: float) -> None:
     u = first_zero(y0, -y1, d0, d1)
-    # As near as rounding lets the cubic tell.
+    # As accurate as the rounding of the cubic allows.
     assert abs(hermite(u, y0, -y1, d0, d1)) <= 1e-14 * (y0 + y1 + abs(d0) + abs(d1))
     every = zeros(y0, -y1, d0, d1)
     assume(np.diff(every).min(initial=1.0) > 1e-3)
@@ -40,7 +40,7 @@ def test_the_first_fall_through_zero_is_found(y0: float, y1: float, d0: float, d
 
 
 @given(y0=SIZES, y1=SIZES, d0=SLOPES, d1=SLOPES)
-def test_a_dip_below_zero_is_found_if_there_is_one(y0: float, y1: float, d0: float, d1: float) -> None:
+def test_a_dip_below_zero_is_found(y0: float, y1: float, d0: float, d1: float) -> None:
     u = first_dip(y0, y1, d0, d1)
     deepest = min(hermite(float(x), y0, y1, d0, d1) for x in np.linspace(0.0, 1.0, 2001))
     if d0 < 0.0 < d1 and deepest < -1e-9:
@@ -50,7 +50,7 @@ def test_a_dip_below_zero_is_found_if_there_is_one(y0: float, y1: float, d0: flo
         assert u == NEVER
 
 
-def test_what_starts_at_zero_falls_later_or_at_once() -> None:
+def test_a_cubic_that_starts_at_zero_falls_later_or_at_once() -> None:
     """x (1/2 - x) starts at zero and falls through it half way; -x falls at once."""
     assert abs(first_zero(0.0, -0.5, 0.5, -1.5) - 0.5) < 1e-15
     assert first_zero(0.0, -1.0, -1.0, -1.0) < 1e-15

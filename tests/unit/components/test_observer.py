@@ -1,4 +1,4 @@
-"""The disturbance observer: what reaches the plant, eqs (10)-(13), and what it does to an axis that is not its model."""
+"""The disturbance observer: its effect on the plant, eqs (10)-(13), and on an axis that differs from its model."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ SUBTRACT = Step("subtract", subtract, inputs=(Port("command"), Port("estimate"))
 
 
 def velocity_of(plant: Component, observer: Component | None, command: Array, load: Array, jit: bool = False) -> Array:
-    """Return the velocity (n_tick,) of an axis whose command is what the observer leaves of one that is given."""
+    """Return the velocity (n_tick,) of an axis for a given command, from which the observer subtracts its estimate."""
     nodes = []
     if observer is not None:
         wires = {"velocity": Late("plant.velocity"), "applied": Late("drive.applied")}
@@ -46,7 +46,7 @@ def loop(a: float, b: float, a_hat: float, b_hat: float, wd: float, wz: float) -
     """Return A, B, C of axis and observer in continuous time: states v, xi, d_hat; inputs u_c, d; output v."""
     observer = make("observer", "disturbance-observer", bandwidth=wd, filter_bandwidth=wz, model_gain=a_hat, model_damping=b_hat)
     model = observer.linearize()
-    # s v = -b v + a (u_c - d_hat + d), from the observer's velocity and applied command to its estimate.
+    # s v = -b v + a (u_c - d_hat + d); the estimate uses the observer's velocity and applied command.
     matrix = np.zeros((3, 3))
     matrix[0] = [-b, 0.0, -a]
     matrix[1:, 1:] = model.a
@@ -61,7 +61,7 @@ def loop(a: float, b: float, a_hat: float, b_hat: float, wd: float, wz: float) -
 def test_the_loop_is_that_of_equations_10_to_13(a: float, b: float, a_hat: float, b_hat: float, wd: float, ratio: float) -> None:
     """V = [P U_c + P (1 - Q) D]/(1 - Q + P Q N), with P = a/(s + b), Q = w_d/(s + w_d), N = (s w_z/(s + w_z) + b_hat)/a_hat.
 
-    That is (10)-(13) solved by hand from the observer's definition; nothing of its state form is used.
+    This is (10)-(13) solved by hand from the observer's definition, independent of its state form.
     """
     wz = ratio * wd
     matrix, inputs, output = loop(a, b, a_hat, b_hat, wd, wz)
@@ -75,7 +75,7 @@ def test_the_loop_is_that_of_equations_10_to_13(a: float, b: float, a_hat: float
 
 @given(a=POSITIVE, b=POSITIVE, a_hat=POSITIVE, b_hat=POSITIVE, wd=st.floats(1.0, 1e3), ratio=st.floats(0.1, 100.0))
 def test_it_is_stable_for_all_positive_parameters(a: float, b: float, a_hat: float, b_hat: float, wd: float, ratio: float) -> None:
-    """By Routh's criterion in continuous time; here by eigenvalues."""
+    """Routh's criterion proves it in continuous time; this test uses eigenvalues."""
     matrix, _, _ = loop(a, b, a_hat, b_hat, wd, ratio * wd)
     assert np.linalg.eigvals(matrix).real.max() < 0.0
 
@@ -84,7 +84,7 @@ def test_it_is_stable_for_all_positive_parameters(a: float, b: float, a_hat: flo
 @pytest.mark.parametrize(("gain", "damping"), [(1.695, 10.1), (0.648, 6.5), (0.9, 25.0)])
 @pytest.mark.parametrize("disturbance", [0.0, -0.088])
 def test_an_axis_under_its_observer_has_the_steady_gain_of_the_model(rule: str, gain: float, damping: float, disturbance: float) -> None:
-    """a_hat/b_hat from the command to the velocity, whatever the axis is and whatever pushes it."""
+    """a_hat/b_hat from the command to the velocity, for any axis and any disturbance."""
     a_hat, b_hat = 0.9, 12.0
     observer = make("observer", "disturbance-observer", model_gain=a_hat, model_damping=b_hat, discretisation=rule)
     n = 4000
@@ -92,14 +92,14 @@ def test_an_axis_under_its_observer_has_the_steady_gain_of_the_model(rule: str, 
     assert v[-1] == pytest.approx(0.3 * a_hat / b_hat, rel=1e-10)
 
 
-def test_without_it_neither_holds() -> None:
+def test_without_the_observer_neither_holds() -> None:
     n = 4000
     v = velocity_of(make("plant", "rigid-axis", gain=1.695, damping=10.1), None, np.full(n, 0.3), np.full(n, -0.088), jit=True)
     assert v[-1] == pytest.approx((0.3 - 0.088) * 1.695 / 10.1, rel=1e-10)
 
 
-def test_a_step_of_disturbance_is_forgotten_at_the_bandwidth() -> None:
-    """With the axis as its model and w_z far above, the response to a disturbance decays as exp(-w_d t)."""
+def test_a_disturbance_step_decays_at_the_bandwidth() -> None:
+    """With an exact model and w_z far above, the response to a disturbance decays as exp(-w_d t)."""
     a, b, wd, n = 1.0, 5.0, 40.0, 400
     plant = make("plant", "rigid-axis", gain=a, damping=b)
     observer = make("observer", "disturbance-observer", bandwidth=wd, filter_bandwidth=1e5, model_gain=a, model_damping=b)
@@ -110,8 +110,8 @@ def test_a_step_of_disturbance_is_forgotten_at_the_bandwidth() -> None:
     assert v == pytest.approx(0.2 * a * (np.exp(-b * t) - np.exp(-wd * t)) / (wd - b), abs=0.04 * v.max())
 
 
-def test_an_axis_that_is_its_model_shows_no_disturbance() -> None:
-    """Nothing acts besides the model, so that the estimate is what sampling leaves: it goes with the period."""
+def test_an_exact_model_shows_no_disturbance() -> None:
+    """The estimate is the error of sampling alone and vanishes with the period."""
     plant = make("plant", "rigid-axis", gain=1.1, damping=8.0)
     observer = make("observer", "disturbance-observer", model_gain=1.1, model_damping=8.0)
     command = 0.5 * np.sin(5.0 * PERIOD * np.arange(2000))

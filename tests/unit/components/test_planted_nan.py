@@ -1,4 +1,4 @@
-"""A number that is no number, planted into each slot of a running loop: the engine has to notice, and to say when and where."""
+"""A NaN planted into each slot of a running loop: the engine must notice it and say when and where."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ INFINITY = math.inf
 
 
 def rotten(condition: bool) -> float:
-    """Return 0, or where the condition holds inf - inf."""
+    """Return 0, or inf - inf where the condition holds."""
     return select(condition, INFINITY - INFINITY, 0.0)
 
 
@@ -115,7 +115,7 @@ class RottenSupervisor(EstimatorBased):
 
 
 class RottenObserver(DisturbanceObserver):
-    """The fault passes after one tick; what it did to the loop does not."""
+    """The fault passes after one tick; its effect on the loop stays."""
 
     kind = "rotten"
 
@@ -222,7 +222,7 @@ PLANTED = [
     (RottenEstimator(), 0),
     (RottenCoupling(), 0),
     (RottenLink(), 0),
-    # What stands behind the commands is seen by the controllers, and in the position, at the next tick.
+    # Faults after the commands reach the controllers and the position at the next tick.
     (RottenDrive(), 1),
     (RottenLoad(**LOAD), 1),
     (RottenPlant(gain=1.0, damping=6.0), None),
@@ -234,9 +234,9 @@ NAMES = [type(part).__name__ for part, _ in PLANTED]
 
 
 def loop_with(planted: Component | None) -> tuple[cl.Machine, cl.Controller]:
-    """Return a machine with all slots filled, and one of those of axis x by the planted part."""
+    """Return a machine with all slots filled, and the planted part in its slot of axis x."""
     family = planted.family if planted is not None else ""
-    # A gap is observed on a drive of two sides alone.
+    # A gap is observed only on a two-inertia drive.
     geared = make("plant", "two-inertia", motor_inertia=4e-3, mass=10.0, lead=0.02, stiffness=50.0, backlash_gap=2e-5)
 
     def axis(name: str) -> cl.Axis:
@@ -276,14 +276,14 @@ def test_every_family_is_planted() -> None:
     assert {part.family for part, _ in PLANTED} == set(FAMILIES) - {"learning"}
 
 
-def test_without_a_plant_the_loop_is_sound(circle: cl.Reference) -> None:
+def test_without_a_planted_fault_the_loop_is_sound(circle: cl.Reference) -> None:
     result = cl.simulate(*loop_with(None), circle)
     assert result.status.ok
     assert all(np.isfinite(signal.data).all() for signal in result.signals.values())
 
 
 @pytest.mark.parametrize(("planted", "late"), PLANTED, ids=NAMES)
-def test_a_planted_number_ends_the_run_where_it_stands(planted: Component, late: int | None, circle: cl.Reference) -> None:
+def test_a_planted_nan_ends_the_run_at_its_place(planted: Component, late: int | None, circle: cl.Reference) -> None:
     result = cl.simulate(*loop_with(planted), circle, on_failure="return")
     assert not result.status.ok
     assert "not finite" in result.status.reason
@@ -298,12 +298,12 @@ def test_a_planted_number_ends_the_run_where_it_stands(planted: Component, late:
 
 
 @pytest.mark.parametrize("planted", [part for part, late in PLANTED if late is None], ids=NAMES[-4:])
-def test_a_force_that_breaks_ends_the_run_at_its_own_speed(planted: Component, circle: cl.Reference) -> None:
-    """What triggers these is a command or a speed; it must have been passed at the end, and not before."""
+def test_a_friction_that_turns_nan_ends_the_run_at_its_trigger(planted: Component, circle: cl.Reference) -> None:
+    """A command or a speed triggers these; at the end the trigger must have been passed, and not before."""
     result = cl.simulate(*loop_with(planted), circle, on_failure="return")
     signal, limit = ("applied_command", 0.5) if planted.family == "plant" else ("axis_velocity", SPEED)
     seen = np.abs(result[signal][: result.status.sample, 0])
-    # The velocity may stop being a number a tick before the position that follows from it.
+    # The velocity may become NaN one tick before the position.
     seen = seen[np.isfinite(seen)]
     assert result.status.sample - 1 <= seen.size <= result.status.sample
     assert not (seen[:-1] > limit).any()
@@ -314,7 +314,7 @@ LANES = (RottenController, RottenEstimator, RottenLoad, RottenPlant, RottenStick
 
 
 @pytest.mark.parametrize("planted", [part for part, _ in PLANTED if isinstance(part, LANES)], ids=lambda part: part.kind)
-def test_lanes_notice_it_too(planted: Component, circle: cl.Reference) -> None:
+def test_lanes_notice_a_nan_too(planted: Component, circle: cl.Reference) -> None:
     single = cl.simulate(*loop_with(planted), circle, on_failure="return").status
     batch = cl.simulate_batch(*loop_with(planted), circle, {"axes.y.plant.gain": np.linspace(0.9, 1.1, 3)})
     assert batch.failed_at.tolist() == [single.sample] * 3

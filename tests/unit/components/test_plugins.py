@@ -61,7 +61,7 @@ def write(folder: Path, text: str, name: str = "push.py") -> Path:
 # --- loose files ---------------------------------------------------------------------------------------------------------------------
 
 
-def test_a_loose_file_is_known_from_then_on(tmp_path: Path) -> None:
+def test_a_loaded_file_is_registered(tmp_path: Path) -> None:
     with pytest.raises(ComponentError, match="no disturbance 'push'"):
         registry.component("disturbance", "push")
     (kind,) = cl.load_plugin(write(tmp_path, source("push")))
@@ -70,12 +70,12 @@ def test_a_loose_file_is_known_from_then_on(tmp_path: Path) -> None:
     cl.check_component(kind, jit=False)
 
 
-def test_its_imports_are_not_taken_for_its_own(tmp_path: Path) -> None:
+def test_classes_imported_by_a_file_are_not_its_own(tmp_path: Path) -> None:
     text = "from contourlab.components.drive.saturation import Saturation\n" + source("push")
     assert [kind.kind for kind in cl.load_plugin(write(tmp_path, text))] == ["push"]
 
 
-def test_a_file_that_was_edited_takes_its_own_place(tmp_path: Path) -> None:
+def test_an_edited_file_replaces_its_old_version(tmp_path: Path) -> None:
     file = write(tmp_path, source("push"))
     (old,) = cl.load_plugin(file)
     write(tmp_path, source("push", default=3.0) + source("pull", "Pull"))
@@ -94,7 +94,7 @@ def test_a_file_that_was_edited_takes_its_own_place(tmp_path: Path) -> None:
         ("class Push(\n", r"SyntaxError: .*line 1"),
         ("import no_such_package\n", "ModuleNotFoundError: .*'no_such_package'"),
         ("raise KeyError('x')\n", "imported: KeyError"),
-        ("x = 1\n", "no component .*subclass"),
+        ("x = 1\n", "no component: .*subclass"),
         ("from contourlab.components.drive.saturation import Saturation\n", "no component"),
         (source("push").replace('kind = "push"', ""), "no component"),
         (source("push").replace('"disturbance"', '"gearbox"'), "'gearbox'.* plant, friction"),
@@ -103,7 +103,7 @@ def test_a_file_that_was_edited_takes_its_own_place(tmp_path: Path) -> None:
         ("", "no component"),
     ],
 )
-def test_a_bad_file_is_refused_with_what_would_mend_it(tmp_path: Path, text: str, said: str) -> None:
+def test_a_bad_file_is_refused_with_advice(tmp_path: Path, text: str, said: str) -> None:
     file = write(tmp_path, text)
     before = registry.components()
     with pytest.raises(ComponentError, match=said) as caught:
@@ -112,20 +112,20 @@ def test_a_bad_file_is_refused_with_what_would_mend_it(tmp_path: Path, text: str
     assert registry.components() == before
 
 
-def test_of_a_bad_file_nothing_is_kept(tmp_path: Path) -> None:
+def test_nothing_of_a_bad_file_is_kept(tmp_path: Path) -> None:
     with pytest.raises(ComponentError, match="'constant' already"):
         cl.load_plugin(write(tmp_path, source("push") + source("constant", "Second")))
     assert "push" not in {kind.kind for kind in registry.components()}
     cl.load_plugin(write(tmp_path, source("push"), "other.py"))
 
 
-def test_two_files_of_one_kind_are_refused(tmp_path: Path) -> None:
+def test_two_files_with_the_same_kind_are_refused(tmp_path: Path) -> None:
     cl.load_plugin(write(tmp_path, source("push")))
     with pytest.raises(ComponentError, match="'push' already"):
         cl.load_plugin(write(tmp_path, source("push"), "other.py"))
 
 
-def test_two_files_of_one_name_live_side_by_side(tmp_path: Path) -> None:
+def test_two_files_of_the_same_name_coexist(tmp_path: Path) -> None:
     for kind in ("push", "pull"):
         (tmp_path / kind).mkdir()
         cl.load_plugin(write(tmp_path / kind, source(kind)))
@@ -133,7 +133,7 @@ def test_two_files_of_one_name_live_side_by_side(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["none.py", ".", "notes.txt", "no/such/folder/drag.py"])
-def test_what_is_no_python_file_is_refused(tmp_path: Path, name: str) -> None:
+def test_a_file_that_is_not_python_is_refused(tmp_path: Path, name: str) -> None:
     (tmp_path / "notes.txt").write_text(source("push"))
     with pytest.raises(ComponentError, match="Python file"):
         cl.load_plugin(tmp_path / name)
@@ -152,7 +152,7 @@ def drag(tmp_path: Path) -> Path:
     return write(tmp_path, next(block for block in blocks("python") if "class Drag(Component)" in block), "drag.py")
 
 
-def test_the_command_of_the_guide_works_as_it_stands(drag: Path) -> None:
+def test_the_command_in_the_guide_works(drag: Path) -> None:
     line = next(line for block in blocks("sh") for line in block.splitlines() if "--plugin" in line)
     program, *arguments = line.split()
     assert program == "contourlab"
@@ -164,13 +164,13 @@ def test_the_command_of_the_guide_works_as_it_stands(drag: Path) -> None:
     assert all(word in done.stdout for word in ("friction/drag", "Resistance", "coefficient"))
 
 
-def test_the_lines_of_the_guide_work_as_they_stand(drag: Path) -> None:
+def test_the_code_in_the_guide_works(drag: Path) -> None:
     lines = next(block for block in blocks("python") if "load_plugin" in block)
     done = subprocess.run([sys.executable, "-c", lines], cwd=drag.parent, capture_output=True, text=True, timeout=60)
     assert done.returncode == 0, done.stderr
 
 
-def test_the_drag_of_the_guide_slows_an_axis_as_the_closed_form_says(drag: Path) -> None:
+def test_the_drag_in_the_guide_slows_an_axis_as_the_closed_form_says(drag: Path) -> None:
     """m v' = -c v^2 has the solution v = v0/(1 + c v0 t/m)."""
     from component_rig import make, run_alone
 
@@ -186,7 +186,7 @@ def test_the_drag_of_the_guide_slows_an_axis_as_the_closed_form_says(drag: Path)
 
 
 def offer(monkeypatch: pytest.MonkeyPatch, **values: object) -> None:
-    """Make installed packages out of objects: one entry point a name; an exception is raised on loading."""
+    """Simulate installed packages: one entry point per name; an exception is raised on loading."""
 
     class Entry:
         def __init__(self, name: str, thing: object) -> None:
@@ -208,14 +208,14 @@ def strangers() -> type[Component]:
     return scope["Push"]  # type: ignore[return-value]
 
 
-def test_a_class_of_an_entry_point_is_known(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_class_from_an_entry_point_is_known(monkeypatch: pytest.MonkeyPatch) -> None:
     kind = strangers()
     offer(monkeypatch, push=kind)
     assert registry.component("disturbance", "strange-push") is kind
     assert registry.component("plant", "rigid-axis").kind == "rigid-axis"
 
 
-def test_a_module_of_an_entry_point_brings_all_its_components(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_module_from_an_entry_point_brings_all_its_components(monkeypatch: pytest.MonkeyPatch) -> None:
     module = ModuleType("stranger")
     module.Push = strangers()  # type: ignore[attr-defined]
     module.Component = Component  # type: ignore[attr-defined]
@@ -228,18 +228,18 @@ def test_a_module_of_an_entry_point_brings_all_its_components(monkeypatch: pytes
     [
         (ImportError("no such wheel"), r"entry point push = stranger\.push .*such wheel"),
         (RuntimeError("boom"), "loaded: boom"),
-        (3, "push: 3 .*no component"),
-        (Component, "no component"),
+        (3, "push: 3 .*not a component"),
+        (Component, "not a component"),
         (ModuleType("empty"), "push: .*no component"),
     ],
 )
-def test_an_entry_point_that_gives_no_component_is_never_skipped(monkeypatch: pytest.MonkeyPatch, thing: object, said: str) -> None:
+def test_an_entry_point_without_a_component_is_never_skipped(monkeypatch: pytest.MonkeyPatch, thing: object, said: str) -> None:
     offer(monkeypatch, push=thing)
     with pytest.raises(ComponentError, match=said):
         registry.components()
 
 
-def test_an_entry_point_cannot_take_the_place_of_ours(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_entry_point_cannot_replace_a_built_in_component(monkeypatch: pytest.MonkeyPatch) -> None:
     scope: dict[str, object] = {"__name__": "stranger"}
     exec(source("constant"), scope)
     offer(monkeypatch, push=scope["Push"])
@@ -247,7 +247,7 @@ def test_an_entry_point_cannot_take_the_place_of_ours(monkeypatch: pytest.Monkey
         registry.components()
 
 
-def test_unknown_families_and_kinds_are_answered_with_those_there_are() -> None:
+def test_unknown_families_and_kinds_are_answered_with_the_valid_ones() -> None:
     with pytest.raises(ComponentError, match=r"'gearbox'.* plant, friction"):
         registry.components("gearbox")
     plants = "ball-screw, linear-motor, mass-damper, rigid-axis, second-order-integrator, two-inertia"

@@ -54,7 +54,7 @@ def closed_loop(part: PositionController, gain: float, damping: float) -> Array:
     part=st.floats(0.0, 1.0),
     structure=st.sampled_from(["feedforward", "ipv"]),
 )
-def test_poles_come_to_lie_where_they_were_placed(wn: float, zeta: float, alpha: float, gain: float, part: float, structure: str) -> None:
+def test_the_loop_has_the_placed_poles(wn: float, zeta: float, alpha: float, gain: float, part: float, structure: str) -> None:
     """The characteristic polynomial of the loop is (s^2 + 2 zeta w_n s + w_n^2)(s + alpha), in both structures."""
     damping = part * (alpha + 2.0 * zeta * wn)
     controller = PositionController(**PositionController.place(wn, zeta, alpha, gain, damping), structure=structure)
@@ -74,14 +74,14 @@ def test_poles_come_to_lie_where_they_were_placed(wn: float, zeta: float, alpha:
         ({"model_damping": 71.0}, r"model_damping = 71 1/s: must be <= pole \+ 2 damping natural_frequency = 70"),
     ],
 )
-def test_what_cannot_be_placed_is_refused(change: dict[str, float], said: str) -> None:
+def test_impossible_placements_are_refused(change: dict[str, float], said: str) -> None:
     asked = {"natural_frequency": 25.0, "damping": 0.7, "pole": 35.0, "model_gain": 0.9, "model_damping": 20.0}
     with pytest.raises(ParameterError, match=said):
         PositionController.place(**{**asked, **change})
 
 
-def test_an_ideal_axis_follows_as_far_as_sampling_lets_it() -> None:
-    """Eq (15) makes P/R' = 1: what is left comes with the held command, and goes with the period."""
+def test_an_ideal_axis_follows_up_to_the_sampling_error() -> None:
+    """Eq (15) makes P/R' = 1; the rest comes from the held command and vanishes with the period."""
     gain, damping, errors = 0.873, 19.7, []
     part = make("controller", "position", **PositionController.place(25.0, 0.7, 35.0, gain, damping))
     for period in (1e-3, 5e-4, 2.5e-4):
@@ -113,13 +113,13 @@ def test_the_command_is_equation_15() -> None:
     assert run_alone(part, fed)["command"] == pytest.approx(command, rel=1e-12)
 
 
-def test_without_feedforward_nothing_is_fed_forward() -> None:
+def test_without_feedforward_the_reference_adds_nothing() -> None:
     part = make("controller", "position", velocity_gain=100.0, position_gain=4000.0)
     out = run_alone(part, {"reference_acceleration": np.full(3, 50.0), "reference_velocity": np.zeros(3)})["command"]
     assert not out.any()
 
 
-def test_an_ipv_loop_at_rest_away_from_zero_asks_for_nothing() -> None:
+def test_an_ipv_loop_at_rest_away_from_zero_gives_zero_command() -> None:
     part = make("controller", "position", **{**GAINS, "structure": "ipv"})
     still = np.full(20, 0.3)
     out = run_alone(part, {"reference": still, "position": still}, initial=part.at_rest(0.3)[0])["command"]
@@ -128,18 +128,18 @@ def test_an_ipv_loop_at_rest_away_from_zero_asks_for_nothing() -> None:
 
 @pytest.mark.parametrize("way", [-1.0, 1.0])
 def test_the_integral_waits_while_the_drive_is_at_its_limit(way: float) -> None:
-    """Held back: an error that drives further into the limit. Let through: one that leads out of it."""
+    """It ignores errors that drive further into the limit and integrates errors that lead out of it."""
     error = way * np.concatenate([np.full(20, 1e-3), np.full(5, -0.25e-3)])
     hold, windup = (behind_a_drive(error, 2.0, kind) for kind in ("hold", "none"))
     rate = 4000.0 * 12.0 * PERIOD
-    # The first tick does not know of the limit yet; then nothing is added until the error turns, and all from there on.
+    # The first tick does not know of the limit yet; then the integral stays constant until the error changes sign.
     held = way * np.concatenate([np.full(20, 1e-3), 1e-3 - 0.25e-3 * np.arange(1, 6)])
     assert hold - 4000.0 * error == pytest.approx(rate * held, abs=1e-9)
     assert windup - 4000.0 * error == pytest.approx(rate * np.cumsum(error), abs=1e-9)
 
 
 def behind_a_drive(error: Array, limit: float, anti_windup: str) -> Array:
-    """Return the commands (n_tick,) of a controller whose drive has a limit, for an error that is given."""
+    """Return the commands (n_tick,) of a controller with a limited drive, for a given error."""
     part = make("controller", "position", position_gain=4000.0, integral_gain=12.0, anti_windup=anti_windup)
     drive = make("drive", "saturation", limit=limit)
     wires: dict[str, Any] = {port.name: 0.0 for port in part.inputs}

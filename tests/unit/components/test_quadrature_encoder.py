@@ -1,4 +1,4 @@
-"""The encoder from its analogue signals on: its errors before and after the correction, against first-order theory."""
+"""The encoder from its analogue signals: its errors before and after correction, against first-order theory."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def encoder(**parameters: Any) -> Any:
 
 
 def travel(pitches: float = 100.0, n: int = 20_000) -> np.ndarray:
-    """Uneven steps, so that the rounding to counts does not repeat with the pitch: a harmonic of it is 0.29 counts times sqrt(2/n)."""
+    """Return uneven steps, so that quantisation does not repeat with the pitch: a harmonic of it is 0.29 counts times sqrt(2/n)."""
     return PITCH * pitches * (np.arange(n) + np.random.default_rng(0).uniform(0.0, 1.0, n)) / n
 
 
@@ -40,30 +40,30 @@ def seen(part: Any, position: np.ndarray) -> np.ndarray:
 
 
 def errors(part: Any, position: np.ndarray | None = None, after: int = 0) -> Subdivisional:
-    """What repeats with every pitch, from sample `after` on."""
+    """Return the error that repeats with the pitch, from sample `after` on."""
     x = travel() if position is None else position
     return subdivisional_error((seen(part, x) - x)[after:], x[after:] / RADIAN)
 
 
 @given(radius=st.floats(1e-12, 1e12), angle=st.floats(-math.pi, math.pi))
-def test_the_angle_is_that_of_the_arctangent(radius: float, angle: float) -> None:
+def test_the_angle_is_the_arctangent(radius: float, angle: float) -> None:
     u1, u2 = radius * math.cos(angle), radius * math.sin(angle)
     found = in_turns(arctangents(), u1, u2) - math.atan2(u2, u1) / (2.0 * math.pi)
     assert abs(found - round(found)) < 4e-16
 
 
-def test_no_signal_has_an_angle_too() -> None:
+def test_a_zero_signal_has_an_angle_too() -> None:
     assert in_turns(arctangents(), 0.0, 0.0) == 0.0
 
 
 @given(p=st.floats(-0.4, 0.4), q=st.floats(-0.4, 0.4), r=st.floats(0.7, 1.4), al=st.floats(-0.6, 0.6))
-def test_constants_come_back_from_the_coefficients(p: float, q: float, r: float, al: float) -> None:
+def test_constants_are_recovered_from_the_coefficients(p: float, q: float, r: float, al: float) -> None:
     theta = ellipse(p, q, r, math.sin(al), 1.0)
     assert constants(theta) == pytest.approx((p, q, r, math.sin(al), math.cos(al)), abs=1e-11)
 
 
 @given(theta=st.tuples(*[st.floats(-1e6, 1e6)] * 5))
-def test_constants_of_anything_are_finite_and_within_belief(theta: tuple[float, ...]) -> None:
+def test_constants_from_any_coefficients_are_finite_and_plausible(theta: tuple[float, ...]) -> None:
     p, q, r, sine, cosine = constants(theta)
     assert max(abs(p), abs(q), abs(sine)) <= 0.9
     assert 0.009 <= r <= 101.0 and cosine > 0.4
@@ -95,13 +95,13 @@ BAD = {"offset_1": 0.06 * AMPLITUDE, "offset_2": -0.04 * AMPLITUDE, "amplitude_r
 KNOWN = {f"known_{name}".replace("amplitude_", ""): value for name, value in BAD.items()}
 
 
-def test_known_constants_take_the_errors_away() -> None:
+def test_known_constants_remove_the_errors() -> None:
     assert errors(encoder(correction="none", **BAD)).peak > 300e-9
     assert errors(encoder(correction="fixed", **BAD, **KNOWN)).peak < 0.05 * FINE
 
 
-def test_the_adaptive_correction_learns_them() -> None:
-    """Without noise nothing but counts is left; a third harmonic stays, being no ellipse."""
+def test_the_adaptive_correction_learns_the_errors() -> None:
+    """Without noise only quantisation is left; a third harmonic stays, because it is no ellipse."""
     x = travel(200.0, 40_000)
     half = x.size // 2
     assert errors(encoder(correction="adaptive", **BAD), x, half).peak < 0.05 * FINE
@@ -111,7 +111,7 @@ def test_the_adaptive_correction_learns_them() -> None:
 
 
 def test_the_adaptive_correction_under_noise_and_a_converter() -> None:
-    """Noise of 0.2 % and 12 bits: of 365 nm a hundredth is left, and single samples scatter by the noise alone."""
+    """Noise of 0.2 % and 12 bits: a hundredth of 365 nm is left; single samples scatter by the noise alone."""
     x = travel(400.0, 40_000)
     part = encoder(correction="adaptive", noise=0.002 * AMPLITUDE, bits=12.0, stream=3.0, **BAD)
     found = errors(part, x, x.size // 2)
@@ -126,7 +126,7 @@ def test_the_adaptive_correction_under_noise_and_a_converter() -> None:
 @pytest.mark.parametrize("jit", [False, True])
 @pytest.mark.parametrize("correction", ["none", "fixed", "adaptive"])
 @pytest.mark.parametrize("resolution", [25e-9, 10e-9, 1e-6])
-def test_clean_signals_are_counted_as_an_ideal_encoder_counts(correction: str, resolution: float, jit: bool) -> None:
+def test_clean_signals_are_counted_as_by_an_ideal_encoder(correction: str, resolution: float, jit: bool) -> None:
     """Pitch 4 um: 1 um becomes 25 and 10 nm."""
     x = 40e-6 * np.sin(np.linspace(0.0, 9.0, 700)) + 0.123e-6
     part = make("sensor", "quadrature-encoder", pitch=4e-6, resolution=resolution, correction=correction)
@@ -137,7 +137,7 @@ def test_clean_signals_are_counted_as_an_ideal_encoder_counts(correction: str, r
     assert not found["missed_periods"].any()
 
 
-def test_a_count_is_right_far_out_and_at_any_speed_with_a_counter_of_its_own() -> None:
+def test_with_its_own_counter_counts_are_right_far_out_and_at_any_speed() -> None:
     x = np.array([0.0, 0.3, 0.95, -0.7, 2.0, -2.0]) + 1.3e-6
     found = run_alone(encoder(correction="none", resolution=25e-9), {"position": x}, jit=True)
     assert found["position"] == pytest.approx(x, abs=12.6e-9)
@@ -153,7 +153,7 @@ def test_sampled_counting_loses_periods_beyond_half_a_pitch(speed: float) -> Non
     assert found["position"] == pytest.approx(x - PITCH * lost, abs=FINE)
 
 
-def test_it_begins_where_the_axis_stands() -> None:
+def test_it_begins_at_the_position_of_the_axis() -> None:
     for counting in ("hardware", "sampled"):
         found = run_alone(encoder(counting=counting), {"position": np.full(3, 0.4321)}, jit=True)
         assert found["position"] == pytest.approx(np.full(3, 0.4321), abs=FINE)
@@ -172,8 +172,8 @@ def test_noise_is_normal_and_comes_from_its_stream() -> None:
     assert abs(np.corrcoef(found[1:], found[:-1])[0, 1]) < 4.0 / math.sqrt(x.size)
 
 
-def test_a_converter_of_few_bits_moves_the_angle_by_half_a_step_at_most() -> None:
-    """8 bits over +-1 V: a step of 7.8 mV; two signals, each off by half of it."""
+def test_a_coarse_converter_shifts_the_angle_by_half_a_step_at_most() -> None:
+    """8 bits over +-1 V: a step of 7.8 mV; each of two signals is off by up to half of it."""
     x = travel(7.0)
     off = np.abs(seen(encoder(correction="none", bits=8.0), x) - x)
     step = 2.0 / 2**8 / AMPLITUDE
@@ -190,8 +190,8 @@ def test_a_converter_clips() -> None:
 
 
 @pytest.mark.parametrize("correction", ["none", "fixed", "adaptive"])
-def test_a_loop_sees_the_position_through_it(correction: str) -> None:
-    """Measured less true position on a circle: half a count of 25 nm where it is corrected, and the error of the angle where it is not."""
+def test_a_loop_measures_its_position_through_the_encoder(correction: str) -> None:
+    """Measured less true position on a circle: half a count of 25 nm with correction, otherwise the error of the angle."""
     machine = load_machine("builtin:ghaffari/a3a1")
     known = KNOWN if correction == "fixed" else {}
     sensor = make("sensor", "quadrature-encoder", pitch=4e-6, resolution=25e-9, correction=correction, **BAD, **known)
@@ -220,6 +220,6 @@ def test_a_loop_sees_the_position_through_it(correction: str) -> None:
         ({"bits": 40.0}, "bits"),
     ],
 )
-def test_what_makes_no_sense_is_refused(bad: dict[str, float], words: str) -> None:
+def test_invalid_settings_are_refused(bad: dict[str, float], words: str) -> None:
     with pytest.raises(ParameterError, match=words):
         encoder(**bad)

@@ -1,4 +1,4 @@
-"""What is fed forward from the reference: friction, inverse dynamics, and the zero-phase filter as a component."""
+"""Feedforward from the reference: friction, inverse dynamics, and the zero-phase filter as a component."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ def command(part: Any, velocity: Any) -> Any:
     return run_alone(part, {"reference_velocity": velocity})["command"]
 
 
-def test_friction_at_the_ends_of_its_curve() -> None:
-    """F_s where the sign has changed and Stribeck's effect is whole, F_c + c v far beyond it, F_s v/v_e through zero; in commands."""
+def test_limits_of_the_friction_curve() -> None:
+    """F_s after a change of sign with the full Stribeck effect, F_c + c v far beyond it, F_s v/v_e through zero; in commands."""
     part = FrictionFeedforward(**STRIBECK, force_constant=4.0)
     near, far, least = command(part, [4e-4, 0.1, 1e-9])
     assert near == pytest.approx((5.0 - 2.0 * (4e-4 / 0.01) ** 2 + 20.0 * 4e-4) / 4.0, rel=1e-3)
@@ -40,8 +40,8 @@ def test_friction_is_odd() -> None:
     assert command(part, -v) == pytest.approx(-command(part, v), abs=0.0)
 
 
-def test_friction_that_is_known_costs_little() -> None:
-    """The same law in the axis and ahead of it: what is left at the reversals is from the lag between reference and axis."""
+def test_known_friction_leaves_a_small_error() -> None:
+    """The same law in axis and feedforward: the rest at the reversals comes from the lag between reference and axis."""
     errors = []
     for part in (None, FrictionFeedforward(**STRIBECK, force_constant=60.0)):
         friction = make("friction", "smooth-coulomb", **STRIBECK)
@@ -55,19 +55,19 @@ def test_friction_that_is_known_costs_little() -> None:
     assert errors[1] < 0.2 * errors[0]
 
 
-def test_an_axis_led_by_its_inverse_follows_whatever_its_controller() -> None:
+def test_an_axis_with_its_inverse_as_feedforward_follows_with_any_controller() -> None:
     """v' = a u - b v with k_a = 1/a, k_v = b/a."""
     w = np.geomspace(0.5, 1000.0, 30)
     axis = cl.Axis("x", make("plant", "rigid-axis", gain=1.8, damping=20.0))
     ahead = InverseDynamics(velocity_gain=20.0 / 1.8, acceleration_gain=1.0 / 1.8)
-    # The derivative of a PID on the error asks for nothing more where there is no error.
+    # A PID derivative on the error adds nothing at zero error.
     servo = cl.AxisController(PID(proportional_gain=900.0, derivative_gain=30.0), feedforward=ahead)
     assert axis_response(axis, servo, 0.0, w).closed_loop == pytest.approx(np.ones(w.size), abs=1e-10)
     gaps = [np.abs(axis_response(axis, servo, period, w[w < 300.0]).closed_loop - 1.0).max() for period in (1e-3, 5e-4, 2.5e-4)]
     assert np.log2(np.array(gaps[:-1]) / gaps[1:]) == pytest.approx([1.0, 1.0], abs=0.15)
 
 
-# --- the zero-phase filter as it runs ------------------------------------------------------------------------------------------------
+# --- the zero-phase filter in operation ------------------------------------------------------------------------------------------------
 
 FILTERS = [
     pytest.param((3.0, -2.2), (1.0, -0.2), 0, id="no-lead"),
@@ -78,8 +78,8 @@ FILTERS = [
 
 
 @pytest.mark.parametrize(("numerator", "denominator", "lead"), FILTERS)
-def test_the_shift_is_that_of_another_librarys_filter(numerator: tuple[float, ...], denominator: tuple[float, ...], lead: int) -> None:
-    """F r - r once the filter's memory is full and the fading done; the reference is there a while before it moves."""
+def test_the_shift_equals_the_filter_of_another_library(numerator: tuple[float, ...], denominator: tuple[float, ...], lead: int) -> None:
+    """F r - r once the filter's memory is full and the fading complete; the reference rests for a while before it moves."""
     n, still = 400, 80
     r = 0.3 + np.concatenate([np.zeros(still), np.cumsum(np.cumsum(np.random.default_rng(1).normal(size=n - still))) * 1e-4])
     ahead = np.concatenate([r[lead:], np.full(lead, r[-1])])
@@ -91,8 +91,8 @@ def test_the_shift_is_that_of_another_librarys_filter(numerator: tuple[float, ..
     assert found == pytest.approx(wanted, abs=1e-12 * np.abs(wanted).max())
 
 
-def test_it_comes_in_slowly_where_the_reference_moves_at_once() -> None:
-    """A steady speed from the first tick: nothing until the memory is full, then the rise to the steady shift, and never beyond it."""
+def test_the_shift_fades_in_if_the_reference_moves_at_once() -> None:
+    """A steady speed from the first tick: zero until the memory is full, then a rise to the steady shift, never beyond it."""
     part = ZPETC(numerator=(11.0, -10.0), denominator=(1.0,), lead=4.0)
     shift = run_alone(part, {"reference_ahead": 1e-3 * (4.0 + np.arange(40))})["reference_shift"]
     memory = part.taps.size
@@ -102,7 +102,7 @@ def test_it_comes_in_slowly_where_the_reference_moves_at_once() -> None:
     assert shift[2 * memory :] == pytest.approx(np.full(40 - 2 * memory, 14e-3), rel=1e-9)
 
 
-def test_a_machine_that_stands_is_not_shifted() -> None:
+def test_a_machine_at_rest_is_not_shifted() -> None:
     part = ZPETC(numerator=(3e6, -5.9e6, 2.900001e6), denominator=(1.0,), lead=1.0)
     assert not run_alone(part, {"reference_ahead": np.full(50, 0.4321)})["reference_shift"].any()
 
@@ -113,18 +113,18 @@ def test_a_machine_that_stands_is_not_shifted() -> None:
         ({"numerator": (2.0, -0.9)}, "numerator = .*sum 1.1"),
         ({"denominator": (1.0, -1.5, 1.5)}, "denominator"),
         ({"denominator": (0.0, 1.0)}, "d_0"),
-        ({"denominator": (1.0, *(0.0,) * 9)}, "of order 8 at most"),
+        ({"denominator": (1.0, *(0.0,) * 9)}, "of order 8 or less"),
         ({"lead": 1.5}, "lead = 1.5: .*whole"),
         ({"numerator": ()}, "list"),
     ],
 )
-def test_a_filter_that_cannot_run_is_refused(changed: dict[str, Any], said: str) -> None:
+def test_an_invalid_filter_is_refused(changed: dict[str, Any], said: str) -> None:
     with pytest.raises(ParameterError, match=said):
         ZPETC(**{"numerator": (2.0, -1.0), "denominator": (1.0,), "lead": 1.0, **changed})
 
 
-def test_what_the_filter_looks_ahead_is_fed_to_it() -> None:
-    """A pure lead of five ticks: the controllers see the reference five ticks early, so the axis moves five ticks early."""
+def test_the_filter_receives_its_look_ahead() -> None:
+    """A pure lead of five ticks: the controllers receive the reference five ticks early, so the axis moves five ticks early."""
     axes = tuple(cl.Axis(name, make("plant", "rigid-axis", gain=1.8, damping=20.0)) for name in "xy")
     reference = cl.uniform(cl.contour("circle", radius=0.02), 1.0, 3, PERIOD)
     runs = []

@@ -1,4 +1,4 @@
-"""Force ripple against its Fourier series, noise against the statistics that it promises."""
+"""Force ripple against its Fourier series; noise against its specified statistics."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_ripple_repeats_over_the_pitch_and_in_every_trial() -> None:
     assert np.array_equal(run_alone(other, {"position": position}, jit=True)["force"], first)
 
 
-def test_noise_beside_ripple_is_that_of_the_noise_alone() -> None:
+def test_noise_with_ripple_equals_the_noise_alone() -> None:
     position = np.linspace(0.0, 0.3, 500)
     values = {"pitch": 0.032, "amplitudes": (2.0,), "phases": (0.1,)}
     pure = run_alone(make("disturbance", "force-ripple", **values), {"position": position})["force"]
@@ -44,7 +44,7 @@ def test_noise_beside_ripple_is_that_of_the_noise_alone() -> None:
     assert left == pytest.approx(run_alone(noise, {"position": position})["force"], abs=1e-13)
 
 
-def test_as_many_phases_as_amplitudes() -> None:
+def test_phases_must_match_amplitudes_in_number() -> None:
     with pytest.raises(ParameterError, match="phases"):
         make("disturbance", "force-ripple", pitch=0.03, amplitudes=(1.0, 2.0), phases=(0.0,))
 
@@ -56,17 +56,17 @@ def test_noise_has_its_rms_and_its_correlation_at_any_period(bandwidth: float, p
     noise = make("disturbance", "low-passed-noise", rms=0.7, bandwidth=bandwidth, stream=5.0)
     force = run_alone(noise, {"position": np.zeros(n)}, period=period, jit=True)["force"]
     keep = math.exp(-bandwidth * period)
-    # Of n samples so correlated, n (1 - keep^2)/(1 + keep^2) count for a variance: four standard deviations of it.
+    # Of n correlated samples, n (1 - keep^2)/(1 + keep^2) count for a variance: four standard deviations of it.
     counting = n * (1.0 - keep**2) / (1.0 + keep**2)
     assert float(np.mean(force**2)) == pytest.approx(0.49, rel=4.0 * math.sqrt(2.0 / counting))
     innovation = force[1:] - keep * force[:-1]
     assert float(np.std(innovation)) == pytest.approx(0.7 * math.sqrt(1.0 - keep**2), rel=4.0 / math.sqrt(2.0 * n))
-    # White innovations: the correlation is exp(-w T), and nothing else.
+    # White innovations: the correlation is exactly exp(-w T).
     assert abs(float(np.mean(innovation[1:] * innovation[:-1]))) < 5.0 * float(np.var(innovation)) / math.sqrt(n)
     assert np.mean((force > -0.7) & (force < 0.7)) == pytest.approx(math.erf(math.sqrt(0.5)), abs=3.0 / math.sqrt(counting))
 
 
-def test_noise_is_there_from_the_first_tick_on_and_other_in_other_streams() -> None:
+def test_noise_starts_at_the_first_tick_and_differs_between_streams() -> None:
     first = [
         run_alone(make("disturbance", "low-passed-noise", rms=2.0, bandwidth=1.0, stream=float(k)), {"position": np.zeros(3)})["force"]
         for k in range(1, 1001)

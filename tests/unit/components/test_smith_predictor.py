@@ -1,4 +1,4 @@
-"""The Smith predictor: what it leaves of a delay, in the loop's poles and in runs."""
+"""The Smith predictor: the delay that remains in the loop's poles and in runs."""
 
 from __future__ import annotations
 
@@ -42,8 +42,8 @@ def smith(delay: float, **changed: float) -> SmithPredictor:
 
 @pytest.mark.parametrize("zeta", [0.0, 0.3, 1.0, 1.1, 4.0])
 @pytest.mark.parametrize("delay", [0.0, 0.4e-3, 1e-3, 7e-3, 15.3e-3])
-def test_what_is_added_is_the_model_without_its_delay_less_that_with_it(delay: float, zeta: float) -> None:
-    """Two copies of the held model of another library, one fed late, for commands that wander."""
+def test_the_correction_is_the_model_without_delay_less_the_delayed_model(delay: float, zeta: float) -> None:
+    """Two copies of the held model of another library, one delayed, for random commands."""
     n = 300
     commands = np.cumsum(np.random.default_rng(1).normal(size=n)) * 0.1
     a = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, -WN * WN, -2.0 * zeta * WN]])
@@ -54,7 +54,7 @@ def test_what_is_added_is_the_model_without_its_delay_less_that_with_it(delay: f
     late = (1.0 - part) * past[1 : n + 1] + part * past[:n]
     wanted, early, delayed = np.empty(n), np.zeros((3, 1)), np.zeros((3, 1))
     for k in range(n):
-        # The command of this tick is the one that has been held until now.
+        # Until now the previous command was held.
         early = model[0] @ early + model[1] * commands[k]
         delayed = model[0] @ delayed + model[1] * late[k]
         wanted[k] = (early - delayed)[0, 0]
@@ -64,10 +64,10 @@ def test_what_is_added_is_the_model_without_its_delay_less_that_with_it(delay: f
 
 @pytest.mark.parametrize("delay", [1e-3, 5e-3, 15e-3, 15.3e-3])
 def test_the_loop_has_the_poles_of_the_loop_without_delay(delay: float) -> None:
-    """And those of the model's own velocity, exp(s T) with s^2 + 2 zeta w s + w^2 = 0; all else ends within the delay.
+    """Plus those of the model's own velocity, exp(s T) with s^2 + 2 zeta w s + w^2 = 0; all others end within the delay.
 
-    The zeros of a delay stand in a chain, which eigenvalues find to 1e-16^(1/n) only, and which disturbs a pole p by 1e-16 p^-n: looked at
-    are those above 0.6, while the response in the test below has them all.
+    The zeros of a delay form a chain. Eigenvalues find it to 1e-16^(1/n) only, and it disturbs a pole p by 1e-16 p^-n. This test therefore
+    uses poles above 0.6; the response in the test below includes them all.
     """
     bare = sampled_loop(axis(0.0), servo(), T)
     made = sampled_loop(axis(delay), servo(smith(delay)), T)
@@ -80,7 +80,7 @@ def test_the_loop_has_the_poles_of_the_loop_without_delay(delay: float) -> None:
 
 
 @pytest.mark.parametrize("delay", [1e-3, 5e-3, 15e-3, 15.3e-3, 120e-3])
-def test_the_response_is_that_without_delay_only_later(delay: float) -> None:
+def test_the_response_is_the_one_without_delay_only_later(delay: float) -> None:
     w = np.geomspace(1.0, math.pi / T, 50)
     z, whole = np.exp(1j * w * T), math.floor(delay / T + 1e-9)
     part = delay / T - whole
@@ -100,12 +100,12 @@ def test_an_observer_sees_the_loop_without_delay_too() -> None:
     assert made.response(w).closed_loop == pytest.approx(bare.response(w).closed_loop * late, rel=1e-8)
 
 
-def test_a_velocity_that_is_not_predicted_is_refused() -> None:
+def test_a_velocity_without_prediction_is_refused() -> None:
     with refuses(ParameterError, "predicted", name="velocity", value='"true"'):
         cl.AxisController(SERVO, predictor=smith(15e-3))
 
 
-def test_lanes_may_have_delays_of_their_own() -> None:
+def test_lanes_may_have_different_delays() -> None:
     reference = cl.uniform(cl.contour("circle", radius=0.02), 2.0, 1, T)
     predicted = cl.Controller(dict.fromkeys("xy", servo(smith(3e-3))))
     delays = [0.4e-3, 3e-3, 15.3e-3]
@@ -121,7 +121,7 @@ def test_lanes_may_have_delays_of_their_own() -> None:
         assert batch[:, :, lane] == pytest.approx(single, abs=1e-12)
 
 
-def test_without_it_the_delay_takes_the_loop_apart() -> None:
+def test_without_the_predictor_the_delay_makes_the_loop_unstable() -> None:
     assert not sampled_loop(axis(15e-3), servo(), T).stable
 
 
@@ -141,7 +141,7 @@ def test_the_axis_moves_as_without_delay_only_later(ticks: int) -> None:
 
 
 def test_a_steady_load_moves_the_axis_by_what_the_docstring_says() -> None:
-    """A load of L is held by the command -L: the integral brings the predicted position to the reference, the axis to G tau L beside it."""
+    """The command -L holds a load L: the integral brings the predicted position to the reference; the axis is G tau L off."""
     load, delay = 0.01, 15e-3
     controller = PID(proportional_gain=20.0, integral_gain=100.0)
     reference = cl.uniform(cl.contour("circle", radius=1e-9), 1.0, 4, T)
@@ -151,7 +151,7 @@ def test_a_steady_load_moves_the_axis_by_what_the_docstring_says() -> None:
     assert left == pytest.approx([G * delay * load] * 2, rel=1e-3)
 
 
-def test_a_delay_that_is_known_badly_costs_margin() -> None:
-    """The distance from -1 shrinks as the predictor's delay leaves that of the axis, on either side."""
+def test_a_wrong_delay_costs_margin() -> None:
+    """The distance from -1 shrinks as the predictor's delay departs from the axis's, either way."""
     away = [sampled_loop(axis(15e-3), servo(smith(delay)), T).margins().modulus for delay in (13e-3, 14e-3, 15e-3, 16e-3, 17e-3)]
     assert away[0] < away[1] < away[2] > away[3] > away[4]

@@ -1,4 +1,4 @@
-"""Supervisors alone: when they switch, when they do not, and what they say of it."""
+"""Supervisors alone: when they switch, when they do not, and the reasons they give."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from hypothesis import strategies as st
 from contourlab.errors import ParameterError
 
 
-def test_gap_and_contact_are_told_by_motor_less_load() -> None:
+def test_motor_minus_load_decides_between_gap_and_contact() -> None:
     apart = np.array([0.0, 5.0, 9.9, 10.1, 12.0, 9.0, -9.0, -11.0]) * 1e-6
     out = run_alone(make("supervisor", "performance", thresholds=(10e-6,)), {"motor_position": apart})
     assert out["active"].tolist() == [1, 1, 1, 0, 0, 1, 1, 0]
     assert out["reason"].tolist() == [2, 0, 0, 1, 0, 2, 0, 1]
 
 
-def test_a_threshold_is_passed_by_the_hysteresis_either_way() -> None:
+def test_a_threshold_has_a_hysteresis_either_way() -> None:
     rising = np.linspace(0.0, 20e-6, 201)
     course = np.concatenate([rising, rising[::-1]])
     part = make("supervisor", "performance", thresholds=(10e-6,), hysteresis=2e-6, order="rising")
@@ -41,13 +41,13 @@ def test_two_switches_are_never_closer_than_the_dwell_time(course: list[float], 
 
 def test_an_averaged_error_is_its_root_mean_square() -> None:
     part = make("supervisor", "performance", measure="tracking-error", thresholds=(6.5e-6,), order="rising", averaging_time=5e-3)
-    wave = 10e-6 * np.sin(2.0 * np.pi * 100.0 * PERIOD * np.arange(400))  # of 7.07 um rms
+    wave = 10e-6 * np.sin(2.0 * np.pi * 100.0 * PERIOD * np.arange(400))  # 7.07 um rms
     active = run_alone(part, {"reference": wave})["active"]
     assert active[-100:].mean() > 0.5
     assert not run_alone(part, {"reference": 0.8 * wave})["active"].any()
 
 
-def test_places_in_the_program_and_what_comes_before_the_first() -> None:
+def test_places_in_the_program_and_the_controller_before_the_first() -> None:
     part = make("supervisor", "pre-routed", places=(0.1, 0.2, 0.4), numbers=(2.0, 0.0, 1.0))
     out = run_alone(part, {"arc_length": np.array([0.0, 0.1, 0.15, 0.2, 0.39, 0.4, 9.0])})
     assert out["active"].tolist() == [0, 2, 2, 0, 0, 1, 1]
@@ -56,7 +56,7 @@ def test_places_in_the_program_and_what_comes_before_the_first() -> None:
     assert out["active"].tolist() == [0, 0, 1, 1, 0, 0, 1]
 
 
-def test_an_observer_that_is_not_sure_leaves_the_controller_for_contact() -> None:
+def test_an_uncertain_observer_keeps_the_controller_for_contact() -> None:
     fed = {"gap_state": np.array([1.0, 0.0, 0.0, 0.0, -1.0]), "confidence": np.array([0.9, 0.9, 0.3, 0.9, 0.9])}
     out = run_alone(make("supervisor", "estimator-based", confidence=0.5), fed)
     assert out["active"].tolist() == [0, 1, 0, 1, 0]
@@ -72,7 +72,7 @@ def test_an_observer_that_is_not_sure_leaves_the_controller_for_contact() -> Non
         ("pre-routed", {"places": (0.1,), "numbers": (0.5,)}, "numbers"),
     ],
 )
-def test_what_cannot_be_is_refused_by_name(kind: str, parameters: dict[str, object], name: str) -> None:
+def test_invalid_settings_are_refused_by_name(kind: str, parameters: dict[str, object], name: str) -> None:
     with pytest.raises(ParameterError) as caught:
         make("supervisor", kind, **parameters)
     assert caught.value.name == name

@@ -1,4 +1,4 @@
-"""The two-inertia feed drive: lost motion, limits in which it is another plant, lanes, and what it says of itself."""
+"""The two-inertia feed drive: lost motion, special cases equal to other plants, lanes, and reported values."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ Array = NDArray[np.float64]
 TURN = 2.0 * math.pi / DRIVE["lead"]
 
 
-def test_a_slow_reversal_against_guide_friction_loses_the_gap_and_what_the_friction_twists() -> None:
+def test_lost_motion_at_a_slow_reversal_is_gap_plus_windup_by_guide_friction() -> None:
     """Lost motion = gap + 2 F_c/k: the motor's way from the last forward to the first backward motion of the load."""
     coulomb, gap, viscous = 120.0, 25e-6, 2e5
     plant = TwoInertia(**DRIVE, motor_damping=viscous / TURN**2)
-    # At 0.1 mm/s forwards, slowly over to as much backwards: the motor's own damping sets the pace.
+    # From 0.1 mm/s forwards slowly to as much backwards: the motor's own damping sets the pace.
     most = coulomb + 1e-4 * viscous
     force = np.interp(np.arange(30_000), [2000, 28_000], [most, -most])
     run = Drive(plant, Coulomb(coulomb=coulomb), period=1e-4).run(force / TURN)
@@ -37,7 +37,7 @@ def test_a_slow_reversal_against_guide_friction_loses_the_gap_and_what_the_frict
 
 @pytest.mark.parametrize("factor", [1.0, 4.0])
 def test_a_stiff_shaft_without_a_gap_is_a_ball_screw(factor: float) -> None:
-    """The load lags by m a/k: what differs from the rigid axis falls with the stiffness."""
+    """The load lags by m a/k: the difference from the rigid axis falls with the stiffness."""
     stiffness = 2e4 * factor
     values = {**DRIVE, "backlash_gap": 0.0, "stiffness": stiffness}
     plant = TwoInertia(**values, mass=30.0, motor_damping=0.02, shaft_damping=2e-5 * stiffness)
@@ -51,19 +51,19 @@ def test_a_stiff_shaft_without_a_gap_is_a_ball_screw(factor: float) -> None:
     assert 0.1 * most < np.abs(runs[0] - runs[1]).max() < 4.0 * most
 
 
-def test_the_rigid_model_is_what_slow_motions_see() -> None:
+def test_slow_motions_see_the_rigid_model() -> None:
     plant = TwoInertia(**DRIVE, mass=30.0, motor_damping=0.02, load_damping=0.03, torque_gain=0.9)
     gain, damping = plant.rigid_model()
     whole = 9.6e-3 + 30.0 / TURN**2
     assert gain == pytest.approx(0.9 / (whole * TURN))
     assert damping == pytest.approx(0.05 / whole)
-    # A steady torque ends in the velocity a u/b.
+    # A steady torque ends at the velocity a u/b.
     run = Drive(plant, period=5e-4).run(np.full(40_000, 0.5))
     assert run["velocity"][-1] == pytest.approx(0.5 * gain / damping, rel=1e-3)
 
 
-def test_a_mass_counts_as_the_inertia_that_the_screw_makes_of_it() -> None:
-    """m (l/2 pi)^2, as table, as load on it, or as an inertia."""
+def test_a_mass_counts_as_its_reflected_inertia() -> None:
+    """m (l/2 pi)^2: as table, as load on it, or as an inertia."""
     command = random_command(np.random.default_rng(2), 2000, 3.0)
     inertia = 30.0 / TURN**2
     plants = [
@@ -78,7 +78,7 @@ def test_a_mass_counts_as_the_inertia_that_the_screw_makes_of_it() -> None:
     assert plants[0].loaded(0.0) is plants[0]
 
 
-def test_an_angle_of_the_coupling_counts_as_the_length_that_it_turns_to() -> None:
+def test_an_angle_of_the_coupling_counts_as_its_length_along_the_screw() -> None:
     angle = 25e-6 * TURN
     split = TwoInertia(**{**DRIVE, "backlash_gap": 10e-6}, backlash_angle=0.6 * angle)
     assert split.gap_at(0.3) == pytest.approx(25e-6, rel=1e-12)
@@ -87,7 +87,7 @@ def test_an_angle_of_the_coupling_counts_as_the_length_that_it_turns_to() -> Non
     assert parts["position"] == pytest.approx(whole["position"], abs=1e-12)
 
 
-def test_a_lane_of_32_gaps_is_32_single_runs() -> None:
+def test_a_batch_of_32_gaps_equals_32_single_runs() -> None:
     gap = np.geomspace(1e-6, 1e-3, 32)
     command = random_command(np.random.default_rng(4), 3000, 3.0)
     friction, other = Coulomb(coulomb=60.0, breakaway=60.0, viscous=100.0), Coulomb(coulomb=50.0, breakaway=80.0, stribeck_velocity=5e-3)
@@ -100,7 +100,7 @@ def test_a_lane_of_32_gaps_is_32_single_runs() -> None:
         assert np.mean(together["gap_state"][:, lane] == alone["gap_state"]) > 0.999
 
 
-def test_a_run_that_is_saved_in_a_gap_with_a_twisted_shaft_goes_on_as_it_would_have() -> None:
+def test_a_run_saved_in_a_gap_with_a_twisted_shaft_resumes_exactly() -> None:
     command = random_command(np.random.default_rng(6), 4000, 3.0)
     drive = Drive(TwoInertia(**DRIVE, shaft_damping=0.5), period=1e-4)
     whole = drive.run(command)
@@ -128,7 +128,7 @@ def controller() -> cl.Controller:
 
 
 @pytest.mark.parametrize("start", [-1.0, 0.0, 0.7])
-def test_a_batch_over_gaps_starts_each_variant_where_it_would_start_alone(start: float) -> None:
+def test_each_variant_of_a_batch_over_gaps_starts_as_alone(start: float) -> None:
     gaps = [5e-6, 20e-6, 80e-6]
     reference = cl.uniform(cl.contour("circle", radius=0.01), 1.0, 1, 1e-4)
     varied, kept = {"axes.x.plant.backlash_gap": gaps}, ("motor_position", "axis_position")
@@ -145,7 +145,7 @@ def test_a_batch_over_gaps_starts_each_variant_where_it_would_start_alone(start:
             assert found.signals[name][:, :, i] == pytest.approx(alone[name], abs=1e-10)
 
 
-def test_the_free_travel_along_the_way_is_that_of_its_table_and_holds_beyond() -> None:
+def test_the_gap_along_the_travel_follows_its_table_and_holds_beyond() -> None:
     plant = TwoInertia(**DRIVE, gap_profile=(1.0, 0.5, 2.0), profile_start=-0.1, profile_step=0.2)
     assert [plant.gap_at(p) / 25e-6 for p in (-1.0, -0.1, 0.0, 0.1, 0.2, 0.3, 5.0)] == pytest.approx([1.0, 1.0, 0.75, 0.5, 1.25, 2.0, 2.0])
     gap = plant.gap_function()
@@ -156,7 +156,7 @@ def test_the_free_travel_along_the_way_is_that_of_its_table_and_holds_beyond() -
         assert slope == pytest.approx((plant.gap_at(position + 1e-6) - plant.gap_at(position - 1e-6)) / 4e-6, abs=1e-9)
 
 
-def test_at_rest_the_motor_stands_in_the_gap_of_its_place() -> None:
+def test_at_rest_the_motor_is_within_the_local_gap() -> None:
     plant = TwoInertia(**DRIVE, start_in_gap=-0.5, gap_profile=(1.0, 3.0), profile_start=0.0, profile_step=0.1)
     states, outputs = plant.at_rest(0.05)
     assert states == outputs == {"position": 0.05, "motor_position": 0.05 - 0.25 * 2.0 * 25e-6}
@@ -179,13 +179,13 @@ def test_a_drive_at_rest_stays_at_rest_anywhere_in_its_gap() -> None:
         ({"gap_profile": ()}, "gap_profile"),
     ],
 )
-def test_a_drive_that_cannot_be_is_refused(values: dict[str, Any], message: str) -> None:
+def test_an_impossible_drive_is_refused(values: dict[str, Any], message: str) -> None:
     with pytest.raises(ParameterError, match=message):
         TwoInertia(**{**DRIVE, **values})
 
 
-def test_masses_friction_mobilities_and_the_shaft_are_those_of_the_table() -> None:
-    """A force at the load moves the load alone at first; the motor's mobility is that of its own inertia."""
+def test_masses_friction_mobilities_and_shaft_refer_to_the_table() -> None:
+    """At first a force at the load moves the load alone; the motor's mobility is that of its own inertia."""
     plant = TwoInertia(**DRIVE, mass=30.0)
     assert plant.mobilities() == pytest.approx((1.0 / (4.4e-3 * TURN**2 + 30.0), 1.0 / (5.2e-3 * TURN**2)))
     run = Drive(plant, period=1e-6).run([0.0], load=10.0)
@@ -194,8 +194,8 @@ def test_masses_friction_mobilities_and_the_shaft_are_those_of_the_table() -> No
     assert plant.linear().gap_at(0.0) == 0.0
 
 
-def test_friction_on_the_motor_is_left_behind_by_a_load_that_slides_free() -> None:
-    """The motor is held; the load shuttles between the flanks, each contact turning it back with its energy."""
+def test_a_load_bouncing_in_its_gap_does_not_feel_the_friction_of_the_motor() -> None:
+    """The motor is held; the load bounces between the flanks and each contact returns its energy."""
     plant = TwoInertia(**DRIVE, start_in_gap=0.0)
     run = Drive(plant, NONE, Coulomb(coulomb=5e3), period=1e-4).run(np.zeros(3000), velocity=0.01)
     assert not run["motor_velocity"].any()

@@ -1,4 +1,4 @@
-"""Velocity by the difference of two-tap means, against what it is made of."""
+"""Velocity by the difference of two-tap means, against the plain difference over two ticks."""
 
 from __future__ import annotations
 

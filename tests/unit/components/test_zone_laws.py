@@ -1,4 +1,4 @@
-"""The laws of contact zone and gap against eqs (10) and (12)-(16) of Shahin, ElMaraghy & ElBeheiry, written out by hand."""
+"""The laws for contact and gap against eqs (10) and (12)-(16) of Shahin, ElMaraghy & ElBeheiry, written out by hand."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SIGNALS = st.tuples(*(st.floats(-size, size) for size in SIZES))
 
 
 def once(kind: str, signals: tuple[float, ...], **parameters: Any) -> float:
-    """Return the command at the first tick."""
+    """Return the command of the first tick."""
     part = make("controller", kind, **COMMON, **parameters)
     return float(run_alone(part, {name: [value] for name, value in zip(NAMES, signals, strict=True)})["command"][0])
 
@@ -44,10 +44,10 @@ def test_types_one_and_two_are_eqs_10_and_12(signals: tuple[float, ...]) -> None
 
 @given(SIGNALS)
 @settings(max_examples=60, deadline=None)
-def test_gap_law_one_follows_the_load_as_printed_and_the_reference_as_meant(signals: tuple[float, ...]) -> None:
+def test_gap_law_one_follows_the_load_as_printed_or_the_reference_as_intended(signals: tuple[float, ...]) -> None:
     r, v, a, pm, vm, pl, vl = signals
     half = flank(pm - pl) * BETA
-    # The load's acceleration is the difference of its velocity, which was zero before the first tick.
+    # The load's acceleration is the difference of its velocity, zero before the first tick.
     load = J_M * (TURN * vl / PERIOD - 1e4 * TURN * (vm - vl) - 2e3 * (TURN * (pm - pl) - half))
     meant = J_M * (TURN * a - 1e4 * TURN * (vm - v) - 2e3 * (TURN * (pm - r) - half))
     gains = {"rate_gain": 1e4, "position_gain": 2e3}
@@ -55,7 +55,7 @@ def test_gap_law_one_follows_the_load_as_printed_and_the_reference_as_meant(sign
     assert once("gap-zone-1", signals, **gains) == pytest.approx(meant, rel=1e-12, abs=1e-9)
 
 
-def test_printed_the_half_gap_stands_in_the_rate_term_too() -> None:
+def test_as_printed_the_half_gap_is_in_the_rate_term_too() -> None:
     signals = (0.0, 0.0, 0.0, 1e-3, 0.0, 0.0, 0.0)
     gains = {"rate_gain": 1000.0, "position_gain": 200.0}
     apart = once("contact-zone-2", signals, **gains, reading="literal") - once("contact-zone-2", signals, **gains)
@@ -63,7 +63,7 @@ def test_printed_the_half_gap_stands_in_the_rate_term_too() -> None:
 
 
 @pytest.mark.parametrize("kind", ["contact-zone-3", "gap-zone-3"])
-def test_type_three_sums_up_the_distance_from_the_reference_or_from_the_flank(kind: str) -> None:
+def test_type_three_integrates_the_distance_from_the_reference_or_from_the_flank(kind: str) -> None:
     gains = {"rate_gain": 0.0, "position_gain": 0.0, "integral_gain": 25.0, "anti_windup": "none"}
     n = 40
     fed = {"reference": np.full(n, 2e-4), "motor_position": np.full(n, 5e-4)}
@@ -72,17 +72,17 @@ def test_type_three_sums_up_the_distance_from_the_reference_or_from_the_flank(ki
         assert command == pytest.approx(-25.0 * distance * PERIOD * np.arange(1, n + 1), rel=1e-9)
 
 
-def test_an_inactive_integral_is_led_to_what_is_carried_out() -> None:
+def test_an_inactive_integral_tracks_the_accepted_command() -> None:
     gains = {"rate_gain": 0.0, "position_gain": 0.0, "integral_gain": 25.0, "tracking_time": 0.01}
     n = 200
     fed = {"reference": np.full(n, 1e-3), "accepted": np.full(n, 0.7)}
     command = run_alone(make("controller", "contact-zone-3", **COMMON, **gains), fed)["command"]
-    # It settles where what is led back in a tick is what the integral would rise by.
+    # It settles where the tracking per tick equals the rise of the integral.
     rest = 25.0 * TURN * 1e-3 * PERIOD / -math.expm1(-PERIOD / 0.01)
     assert command[-1] == pytest.approx(0.7 + rest, rel=1e-3)
 
 
-def test_the_flank_is_told_by_what_is_asked_for_and_held_where_it_says_nothing() -> None:
+def test_the_reference_selects_the_flank_and_zero_keeps_it() -> None:
     gains = {"rate_gain": 0.0, "position_gain": 200.0}
     told = np.array([0.0, 1.0, 0.0, -2.0, 0.0, 0.0])
     for direction, port in (("velocity", "reference_velocity"), ("acceleration", "reference_acceleration")):
@@ -92,14 +92,14 @@ def test_the_flank_is_told_by_what_is_asked_for_and_held_where_it_says_nothing()
         assert command - forward == pytest.approx(200.0 * BETA * np.array([0.0, 1.0, 1.0, -1.0, -1.0, -1.0]))
 
 
-def test_an_observed_gap_goes_before_the_parameter() -> None:
+def test_an_observed_gap_overrides_the_parameter() -> None:
     gains = {"rate_gain": 0.0, "position_gain": 200.0}
     fed = {"motor_position": np.full(3, 1e-9), "gap_estimate": np.array([0.0, 40e-6, 0.0])}
     command = run_alone(make("controller", "contact-zone-2", **COMMON, **gains), fed)["command"]
     assert command == pytest.approx(100.0 * TURN * np.array([GAP, 40e-6, GAP]), rel=1e-3)
 
 
-def test_wishes_place_the_poles_of_a_rigid_drive() -> None:
+def test_design_specifications_place_the_poles_of_a_rigid_drive() -> None:
     wishes = {"inertia": 9.6e-3, "natural_frequency": 80.0, "damping": 0.9, "pole": 20.0}
     gains = make("controller", "contact-zone-3", **COMMON, rate_gain=1.0, position_gain=1.0, integral_gain=1.0).designed(wishes, 1.0, 0.0)
     poles = np.roots([9.6e-3, gains["rate_gain"], gains["position_gain"], gains["integral_gain"]])

@@ -1,4 +1,4 @@
-"""Contours from files in scenarios: what is read, what is written back, what is refused and under which key."""
+"""Contours from files in scenarios: reading, writing, and refusals with their key."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ FEED = '\n[feed]\nfeedrate = "1000 mm/min"\n'
 
 
 def scenario(folder: File, contour: str, head: str = TWO_AXES) -> File:
-    """Write a scenario beside a drawing of a circle of 10 mm and a text."""
+    """Write a scenario next to a drawing of a circle of 10 mm and a text."""
     dxf(folder, lambda m: (m.add_circle((0, 0), 10), m.add_text("note", dxfattribs={"layer": "words"})))
     file = folder / "scenario.toml"
     file.write_text(f"{head}[contour]\n{contour}{FEED}", encoding="utf-8")
     return file
 
 
-def test_a_scenario_reads_writes_and_reads_the_same(tmp_path: File, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_scenario_survives_a_round_trip(tmp_path: File, monkeypatch: pytest.MonkeyPatch) -> None:
     keys = 'file = "part.dxf"\nunit = "inch"\ntolerance = "2 um"\nlayer = "0"\nchain = 1\n'
     keys += 'scale = 0.5\naxes = 2\nignore = ["TEXT"]\nreverse = true\n'
     monkeypatch.chdir(tmp_path)
@@ -35,7 +35,7 @@ def test_a_scenario_reads_writes_and_reads_the_same(tmp_path: File, monkeypatch:
     assert isinstance(motion, Contour)
     assert motion.path.length == pytest.approx(0.5 * 0.0254 * 20 * math.pi, rel=1e-14)
     assert motion.options["tolerance"] == 2e-6
-    # The copy names the file in full, so that it means the same wherever it is read.
+    # The copy contains the full path of the file, so it is valid in any folder.
     monkeypatch.chdir(tmp_path.parent)
     again = parse_scenario(dump(found))
     assert dump(again) == dump(found)
@@ -54,14 +54,14 @@ def test_points_in_a_scenario(tmp_path: File) -> None:
     assert dump(parse_scenario(dump(found))) == dump(found)
 
 
-def test_the_name_of_a_file_alone(tmp_path: File) -> None:
+def test_the_file_name_alone_is_enough(tmp_path: File) -> None:
     file = scenario(tmp_path, 'name = "circle"')
     dxf(tmp_path, lambda m: m.add_circle((0, 0), 10))
     file.write_text(f'contour = "part.dxf"\n{TWO_AXES}{FEED}', encoding="utf-8")
     assert cl.load_scenario(file).motion.path.length == pytest.approx(0.02 * math.pi)  # type: ignore[union-attr]
 
 
-def test_a_third_axis_is_held_still_or_takes_its_coordinate(tmp_path: File) -> None:
+def test_a_third_axis_is_constant_or_takes_its_coordinate(tmp_path: File) -> None:
     plane = cl.load_scenario(scenario(tmp_path, 'file = "part.dxf"\nignore = ["TEXT"]', THREE_AXES)).base
     reference = plane.reference()
     assert reference.n_axis == 3
@@ -83,7 +83,7 @@ def test_a_third_axis_is_held_still_or_takes_its_coordinate(tmp_path: File) -> N
         ('file = "part.dxf"\nchain = 0', "contour.chain", "equal to 1"),
         ('file = "part.dxf"\naxes = 4', "contour.axes", "2 or 3"),
         ('file = "part.dxf"\nscale = -1', "contour.scale", "range"),
-        ('file = "part.dxf"\nlayer = "cut"', "contour.file", "'cut': .* 0, words"),
+        ('file = "part.dxf"\nlayer = "cut"', "contour.file", "'cut' .* 0, words"),
         ('file = "part.dxf"\nname = "circle"', "contour.name", "both given"),
         ('file = "part.dxf"\ncorner_angle = "200 deg"', "contour.corner_angle", "range"),
         ('file = "part.dxf"\ncorner_angle = "20 deg"', "contour.file", "corner_angle"),
@@ -92,7 +92,7 @@ def test_a_third_axis_is_held_still_or_takes_its_coordinate(tmp_path: File) -> N
         ("", "contour", "name.*file"),
     ],
 )
-def test_faults_are_named_with_file_and_key(tmp_path: File, text: str, key: str, message: str) -> None:
+def test_errors_name_file_and_key(tmp_path: File, text: str, key: str, message: str) -> None:
     file = scenario(tmp_path, text)
     with pytest.raises(ScenarioError, match=message) as met:
         cl.load_scenario(file)

@@ -1,4 +1,4 @@
-"""Files that were cut off or hold numbers out of range: an error that says what to do, and nothing else."""
+"""Truncated files and numbers out of range raise one error with advice."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def draw(m: Any) -> None:
     m.add_open_spline([(0, 0, 0), (10, 20, 0), (20, -15, 0), (30, 10, 0)], degree=3)
 
 
-def test_a_drawing_that_was_cut_off_is_refused_wherever(tmp_path: File) -> None:
+def test_a_drawing_truncated_anywhere_is_refused(tmp_path: File) -> None:
     whole = dxf(tmp_path, draw).read_bytes()
     entities = whole.index(b"ENTITIES")
     rng = np.random.default_rng(3)
@@ -67,19 +67,19 @@ def test_a_drawing_with_wrong_bytes_is_read_or_refused(tmp_path: File) -> None:
         lambda m: m.add_line((0, 0), (1e300, 1)),
     ],
 )
-def test_numbers_that_are_none_are_refused_with_their_entity(tmp_path: File, wrong: Any) -> None:
+def test_non_finite_numbers_are_refused_with_their_entity(tmp_path: File, wrong: Any) -> None:
     file = dxf(tmp_path, lambda m: (m.add_line((0, 0), (1, 0)), wrong(m)))
     with pytest.raises(GeometryError, match=r"part\.dxf: [A-Z]+ #\w+ on layer 0: .*(finite|unit)"):
         read_contour(file)
 
 
-def test_svg_coordinates_far_out_are_refused(tmp_path: File) -> None:
+def test_distant_svg_coordinates_are_refused(tmp_path: File) -> None:
     with pytest.raises(GeometryError, match=r"line 'far': reaches 1e\+27 m"):
         read_contour(svg(tmp_path, '<line id="far" x1="0" x2="1e30"/>'))
 
 
 @pytest.mark.parametrize(("row", "unit"), [("1e308,0", "mm"), ("0,-1e10", "mm"), ("1000001,0", "m")])
-def test_points_far_out_are_refused_with_their_line(tmp_path: File, row: str, unit: str) -> None:
+def test_distant_points_are_refused_with_their_line(tmp_path: File, row: str, unit: str) -> None:
     file = tmp_path / "part.csv"
     file.write_text(f"x,y\n0,0\n1,0\n{row}\n", encoding="utf-8")
     with pytest.raises(GeometryError, match=r"part\.csv:4: .* 1e\+06 m"):
@@ -113,7 +113,7 @@ def test_a_column_of_time_is_named(tmp_path: File) -> None:
         ({"ignore": [3]}, r"ignore = \[3\]: .*list"),
     ],
 )
-def test_choices_of_the_wrong_kind(tmp_path: File, choice: dict[str, Any], message: str) -> None:
+def test_options_of_the_wrong_kind(tmp_path: File, choice: dict[str, Any], message: str) -> None:
     with pytest.raises(GeometryError, match=message):
         read_contour(dxf(tmp_path, draw), **choice)
     assert read_contour(dxf(tmp_path, draw), chain=np.int64(3)).length > 0.0  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""DXF drawings: every kind of entity against closed forms and ezdxf's own flattening."""
+"""DXF drawings: every kind of entity against closed forms and ezdxf's flattening."""
 
 from __future__ import annotations
 
@@ -40,20 +40,20 @@ def open_entities() -> dict[str, Callable[[Any], Any]]:
 
 
 @pytest.mark.parametrize("name", open_entities())
-def test_an_entity_lies_where_ezdxf_flattens_it(tmp_path: File, name: str) -> None:
+def test_an_entity_agrees_with_the_flattening_of_ezdxf(tmp_path: File, name: str) -> None:
     made: list[Any] = []
     path = read_contour(dxf(tmp_path, lambda m: made.append(open_entities()[name](m))))
     vertices = [made[0].dxf.start, made[0].dxf.end] if name == "line" else list(made[0].flattening(0.01))
     points = MM * np.array([(p[0], p[1]) for p in vertices])
     assert away(path, points) < 1e-12
-    # The same ends in the same order, and as long as a polygon with a sagitta of 10 um says, which is always a little shorter.
+    # The same ends in the same order; slightly longer than the polygon with a sagitta of 10 um.
     np.testing.assert_allclose(path.position([0.0, path.length]), points[[0, -1]], rtol=0, atol=1e-12)
     polygon = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
     assert polygon <= path.length * (1 + 1e-12) < polygon * 1.002
 
 
 def test_an_unclamped_spline_runs_between_its_inner_knots(tmp_path: File) -> None:
-    """As a closed spline is written; scipy knows it, where ezdxf's flattening begins before the curve does."""
+    """As closed splines are written. The oracle is scipy, because ezdxf's flattening begins before the curve does."""
     from scipy.interpolate import BSpline as Known
 
     knots = np.array([0, 1, 2.2, 3, 4, 5.5, 6, 7, 8, 9.0])
@@ -63,7 +63,7 @@ def test_an_unclamped_spline_runs_between_its_inner_knots(tmp_path: File) -> Non
     np.testing.assert_allclose(path.position([0.0, path.length]), known[[0, -1]], rtol=0, atol=1e-12)
 
 
-def test_kinds_stay_analytic(tmp_path: File) -> None:
+def test_entities_stay_analytic(tmp_path: File) -> None:
     kinds = {name: type(read_contour(dxf(tmp_path, draw)).curves[0]) for name, draw in open_entities().items()}
     assert kinds["arc"] is Arc
     assert kinds["ellipse"] is EllipticalArc
@@ -102,7 +102,7 @@ def test_a_bulge_is_the_tangent_of_a_quarter_of_its_angle(tmp_path: File) -> Non
         path = read_contour(dxf(tmp_path, lambda m, b=bulge: m.add_lwpolyline([(0, 0, b), (10, 0, 0)], format="xyb")))
         radius = 5 * MM / math.sin(abs(angle) / 2)
         assert path.length == pytest.approx(radius * abs(angle), rel=1e-12)
-        # Positive: counter-clockwise, so that the arc leaves to the right of its chord.
+        # Positive: counter-clockwise, so the arc leaves to the right of its chord.
         assert math.copysign(1, path.tangent(0.0)[0, 1]) == -math.copysign(1, math.sin(angle / 2))
 
 
@@ -124,14 +124,14 @@ def test_blocks_are_resolved(tmp_path: File) -> None:
         m.add_blockref("OUTER", (10, 0), dxfattribs={"rotation": 90, "layer": "cut"})
 
     path = read_contour(dxf(tmp_path, draw), layer="CUT")
-    # The circle becomes an ellipse of 2 by 1 around (4, 0) in OUTER, turned to stand around (10, 4).
+    # In OUTER the circle becomes an ellipse of 2 by 1 around (4, 0), then turned around to (10, 4).
     assert path.length == pytest.approx(4 * 2 * MM * ellipe(0.75), rel=1e-12)
     assert area(path) == pytest.approx(2 * math.pi * MM**2, rel=1e-12)
     s = np.linspace(0.0, path.length, 400, endpoint=False)
     np.testing.assert_allclose(path.position(s).min(axis=0), [0.009, 0.002], atol=1e-6)
 
 
-def test_tilted_circles_want_three_axes(tmp_path: File) -> None:
+def test_tilted_circles_need_three_axes(tmp_path: File) -> None:
     file = dxf(tmp_path, lambda m: m.add_circle((0, 0, 5), 10, dxfattribs={"extrusion": (1, 0, 1)}))
     with pytest.raises(GeometryError, match=r"\bz\b.* axes = 3"):
         read_contour(file)
@@ -158,7 +158,7 @@ def test_units(tmp_path: File) -> None:
 
 
 def test_a_written_path_reads_back(tmp_path: File) -> None:
-    """Write lines, arcs, an elliptical arc and a spline end to end, shuffled and some of them turned: the same path comes back."""
+    """Lines, arcs, an elliptical arc and a spline, written shuffled and partly reversed, give the same path."""
 
     def draw(m: Any) -> None:
         m.add_line((0, 0), (20, 0))
@@ -177,7 +177,7 @@ def test_a_written_path_reads_back(tmp_path: File) -> None:
     assert area(turned) == pytest.approx(-area(path), rel=1e-12)
 
 
-def test_what_cannot_be_driven_along_is_named(tmp_path: File) -> None:
+def test_undrivable_entities_are_named(tmp_path: File) -> None:
     def draw(m: Any) -> None:
         m.add_circle((0, 0), 5, dxfattribs={"layer": "cut"})
         m.add_text("note", dxfattribs={"layer": "words"})
@@ -187,18 +187,18 @@ def test_what_cannot_be_driven_along_is_named(tmp_path: File) -> None:
     file = dxf(tmp_path, draw)
     with pytest.raises(GeometryError, match=r'1 TEXT.*words; 1 HATCH.*cut; 1 POINT.*words.*ignore = \["TEXT", "HATCH", "POINT"\]'):
         read_contour(file)
-    with pytest.raises(GeometryError, match=r": holds 1 HATCH[^;]*cut[^;]*$"):
+    with pytest.raises(GeometryError, match=r": contains 1 HATCH[^;]*cut[^;]*$"):
         read_contour(file, layer="cut")
     assert read_contour(file, ignore=["text", "HATCH", "POINT"]).closed
     drawing = read_dxf(file)
     assert [(item.kind, item.layer) for item in drawing.left_out] == [("TEXT", "words"), ("HATCH", "cut"), ("POINT", "words")]
-    with pytest.raises(GeometryError, match=r"'cuts': .*cut, words"):
+    with pytest.raises(GeometryError, match=r"'cuts' .*cut, words"):
         read_contour(file, layer="cuts")
     with pytest.raises(GeometryError, match="no contour;"):
         read_contour(file, layer="words", ignore=["TEXT", "POINT"])
 
 
-def test_files_that_are_no_drawings(tmp_path: File) -> None:
+def test_files_that_are_not_drawings(tmp_path: File) -> None:
     file = tmp_path / "part.dxf"
     with pytest.raises(GeometryError, match=r"no file .*part\.dxf"):
         read_contour(file)
@@ -211,7 +211,7 @@ def test_files_that_are_no_drawings(tmp_path: File) -> None:
             read_contour(tmp_path / name)
 
 
-def test_old_files_without_units_are_asked_for_theirs(tmp_path: File) -> None:
+def test_old_files_without_units_need_a_given_unit(tmp_path: File) -> None:
     document = ezdxf.new("R12")  # type: ignore[attr-defined]
     document.modelspace().add_line((0, 0), (1, 0))
     document.header["$INSUNITS"] = 0
@@ -236,19 +236,19 @@ def test_two_thousand_splines_are_read_in_seconds(tmp_path: File) -> None:
     start = time.perf_counter()
     path = read_contour(file)
     assert len(path.curves) == 2000
-    assert time.perf_counter() - start < 30.0  # some 4 s on a machine with nothing else to do
+    assert time.perf_counter() - start < 30.0  # about 4 s on an idle machine
 
 
 def test_ten_thousand_lines_are_read_in_a_moment(tmp_path: File) -> None:
-    """Twice as many may take twice as long and some more, not four times."""
+    """Twice as many lines may take twice as long and some more, not four times."""
     took = []
     for n in (2500, 10_000):
         corners = [(i, (i * i) % 7) for i in range(n + 1)]
         order = np.random.default_rng(0).permutation(n)
         file = dxf(tmp_path, lambda m, c=corners, o=order: [m.add_line(c[i], c[i + 1]) for i in o])
         times = []
-        for _ in range(2):  # the better one: a busy machine is no slow reader
-            gc.disable()  # collecting goes through all that other tests have left, too
+        for _ in range(2):  # the better of two: a busy machine must not fail the test
+            gc.disable()  # garbage collection would also visit what other tests left
             start = time.process_time()
             path = read_contour(file, unit="mm")
             times.append(time.process_time() - start)

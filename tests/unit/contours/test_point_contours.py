@@ -1,4 +1,4 @@
-"""Points: what files say, splines through them and near them, corners."""
+"""Point files: reading, interpolating and smoothing splines, corners."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def written(folder: File, text: str) -> File:
 
 
 def ellipse(n: int) -> np.ndarray:
-    """Points of an ellipse of 40 by 20 mm, by turns near and far; the last is the first."""
+    """Points of an ellipse of 40 by 20 mm at alternating distances; the last is the first."""
     u = np.linspace(0.0, 2.0 * math.pi, n)
     u[1:-1:2] += 0.3 * u[1]
     points = 1e-3 * np.column_stack([40 * np.cos(u), 20 * np.sin(u)])
@@ -61,8 +61,8 @@ def test_ways_to_write_two_points(tmp_path: File, text: str) -> None:
     ("text", "message"),
     [
         ("", "no points"),
-        ("x [mm],y [mm]\n", "holds 0 points"),
-        ("x [mm],y [mm]\n1,2\n", "holds 1 points"),
+        ("x [mm],y [mm]\n", "but has 0"),
+        ("x [mm],y [mm]\n1,2\n", "but has 1"),
         ("x [mm],y [mm]\n1,2\n1,2\n3,4\n", "csv:3: .*line 2"),
         ("x [mm],y [mm]\n1,2\n\n3\n", "csv:4: has 1 columns"),
         ("x [mm],y [mm]\n1,2\n3,4,5\n", "csv:3: has 3 columns"),
@@ -77,12 +77,12 @@ def test_ways_to_write_two_points(tmp_path: File, text: str) -> None:
         ("x [mm]\n1\n2\n", "csv:1: has 1 columns"),
     ],
 )
-def test_faults_are_named_with_their_line(tmp_path: File, text: str, message: str) -> None:
+def test_errors_name_their_line(tmp_path: File, text: str, message: str) -> None:
     with pytest.raises(GeometryError, match=message):
         read_contour(written(tmp_path, text))
 
 
-def test_faults_of_units_and_settings(tmp_path: File) -> None:
+def test_errors_in_units_and_settings(tmp_path: File) -> None:
     file = written(tmp_path, "x [mm],y [mm]\n1,2\n3,4\n5,5\n")
     with pytest.raises(GeometryError, match=r"\bmm\b.*unit = 'inch'"):
         read_contour(file, unit="inch")
@@ -100,7 +100,7 @@ def test_faults_of_units_and_settings(tmp_path: File) -> None:
 
 
 def test_the_spline_converges_with_the_sixth_order() -> None:
-    """Against the ellipse that the points are from; doubling the points leaves a 64th of the error, over chord lengths but a 16th."""
+    """Against the original ellipse; doubling the points leaves 1/64 of the error (1/16 with chord lengths as parameter)."""
     u = np.linspace(0.01, 6.2, 77)
     probe = 1e-3 * np.column_stack([40 * np.cos(u), 20 * np.sin(u)])
     errors = []
@@ -109,7 +109,7 @@ def test_the_spline_converges_with_the_sixth_order() -> None:
         assert fit.path.closed
         assert fit.n_corner == 0
         errors.append(away(fit.path, probe))
-    # Over two doublings, as where the probes lie between the points shakes each of them; half way between the orders four and six.
+    # Over two doublings, because the places of the probes between the points scatter each one; the limit is between orders four and six.
     assert math.log2(errors[0] / errors[2]) / 2.0 > 5.0, errors
     assert fit.path.length == pytest.approx(0.16 * ellipe(0.75), rel=1e-9)
 
@@ -138,7 +138,7 @@ def test_every_point_lies_on_the_path(steps: list[tuple[float, float, float]], n
 
 
 def test_sharp_turns_are_corners() -> None:
-    """A square with points along its sides, from the middle of one, is four lines that are splines; it stops nowhere else."""
+    """A square with points along its sides, from the middle of one, becomes four straight splines; it stops nowhere else."""
     side = np.linspace(-10.0, 10.0, 9)[:-1]
     square = np.concatenate(
         [np.column_stack(c) for c in ((side, -10 + 0 * side), (10 + 0 * side, side), (-side, 10 + 0 * side), (-10 + 0 * side, -side))]
@@ -149,7 +149,7 @@ def test_sharp_turns_are_corners() -> None:
     np.testing.assert_allclose(fit.path.corners, [0.01, 0.03, 0.05, 0.07], rtol=0, atol=1e-12)
     assert fit.path.length == pytest.approx(0.08, rel=1e-12)
     np.testing.assert_allclose(fit.path.position(0.0), [(0.0, -0.01)], atol=1e-15)
-    # The same from a corner, with its corners alone.
+    # The same from a corner, with only the corners as points.
     four = fit_points(1e-3 * np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0.0)]), None, ANGLE)
     assert all(isinstance(curve, Line) for curve in four.path.curves)
     assert four.path.corners.tolist() == pytest.approx([0.0, 1e-3, 2e-3, 3e-3])
@@ -162,7 +162,7 @@ def test_the_corner_angle_decides() -> None:
 
 
 @pytest.mark.parametrize("closed", [True, False])
-def test_smoothing_stays_within_its_tolerance_and_says_how_far(closed: bool) -> None:
+def test_smoothing_stays_within_its_tolerance_and_reports_its_deviation(closed: bool) -> None:
     rng = np.random.default_rng(3)
     exact = ellipse(200) if closed else ellipse(200)[:150]
     noisy = exact + 2e-6 * rng.uniform(-1.0, 1.0, exact.shape)
@@ -173,7 +173,7 @@ def test_smoothing_stays_within_its_tolerance_and_says_how_far(closed: bool) -> 
     assert fit.path.closed == closed
     assert away(fit.path, noisy) <= fit.deviation * (1 + 1e-9) <= tolerance
     through = fit_points(noisy, None, math.radians(80))
-    # The ellipse turns at most with a / b^2 = 100 /m; a curve through every noisy point turns more.
+    # The ellipse bends at most by a / b^2 = 100 /m; a curve through every noisy point bends more.
     bends = [float(np.abs(p.curvature(np.linspace(0.0, p.length, 2000))).max()) for p in (fit.path, through.path)]
     assert abs(bends[0] - 100.0) < abs(bends[1] - 100.0)
     if not closed:
@@ -181,10 +181,10 @@ def test_smoothing_stays_within_its_tolerance_and_says_how_far(closed: bool) -> 
     assert f"{1e6 * fit.deviation:.3g} um" in fit.note
 
 
-def test_a_file_of_points_is_the_contour_they_are_from(tmp_path: File) -> None:
+def test_a_file_of_points_gives_its_original_contour(tmp_path: File) -> None:
     file = written(tmp_path, "x [mm],y [mm]\n" + rounding(ellipse(200)))
     found = study_contour(file)
-    # The longest chord, 1.3 steps of the ellipse, leaves it most where the ellipse turns most, with 100 /m: by c^2 / 800.
+    # The longest chord c, 1.3 steps of the ellipse, is most off at the largest curvature, 100 /m: by c^2 / 800.
     step = 2.0 * math.pi / 199.0
     most = max(100.0 * (0.02 * 1.3 * step) ** 2, (0.04 * 1.3 * step) ** 2 * 50.0 / 3.0) / 8.0
     numbers = re.search(r"^200 points.* (\S+) um .*\b0 corners.*closed", found.notes[0])

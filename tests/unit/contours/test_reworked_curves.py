@@ -1,4 +1,4 @@
-"""Curves run backwards, with ends moved, and splines cut at corners."""
+"""Curves reversed, with moved ends, and splines split at corners."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ CURVES: dict[str, Curve] = {
 
 
 @pytest.mark.parametrize("name", CURVES)
-def test_backwards_is_the_same_curve_from_its_end(name: str) -> None:
+def test_a_reversed_curve_is_the_same_from_its_end(name: str) -> None:
     curve, turned = CURVES[name], backwards(CURVES[name])
     s = np.linspace(0.0, curve.length, 33)
     assert turned.length == pytest.approx(curve.length, rel=1e-13)
@@ -48,8 +48,8 @@ def test_backwards_is_the_same_curve_from_its_end(name: str) -> None:
 @pytest.mark.parametrize(
     "curve", [CURVES["elliptical arc"], Spiral(0.004, 0.003, 1.6), Spiral(0.0, 0.003, 2.0)], ids=["ellipse", "spiral", "from 0"]
 )
-def test_derivatives_are_those_of_the_order_below(curve: Curve) -> None:
-    """Central differences of the fourth order."""
+def test_derivatives_agree_with_differences_of_the_order_below(curve: Curve) -> None:
+    """Fourth-order central differences."""
     s, h = np.linspace(0.1, 0.9, 17) * curve.length, 1e-3 * curve.length
     steps = [curve.derivatives(s + k * h, 2) for k in (-2, -1, 1, 2)]
     slope = (steps[0] - 8.0 * steps[1] + 8.0 * steps[2] - steps[3]) / (12.0 * h)
@@ -61,7 +61,7 @@ def test_derivatives_are_those_of_the_order_below(curve: Curve) -> None:
 @pytest.mark.parametrize("name", [name for name in CURVES if name != "lemniscate"])
 @given(shift=st.lists(st.floats(-1e-6, 1e-6), min_size=6, max_size=6))
 @settings(max_examples=15)
-def test_ends_are_moved_where_they_are_wanted_and_the_rest_no_further(name: str, shift: list[float]) -> None:
+def test_ends_are_moved_as_requested_and_the_rest_by_little_more(name: str, shift: list[float]) -> None:
     curve = CURVES[name]
     move = np.array(shift).reshape(2, 3)[:, : curve.n_axis]
     ends = curve.position([0.0, curve.length]) + move
@@ -73,8 +73,8 @@ def test_ends_are_moved_where_they_are_wanted_and_the_rest_no_further(name: str,
     assert gaps.max() <= 3.5 * np.linalg.norm(move, axis=1).max() + 1e-12
 
 
-def test_ends_that_would_drag_the_rest_are_refused() -> None:
-    """The ends of an almost full circle cannot part without the circle growing a lot."""
+def test_ends_that_would_move_the_rest_far_are_refused() -> None:
+    """Separating the ends of an almost full circle would enlarge the circle a lot."""
     curve = EllipticalArc((0, 0), (1, 0), (0, 0.5), 0.0, 2 * math.pi - 1e-4)
     ends = curve.position([0.0, curve.length])
     with pytest.raises(GeometryError, match=r"EllipticalArc.*1e-06 m"):
@@ -84,8 +84,8 @@ def test_ends_that_would_drag_the_rest_are_refused() -> None:
 
 
 @pytest.mark.parametrize(("knots", "places"), [(CLAMPED, [0.4, 1.0, 3.9]), (FREE, [3.5, 4.0, 5.9])])
-def test_a_cut_spline_is_the_same_curve(knots: np.ndarray, places: list[float]) -> None:
-    """Against scipy, which knows nothing of the cutting."""
+def test_a_split_spline_is_the_same_curve(knots: np.ndarray, places: list[float]) -> None:
+    """Against scipy's evaluation of the whole spline."""
     from scipy.interpolate import BSpline as Known
 
     known = Known(knots, POINTS, 3)
@@ -98,7 +98,7 @@ def test_a_cut_spline_is_the_same_curve(knots: np.ndarray, places: list[float]) 
         np.testing.assert_allclose(Known(t, points, 3)(u), known(u), rtol=0, atol=1e-15)
 
 
-def test_corners_cut_a_spline() -> None:
+def test_corners_split_a_spline() -> None:
     """Two quadratic Beziers that meet at a right angle, in one spline, plain and rational."""
     points = np.array([(0, 0), (1, 1), (2, 1), (2, 3), (4, 3.0)])
     knots = np.array([0, 0, 0, 1, 1, 2, 2, 2.0])
@@ -107,13 +107,13 @@ def test_corners_cut_a_spline() -> None:
         assert len(pieces) == 2
         np.testing.assert_allclose(pieces[0].position(pieces[0].length), [(2, 1)], atol=1e-15)
         np.testing.assert_allclose(pieces[1].position(0.0), [(2, 1)], atol=1e-15)
-    # In one direction through the joint there is no corner, but legs of other lengths make the curvature jump.
+    # Straight through the joint there is no corner, but legs of different lengths make the curvature jump.
     smooth = points.copy()
     smooth[3] = (5, 1)
     joined = spline_curves(2, smooth, knots, None)
     assert len(joined) == 2
     assert Path(joined).corners.size == 0
-    # A knot too many, with the point there twice, as some write it.
+    # One knot too many, with the point doubled, as some programs write it.
     double, more = np.insert(points, 2, points[2], axis=0), np.insert(knots, 3, 1.0)
     assert len(spline_curves(2, double, more, None)) == 2
     double[3] += 0.1
@@ -134,7 +134,7 @@ def test_polygons_and_straight_splines_are_lines() -> None:
     assert free[0].length < 5.0
 
 
-def test_a_nurbs_circle_is_one() -> None:
+def test_a_nurbs_circle_is_a_circle() -> None:
     h = math.sqrt(0.5)
     points = np.array([(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1), (1, 0.0)])
     knots = np.array([0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4.0])
@@ -146,12 +146,12 @@ def test_a_nurbs_circle_is_one() -> None:
     ("degree", "knots", "weights", "message"),
     [
         (3, CLAMPED[:-1], None, "needs 10 knots"),
-        (3, CLAMPED[::-1].copy(), None, "fall"),
+        (3, CLAMPED[::-1].copy(), None, "decrease"),
         (3, CLAMPED, WEIGHTS[:-1], "one weight"),
         (3, CLAMPED, -WEIGHTS, "one weight"),
         (7, CLAMPED, None, "degree 7"),
     ],
 )
-def test_splines_whose_data_do_not_fit_are_refused(degree: int, knots: np.ndarray, weights: np.ndarray | None, message: str) -> None:
+def test_splines_with_inconsistent_data_are_refused(degree: int, knots: np.ndarray, weights: np.ndarray | None, message: str) -> None:
     with pytest.raises(GeometryError, match=message):
         spline_curves(degree, POINTS, knots, weights)

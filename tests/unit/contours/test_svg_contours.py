@@ -1,4 +1,4 @@
-"""SVG drawings: shapes, transforms, sizes and the axis that points down, against closed forms."""
+"""SVG drawings: shapes, transforms, sizes and the downward axis, against closed forms."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from contourlab.errors import GeometryError
 from contourlab.geometry import Arc, BSpline, EllipticalArc, Line
 
 HEIGHT = 80.0
-"""Of the drawing, in its user units."""
+"""Height of the drawing, in its user units."""
 
 
 def seen(*points: tuple[float, float]) -> np.ndarray:
-    """Return where points of the drawing are on the machine: y counts from the lower edge."""
+    """Return the machine coordinates of points of the drawing: y counts from the lower edge."""
     return MM * np.array([(x, HEIGHT - y) for x, y in points])
 
 
@@ -43,7 +43,7 @@ def test_closed_shapes(tmp_path: File, body: str, length: float, enclosed: float
     assert abs(area(path)) == pytest.approx(MM**2 * enclosed, rel=1e-11)
 
 
-def test_the_part_is_what_one_sees(tmp_path: File) -> None:
+def test_the_part_looks_like_the_drawing(tmp_path: File) -> None:
     """Clockwise on the screen is clockwise on the machine; the upper edge is up."""
     path = read_contour(svg(tmp_path, '<polyline points="10,10 40,10 40,30"/>'))
     np.testing.assert_allclose(path.position([0.0, 0.03, 0.05]), seen((10, 10), (40, 10), (40, 30)), atol=1e-15)
@@ -54,7 +54,7 @@ def test_the_part_is_what_one_sees(tmp_path: File) -> None:
 
 
 @pytest.mark.parametrize("sweep", [0, 1])
-def test_elliptical_arcs_run_the_way_they_are_drawn(tmp_path: File, sweep: int) -> None:
+def test_elliptical_arcs_run_as_drawn(tmp_path: File, sweep: int) -> None:
     path = read_contour(svg(tmp_path, f'<path d="M10,10 A 10 5 0 0 {sweep} 30 10 L 30 30"/>'))
     # Half an ellipse around (20, 10): over its upper end where the sweep is clockwise on the screen.
     np.testing.assert_allclose(path.position([0.0, path.length]), seen((10, 10), (30, 30)), atol=1e-14)
@@ -76,8 +76,8 @@ def test_beziers_are_splines_of_their_degree(tmp_path: File) -> None:
     assert away(path, seen(*quadratic.tolist())) < 1e-13
 
 
-def test_handles_that_were_not_pulled_out(tmp_path: File) -> None:
-    """Drawing programs write straight lines as cubics, and leave control points on the ends."""
+def test_control_points_on_the_ends(tmp_path: File) -> None:
+    """Drawing programs write straight lines as cubics with control points on the ends."""
     straight = read_contour(svg(tmp_path, '<path d="M0,0 C0,0 30,40 30,40"/>'))
     assert isinstance(straight.curves[0], Line)
     assert straight.length == pytest.approx(0.05, rel=1e-15)
@@ -97,7 +97,7 @@ def test_handles_that_were_not_pulled_out(tmp_path: File) -> None:
     ],
 )
 def test_transforms_are_exact_for_arcs_too(tmp_path: File, transform: str, matrix: list[list[float]]) -> None:
-    """A skewed circle is an ellipse whose axes are not the images of the circle's."""
+    """A skewed circle is an ellipse; its axes are not the images of the circle's axes."""
     m = np.array(matrix, dtype=float)
     for body in ('<circle cx="20" cy="10" r="6"/>', '<path d="M 26 10 A 6 6 0 1 1 14 10 A 6 6 0 1 1 26 10"/>'):
         path = read_contour(svg(tmp_path, f'<g transform="{transform}">{body}</g>'))
@@ -135,7 +135,7 @@ def test_lengths_with_units_inside(tmp_path: File) -> None:
     np.testing.assert_allclose(path.position(0.0), [(0.0354, 0.0)], atol=1e-15)
 
 
-def test_what_is_no_contour_is_named(tmp_path: File) -> None:
+def test_elements_without_a_contour_are_named(tmp_path: File) -> None:
     body = (
         '<text x="1" y="1">note</text><rect width="3" height="2"/><g style="display: none"><circle r="1"/></g>'
         '<defs><circle id="c" r="9"/></defs><clipPath id="q"><rect width="1" height="1"/></clipPath><foreignObject/>'
@@ -150,14 +150,14 @@ def test_what_is_no_contour_is_named(tmp_path: File) -> None:
     assert read_contour(used).length == pytest.approx(18 * MM * math.pi, rel=1e-14)
 
 
-def test_subpaths_are_chains_of_their_own(tmp_path: File) -> None:
+def test_subpaths_are_separate_chains(tmp_path: File) -> None:
     file = svg(tmp_path, '<path id="both" d="M0,0 h10 v10 z M20,20 h5"/>')
     assert [chain.closed for chain in read_svg(file).chains] == [True, False]
     assert read_contour(file, chain=2).length == pytest.approx(5 * MM)
 
 
-def test_an_arc_of_no_radius_is_a_line(tmp_path: File) -> None:
-    """SVG 2, section 9.5.1; and one that ends where it starts is nothing."""
+def test_an_arc_of_zero_radius_is_a_line(tmp_path: File) -> None:
+    """SVG 2, section 9.5.1; an arc that ends where it starts is nothing."""
     path = read_contour(svg(tmp_path, '<path d="M0,0 A 0 5 0 0 1 10 0 A 5 5 0 0 1 10 0 V 5"/>'))
     assert path.length == pytest.approx(15 * MM)
     assert [type(curve) for curve in path.curves] == [Line, Line]
@@ -168,14 +168,14 @@ def test_an_arc_of_no_radius_is_a_line(tmp_path: File) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("<svg", "is no SVG drawing"),
+        ("<svg", "is not an SVG drawing"),
         ("<html/>", "<html>"),
         ('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1"/>', "viewBox"),
         ('<svg xmlns="http://www.w3.org/2000/svg" width="3em"/>', 'width = "3em" is not a size'),
         ('<svg xmlns="http://www.w3.org/2000/svg"/>', "no contour"),
     ],
 )
-def test_files_that_are_no_drawings(tmp_path: File, text: str, message: str) -> None:
+def test_files_that_are_not_drawings(tmp_path: File, text: str, message: str) -> None:
     file = tmp_path / "part.svg"
     file.write_text(text, encoding="utf-8")
     with pytest.raises(GeometryError, match=message):

@@ -1,4 +1,4 @@
-"""Path data of SVG: the grammar, the curves that the standard draws, and what becomes of errors."""
+"""SVG path data: the grammar, the curves of the standard, and error handling."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from contourlab.contours.svg_syntax import path_shapes
 
 
 def only(data: str) -> list[Shape]:
-    """Return the shapes of data that hold one subpath and no error."""
+    """Return the shapes of data with one subpath and no error."""
     parts, trouble = path_shapes(data)
     assert trouble is None
     assert len(parts) == 1
@@ -25,7 +25,7 @@ def only(data: str) -> list[Shape]:
 
 
 def corners(shapes: list[Shape]) -> list[tuple[float, ...]]:
-    """Return the points of lines, end to end."""
+    """Return the end points of connected lines."""
     assert all(isinstance(shape, LineShape) for shape in shapes)
     return [tuple(shapes[0].start), *(tuple(shape.end) for shape in shapes)]  # type: ignore[union-attr]
 
@@ -38,7 +38,7 @@ def control(shape: Shape) -> list[list[float]]:
 @pytest.mark.parametrize(
     ("data", "last"),
     [
-        # Of another family, or after none: the first control point is the current point (SVG 2, 9.3.6 and 9.3.7).
+        # After another family or none, the first control point is the current point (SVG 2, 9.3.6 and 9.3.7).
         ("M30 20 q-10 0 -20 -10 s 3 4 5 5", [[10, 10], [10, 10], [13, 14], [15, 15]]),
         ("M30 20 t 4 4 s 3 4 5 5", [[34, 24], [34, 24], [37, 28], [39, 29]]),
         ("M10 10 L20 10 S 25 5 30 10", [[20, 10], [20, 10], [25, 5], [30, 10]]),
@@ -46,20 +46,20 @@ def control(shape: Shape) -> list[list[float]]:
         ("M0 0 c 0 10 10 10 10 0 s 1 1 2 2 t 20 5", [[12, 2], [12, 2], [32, 7]]),
         ("M0 0 Q 5 5 10 0 L 20 0 T 30 5", [[20, 0], [20, 0], [30, 5]]),
         ("M0 0 Q 5 5 10 0 M 20 0 T 30 5", [[20, 0], [20, 0], [30, 5]]),
-        # Of the same family: the last control point is reflected at the current point, again and again.
+        # After the same family, the last control point is reflected at the current point, repeatedly.
         ("M0 0 C 0 10 10 10 10 0 S 20 -10 20 0", [[10, 0], [10, -10], [20, -10], [20, 0]]),
         ("M0 0 c 0 10 10 10 10 0 s 10 -5 10 0 s 7 7 8 0", [[20, 0], [20, 5], [27, 7], [28, 0]]),
         ("M0 0 Q 5 8 10 0 T 20 0", [[10, 0], [15, -8], [20, 0]]),
         ("M0 0 q 5 8 10 0 t 10 0 10 0", [[20, 0], [25, 8], [30, 0]]),
     ],
 )
-def test_smooth_curves_reflect_their_own_family_alone(data: str, last: list[list[float]]) -> None:
+def test_smooth_curves_reflect_only_their_own_family(data: str, last: list[list[float]]) -> None:
     parts, trouble = path_shapes(data)
     assert trouble is None
     assert control(parts[-1][-1]) == last
 
 
-def test_the_curve_on_the_machine_is_the_one_drawn(tmp_path: File) -> None:
+def test_the_curve_on_the_machine_equals_the_drawn_one(tmp_path: File) -> None:
     path = read_contour(svg(tmp_path, '<path d="M30 20 q-10 0 -20 -10 t 3 4 S 60 40 70 10"/>'))
     # t: its control point is 2 (10, 10) - (20, 20) = (0, 0); S after it starts from (13, 14) towards (60, 40).
     half = 0.25 * np.array([10, 10]) + 0.25 * np.array([13, 14])
@@ -86,10 +86,10 @@ def test_the_grammar_of_numbers(data: str, points: list[tuple[float, ...]]) -> N
     assert corners(only(data)) == points
 
 
-def test_drawing_goes_on_from_the_start_of_a_closed_subpath() -> None:
+def test_drawing_continues_from_the_start_of_a_closed_subpath() -> None:
     parts, trouble = path_shapes("m5 5 h3 v3 z l-2 0 m 1 1 l 1 0 z m 10 0 h 1")
     assert trouble is None
-    # The second starts at (5, 5) and ends at (3, 5), the third at (4, 6), to which its z returns.
+    # The second starts at (5, 5) and ends at (3, 5); the third starts at (4, 6), and its z returns there.
     assert [corners(part) for part in parts] == [
         [(5, 5), (8, 5), (8, 8), (5, 5)],
         [(5, 5), (3, 5)],
@@ -150,11 +150,11 @@ def test_the_four_arcs_between_two_points(flags: str, centre: tuple[float, float
     assert shape.end - shape.start == pytest.approx(sweep, rel=1e-14)
 
 
-def test_radii_that_do_not_reach_are_scaled_up() -> None:
+def test_too_small_radii_are_scaled_up() -> None:
     shape = conic("M10 10a1 1 0 0 1 20 0")
     np.testing.assert_allclose(shape.centre, [20, 10], atol=1e-14)
     assert np.linalg.norm(shape.p) == pytest.approx(10, rel=1e-15)
-    tall = conic("M0 0a-1 3 90 0 1 12 0")  # turned by 90 degrees, 3 lies along x; signs of radii are passed over
+    tall = conic("M0 0a-1 3 90 0 1 12 0")  # turned by 90 degrees, 3 lies along x; signs of radii are ignored
     np.testing.assert_allclose([np.linalg.norm(tall.p), np.linalg.norm(tall.q)], [2, 6], rtol=1e-14)
     np.testing.assert_allclose(tall.centre, [6, 0], atol=1e-14)
 
@@ -169,7 +169,7 @@ place = st.floats(-100.0, 100.0)
 
 
 @given(size, size, st.floats(-720.0, 720.0), st.booleans(), st.booleans(), place, place)
-def test_arcs_end_where_they_are_told_to(rx: float, ry: float, turn: float, large: bool, sweep: bool, x: float, y: float) -> None:
+def test_arcs_end_at_their_given_end_points(rx: float, ry: float, turn: float, large: bool, sweep: bool, x: float, y: float) -> None:
     if math.hypot(x, y) < 1e-3:
         return
     shape = conic(f"M1 2a{rx!r} {ry!r} {turn!r} {large:d}{sweep:d}{x!r} {y!r}")
@@ -180,17 +180,17 @@ def test_arcs_end_where_they_are_told_to(rx: float, ry: float, turn: float, larg
     assert (angle > 0) == sweep
     assert abs(angle) >= math.pi - 1e-5 if large else abs(angle) <= math.pi + 1e-5
     assert np.linalg.norm(shape.p) / np.linalg.norm(shape.q) == pytest.approx(rx / ry, rel=1e-12)
-    # The ellipse is turned as was said: p lies along its first axis.
+    # Check the rotation of the ellipse: p lies along its first axis.
     assert shape.p @ [-math.sin(math.radians(turn)), math.cos(math.radians(turn))] == pytest.approx(0.0, abs=1e-9 * np.linalg.norm(shape.p))
 
 
 @given(st.text("MmLlHhVvCcSsQqTtAaZz0123456789.,+-eE \n", max_size=60))
-def test_any_text_gives_curves_or_a_place(data: str) -> None:
+def test_any_text_gives_curves_or_an_error_with_its_place(data: str) -> None:
     parts, trouble = path_shapes(data)
     assert all(np.isfinite(shape.extent()).all() for part in parts for shape in part)
     if trouble is not None:
         number = int(trouble.split()[3].rstrip(":"))
         assert 1 <= number <= len(data) + 1
-        # What stands before the error draws the same: nothing behind it had a say.
+        # The text before the error draws the same: the text after it has no effect.
         again, _ = path_shapes(data[: number - 1])
         assert [len(part) for part in again] == [len(part) for part in parts]

@@ -1,4 +1,4 @@
-"""What an SVG drawing draws where: percentages, symbols and their uses, nested drawings, and what is hidden."""
+"""The structure of SVG drawings: percentages, symbols and uses, nested drawings, and hidden elements."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from contourlab.contours import Drawing, read_contour, read_svg
 from contourlab.errors import GeometryError
 
 HEIGHT = 80.0
-"""Of the drawing, in its user units; it is 100 wide."""
+"""Height of the drawing, in its user units; it is 100 wide."""
 
 
 def box(drawing: Drawing, chain: int = 1) -> list[float]:
@@ -36,31 +36,31 @@ DIAGONAL = float(np.sqrt((100**2 + 80**2) / 2))
         ('<rect x="10%" y="10%" width="20%" height="20%"/>', [10, 8, 30, 24]),
         ('<line x1="10%" y1="10%" x2="90%" y2="90%"/>', [10, 8, 90, 72]),
         ('<defs><rect id="a" width="3" height="4"/></defs><use href="#a" x="50%" y="50%"/>', [50, 40, 53, 44]),
-        # A drawing inside: 50 by 20 user units at (10, 8), its own units twice as large and centred between 10 of them.
+        # A nested drawing: 50 by 20 user units at (10, 8). Its 10 by 10 own units are twice as large and centred in it.
         (
             '<svg x="10%" y="10%" width="50%" height="25%" viewBox="0 0 10 10"><rect width="50%" height="100%"/></svg>',
             [10 + 15, 8, 10 + 15 + 10, 28],
         ),
         ('<svg x="10" y="5"><rect width="50%" height="50%"/></svg>', [10, 5, 60, 45]),
         ('<svg x="10" y="5" width="50"><rect x="1" width="50%" height="7"/></svg>', [11, 5, 36, 12]),
-        # What stands behind a drawing inside has the viewport of the outer one again.
+        # After a nested drawing the outer viewport applies again.
         ('<svg width="10" height="10" viewBox="0 0 1 1"/><rect width="10%" height="10%"/>', [0, 0, 10, 8]),
     ],
 )
-def test_percentages_are_of_width_height_and_diagonal(tmp_path: File, body: str, edges: list[float]) -> None:
+def test_percentages_refer_to_width_height_and_diagonal(tmp_path: File, body: str, edges: list[float]) -> None:
     drawing = read_svg(svg(tmp_path, body))
     assert len(drawing.chains) == 1
     # 2001 samples of a circle miss its edges by less than r (pi / 2000)^2 / 2.
     np.testing.assert_allclose(box(drawing), edges, atol=1e-4)
 
 
-def test_percentages_of_nothing_are_refused(tmp_path: File) -> None:
+def test_percentages_without_a_size_are_refused(tmp_path: File) -> None:
     with pytest.raises(GeometryError, match=r"circle 'c': r = \"10%\""):
         read_svg(svg(tmp_path, '<circle id="c" r="10%"/>', ""))
 
 
-def test_a_rectangle_takes_nothing_from_around(tmp_path: File) -> None:
-    """Neither the size of the drawing nor the place of one inside is its own."""
+def test_a_rectangle_inherits_no_geometry(tmp_path: File) -> None:
+    """It inherits neither the size of the drawing nor the place of a nested one."""
     drawing = read_svg(svg(tmp_path, '<rect id="r" height="5"/><rect width="2" height="1"/>'))
     assert len(drawing.chains) == 1
     assert [note.split(": ")[0] for note in drawing.notes] == ["rect 'r'"]
@@ -76,7 +76,7 @@ SYMBOL = '<symbol id="s"><rect width="3" height="4"/></symbol>'
         (SYMBOL + '<use href="#s" x="5" y="6"/>', [[5, 6, 8, 10]]),
         ('<use href="#s" x="5" y="6"/>' + SYMBOL, [[5, 6, 8, 10]]),
         (SYMBOL + '<use href="#s"/><use href="#s" x="10" transform="scale(2)"/>', [[0, 0, 3, 4], [20, 0, 26, 8]]),
-        # Its viewBox is laid into the size of the use: 10 units on 20 and 40, in the middle of what is left.
+        # Its viewBox is fitted into the size of the use: 10 units into 20 by 40, centred in the remaining space.
         (
             '<symbol id="s" viewBox="0 0 10 10"><rect width="3" height="4"/></symbol><use href="#s" x="5" width="20" height="40"/>',
             [[5, 10, 11, 18]],
@@ -88,7 +88,7 @@ SYMBOL = '<symbol id="s"><rect width="3" height="4"/></symbol>'
         # A use inside a symbol, a symbol in a symbol's place, and a part of a symbol by its own name.
         (SYMBOL + '<symbol id="t"><use href="#s" x="1"/></symbol><use href="#t" y="2"/>', [[1, 2, 4, 6]]),
         ('<symbol><rect id="in" width="3" height="4"/></symbol><use href="#in" x="9"/>', [[9, 0, 12, 4]]),
-        # A whole store of symbols that is hidden still lends them.
+        # A hidden group still provides its symbols.
         (f'<svg style="display:none">{SYMBOL}</svg><use href="#s" x="1"/>', [[1, 0, 4, 4]]),
         (f'<defs>{SYMBOL}</defs><use href="#s" x="1"/>', [[1, 0, 4, 4]]),
     ],
@@ -102,7 +102,7 @@ def test_symbols_are_drawn_where_they_are_used(tmp_path: File, body: str, edges:
     assert drawing.notes == ()
 
 
-def test_path_data_of_used_paths_are_their_own(tmp_path: File) -> None:
+def test_a_used_path_keeps_its_own_path_data(tmp_path: File) -> None:
     body = (
         '<defs><path id="p" d="M0 0 h3 v4" transform="scale(2)"/></defs><use href="#p" x="10"/><use href="#p" y="20"/><path d="M50 50h7"/>'
     )
@@ -111,7 +111,7 @@ def test_path_data_of_used_paths_are_their_own(tmp_path: File) -> None:
     np.testing.assert_allclose(found, [[10, 0, 16, 8], [0, 20, 6, 28], [50, 50, 57, 50]], atol=1e-9)
 
 
-def test_uses_of_nothing_are_noted(tmp_path: File) -> None:
+def test_uses_of_missing_elements_are_noted(tmp_path: File) -> None:
     drawing = read_svg(svg(tmp_path, '<use href="#gone"/><use href="other.svg#a"/><use/><rect width="1" height="1"/>'))
     assert len(drawing.chains) == 1
     for note, word in zip(drawing.notes, ("'#gone'", "'other.svg#a'", "nothing"), strict=True):
@@ -120,7 +120,7 @@ def test_uses_of_nothing_are_noted(tmp_path: File) -> None:
 
 @pytest.mark.parametrize("body", ['<g id="a"><use href="#a"/></g>', '<symbol id="a"><use href="#a"/></symbol><use href="#a"/>'])
 def test_a_use_that_draws_itself_is_refused(tmp_path: File, body: str) -> None:
-    with pytest.raises(GeometryError, match="draws itself"):
+    with pytest.raises(GeometryError, match="refers to itself"):
         read_svg(svg(tmp_path, body))
 
 
@@ -152,7 +152,7 @@ def test_deep_nesting_is_refused(tmp_path: File, depth: int) -> None:
         ("rect.h#a{visibility:hidden}", 'id="a" class="h"', False),
     ],
 )
-def test_what_is_hidden_is_left_out_and_counted(tmp_path: File, style: str, shape: str, is_seen: bool) -> None:
+def test_hidden_elements_are_left_out_and_counted(tmp_path: File, style: str, shape: str, is_seen: bool) -> None:
     for sheet, before in ((f"<style>{style}</style>", True), (f"<style>{style}</style>", False)):
         body = f'<rect {shape} width="3" height="4"/>'
         drawing = read_svg(svg(tmp_path, sheet + body if before else body + sheet))
@@ -164,7 +164,7 @@ def test_what_is_hidden_is_left_out_and_counted(tmp_path: File, style: str, shap
 @pytest.mark.parametrize(
     ("body", "seen", "hidden"),
     [
-        # What is inside can be seen again where it is only not visible, and not where it is not displayed.
+        # A child can be visible again inside an invisible element, but not inside one that is not displayed.
         ('<g visibility="hidden"><rect width="1" height="1" visibility="visible"/><circle r="2"/></g>', 1, ["circle"]),
         (
             '<g display="none"><rect width="1" height="1" display="inline"/><line x2="2"/><text>a</text></g>',
@@ -172,19 +172,19 @@ def test_what_is_hidden_is_left_out_and_counted(tmp_path: File, style: str, shap
             ["rect", "simpleline", "text"],
         ),
         ('<g visibility="hidden"><rect width="1" height="1" style="visibility:inherit"/></g>', 0, ["rect"]),
-        # A use hands its own down.
+        # A use passes its own on.
         ('<defs><rect id="a" width="1" height="1"/></defs><use href="#a" visibility="hidden"/><use href="#a"/>', 1, ["rect"]),
         ('<defs><rect id="a" width="1" height="1" display="none"/></defs><use href="#a"/>', 0, ["rect"]),
         ('<defs style="display:none"><rect id="a" width="1" height="1"/></defs><use href="#a"/>', 1, []),
     ],
 )
-def test_hiding_is_handed_down(tmp_path: File, body: str, seen: int, hidden: list[str]) -> None:
+def test_hiding_is_inherited(tmp_path: File, body: str, seen: int, hidden: list[str]) -> None:
     drawing = read_svg(svg(tmp_path, body))
     assert len(drawing.chains) == seen
     assert [item.why.replace("line", "simpleline") for item in drawing.left_out] == hidden
 
 
-def test_rules_that_are_not_understood_are_noted(tmp_path: File) -> None:
+def test_unknown_style_rules_are_noted(tmp_path: File) -> None:
     sheet = "<style>g &gt; rect {display:none} @media print { rect {visibility:hidden} } a:hover{fill:red}</style>"
     drawing = read_svg(svg(tmp_path, sheet + '<g><rect width="3" height="4"/></g>'))
     assert len(drawing.chains) == 1

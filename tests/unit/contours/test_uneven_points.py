@@ -1,4 +1,4 @@
-"""Points of uneven spacing: straight sides beside finely spaced curves, as CAM and CAD write them; no curve leaves its polygon unseen."""
+"""Unevenly spaced points, as CAM and CAD write them: straight sides between fine curves; deviations from the polygon are reported."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MM = 1e-3
 
 
 def rounded(half: tuple[float, float], radius: float, per_corner: int, between: int = 0) -> Array:
-    """Points [mm] of a rectangle with rounded corners: per_corner on each fillet, its ends among them, and some on each side."""
+    """Points [mm] of a rectangle with rounded corners: `per_corner` on each fillet, including its ends, and some on each side."""
     turns = np.linspace(0.0, 0.5 * math.pi, per_corner)
     rows: list[Array] = []
     for k, (x, y) in enumerate(((1, -1), (1, 1), (-1, 1), (-1, -1))):
@@ -42,7 +42,7 @@ def rounded(half: tuple[float, float], radius: float, per_corner: int, between: 
 
 
 def off_rectangle(points: Array, half: tuple[float, float], radius: float) -> Array:
-    """Distance of points [mm] from the rounded rectangle itself: a closed form."""
+    """Distance of points [mm] from the rounded rectangle, in closed form."""
     q = np.abs(points) - (np.array(half) - radius)
     outside = np.linalg.norm(np.maximum(q, 0.0), axis=1)
     return np.asarray(np.abs(outside + np.minimum(q.max(axis=1), 0.0) - radius))
@@ -57,17 +57,17 @@ SHAPES = [((30.0, 20.0), 3.0, 10), ((27.0, 2.0), 2.0, 19), ((100.0, 100.0), 0.5,
 
 @pytest.mark.parametrize(("half", "radius", "per_corner"), SHAPES)
 @pytest.mark.parametrize(("start", "between", "decimals"), [(0, 0, 4), (3, 1, 4), (-1, 0, 12), (5, 1, 12)])
-def test_rounded_rectangles_are_what_they_are(
+def test_rounded_rectangles_are_reproduced(
     half: tuple[float, float], radius: float, per_corner: int, start: int, between: int, decimals: int
 ) -> None:
-    """Wherever the file begins, with or without a point in mid side, rounded to 0.1 um or not."""
+    """From any first point, with or without a point in mid side, rounded to 0.1 um or not."""
     points = np.roll(rounded(half, radius, per_corner, between), start, axis=0).round(decimals)
     fit = fit_points(MM * np.concatenate([points, points[:1]]), None, ANGLE)
     path = fit.path
     assert path.closed
     assert fit.n_corner == 0
     assert path.corners.size == 0
-    # A spline of the sixth order along the fillets, and the rounding of the points.
+    # A sixth-order spline along the fillets, and the rounding of the points.
     allowed = radius * (0.5 * math.pi / (per_corner - 1)) ** 6 + 3.0 * 10.0**-decimals
     s = np.linspace(0.0, path.length, 8001)
     seen = path.position(s)
@@ -104,7 +104,7 @@ class Chain:
 
 
 def chain(parts: list[tuple[float, float, int, int]], seed: int) -> Chain:
-    """Lay parts end to end: (line length or radius [mm], turn [rad] or 0 for a line, points, side)."""
+    """Join parts end to end: (line length or radius [mm], turn [rad] or 0 for a line, points, side)."""
     rng = np.random.default_rng(seed)
     at, heading, sagitta = np.zeros(2), 0.3, 0.0
     curves: list[Curve] = []
@@ -148,9 +148,9 @@ ARCS = st.tuples(st.floats(1.0, 20.0), st.floats(0.5, 2.0), st.integers(20, 40),
 @example(pairs=[((50.0, 0.0, 1, 1), (2.0, 2.0, 36, 1)), ((50.0, 0.0, 1, 1), (2.0, 1.0, 20, -1))], first=True, seed=1)
 @settings(max_examples=15, deadline=None)
 def test_chains_of_lines_and_arcs(pairs: list[tuple[tuple[float, float, int, int], ...]], first: bool, seed: int) -> None:
-    """The path is nearer to the shape than the polygon of its points is, which leaves it by the largest sagitta."""
+    """The path is nearer to the shape than the polygon of its points, which is off by the largest sagitta."""
     parts = [part for pair in pairs for part in pair][0 if first else 1 :]
-    # A line less than twice as long as the chords beside it is no straight stretch; spacing varies by 1.75.
+    # A line less than twice as long as its neighbouring chords does not count as straight; spacing varies by 1.75.
     for one, other in pairwise(parts):
         line, arc = (one, other) if one[1] == 0.0 else (other, one)
         assume(line[0] > 2.0 * 1.75 * arc[0] * arc[1] / arc[2])
@@ -164,8 +164,8 @@ def test_chains_of_lines_and_arcs(pairs: list[tuple[tuple[float, float, int, int
 
 @given(seed=st.integers(0, 2**16), n=st.sampled_from([200, 400]))
 @settings(max_examples=10, deadline=None)
-def test_smooth_curves_bear_any_spacing(seed: int, n: int) -> None:
-    """Points of an ellipse at steps that differ by a hundred times: nothing of it is taken for straight that matters."""
+def test_smooth_curves_accept_any_spacing(seed: int, n: int) -> None:
+    """Points of an ellipse with steps that differ by a factor of a hundred: no significant part counts as straight."""
     steps = np.random.default_rng(seed).uniform(0.01, 1.0, n)
     u = np.concatenate([[0.0], np.cumsum(steps)])
     u *= 2.0 * math.pi / u[-1]
@@ -173,13 +173,13 @@ def test_smooth_curves_bear_any_spacing(seed: int, n: int) -> None:
     points[-1] = points[0]
     fit = fit_points(points, None, ANGLE)
     seen = fit.path.position(np.linspace(0.0, fit.path.length, 5001)) / MM
-    # Off the ellipse by its implicit function over its slope; the points' own polygon is off by 10 um and more.
+    # Distance from the ellipse: implicit function over its slope. The polygon of the points is off by 10 um and more.
     f = (seen[:, 0] / 40.0) ** 2 + (seen[:, 1] / 20.0) ** 2 - 1.0
     slope = 2.0 * np.hypot(seen[:, 0] / 1600.0, seen[:, 1] / 400.0)
     assert np.abs(f / slope).max() < 1e-3
 
 
-def test_noise_beside_long_sides_stays_within_the_tolerance() -> None:
+def test_noise_between_long_sides_stays_within_the_tolerance() -> None:
     rng = np.random.default_rng(5)
     exact = MM * rounded((60.0, 20.0), 8.0, 80)
     noisy = exact + rng.uniform(-2e-6, 2e-6, exact.shape)
@@ -187,7 +187,7 @@ def test_noise_beside_long_sides_stays_within_the_tolerance() -> None:
     path = fit.path
     assert path.corners.size == 0
     assert away(path, noisy[::7]) <= fit.deviation * (1 + 1e-9) <= 4e-6
-    # The tolerance, and the noise of the points that it is kept from.
+    # The tolerance plus the noise of the points.
     assert (
         MM * off_rectangle(path.position(np.linspace(0.0, path.length, 8001)) / MM, (60.0, 20.0), 8.0).max() < 4e-6 + math.sqrt(8.0) * 1e-6
     )
@@ -196,7 +196,7 @@ def test_noise_beside_long_sides_stays_within_the_tolerance() -> None:
 @pytest.mark.parametrize("n_axis", [2, 3])
 @pytest.mark.parametrize("closed", [True, False])
 def test_no_curve_leaves_its_polygon_further_than_its_turns_explain(n_axis: int, closed: bool) -> None:
-    """Random walks with steps of 10 um and 50 mm, turning by less than a corner: every stretch stays by its chord."""
+    """Random walks with steps of 10 um and 50 mm that turn by less than a corner: every segment stays near its chord."""
     rng = np.random.default_rng(8)
     for _ in range(12):
         heading = np.cumsum(rng.choice([0.0, 0.1, 0.3, -0.2], size=40))
@@ -208,13 +208,13 @@ def test_no_curve_leaves_its_polygon_further_than_its_turns_explain(n_axis: int,
         chords = np.diff(points, axis=0)
         size = np.linalg.norm(chords, axis=1)
         turns = np.arccos(np.clip(np.einsum("ij,ij->i", chords[1:], chords[:-1]) / (size[1:] * size[:-1]), -1.0, 1.0))
-        # No turn of 0.5 rad or less bends a chord by more than an arc of twice that.
+        # A turn of 0.5 rad or less bends a chord by no more than an arc of twice that.
         assert fit.bulge < 1.5 * size.max() * min(ANGLE, float(turns.max())) / 4.0
         assert len(fit.path.corners) == fit.n_corner
         assert fit.path.length < 1.1 * size.sum()
 
 
-def test_what_no_curve_keeps_to_is_refused_by_its_lines(tmp_path: File, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_points_without_a_good_curve_are_refused_with_their_lines(tmp_path: File, monkeypatch: pytest.MonkeyPatch) -> None:
     from contourlab.contours.polygon import Polygon
 
     def nowhere(polygon: Polygon) -> tuple[Array, NDArray[np.bool_]]:
@@ -231,7 +231,7 @@ def test_what_no_curve_keeps_to_is_refused_by_its_lines(tmp_path: File, monkeypa
 
 @pytest.mark.slow
 def test_work_and_memory_grow_with_the_number_of_points(tmp_path: File) -> None:
-    """A spline through all, and a raster of many turns."""
+    """A spline through all points, and a raster with many turns."""
     import tracemalloc
 
     peaks = []

@@ -1,4 +1,4 @@
-"""The global search, on functions whose smallest value is known."""
+"""The global search, on functions with a known minimum."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def valley(points: np.ndarray) -> np.ndarray:
     return 100.0 * (y - x * x) ** 2 + (1.0 - x) ** 2 + 100.0 * (z - y * y) ** 2 + (1.0 - y) ** 2
 
 
-def test_finds_the_bottom_of_a_bowl() -> None:
+def test_finds_the_minimum_of_a_bowl() -> None:
     found = search(bowl, STARTS, budget=6000, tolerance=0.0)
     np.testing.assert_allclose(found.point, [0.3, 0.6, 0.45], atol=1e-4)
     assert found.value == pytest.approx(1.0, abs=1e-7)
@@ -34,7 +34,7 @@ def test_follows_a_curved_valley() -> None:
     np.testing.assert_allclose(found.point, [0.75, 0.75, 0.75], atol=1e-3)
 
 
-def test_bottom_on_the_border() -> None:
+def test_minimum_on_the_border() -> None:
     found = search(lambda p: p.sum(axis=1), STARTS, budget=6000, tolerance=0.0)
     assert found.value == pytest.approx(0.0, abs=1e-3)
 
@@ -52,11 +52,16 @@ def test_never_worse_than_a_start() -> None:
     assert (found.value, found.runs) == (1.0, 1)
 
 
-def test_runs_that_fail_are_passed_by() -> None:
+def test_failed_runs_are_skipped() -> None:
     found = search(lambda p: np.where(p[:, 0] > 0.5, np.nan, bowl(p)), STARTS, budget=4000, tolerance=0.0)
     assert found.value == pytest.approx(1.0, abs=1e-6)
 
 
-def test_nothing_that_holds_is_refused() -> None:
+def test_a_search_without_a_feasible_value_is_refused() -> None:
     with pytest.raises(ParameterError, match="the loop holds"):
         search(lambda p: np.full(len(p), np.nan), STARTS, budget=200)
+
+
+def test_one_parameter_is_searched_too() -> None:
+    found = search(lambda p: (p[:, 0] - 0.3) ** 2, np.array([[0.9], [0.1]]), budget=2000, tolerance=0.0)
+    assert found.point.shape == (1,) and found.point[0] == pytest.approx(0.3, abs=1e-4)

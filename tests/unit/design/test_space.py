@@ -1,4 +1,4 @@
-"""Numbers, their order, and the runs that judge them."""
+"""Design variables, the order of results, and the runs that judge them."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def test_order_is_that_of_the_paper() -> None:
     assert order == [f"{axis}.{name}" for group in (observer, gains, ahead) for axis in ("3", "2") for name in group]
 
 
-def test_names_may_be_short_or_stand_for_many() -> None:
+def test_names_may_be_short_or_match_many() -> None:
     one = Space.chosen(MACHINE, CONTROLLER, ["3.position_gain"])
     assert one.names == ("controller.axes.3.controller.position_gain",)
     both = Space.chosen(MACHINE, CONTROLLER, ["observer.model_gain=300 mm/s^2/full_scale..2 m/s^2/full_scale"])
@@ -52,19 +52,19 @@ def test_names_may_be_short_or_stand_for_many() -> None:
         ("", "such as"),
     ],
 )
-def test_what_cannot_be_chosen_is_refused(text: str, said: str) -> None:
+def test_invalid_choices_are_refused(text: str, said: str) -> None:
     with pytest.raises(Exception, match=r".") as caught:
         Space.chosen(MACHINE, CONTROLLER, [text])
     assert said in str(caught.value)
 
 
-def test_zero_has_no_factor_around_it() -> None:
+def test_zero_has_no_range_by_a_factor() -> None:
     with pytest.raises(ParameterError, match="there is no factor"):
         Space.chosen(MACHINE, replace(CONTROLLER, coupling=CONTROLLER.coupling.replace(weight=0.0)), ["coupling.weight"])
 
 
 @pytest.mark.parametrize("logarithmic", [True, False])
-def test_places_and_values_belong_together(logarithmic: bool) -> None:
+def test_normalised_and_physical_values_correspond(logarithmic: bool) -> None:
     number = DesignVariable("a", 3.0, 1.0, 9.0, logarithmic=logarithmic)
     places = np.linspace(0.0, 1.0, 11)
     np.testing.assert_allclose(number.normalise(number.physical(places)), places, atol=1e-14)
@@ -72,7 +72,7 @@ def test_places_and_values_belong_together(logarithmic: bool) -> None:
     assert number.physical(7.0) == 9.0
 
 
-def test_an_end_of_the_range_is_told_from_one_of_the_component() -> None:
+def test_a_bound_of_the_range_differs_from_a_bound_of_the_component() -> None:
     number = DesignVariable("a", 2.0, 1.0, 4.0, most=4.0)
     assert [number.end(value) for value in (1.0, 1.5, 4.0)] == ["lower end of its range", "", "the most it may be"]
     assert [number.cramped(value) for value in (1.0, 1.5, 4.0)] == [True, False, False]
@@ -83,7 +83,7 @@ WIDE = "3.observer.model_gain=1e-7 m/s^2/full_scale..2e4 m/s^2/full_scale"
 
 @pytest.mark.parametrize("text", ["3.position_gain", "3.observer.model_damping", WIDE])
 @pytest.mark.parametrize("width", [4.0, 3.7])
-def test_written_values_are_those_that_a_file_reads_back(text: str, width: float) -> None:
+def test_written_values_read_back_exactly(text: str, width: float) -> None:
     """Six digits in the unit of the file, bit by bit, within the bounds."""
     number = Space.chosen(MACHINE, CONTROLLER, [text], width).numbers[0]
     values = number.physical(np.append(np.random.default_rng(3).random(500), [0.0, 1.0]))
@@ -95,15 +95,15 @@ def test_written_values_are_those_that_a_file_reads_back(text: str, width: float
     assert all(len(str(quantity(value, number.unit, number.display)).split()[0]) <= 13 for value in made.tolist())
 
 
-def test_the_scenario_s_own_value_stays_as_it_is() -> None:
+def test_the_value_of_the_scenario_is_kept_exactly() -> None:
     number = DesignVariable("a", 3.123456789, 1.0, 9.0)
     assert number.written([3.1234567, 3.123457, 3.12344]).tolist() == [3.123456789, 3.123456789, 3.12344]
     space = Space((number,), written=True)
     assert space.values(space.start) == {"a": 3.123456789} and space.only(["a"]).written
 
 
-def test_figures_are_those_of_a_single_run() -> None:
-    """Errors against the exact judge are tested with the batch; here what the drives are asked for."""
+def test_figures_equal_those_of_a_single_run() -> None:
+    """The batch tests compare errors with the exact judge; this test compares the command figures."""
     limit = 0.7
     axes = tuple(replace(axis, drive=Saturation(limit=limit)) for axis in MACHINE.axes)
     tight, made = replace(MACHINE, axes=axes), controller(2, TABLE_3, READING)
@@ -119,7 +119,7 @@ def test_figures_are_those_of_a_single_run() -> None:
     assert figures["limited_share"][0] == pytest.approx(limited, abs=2.5 / (stop - start))
 
 
-def test_company_and_threads_change_nothing() -> None:
+def test_batch_size_and_threads_change_nothing() -> None:
     reference = uniform(contour("circle", radius=0.02), 0.5, 1, READING.servo_period)
     name = "controller.axes.3.controller.position_gain"
     values = np.linspace(2000.0, 6000.0, 70)

@@ -57,7 +57,7 @@ def run(schedule, fed, signals, jit, width=1, lanes=None):
 
 @pytest.mark.parametrize(("jit", "width"), FORMS)
 def test_feedback_is_one_tick_late(jit, width):
-    """y = u - y of the tick before: 1, 0, 1, 0 ... for a constant input of 1."""
+    """y = u - (y of the previous tick): 1, 0, 1, 0 ... for a constant input of 1."""
 
     def subtract(par, x, inp, clock):
         return (), (inp.u - inp.back,)
@@ -72,7 +72,7 @@ def test_feedback_is_one_tick_late(jit, width):
 
 
 @pytest.mark.parametrize(("jit", "width"), FORMS)
-def test_record_point_sees_the_state_before_the_move(jit, width):
+def test_recording_sees_the_state_before_the_move(jit, width):
     nodes = (
         Node("drive", GAIN, {"u": "in.u"}, {"factor": 2.0}),
         Node("plant", INTEGRATE, {"u": "drive.y"}, initial={"total": 5.0}, start={"y": 5.0}),
@@ -141,7 +141,7 @@ def test_vectors_and_tables(jit, width):
 
 
 def members(constant):
-    """Return a step of four members that each sum their own multiple of what comes in; the last number that they hand on is their count."""
+    """Return a step of four members, each summing its own multiple of the input; the last output of a member is their count."""
 
     def member(par, x, kept, found, index, inp, clock):
         total = kept[0] + constant * index * inp.u
@@ -156,8 +156,8 @@ def members(constant):
 
 
 @pytest.mark.parametrize(("jit", "width"), FORMS)
-def test_alike_members_run_one_after_the_other(jit, width):
-    """Member i sums i u: together 6 u, by the factor of the lane; each keeps its own, and sees the states of the step as they were."""
+def test_equal_members_run_one_after_the_other(jit, width):
+    """Member i sums i u, together 6 u times the lane's factor; each keeps its own state and sees the step's old states."""
     factors = np.linspace(1.0, 2.0, width)
     schedule = Schedule((Node("m", members(1.0), {"u": "in.u"}, {"factor": factors}),), (Port("u"),), 1.0, 1)
     group = make_group(schedule, width, slice(0, width), jit)
@@ -211,7 +211,7 @@ def test_primitives_agree_with_plain_python(width):
 
 
 @pytest.mark.parametrize("width", [1, 32])
-def test_noise_is_the_same_everywhere_and_normal(width):
+def test_noise_is_normal_and_the_same_in_all_forms(width):
     def draw(par, x, inp, clock):
         return (), (normal(par.stream, clock.k), uniform(par.stream, clock.k, 3.0))
 
@@ -235,7 +235,7 @@ def test_exp_makes_no_denormals():
 
 @pytest.mark.parametrize("place", ["before", "after"])
 def test_a_planted_nan_is_found(place):
-    """Fast arithmetic must not assume away what the check looks for."""
+    """Fast arithmetic must not optimise the check away."""
 
     def poison(par, x, inp, clock):
         return (x.bad,), (inp.u + x.bad,)
@@ -277,7 +277,7 @@ def test_wiring_errors_say_what_is_wrong():
         Schedule((node, node), (Port("u"),), 1.0, 1)
 
 
-def test_a_step_that_cannot_be_compiled_names_the_culprit():
+def test_a_step_that_cannot_be_compiled_is_named():
     culprit = object()
 
     def bad(par, x, inp, clock):
@@ -287,7 +287,7 @@ def test_a_step_that_cannot_be_compiled_names_the_culprit():
         compiler._compile(Step("bad", bad, outputs=(Port("y"),)), 1)
 
 
-def test_key_follows_the_source_of_callees():
+def test_the_cache_key_follows_the_source_of_callees():
     def made(constant):
         def helper(u):
             return constant * u
@@ -304,15 +304,15 @@ def test_key_follows_the_source_of_callees():
     assert compiler.source_key(members(2.0), 1) != compiler.source_key(members(3.0), 1)
 
 
-def test_cache_survives_rubbish_and_a_second_process_would_read_it(tmp_path, monkeypatch):
+def test_the_cache_survives_corrupt_files_and_serves_a_second_process(tmp_path, monkeypatch):
     monkeypatch.setattr(store, "folder", lambda: tmp_path)
     monkeypatch.setattr(store, "_addresses", {})
     key = compiler.source_key(GAIN, 1)
-    (tmp_path / f"{key}.bin").write_bytes(b"rubbish")
+    (tmp_path / f"{key}.code").write_bytes(b"rubbish")
     compiler.compile_step.cache_clear()
     schedule = Schedule((Node("g", GAIN, {"u": "in.u"}, {"factor": 2.0}),), (Port("u"),), 1.0, 1)
     assert run(schedule, [[21.0]], ["g.y"], True)[0, 0, 0] == 42.0
-    assert (tmp_path / f"{key}.bin").stat().st_size > 100
+    assert (tmp_path / f"{key}.code").stat().st_size > 100
     compiler.compile_step.cache_clear()
     store._addresses.clear()
     assert run(schedule, [[4.0]], ["g.y"], True)[0, 0, 0] == 8.0
@@ -348,7 +348,7 @@ def global_step(par, x, inp, clock):
 
 
 @pytest.mark.parametrize(("function", "said"), [(growing_step, "tuples"), (undefined_step, "missing"), (global_step, "odd")])
-def test_what_cannot_be_compiled_is_said_in_a_line(function, said):
+def test_a_compilation_error_is_reported_in_one_line(function, said):
     step = Step("odd", function, inputs=(Port("u"),), outputs=(Port("y"),))
     with pytest.raises(EngineError, match=said) as caught:
         compiler.compile_step(step, 1)
@@ -356,8 +356,8 @@ def test_what_cannot_be_compiled_is_said_in_a_line(function, said):
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
-def test_primitives_raise_for_no_number(value):
-    """What is not finite passes through plain Python as through compiled code, and is found by whoever watches the loop."""
+def test_primitives_never_raise(value):
+    """Non-finite values pass through plain Python as through compiled code; the check of the loop finds them."""
     for function in (primitives.floor, primitives.rint):
         assert function(value) == value or math.isnan(value)
     assert primitives.clip(math.nan, -1.0, 2.0) == -1.0

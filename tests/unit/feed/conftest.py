@@ -1,4 +1,4 @@
-"""The analytic judge of planned motions, for the tests of the feed room."""
+"""The analytic judge of planned motions."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ Demand = Callable[..., tuple[float, float, float]]
 
 
 def _demand(reference: Reference, limits: AxisLimits, per_span: int = 40) -> tuple[float, float, float]:
-    """Return the greatest velocity, acceleration and jerk as parts of the limits, from derivatives of path and profile.
+    """Return the greatest velocity, acceleration and jerk relative to the limits, from derivatives of path and profile.
 
-    Looks at the inside of every span, so that nothing straddles a corner or a jump of jerk or curvature.
+    Only the inside of every span counts, so that nothing straddles a corner or a jump of jerk or curvature.
     """
     profile = reference.profile
     assert profile is not None

@@ -1,4 +1,4 @@
-"""Corners rounded within a tolerance: closed forms, continuity, deviations measured by another way, and what stays as it is."""
+"""Corners rounded within a tolerance: closed forms, continuity, independently measured deviations, and unchanged parts."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ P = 1e-5
 
 
 def route(points: Any, tolerance: Any = P, closed: bool = False, **more: Any) -> Route:
-    """A route along a polyline."""
+    """Return a route along a polyline."""
     p = np.asarray(points, dtype=float)
     return on([Line(a, b) for a, b in pairwise(p)], tolerance, closed, **more)
 
@@ -37,12 +37,12 @@ def on(curves: list[Curve], tolerance: Any = P, closed: bool = False, **more: An
 
 
 def bend(turn: float, size: float = 0.01) -> Array:
-    """Two legs of one length with a corner at the origin."""
+    """Return two equal legs with a corner at the origin."""
     return np.array([(-size, 0.0), (0.0, 0.0), (size * math.cos(turn), size * math.sin(turn))])
 
 
 def mixed(n_axis: int, n: int, seed: int, scale: float = 1e-3) -> list[Curve]:
-    """Lines, arcs and (in space) helices that meet at random corners."""
+    """Return lines, arcs and (in space) helices that meet at random corners."""
     rng = np.random.default_rng(seed)
     curves: list[Curve] = []
     at = np.zeros(n_axis)
@@ -60,9 +60,9 @@ def mixed(n_axis: int, n: int, seed: int, scale: float = 1e-3) -> list[Curve]:
 
 
 def deviation(planned: Path, programmed: Path, step: float, tolerance: float) -> float:
-    """Largest distance of the planned path from the programmed one, by the nearest of dense samples: no foot point, no arc length.
+    """Return the largest distance of the planned from the programmed path, by the nearest of dense samples.
 
-    With samples a step apart the nearest one is off by at most half a step along the path, which is taken out by Pythagoras.
+    Independent of foot points and arc lengths. The nearest sample is off by at most half a step along the path, removed by Pythagoras.
     """
     s = np.linspace(0.0, programmed.length, int(programmed.length / step) + 2)
     s = np.sort(np.concatenate([s, programmed.breaks]))
@@ -82,16 +82,16 @@ def test_the_corner_of_two_lines_in_closed_form(degrees: float) -> None:
     reach = 16.0 * P / ((1.0 + 5.0 * b + 10.0 * c) * math.sin(0.5 * turn))
     assert 0.01 - line.length == pytest.approx(reach, rel=1e-8)
     assert 0.01 - other.length == pytest.approx(reach, rel=1e-8)
-    # The corner lies at the tolerance from the middle of the blend, and no point of the blend is nearer.
+    # The middle of the blend is the tolerance away from the corner, and no point of the blend is nearer.
     away = np.linalg.norm(blend.position(np.linspace(0.0, blend.length, 2001)), axis=1)
     assert np.argmin(away) == 1000
     assert P * (1.0 - 1e-6) < away[1000] <= P
-    # From the lines the middle is half the interior angle's sine away.
+    # The middle's distance from the lines is that times the sine of half the interior angle.
     assert deviation(found.path, found.programmed, 1e-7, P) == pytest.approx(P * math.cos(0.5 * turn), rel=2e-3)
 
 
 @pytest.mark.parametrize(("degrees", "most"), [(30, 1.14), (60, 1.14), (90, 1.13), (120, 1.09), (150, 1.08)])
-def test_a_blend_bends_hardly_more_than_the_circle_of_its_deviation(degrees: float, most: float) -> None:
+def test_the_curvature_of_a_blend_is_near_the_minimum_for_its_deviation(degrees: float, most: float) -> None:
     turn = math.radians(degrees)
     blend = blended(route(bend(turn))).path.curves[1]
     # No curve that rounds the corner within d bends less than the circle: its radius is d/(1/cos(turn/2) - 1).
@@ -99,13 +99,13 @@ def test_a_blend_bends_hardly_more_than_the_circle_of_its_deviation(degrees: flo
     at = blend.derivatives(np.linspace(0.0, blend.length, 4001))
     peak = np.linalg.norm(at[2], axis=1).max()
     assert 1.0 < peak / circle < most
-    # Jerk: a curvature that must rise from nothing to its peak and fall again over the length cannot do with less than a tent has.
+    # Jerk: a curvature that rises from zero to its peak and falls again needs at least the slope of a tent over the length.
     assert np.linalg.norm(at[3], axis=1).max() < 2.6 * peak / (0.5 * blend.length)
 
 
 @pytest.mark.parametrize("degrees", [20.0, 75.0, 90.0, 135.0])
-def test_no_other_shape_is_faster_whichever_limit_binds(degrees: float) -> None:
-    """The losses of speed against the best for acceleration and the best for jerk are balanced: any other shape loses more in one."""
+def test_no_other_blend_shape_is_faster_for_both_limits(degrees: float) -> None:
+    """The speed losses against the best shapes for acceleration and for jerk are equal: any other shape loses more in one."""
     turn = math.radians(degrees)
     t, u = np.array([1.0, 0.0]), np.array([math.cos(turn), math.sin(turn)])
     b, c = (float(x[0]) for x in shape(np.array([turn])))
@@ -123,7 +123,7 @@ def test_no_other_shape_is_faster_whichever_limit_binds(degrees: float) -> None:
 
 
 @pytest.mark.parametrize("n_axis", [2, 3])
-def test_position_tangent_and_curvature_go_on_where_a_blend_meets_its_curves(n_axis: int) -> None:
+def test_position_tangent_and_curvature_are_continuous_at_the_ends_of_a_blend(n_axis: int) -> None:
     found = blended(on(mixed(n_axis, 60, 4), 2e-5))
     path = found.path
     curve = np.arange(found.n_curve - 1)
@@ -140,12 +140,12 @@ def test_position_tangent_and_curvature_go_on_where_a_blend_meets_its_curves(n_a
 
 @pytest.mark.parametrize("n_axis", [2, 3])
 @pytest.mark.parametrize("tolerance", [2e-6, 1e-4])
-def test_the_path_is_left_by_no_more_than_the_tolerance(n_axis: int, tolerance: float) -> None:
+def test_the_deviation_is_within_the_tolerance(n_axis: int, tolerance: float) -> None:
     given = on(mixed(n_axis, 24, 11), tolerance)
     found = blended(given)
     assert sum(isinstance(c, Blend) for c in found.path.curves) > 18
     assert deviation(found.path, given.path, 5e-7, tolerance) <= tolerance
-    # And no corner is further from the path than that, nor blended by less than it might be where there is room.
+    # No corner is further from the path, and with enough room each corner uses its whole tolerance.
     near, _ = KDTree(found.path.position(np.linspace(0.0, found.path.length, 400_001))).query(given.path.position(given.path.breaks[1:-1]))
     assert near.max() <= tolerance * 1.001
     if tolerance < 1e-5:
@@ -165,10 +165,10 @@ def test_the_ends_of_the_path_are_exact() -> None:
     np.testing.assert_array_equal([first.start, last.end], np.random.default_rng(1).normal(size=(9, 3))[[0, -1]])
 
 
-def test_two_blends_share_a_short_line_and_a_lone_one_takes_nearly_all() -> None:
+def test_two_blends_share_a_short_line_and_a_single_one_takes_nearly_all() -> None:
     points = [(0.0, 0.0), (1.0, 0.0), (1.0, 1e-3), (2.0, 1e-3)]
     found = blended(route(points, 1.0))
-    # The short line in the middle is used up, half by each.
+    # The two blends use up the short middle line, half each.
     assert [type(c) for c in found.path.curves] == [Line, Blend, Blend, Line]
     np.testing.assert_allclose(found.path.curves[1].position([found.path.curves[1].length])[0], (1.0, 5e-4), rtol=0, atol=1e-15)
     alone = blended(route(points[:3], 1.0))
@@ -179,7 +179,7 @@ def test_two_blends_share_a_short_line_and_a_lone_one_takes_nearly_all() -> None
     assert blended(route(points, just)).path.curves[2].length >= 0.999e-5
 
 
-def test_corners_that_must_stay_stay() -> None:
+def test_corners_without_tolerance_are_kept() -> None:
     zigzag = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (2.0, 1.0), (2.0, 2.0)]) * 1e-2
     assert len(blended(route(zigzag)).path.corners) == 0
     for keep in (
@@ -206,22 +206,22 @@ def test_feedrates_rapids_and_lines_of_the_program() -> None:
     found = blended(
         route(zigzag, feedrate=[0.1, 0.05, np.inf, np.inf, 0.2], rapid=[False, False, True, True, False], source_line=[3, 4, 6, 7, 9])
     )
-    # Each half of a blend is driven as its side of the corner is; between two rapids there is nothing to halve.
-    # Between a rapid and a feed move the corner stays.
+    # Each half of a blend has the feedrate of its side of the corner; between two rapids there is no feedrate to split.
+    # Between a rapid and a feed move the corner is kept.
     np.testing.assert_array_equal(found.feedrate, [0.1, 0.1, 0.05, 0.05, np.inf, np.inf, np.inf, 0.2])
     np.testing.assert_array_equal(found.rapid, [False] * 4 + [True] * 3 + [False])
     np.testing.assert_array_equal(found.source_line, [3, 3, 4, 4, 6, 6, 7, 9])
     np.testing.assert_allclose(found.programmed_arc_length(found.path.corners), [0.02, 0.04], rtol=1e-12)
     assert (found.corner_tolerance == P).all()
     assert not found.dwell.any()
-    # The two halves are one curve: place, direction and curvature go on from one to the other, in the middle of the blend.
+    # The two halves are one curve: place, direction and curvature are continuous in the middle of the blend.
     ends, starts = (found.path.derivatives(found.path.breaks[2] + step, 2)[:, 0] for step in (-1e-13, 1e-13))
     np.testing.assert_allclose(ends[1], starts[1], atol=1e-7)
     np.testing.assert_allclose(ends[2], starts[2], rtol=1e-4)
     assert found.path.curves[1].length == pytest.approx(found.path.curves[2].length, rel=1e-9)
 
 
-def test_a_closed_path_is_rounded_where_it_closes_and_goes_on_in_laps() -> None:
+def test_a_closed_path_is_rounded_where_it_closes_and_in_every_lap() -> None:
     given = replace_tolerance(contour("diamond"), 1e-4)
     found = blended(given)
     assert found.path.closed
@@ -241,7 +241,7 @@ def replace_tolerance(path: Path, tolerance: float) -> Route:
     return Route(path, 0.05, False, 0.0, np.arange(1, n + 1), corner_tolerance=tolerance)
 
 
-def test_where_nothing_is_blended_the_map_is_the_identity_but_for_a_shift() -> None:
+def test_without_blends_the_map_is_the_identity_up_to_a_shift() -> None:
     given = on(mixed(2, 30, 8), 1e-5)
     found = blended(given)
     assert found.correspondence is not None
@@ -253,7 +253,7 @@ def test_where_nothing_is_blended_the_map_is_the_identity_but_for_a_shift() -> N
     np.testing.assert_allclose(found.programmed_arc_length([0.0, found.path.length]), [0.0, given.path.length], rtol=1e-15)
 
 
-def test_the_judge_finds_the_deviation_of_the_plan_and_the_error_of_the_part() -> None:
+def test_the_judge_finds_the_planning_deviation_and_the_part_error() -> None:
     points = np.cumsum(np.random.default_rng(6).normal(size=(400, 2)), axis=0) * 1e-3
     given = route(points, 4e-5)
     found = blended(given)
@@ -267,10 +267,10 @@ def test_the_judge_finds_the_deviation_of_the_plan_and_the_error_of_the_part() -
     run = Result("made", ("x", "y"), 1e-3, {**{k: Signal(v, two, "m") for k, v in signals.items()}, "arc_length": Signal(s, one, "m")})
     judged = judge(run, reference)
     plan = np.abs(judged["planning_deviation"])
-    # By brute force: the distance from every programmed line near in the order of travel.
+    # By brute force: the distance from every programmed line nearby in the order of travel.
     at = given.path.curve_index(found.programmed_arc_length(s))
     brute = np.min([to_line(points, np.clip(at + k, 0, 398), found.path.position(s)) for k in (-1, 0, 1)], axis=0)
-    # Where short lines fold back, one further along may be nearer: the judge looks at what the blend replaced, brute force at three lines.
+    # Where short lines fold back, a later one may be nearer: the judge considers the lines replaced by the blend, brute force three lines.
     assert np.mean(np.abs(plan - brute) > 1e-12) < 2e-3
     assert 3.5e-5 < plan.max() <= 4e-5
     contour_error = judged["contour_error"]
@@ -282,13 +282,13 @@ def test_the_judge_finds_the_deviation_of_the_plan_and_the_error_of_the_part() -
 
 
 def to_line(points: Array, i: NDArray[np.int64], at: Array) -> Array:
-    """Distance of places from the lines between points i and i + 1."""
+    """Return the distance of points from the lines between points i and i + 1."""
     along = points[i + 1] - points[i]
     share = np.clip(((at - points[i]) * along).sum(axis=1) / (along**2).sum(axis=1), 0.0, 1.0)
     return np.asarray(np.linalg.norm(at - points[i] - share[:, None] * along, axis=1))
 
 
-def test_the_cost_grows_with_the_corners_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_cost_is_proportional_to_the_corners(monkeypatch: pytest.MonkeyPatch) -> None:
     asked = [0]
     for kind in (*CurveBatch.__subclasses__(), CurveBatch):
         whole = kind.derivatives
@@ -307,12 +307,12 @@ def test_the_cost_grows_with_the_corners_alone(monkeypatch: pytest.MonkeyPatch) 
 
 
 @pytest.mark.parametrize(("planned", "programmed"), [([0.0], [0.0]), ([0.0, 1.0, 1.0], [0.0, 1.0, 2.0]), ([0.0, 1.0], [0.0, 1.0, 2.0])])
-def test_a_map_that_does_not_rise_is_refused(planned: list[float], programmed: list[float]) -> None:
+def test_a_decreasing_map_is_refused(planned: list[float], programmed: list[float]) -> None:
     with pytest.raises(FeedError, match=r"rising|same"):
         Correspondence(np.array(planned), np.array(programmed))
 
 
-def test_one_map_after_another() -> None:
+def test_composition_of_two_maps() -> None:
     first = Correspondence(np.array([0.0, 1.0, 3.0]), np.array([0.5, 2.0, 4.5]))
     second = Correspondence(np.array([0.0, 1.0, 4.0]), np.array([0.0, 2.0, 3.0]))
     both = second.after(first)
@@ -320,14 +320,14 @@ def test_one_map_after_another() -> None:
     np.testing.assert_allclose(both(s), second(first(s)), rtol=0, atol=1e-14)
 
 
-def test_a_blend_that_had_to_be_divided_is_spread_over_its_place_by_length(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_divided_blend_is_mapped_by_the_length_of_its_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     import contourlab.geometry.blend as room
 
     plain = room._inverted
 
     def too_strict(c: Array) -> Any:
         borders, inverse, good = plain(c)
-        return borders, inverse, good & (borders[:, -1] < 2e-5)  # halves what is longer
+        return borders, inverse, good & (borders[:, -1] < 2e-5)  # divides longer ones
 
     monkeypatch.setattr(room, "_inverted", too_strict)
     corner = 0.01

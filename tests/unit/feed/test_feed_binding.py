@@ -1,4 +1,4 @@
-"""What holds the speed, on motions whose phases are known."""
+"""The limits that bind the speed, on motions with known phases."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ def test_the_phases_of_a_move_are_named():
     assert found[5] == Binding.FEEDRATE
 
 
-def test_a_rapid_is_held_by_its_slower_axis():
+def test_the_slower_axis_limits_a_rapid():
     route = route_from_program(parse_program("G21\nG0 X400 Y100\nM2\n"), axes=("x", "y"))
     profile = plan(route, LIMITS, 1e-3).profile
     assert limiting(route, LIMITS, profile, 0.5 * route.path.length).tolist() == [Binding.VELOCITY]
 
 
-def test_a_fast_circle_is_held_by_the_acceleration_of_turning():
+def test_centripetal_acceleration_limits_a_fast_circle():
     route = route_from_path(contour("circle", radius=0.05), 0.4)
     limits = AxisLimits([0.5, 0.5], [1.0, 1.0], [1e4, 1e4])
     profile = plan(route, limits, 1e-3).profile
-    # At the end of an axis' travel, all of the acceleration is the turn's.
+    # At the end of an axis's travel all of its acceleration is centripetal.
     quarter = route.path.length / 4.0
     assert set(limiting(route, limits, profile, [quarter, 2.0 * quarter, 3.0 * quarter]).tolist()) == {Binding.ACCELERATION}
 
@@ -51,13 +51,13 @@ def test_stops_and_jumps_of_curvature_are_named():
     assert found == [Binding.REST, Binding.CURVATURE_STEP, Binding.CURVATURE_STEP, Binding.REST, Binding.REST]
 
 
-def test_laps_are_counted_on():
+def test_laps_are_counted_continuously():
     route = route_from_path(contour("circle", radius=0.02), 0.05)
     profile = plan(route, LIMITS, 1e-3, laps=3).profile
     assert limiting(route, LIMITS, profile, [1.5 * route.path.length, 2.25 * route.path.length]).tolist() == [Binding.FEEDRATE] * 2
 
 
-def test_limits_of_other_axes_are_refused():
+def test_limits_with_other_axes_are_refused():
     route = route_from_path(contour("circle"), 0.05)
     profile = plan(route, LIMITS, 1e-3).profile
     with pytest.raises(FeedError, match="3 axes"):

@@ -1,4 +1,4 @@
-"""The recursions of the feed planner against closed forms, linear programming, and themselves run as plain Python."""
+"""The recursions of the feed planner against closed forms, linear programming, and plain Python."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def run_reach(run, place, parts, ceiling, memory=None, period=0.0):
     return memory
 
 
-def test_a_line_is_driven_by_the_law_of_constant_acceleration() -> None:
+def test_a_line_follows_the_law_of_constant_acceleration() -> None:
     s = np.sort(np.append(np.random.default_rng(1).uniform(0.0, 0.3, 80), [0.0, 0.15, 0.3]))
     tangent = np.tile([1.0, 0.0], (s.size, 1))
     none, one = np.zeros_like(tangent), np.ones_like(s)
@@ -42,10 +42,10 @@ def test_a_line_is_driven_by_the_law_of_constant_acceleration() -> None:
 
 
 def test_the_limits_hold_and_a_linear_program_finds_nothing_faster() -> None:
-    # Over v^2 the limits are linear. The program may trade the speed of one sample for another's, which a pass cannot: a little is left.
+    # In v^2 the limits are linear. The program may trade the speed of one sample for another's, a pass cannot: a small gap is left.
     place, n = samples(60), 60
     s, t, k, _ = place
-    # Where an axis stands still, its acceleration in turning is a limit of speed, which belongs into the ceiling.
+    # Where an axis is momentarily at rest, its centripetal acceleration limits the speed, which belongs to the ceiling.
     still = np.where(np.abs(t) < 1e-6, np.abs(k), 1e-9)
     ceiling = np.minimum(0.35, np.sqrt((LIMIT / still).min(axis=1)))
     *_, square, _ = run_reach(_kernels().reach, place, (np.ones(n), np.ones(n)), ceiling)
@@ -68,7 +68,7 @@ def test_the_limits_hold_and_a_linear_program_finds_nothing_faster() -> None:
 
 
 @pytest.mark.parametrize("period", [0.0, 0.02])
-def test_a_change_of_limits_gives_what_a_fresh_start_gives(period: float) -> None:
+def test_a_change_of_limits_equals_a_fresh_start(period: float) -> None:
     place, n = samples(400, "butterfly"), 400
     generator = np.random.default_rng(5)
     run = _kernels().reach
@@ -94,7 +94,7 @@ def test_machine_code_and_plain_python_agree() -> None:
     np.testing.assert_allclose(run_reach(_kernels().reach, place, parts, ceiling, period=0.02)[3], plain, rtol=1e-9, atol=1e-15)
 
 
-def test_spread_takes_the_least_in_reach() -> None:
+def test_spread_takes_the_least_value_in_reach() -> None:
     generator = np.random.default_rng(2)
     s, value = np.sort(generator.uniform(0.0, 1.0, 300)), generator.uniform(0.1, 1.0, 300)
     found = np.empty_like(s)
@@ -104,7 +104,7 @@ def test_spread_takes_the_least_in_reach() -> None:
         lowest = value[at]
         for way in (range(at - 1, -1, -1), range(at + 1, 300)):
             passed = value[at]
-            for i in way:  # what lies behind a lesser value is forgotten
+            for i in way:  # values behind a smaller one do not count
                 if value[i] < passed and abs(s[i] - s[at]) <= 0.05 * value[i]:
                     lowest = min(lowest, value[i])
                 passed = min(passed, value[i])
@@ -114,8 +114,8 @@ def test_spread_takes_the_least_in_reach() -> None:
     assert np.count_nonzero(found < value) > 200
 
 
-def test_a_summit_is_cut_where_it_lasts_as_long_as_asked() -> None:
-    # A triangle of 1 m/s over 2 m: at the level w it is 2 (1 - w) wide, which takes 0.5 s where 2 (1 - w) = 0.5 w.
+def test_a_speed_peak_is_cut_to_its_minimum_duration() -> None:
+    # A triangle of 1 m/s over 2 m: at the level w it is 2 (1 - w) wide, which takes 0.5 s if 2 (1 - w) = 0.5 w.
     s = np.linspace(0.0, 2.0, 201)
     ceiling = np.full_like(s, 5.0)
     _kernels().flatten(s, 1.0 - np.abs(s - 1.0), 0.5, ceiling)
@@ -123,7 +123,7 @@ def test_a_summit_is_cut_where_it_lasts_as_long_as_asked() -> None:
     np.testing.assert_allclose(s[ceiling < 5.0][[0, -1]], [0.8, 1.2], atol=0.011)
 
 
-def test_limits_are_lowered_once_around_faults_that_overlap() -> None:
+def test_overlapping_faults_lower_the_limits_once() -> None:
     s = np.linspace(0.0, 1.0, 11)
     faults = np.zeros((2, 7))
     faults[:, :3] = [[4, 0.46, 0.1], [6, 0.66, 0.1]]  # sample, place, speed
@@ -147,7 +147,7 @@ def test_derivatives_between_samples_are_those_of_a_cubic() -> None:
         assert here[2, 0, 0] == pytest.approx(bend.deriv()(0.2 + 0.7 * part), rel=1e-12)
 
 
-def test_a_block_takes_whole_steps_and_keeps_its_length() -> None:
+def test_a_block_has_whole_steps_and_keeps_its_length() -> None:
     s = np.linspace(0.0, 0.3, 60)
     square = np.minimum(np.minimum(4.0 * s, 4.0 * (0.3 - s)), 0.04)
     first, last, free = np.array([0, 20, 41]), np.array([20, 41, 59]), np.array([0, 0, 1])
@@ -158,5 +158,5 @@ def test_a_block_takes_whole_steps_and_keeps_its_length() -> None:
     _kernels().steps(s, square, time, first, last, lasting, np.cumsum(count) - count, count, 0.01, mean)
     assert mean.sum() * 0.01 == pytest.approx(0.3, rel=1e-12)
     assert mean.max() <= 0.2 * (1 + 1e-12)
-    # 0.3 m at 0.2 m/s and two ramps at 2 m/s^2 take 1.6 s; each of the first blocks less than one step more.
+    # 0.3 m at 0.2 m/s with two ramps at 2 m/s^2 takes 1.6 s; each of the first blocks takes up to one step more.
     assert 1.6 <= lasting.sum() < 1.6 + 0.02 + 0.01

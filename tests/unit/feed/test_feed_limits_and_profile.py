@@ -9,7 +9,7 @@ from contourlab.errors import FeedError, ParameterError
 from contourlab.feed import AxisLimits, Profile
 
 
-def test_one_number_stands_for_all_axes():
+def test_one_number_applies_to_all_axes():
     limits = AxisLimits([0.5, 0.4], 2.0, 40.0)
     assert limits.n_axis == 2
     np.testing.assert_array_equal(limits.acceleration, [2.0, 2.0])
@@ -45,7 +45,7 @@ def test_limits_for_another_number_of_axes_are_refused():
 
 @pytest.fixture
 def profile() -> Profile:
-    # 1 s of jerk 6, then 2 s at 3 m/s after the acceleration is gone at once: s = 1, then 7.
+    # 1 s of jerk 6, then 2 s at 3 m/s after the acceleration drops to zero at once: s = 1, then 7.
     return Profile(
         t0=np.array([0.0, 1.0]),
         s0=np.array([0.0, 1.0]),
@@ -65,7 +65,7 @@ def test_motion_follows_the_polynomials(profile):
     np.testing.assert_array_equal(motion.jerk, [6.0, 0.0])
 
 
-def test_motion_stands_still_outside(profile):
+def test_motion_rests_outside(profile):
     motion = profile.motion(np.array([-1.0, 3.0, 9.0]))
     np.testing.assert_array_equal(motion.arc_length, [0.0, 7.0, 7.0])
     for part in motion[1:]:

@@ -40,7 +40,7 @@ def test_limits_hold_everywhere(name, demand):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_it_begins_and_ends_at_rest_and_never_goes_back(name):
+def test_a_plan_begins_and_ends_at_rest_and_never_goes_back(name):
     reference = plan(route_of(name), LIMITS, 1e-3)
     block = reference.block(0, reference.n_sample)
     path = reference.path
@@ -53,11 +53,11 @@ def test_it_begins_and_ends_at_rest_and_never_goes_back(name):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_position_velocity_and_acceleration_belong_together(name):
+def test_position_velocity_and_acceleration_are_consistent(name):
     period = 2e-4
     reference = plan(route_of(name), LIMITS, period)
     block = reference.block(0, min(reference.n_sample, 20000))
-    # Simpson's weights on a cubic motion are exact; turning adds little over so short a time.
+    # Simpson's rule is exact for a cubic motion; curvature adds little in such a short time.
     step = np.diff(block.position, axis=0)
     mean = 0.5 * (block.velocity[1:] + block.velocity[:-1])
     largest = float(np.max(LIMITS.acceleration))
@@ -80,14 +80,14 @@ def test_spans_add_up_to_the_path(name):
     np.testing.assert_allclose(acceleration[:-1], profile.a0[1:], atol=1e-9)
 
 
-def test_a_line_takes_the_time_of_the_formula():
+def test_the_time_of_a_line_follows_the_formula():
     program = parse_program("G21 G90 F12000\nG1 X100\nM2\n")
     limits = AxisLimits([1.0], [1.0], [30.0])
     reference = plan(route_from_program(program, axes=("x",)), limits, 1e-3)
     assert reference.duration == pytest.approx(0.1 / 0.2 + 0.2 / 1.0 + 1.0 / 30.0, rel=1e-12)
 
 
-def test_the_limits_of_the_slower_axis_rule_an_oblique_line():
+def test_the_slower_axis_limits_an_oblique_line():
     program = parse_program("G21 G90 F60000\nG1 X80 Y60\nM2\n")
     limits = AxisLimits([0.1, 0.05], [10.0, 10.0], [1e4, 1e4])
     report = limit_report(plan(route_from_program(program, axes=("x", "y")), limits, 1e-3), limits)
@@ -95,14 +95,14 @@ def test_the_limits_of_the_slower_axis_rule_an_oblique_line():
     assert report.velocity[0].ratio == pytest.approx(0.05 / 0.06 * 0.08 / 0.1, rel=1e-9)
 
 
-def test_lines_in_one_direction_at_one_feed_are_driven_as_one():
+def test_lines_with_one_direction_and_feedrate_are_driven_as_one():
     one = parse_program("G21 G90 F6000\nG1 X100 Y50\nM2\n")
     many = parse_program("G21 G90 F6000\n" + "".join(f"G1 X{2 * k} Y{k}\n" for k in range(1, 51)) + "M2\n")
     times = [plan(route_from_program(p, axes=("x", "y")), LIMITS, 1e-3).duration for p in (one, many)]
     assert times[1] == pytest.approx(times[0], rel=1e-12)
 
 
-def test_feed_changes_along_a_straight_line_keep_to_the_jerk(demand):
+def test_feedrate_changes_along_a_straight_line_respect_the_jerk(demand):
     program = parse_program("G21 G90\nG1 X50 F12000\nG1 X80 F3000\nG1 X140 F12000\nM2\n")
     reference = plan(route_from_program(program, axes=("x",)), AxisLimits([1.0], [1.0], [30.0]), 1e-3)
     assert max(demand(reference, AxisLimits([1.0], [1.0], [30.0]))) <= 1.0 + 1e-9
@@ -124,7 +124,7 @@ def test_corners_are_exact_stops():
         assert profile.a0[at] == 0.0
 
 
-def test_tangent_joints_are_driven_through():
+def test_tangent_joints_need_no_stop():
     reference = plan(route_of("slot"), LIMITS, 1e-3)
     feedrate = reference.block(0, reference.n_sample).feedrate
     moving = (reference.block(0, reference.n_sample).arc_length > 0.02) & (
@@ -148,24 +148,24 @@ def test_curvature_steps_are_limited_and_reported():
     np.testing.assert_array_equal(stopping.profile.v0[inner], 0.0)
 
 
-def test_an_arc_that_turns_round_steps_by_no_more_than_the_acceleration_limit():
+def test_an_s_bend_steps_by_no_more_than_the_acceleration_limit():
     route = route_of("wave")
     reference = plan(route, LIMITS, 1e-3)
     inner = np.searchsorted(reference.profile.s0, route.path.breaks[1:-1] - 1e-12)
     speed = reference.profile.v0[inner]
-    # Both arcs pull along y there, in opposite senses: the step is (1/R1 + 1/R2) v^2.
+    # There both arcs accelerate y, in opposite senses: the step is (1/R1 + 1/R2) v^2.
     assert np.all(speed**2 * np.array([200.0, 300.0]) <= LIMITS.acceleration[1] * (1 + 1e-6))
     assert np.all(speed > 0.0)
 
 
 def test_circle_from_rest_to_rest_is_near_the_time_optimum():
-    # Radius 20 mm, 200 mm/s, 1 m/s^2: the time-optimum under a limit of the vector's norm is 1.04 s.
+    # Radius 20 mm, 200 mm/s, 1 m/s^2: the time optimum with a limit on the vector's norm is 1.04 s.
     route = route_from_path(contour("circle", radius=0.02), 0.2)
     assert 1.01 < plan(route, AxisLimits([1.0, 1.0], [1.0, 1.0]), 1e-4).duration < 1.08
     assert plan(route, AxisLimits([1.0, 1.0], [1.0, 1.0], [1e3, 1e3]), 1e-4).duration < 1.10
 
 
-def test_smooth_closed_contours_are_driven_round_without_a_stop(demand):
+def test_smooth_closed_contours_have_no_stop(demand):
     route = route_from_path(contour("circle", radius=0.02), 0.1)
     limits = AxisLimits([1.0, 1.0], [1.0, 1.0], [50.0, 50.0])
     once, thrice = plan(route, limits, 1e-3), plan(route, limits, 1e-3, laps=3)
@@ -181,7 +181,7 @@ def test_smooth_closed_contours_are_driven_round_without_a_stop(demand):
 
 
 def test_time_scales_with_the_limits():
-    # v, a, j times f, f^2, f^3 is the same motion f times as fast.
+    # Limits v, a, j times f, f^2, f^3 give the same motion f times as fast.
     factor = 1.7
     for name in ("corners", "slot", "ellipse"):
         route = route_of(name)
@@ -204,8 +204,8 @@ def test_ten_thousand_lines_stop_at_every_corner():
     assert np.all(speed[sharp] == 0.0)
 
 
-def test_a_small_kink_is_driven_through_where_velocity_hardly_jumps():
-    # At 100 mm/s and 0.1 mrad the velocity of y jumps by 10 um/s, which 1 m/s^2 makes up for in 10 us.
+def test_a_small_kink_with_a_small_velocity_jump_needs_no_stop():
+    # At 100 mm/s and 0.1 mrad the velocity of y jumps by 10 um/s, which 1 m/s^2 compensates in 10 us.
     angle, limits = 1e-4, AxisLimits([1.0] * 2, [5.0, 1.0], [1e4] * 2)
     points = [(0.0, 0.0), (0.1, 0.0), (0.1 + 0.1 * np.cos(angle), 0.1 * np.sin(angle))]
     path = Path([Line(a, b) for a, b in pairwise(points)])
@@ -218,14 +218,14 @@ def test_a_small_kink_is_driven_through_where_velocity_hardly_jumps():
         assert report.ok()
         assert report.n_kink == 1
         assert report.kink[1].value == pytest.approx(at * np.sin(angle), rel=0.02)
-    # Where it would have to be passed at less than half the feedrate, it is a stop.
+    # If the permitted speed is below half the feedrate, it becomes a stop.
     assert plan(route_from_path(path, 0.3), limits, 1e-3).profile.v0[1:].min() == 0.0
-    # The verifier sees through one that is passed too fast: here 20 mrad at 200 mm/s.
+    # The verifier detects a kink that is passed too fast: here 20 mrad at 200 mm/s.
     bent = Path([Line((0.0, 0.0), (0.1, 0.0)), Line((0.1, 0.0), (0.1 + 0.1 * np.cos(0.02), 0.1 * np.sin(0.02)))])
     fast = Reference.from_samples(bent.position(np.linspace(0.0, 0.2, 10_001)), 1e-4, bent)
     assert limit_report(fast, limits).kink[1].value == pytest.approx(0.2 * np.sin(0.02), rel=2e-3)
     assert not limit_report(fast, limits).ok()
-    # And through one of 0.1 mrad at twice what is allowed, with samples so far apart that no difference of theirs would show it.
+    # It also detects 0.1 mrad at twice the permitted speed, even with samples too far apart to show it in their differences.
     twice = Reference.from_samples(path.position(np.arange(0.0, 0.2, 0.2 * 1e-3)), 1e-3, path)
     assert limit_report(twice, limits).kink[1].ratio == pytest.approx(2.0, rel=0.02)
     assert not limit_report(twice, limits).ok()
@@ -234,7 +234,7 @@ def test_a_small_kink_is_driven_through_where_velocity_hardly_jumps():
     assert plan(route_from_path(square, 0.2), limits, 1e-3).profile.v0[1:].min() == 0.0
 
 
-def test_limits_that_leave_no_ramp_are_refused():
+def test_limits_without_a_ramp_are_refused():
     with pytest.raises(FeedError, match=r"axis 0 .*acceleration.*jerk"):
         plan(route_of("slot"), AxisLimits(1.0, np.inf, np.inf), 1e-3)
 

@@ -39,7 +39,7 @@ def test_blocks_outside_are_refused(planned, start, stop):
         planned.block(start, stop)
 
 
-def test_the_digest_tells_references_apart(planned):
+def test_the_digest_distinguishes_references(planned):
     again = plan(route_from_path(contour("ellipse"), 0.1), LIMITS, 1e-3)
     assert again.digest == planned.digest
     slower = plan(route_from_path(contour("ellipse"), 0.09), LIMITS, 1e-3)
@@ -47,7 +47,7 @@ def test_the_digest_tells_references_apart(planned):
     assert len({planned.digest, slower.digest, finer.digest}) == 3
 
 
-def test_uniform_is_the_circle_of_the_papers():
+def test_uniform_gives_the_circle_of_the_papers():
     reference = uniform(contour("circle", radius=0.02), 0.5, 2, 1e-3)
     assert reference.n_sample == 4000
     assert reference.laps == ((0, 2000), (2000, 4000))
@@ -70,7 +70,7 @@ def test_uniform_is_uniform_in_arc_length_on_an_ellipse():
     np.testing.assert_allclose(np.linalg.norm(block.velocity, axis=1), reference.path.length * 0.5, rtol=1e-8)
 
 
-def test_uniform_laps_that_end_between_samples_are_refused_with_a_cure():
+def test_uniform_laps_that_end_between_samples_are_refused_with_advice():
     path = contour("circle", radius=0.02)
     with pytest.raises(FeedError, match=r"frequency = .* Hz.* servo_period = .* s") as caught:
         uniform(path, 0.3, 1, 1e-3)
@@ -80,7 +80,7 @@ def test_uniform_laps_that_end_between_samples_are_refused_with_a_cure():
     assert uniform(path, 0.3, 3, 1e-3).laps == ((0, 10000),)
 
 
-def test_uniform_refuses_nonsense():
+def test_uniform_refuses_invalid_arguments():
     circle = contour("circle", radius=0.02)
     for frequency, laps in [(0.0, 1), (np.inf, 1), (0.5, 0), (0.5, 1.5)]:
         with pytest.raises(FeedError):
@@ -103,7 +103,7 @@ def test_the_judge_finds_the_figures_of_a_circle():
     assert report.ok()
 
 
-def test_the_judge_says_where(line):
+def test_the_judge_names_the_place(line):
     tight = AxisLimits([0.5, 0.02], [1.0, 1.0], [30.0, 30.0])
     report = limit_report(line, tight)
     assert not report.ok()
@@ -115,7 +115,7 @@ def test_the_judge_says_where(line):
     assert worst.time == worst.sample * 1e-3
 
 
-def test_the_judge_looks_at_samples_not_at_derivatives(line):
+def test_the_judge_uses_samples_and_not_derivatives(line):
     block = line.block(0, line.n_sample)
     position = block.position.copy()
     position[100:] += [1e-6, 0.0]  # a step of one micrometre
@@ -127,7 +127,7 @@ def test_the_judge_looks_at_samples_not_at_derivatives(line):
     assert report.jerk[1].ratio <= 1.0
 
 
-def test_samples_from_elsewhere_are_judged_like_the_plan_they_came_from(line):
+def test_imported_samples_are_judged_like_their_original_plan(line):
     position = line.block(0, line.n_sample).position
     copy = Reference.from_samples(position, 1e-3, line.path, source_lines=line.source_lines)
     ours, theirs = limit_report(line, LIMITS), limit_report(copy, LIMITS)
@@ -160,7 +160,7 @@ def test_from_samples_gives_central_differences():
         (np.zeros((5, 2)), {"source_lines": np.arange(99)}, "source_lines"),
     ],
 )
-def test_from_samples_refuses_what_does_not_fit(position, options, words):
+def test_from_samples_refuses_inconsistent_arrays(position, options, words):
     with pytest.raises(FeedError, match=words):
         Reference.from_samples(position, 1e-3, contour("circle", radius=0.02), **options)
 

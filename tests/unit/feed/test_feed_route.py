@@ -33,7 +33,7 @@ def test_each_move_becomes_a_curve_with_its_feed_and_line():
     assert route.path.length == pytest.approx(expected, rel=1e-14)
 
 
-def test_the_end_of_an_arc_is_where_the_program_says():
+def test_an_arc_ends_at_its_programmed_end():
     route = route_from_program(parse_program("G21 G90 F600\nG2 X20 Y0 I10.0004 J0\nG1 X30\nM2\n"), axes=("x", "y"))
     breaks = route.path.breaks
     position = route.path.derivatives(np.array([breaks[1] * (1 - 1e-13), breaks[1] * (1 + 1e-13)]), 0)[0]
@@ -48,7 +48,7 @@ def test_the_end_of_an_arc_is_where_the_program_says():
         ("G17", "G2 X0 Y10 Z5 I-10 J0", (0.0, 0.01, 0.005)),
     ],
 )
-def test_arcs_and_helices_lie_where_the_program_puts_them(plane, words, end):
+def test_arcs_and_helices_lie_where_programmed(plane, words, end):
     route = route_from_program(parse_program(f"G21 G90 {plane} F600\nG0 X10\n{words}\nM2\n"))
     arc = np.linspace(route.path.breaks[1], route.path.length, 101)
     position = route.path.derivatives(arc[1:], 0)[0]
@@ -64,7 +64,7 @@ def test_the_sense_of_an_arc_is_kept():
     assert long_way.path.length == pytest.approx(0.01 + 1.5 * np.pi * 0.01, rel=1e-13)
 
 
-def test_a_motion_of_an_axis_that_is_not_there_names_its_line():
+def test_a_motion_of_a_missing_axis_names_its_line():
     with pytest.raises(ProgramError, match="moves Z") as caught:
         route_from_program(parse_program("G21 G90 F600\nG1 X10\nG1 Z-1\nM2\n", "part.ngc"), axes=("x", "y"))
     assert (caught.value.file, caught.value.line) == ("part.ngc", 3)
@@ -76,7 +76,7 @@ def test_axes_must_be_linear_axes(axes):
         route_from_program(parse_program("G21 G90 F600\nG1 X10\nM2\n"), axes=axes)
 
 
-def test_axes_may_stand_in_any_order():
+def test_axes_may_be_in_any_order():
     route = route_from_program(parse_program("G21 G90 F600\nG1 X10 Y20\nM2\n"), axes=("y", "x"))
     np.testing.assert_allclose(route.path.derivatives(np.array([route.path.length]), 0)[0, 0], [0.02, 0.01])
 
@@ -96,7 +96,7 @@ def test_a_dwell_is_spent_at_rest():
     assert rest.sum() >= 250
 
 
-def test_rapid_moves_use_what_the_machine_has():
+def test_rapid_moves_use_the_axis_limits():
     limits = AxisLimits([0.5, 0.25], [5.0, 5.0], [500.0, 500.0])
     route = route_from_program(parse_program("G21 G90 F60\nG0 X300 Y300\nG1 X310\nM2\n"), axes=("x", "y"))
     report = limit_report(plan(route, limits, 1e-3), limits)

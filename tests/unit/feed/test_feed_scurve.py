@@ -29,7 +29,7 @@ def vec(*values: float) -> np.ndarray:
         (0.0, 0.3, math.inf, 30.0, 30.0),  # no acceleration limit
     ],
 )
-def test_ramp_gains_its_speed_and_its_distance_is_the_integral(low, high, acceleration, rise, taper):
+def test_a_ramp_reaches_its_speed_and_its_distance_is_the_integral(low, high, acceleration, rise, taper):
     ramp = ramps(vec(low), vec(high), vec(acceleration), vec(rise), vec(taper))
     peak, up, hold, down = (float(part[0]) for part in ramp[:4])
     total = up + hold + down
@@ -81,7 +81,7 @@ def test_rest_to_rest_without_a_jerk_limit():
     assert rest_to_rest(0.1, 10.0, 1.0, math.inf) == pytest.approx(2.0 * math.sqrt(0.1), rel=1e-12)
 
 
-def test_reachable_speed_uses_up_the_room_and_no_more():
+def test_the_reachable_speed_uses_the_whole_distance():
     shape = (1.5, 40.0, 20.0)
     for low in (0.0, 0.01, 0.1):
         for room in (1e-6, 1e-4, 1e-2):
@@ -91,12 +91,12 @@ def test_reachable_speed_uses_up_the_room_and_no_more():
             assert ramp_distance(low, high * (1 + 1e-9), *shape) > room or high == low
 
 
-def test_reachable_speed_stops_at_the_ceiling():
+def test_the_reachable_speed_stops_at_the_ceiling():
     assert reachable_speed(0.1, 0.2, 10.0, 1.0, 50.0, 50.0) == 0.2
     assert reachable_speed(0.3, 0.2, 10.0, 1.0, 50.0, 50.0) == 0.3
 
 
-def test_spans_follow_one_another_without_a_gap_in_speed_or_acceleration():
+def test_spans_are_continuous_in_speed_and_acceleration():
     generator = np.random.default_rng(7)
     n = 200
     acceleration, rise = generator.uniform(0.5, 3.0, n), generator.uniform(5.0, 100.0, n)

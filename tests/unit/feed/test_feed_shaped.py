@@ -1,4 +1,4 @@
-"""Stretches that are not straight, short and long: limits, stops, time, and that no place costs more for what lies elsewhere."""
+"""Curved segments, short and long: limits, stops, time, and cost independent of the rest of the program."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ LIMITS = AxisLimits([0.5, 0.5], 2.0, 40.0)
 
 
 def fillets(n: int, seed: int = 1, segment: float = 5e-4) -> Path:
-    """Lines at random angles, joined by small arcs."""
+    """Return lines at random angles, joined by small arcs."""
     generator = np.random.default_rng(seed)
     place, heading, curves = np.zeros(2), 0.0, []
     for _ in range(n):
@@ -37,7 +37,7 @@ def fillets(n: int, seed: int = 1, segment: float = 5e-4) -> Path:
 
 
 def lines_with_blends(n: int, seed: int = 1) -> Route:
-    """A route of n short lines in space at random angles, each corner of which may be cut by 10 um."""
+    """Return a route of n short lines in space at random angles; each corner may be cut by 10 um."""
     generator = np.random.default_rng(seed)
     heading = np.cumsum(generator.uniform(-1.0, 1.0, n))
     step = 5e-4 * generator.uniform(0.3, 1.7, n)
@@ -55,7 +55,7 @@ def moving(reference: Reference) -> np.ndarray:
 
 @pytest.mark.parametrize("jerk", [np.inf, 1e5, 2e3, 40.0, 4.0])
 @pytest.mark.parametrize("seed", [1, 2])
-def test_any_jerk_limit_is_kept_without_a_stop(jerk: float, seed: int, demand: Demand) -> None:
+def test_any_jerk_limit_is_respected_without_a_stop(jerk: float, seed: int, demand: Demand) -> None:
     limits = AxisLimits([0.5, 0.5], [2.0, 1.5], jerk)
     reference = plan(route_from_path(fillets(40, seed), 0.1), limits, 1e-3)
     assert max(demand(reference, limits)) <= 1.001
@@ -78,12 +78,12 @@ def test_the_cusp_of_the_butterfly_is_respected(demand: Demand) -> None:
     sharpest = float(reference.path.length) * np.linspace(0.0, 1.0, 200_001)
     bend = np.linalg.norm(reference.path.derivatives(sharpest, 2)[2], axis=1)
     at = int(np.argmin(np.abs(block.arc_length - sharpest[np.argmax(bend)])))
-    # Turning alone may take no more than the acceleration of both axes together.
+    # Turning alone takes at most the acceleration of both axes together.
     assert block.feedrate[at] <= np.sqrt(np.sqrt(2.0) * 1.0 / bend.max()) * 1.01
     assert block.feedrate.max() == pytest.approx(0.1, rel=1e-3)
 
 
-def test_blended_corners_are_driven_through(demand: Demand) -> None:
+def test_blended_corners_need_no_stop(demand: Demand) -> None:
     route, limits = lines_with_blends(150), AxisLimits([0.5] * 3, 2.0, 40.0)
     reference = plan(route, limits, 1e-3)
     assert max(demand(reference, limits)) <= 1.001
@@ -106,8 +106,8 @@ def test_an_exact_stop_is_made_where_the_path_is_smooth() -> None:
     assert np.count_nonzero(profile.v0 == 0.0) == 3
 
 
-def test_what_comes_later_does_not_slow_what_comes_before() -> None:
-    # Long stretches are worked on in parts: the first part of a long one is driven as fast as the same lines alone.
+def test_later_curves_do_not_slow_earlier_ones() -> None:
+    # Long segments are planned in parts: the first part of a long one is as fast as the same lines alone.
     long, short = fillets(2000), fillets(200)
     limits = LIMITS
     whole, part = (plan(route_from_path(path, 0.1), limits, 1e-3) for path in (long, short))
@@ -116,8 +116,8 @@ def test_what_comes_later_does_not_slow_what_comes_before() -> None:
     assert times[0] == pytest.approx(times[1], rel=0.05)
 
 
-def test_several_stretches_are_those_that_each_would_be_alone() -> None:
-    # Out and back through the same arcs, with a stop in between: two stretches of the same kind take the same time.
+def test_several_segments_are_planned_as_if_alone() -> None:
+    # Two routes in a row with a stop in between take the sum of their separate times.
     path = fillets(20)
     other = fillets(20, seed=7)
     shift = np.asarray(path.derivatives(np.array([path.length]), 0))[0, 0]
@@ -159,7 +159,7 @@ def test_the_work_grows_with_the_number_of_lines() -> None:
 
 
 def planning_memory(n_line: int) -> int:
-    """Return the most memory [bytes] that planning a route of short lines with rounded corners takes, besides the route."""
+    """Return the peak memory [bytes] for planning a route of short lines with rounded corners, without the route itself."""
     route, limits = lines_with_blends(n_line), AxisLimits([0.5] * 3, 2.0, 40.0)
     tracemalloc.start()
     try:
@@ -171,6 +171,6 @@ def planning_memory(n_line: int) -> int:
 
 @pytest.mark.slow
 def test_a_long_program_takes_a_few_kilobytes_a_line() -> None:
-    # Some 22 samples to a line, with some 200 bytes each: three derivatives by three axes, limits, and the state of the recursions.
-    planning_memory(200)  # what is loaded and compiled at the first time
+    # About 22 samples per line with some 200 bytes each: three derivatives by three axes, limits, and the state of the recursions.
+    planning_memory(200)  # first run: loads and compiles
     assert planning_memory(6000) - planning_memory(2000) < 4000 * 7000

@@ -1,4 +1,4 @@
-"""Dust merged: every merged line against brute force over the points it replaces, and what keeps lines apart."""
+"""Short lines merged: every merged line against brute force over its points, and the conditions that keep lines apart."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def route(points: Array, tolerance: Any = Q, **more: Any) -> Route:
 
 
 def holds(points: Array, tolerance: float) -> bool:
-    """Whether the line from the first to the last point passes all between within the tolerance and in their order; from scratch."""
+    """Return whether the line from the first to the last point passes all between within the tolerance and in order; from scratch."""
     chord = points[-1] - points[0]
     length = float(np.linalg.norm(chord))
     if length == 0.0:
@@ -37,13 +37,13 @@ def holds(points: Array, tolerance: float) -> bool:
 
 
 def runs(points: Array, found: Route) -> list[Array]:
-    """The points that each line of a merged route replaces, told by the ends alone."""
+    """Return the points that each line of a merged route replaces, from its ends alone."""
     ends = [0, *(int(np.flatnonzero((points == c.end).all(axis=1))[0]) for c in found.path.curves if isinstance(c, Line))]
     return [points[a : b + 1] for a, b in pairwise(ends)]
 
 
 def greedy(points: Array, tolerance: float) -> int:
-    """How many lines the plain method makes: go on as long as the line to each further point holds. Quadratic."""
+    """Return the number of lines of the simple method: extend while the line to the next point holds. Quadratic cost."""
     n, first, count = len(points) - 1, 0, 0
     while first < n:
         last = first + 1
@@ -65,7 +65,7 @@ def noisy(n: int, n_axis: int, size: float, seed: int = 3) -> Array:
 
 
 @pytest.mark.parametrize("points", [circle(1500), circle(1500, n_axis=3), noisy(1000, 2, 3e-6), noisy(1000, 3, 3e-6)])
-def test_every_point_left_out_is_within_the_tolerance_and_in_order(points: Array) -> None:
+def test_every_omitted_point_is_within_the_tolerance_and_in_order(points: Array) -> None:
     found = merged(route(points))
     replaced = runs(points, found)
     assert len(replaced) == found.n_curve < 0.2 * len(points)
@@ -74,25 +74,25 @@ def test_every_point_left_out_is_within_the_tolerance_and_in_order(points: Array
 
 
 @pytest.mark.parametrize("points", [circle(900), noisy(700, 2, 3e-6), noisy(700, 2, 2e-5)])
-def test_in_the_plane_nothing_is_given_away(points: Array) -> None:
-    # The cones of a plane are sectors, whose intersection is a sector: the method is the plain one, at less cost.
+def test_in_the_plane_merging_is_as_good_as_the_simple_method(points: Array) -> None:
+    # The cones of a plane are sectors, and so is their intersection: the method equals the simple one at less cost.
     assert merged(route(points)).n_curve == greedy(points, Q)
 
 
 @pytest.mark.parametrize("points", [circle(900, n_axis=3), noisy(700, 3, 3e-6), noisy(700, 3, 2e-5)])
-def test_in_space_little_is_given_away(points: Array) -> None:
+def test_in_space_merging_needs_few_more_lines(points: Array) -> None:
     plain = greedy(points, Q)
     assert plain <= merged(route(points)).n_curve <= 1.6 * plain + 1
 
 
-def test_a_fine_polygon_becomes_the_coarsest_that_its_sagitta_permits() -> None:
+def test_a_fine_polygon_becomes_the_coarsest_within_its_sagitta() -> None:
     # A chord of angle a lies r (1 - cos(a/2)) off its circle; the tolerance permits a = 2 acos(1 - Q/r).
     n, radius = 2000, 0.02
     steps = math.floor(2.0 * math.acos(1.0 - Q / radius) / (2.0 * math.pi / n))
     assert merged(route(circle(n))).n_curve == math.ceil(n / steps)
 
 
-def test_points_on_a_line_become_the_line() -> None:
+def test_points_on_a_line_become_one_line() -> None:
     x = np.array([0.0, 1.0, 1.5, 2.0, 7.0, 7.25])
     found = merged(route(np.column_stack([x, 2.0 * x]), 1e-9))
     assert found.n_curve == 1
@@ -100,8 +100,8 @@ def test_points_on_a_line_become_the_line() -> None:
     np.testing.assert_allclose(found.programmed_arc_length([0.0, found.path.length]), [0.0, found.programmed.length], rtol=1e-15)
 
 
-def test_a_line_that_turns_back_is_kept_though_it_is_near() -> None:
-    # All within the tolerance of one line, but the order along it is not.
+def test_a_line_that_turns_back_is_kept_even_if_near() -> None:
+    # All points are within the tolerance of one line, but their order along it changes.
     points = np.array([(0.0, 0.0), (1.0, 0.0), (0.999, 1e-6), (2.0, 0.0)])
     found = merged(route(points, 1e-3))
     np.testing.assert_allclose(found.path.breaks, np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))]))
@@ -120,7 +120,7 @@ def test_a_line_that_turns_back_is_kept_though_it_is_near() -> None:
         ({"tolerance": 0.0}, [1, 2, 3, 4, 5, 6]),
     ],
 )
-def test_what_differs_is_kept_apart(more: Any, lines: list[int]) -> None:
+def test_lines_with_different_settings_are_kept_apart(more: Any, lines: list[int]) -> None:
     points = np.column_stack([np.arange(7.0), np.zeros(7)])
     found = merged(route(points, **more))
     assert found.source_line.tolist() == lines
@@ -131,7 +131,7 @@ def test_what_differs_is_kept_apart(more: Any, lines: list[int]) -> None:
         assert found.rapid[i] == given.rapid[line - 1]
 
 
-def test_an_arc_between_lines_stays_and_its_neighbours_merge_on_either_side() -> None:
+def test_an_arc_is_kept_and_the_lines_on_either_side_merge() -> None:
     curves: list[Curve] = [Line((0, 0), (1, 0)), Line((1, 0), (2, 0)), Arc((2, 1), 1.0, -math.pi / 2, math.pi)]
     curves += [Line((2, 2), (1, 2)), Line((1, 2), (0, 2))]
     given = Route(Path(curves), 0.05, False, 0.0, np.arange(1, 6), merge_tolerance=Q)
@@ -143,7 +143,7 @@ def test_an_arc_between_lines_stays_and_its_neighbours_merge_on_either_side() ->
 
 
 @pytest.mark.parametrize("n_axis", [2, 3])
-def test_merged_and_rounded_the_path_is_left_by_no_more_than_both_tolerances(n_axis: int) -> None:
+def test_merging_and_rounding_stay_within_the_sum_of_their_tolerances(n_axis: int) -> None:
     points = noisy(600, n_axis, 4e-6)
     points[300:] += np.linspace(0.0, 0.03, 301)[:, None] ** 1.0 * np.eye(n_axis)[1]
     given = route(points, 1e-5, corner_tolerance=2e-5)
@@ -152,7 +152,7 @@ def test_merged_and_rounded_the_path_is_left_by_no_more_than_both_tolerances(n_a
     assert found.n_curve < 0.5 * given.n_curve
     s = np.linspace(0.0, found.path.length, 20_001)
     places = found.path.position(s)
-    # By brute force over the lines near in the order of travel.
+    # By brute force over the lines nearby in the order of travel.
     at = given.path.curve_index(found.programmed_arc_length(s))
     away = np.full(len(s), np.inf)
     for k in range(-3, 4):
@@ -165,7 +165,7 @@ def test_merged_and_rounded_the_path_is_left_by_no_more_than_both_tolerances(n_a
     np.testing.assert_array_equal(found.programmed.breaks, given.path.breaks)
 
 
-def test_the_work_grows_with_the_lines_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_cost_is_proportional_to_the_lines(monkeypatch: pytest.MonkeyPatch) -> None:
     done = [0]
     plain = room._extend
 
@@ -179,7 +179,7 @@ def test_the_work_grows_with_the_lines_alone(monkeypatch: pytest.MonkeyPatch) ->
         done.append(0)
         run_starts(circle(n), np.full(n, Q), np.append(np.ones(n - 1, dtype=bool), False))
         assert done[-1] <= n + 64
-    # Blocks do not know of each other, but a run that ends with its block loses no more than that.
+    # Blocks are independent: a run cut by the end of its block costs one more line at most.
     whole = merged(route(circle(8000)))
     assert whole.n_curve <= 70 + 8000 // 64
 
@@ -188,7 +188,7 @@ def test_the_work_grows_with_the_lines_alone(monkeypatch: pytest.MonkeyPatch) ->
 @pytest.mark.parametrize("n_axis", [2, 3])
 def test_merging_and_rounding_share_one_tolerance(corner: float, merge: float, most: float, n_axis: int) -> None:
     rng = np.random.default_rng(n_axis)
-    # Dust along a curve with corners in it, and noise of the size of the tolerances.
+    # Short lines along a curve with corners, and noise of the size of the tolerances.
     smooth = circle(800, 0.01, n_axis)[:, :n_axis] * np.where(np.arange(801)[:, None] // 100 % 2, 1.0, 1.05)
     points = smooth + rng.normal(0.0, 0.4 * corner, smooth.shape)
     given = route(points, merge, corner_tolerance=corner)
@@ -198,5 +198,5 @@ def test_merging_and_rounding_share_one_tolerance(corner: float, merge: float, m
     place = found.path.position(s)
     foot = given.path.foot_point(place, found.programmed_arc_length(s), 20.0 * merge + 1e-3)
     assert foot.distance.max() <= most * (1.0 + 1e-9)
-    # The tolerance is made use of, not kept away from.
+    # The tolerance is actually used.
     assert foot.distance.max() > 0.4 * most

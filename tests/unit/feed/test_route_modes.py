@@ -1,4 +1,4 @@
-"""What a route takes from the path control of a program, and its splines."""
+"""The effect of a program's path control on a route, and its splines."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ def test_the_tolerance_of_a_corner_is_that_of_the_move_that_ends_there() -> None
     np.testing.assert_allclose(route.merge_tolerance[[0, 1, 2, 4, 5]], [0, 5e-6, 5e-6, 0, 0], rtol=1e-12)
     np.testing.assert_array_equal(route.exact_stop, [False] * 5 + [True])
     found = blended(route)
-    # Corners lie behind moves 2, 3, 4 and 5; the last one is met exactly.
+    # Corners follow moves 2, 3, 4 and 5; the last one is exact.
     assert sum(isinstance(c, Blend) for c in found.path.curves) == 3
     np.testing.assert_allclose(found.path.position(found.path.corners), [(3e-3, 2e-3)], rtol=0, atol=1e-15)
 
 
-def test_without_a_tolerance_corners_are_met_unless_the_caller_says_otherwise() -> None:
+def test_without_a_tolerance_corners_are_exact_by_default() -> None:
     program = parse_program(HEAD + "G64\nX1\nY1\nM2\n")
     assert not route_from_program(program, ("x", "y")).corner_tolerance.any()
     np.testing.assert_array_equal(route_from_program(program, ("x", "y"), default_tolerance=1e-5).corner_tolerance, [1e-5, 1e-5])
 
 
-def test_a_spline_of_the_program_is_that_curve() -> None:
+def test_a_programmed_spline_becomes_that_curve() -> None:
     program = parse_program(HEAD + "X10\nG5 I3 J2 P-1 Q-4 X20 Y5\nG1 X30\nM2\n")
     line, spline, _ = route_from_program(program, ("x", "y")).path.curves
     assert isinstance(line, Line)
@@ -46,6 +46,6 @@ def test_a_spline_of_the_program_is_that_curve() -> None:
 
 @pytest.mark.parametrize("name", ["corner_tolerance", "merge_tolerance"])
 @pytest.mark.parametrize("wrong", [-1e-6, np.nan, np.inf])
-def test_a_tolerance_that_is_none_is_refused(name: str, wrong: float) -> None:
+def test_an_invalid_tolerance_is_refused(name: str, wrong: float) -> None:
     with pytest.raises(FeedError, match=rf"{name}: .*>= 0 m"):
         Route(Path([Line((0.0, 0.0), (1.0, 0.0))]), 0.1, False, 0.0, 0, **{name: wrong})  # type: ignore[arg-type]

@@ -19,7 +19,7 @@ FIELDS = {code: {name: spec for _, name, spec, _ in string.Formatter().parse(ent
 
 
 def made() -> list[tuple[str, str, set[str]]]:
-    """Return where each finding is made: file and line, code, names of its values (those that are written out)."""
+    """Return the places that make each finding: file and line, code, names of its values (if literal)."""
     calls = []
     for file in sorted(SOURCE.rglob("*.py")):
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
@@ -48,7 +48,7 @@ def test_names_are_unique():
     assert len(set(names)) == len(names)
 
 
-def test_every_finding_that_is_made_has_its_entry_and_its_values():
+def test_every_finding_in_the_code_has_its_entry_and_values():
     wrong = []
     for where, code, names in made():
         if code not in FIELDS or (names != {"*"} and names < set(FIELDS[code])):
@@ -56,7 +56,7 @@ def test_every_finding_that_is_made_has_its_entry_and_its_values():
     assert not wrong
 
 
-def test_every_entry_is_made_somewhere():
+def test_every_entry_is_used_somewhere():
     text = "\n".join(file.read_text(encoding="utf-8") for file in SOURCE.rglob("*.py"))
     assert [code for code in catalogue() if f'"{code}"' not in text] == []
 

@@ -1,4 +1,4 @@
-"""Quintic curves by arc length: lengths and places against adaptive quadrature and closed forms, one by one and in thousands."""
+"""Quintic curves by arc length: lengths and places against adaptive quadrature and closed forms, single and in thousands."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def corner(turn: float, b: float = 0.6, c: float = 0.3, size: float = 1e-3, plac
 
 
 def scattered(n: int, n_axis: int, seed: int = 1) -> Array:
-    """Control points (n, 6, n_axis) that go forward but sway."""
+    """Control points (n, 6, n_axis) that advance with random deviations."""
     rng = np.random.default_rng(seed)
     points = 0.1 * rng.normal(size=(n, 6, n_axis))
     points[:, :, 0] += np.arange(6)
@@ -33,7 +33,7 @@ def scattered(n: int, n_axis: int, seed: int = 1) -> Array:
 
 
 def length_by_quadrature(points: Array, low: float = 0.0, high: float = 1.0) -> float:
-    """Length of a Bezier curve between two parameters, by another library's polynomials and adaptive quadrature."""
+    """Return the length of a Bezier curve between two parameters, by another library's polynomials and adaptive quadrature."""
     slope = BPoly(points[:, None, :], [0.0, 1.0]).derivative()
     return float(quad(lambda u: float(np.linalg.norm(slope(u))), low, high, epsabs=0.0, epsrel=1e-13, limit=200)[0])
 
@@ -71,11 +71,11 @@ def test_the_length_of_a_parabola_is_known() -> None:
         np.testing.assert_allclose(np.linalg.norm(at[2], axis=1), [2.0, 2.0 / w**3], rtol=1e-10)
 
 
-def test_arc_length_is_arc_length_to_a_part_in_a_million_million() -> None:
+def test_arc_length_is_accurate_to_1e_12() -> None:
     corners = [corner(t, b, c, size) for t in (0.01, 1.0, 2.2, 2.9) for b, c in ((0.6, 0.3), (0.8, 0.5)) for size in (1e-6, 1.0)]
     points = np.concatenate([scattered(40, 2), 3.0 * scattered(40, 2, 2), corners])
     made, owner = blends(quintic_bezier(points))
-    # Half of these are uneven enough to be divided, so that the accuracy asked for decides.
+    # Half of these are uneven enough to be divided, so the requested accuracy decides.
     assert 20 < np.count_nonzero(np.bincount(owner) > 1) < 80
     nodes, weights = np.polynomial.legendre.leggauss(20)
     for blend in made:
@@ -91,21 +91,21 @@ def test_arc_length_is_arc_length_to_a_part_in_a_million_million() -> None:
     np.testing.assert_allclose(total, [length_by_quadrature(p) for p in points], rtol=1e-12)
 
 
-def test_derivatives_are_those_of_differences() -> None:
+def test_derivatives_agree_with_differences() -> None:
     for blend in blends(quintic_bezier(scattered(5, 3)))[0]:
         s = np.linspace(0.1, 0.9, 9) * blend.length
         h = 1e-3 * blend.length
         at = [blend.derivatives(s + k * h) for k in (-2, -1, 1, 2)]
         exact = blend.derivatives(s)
         for order in range(3):
-            # Fourth-order central differences: the error falls as h^4 and is far below what is asked.
+            # Fourth-order central differences: the error falls as h^4 and is far below the tolerance.
             slope = (at[0][order] - 8.0 * at[1][order] + 8.0 * at[2][order] - at[3][order]) / (12.0 * h)
             scale = np.abs(exact[order + 1]).max()
             np.testing.assert_allclose(slope, exact[order + 1], rtol=0, atol=1e-6 * scale)
         np.testing.assert_allclose(np.linalg.norm(exact[1], axis=1), 1.0, rtol=1e-14)
 
 
-def test_thousands_at_once_are_the_same_as_each_by_itself() -> None:
+def test_thousands_at_once_equal_single_curves() -> None:
     points = scattered(200, 3)
     made, owner = blends(quintic_bezier(points))
     np.testing.assert_array_equal(np.unique(owner), np.arange(200))
@@ -119,8 +119,8 @@ def test_thousands_at_once_are_the_same_as_each_by_itself() -> None:
         np.testing.assert_allclose(found[:, :, i], alone.derivatives(along[i])[:, 0], rtol=1e-11, atol=1e-12)
 
 
-def test_the_third_of_a_nanometre_far_from_the_origin() -> None:
-    # The shape is held in differences: the blend's tangent and curvature do not know where it lies.
+def test_sub_nanometre_accuracy_far_from_the_origin() -> None:
+    # The shape is stored as differences: the blend's tangent and curvature do not depend on its position.
     near, far = (blends(quintic_bezier([corner(1.2, size=1e-6, place=place)]))[0][0] for place in (0.0, 1.0))
     assert far.length == pytest.approx(near.length, rel=1e-9)
     s = np.linspace(0.0, near.length, 11)
@@ -154,7 +154,7 @@ def test_an_uneven_curve_is_divided_and_its_parts_join_smoothly() -> None:
         (np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 0.0), (-1.0, 0.0), (-1.0, 0.0), (1.0, 0.0)]), "blend 1 .*cusp"),
     ],
 )
-def test_what_has_no_arc_length_is_refused_by_its_number(points: Array, said: str) -> None:
+def test_an_invalid_curve_is_refused_with_its_number(points: Array, said: str) -> None:
     with pytest.raises(GeometryError, match=said):
         blends(np.stack([quintic_bezier([corner(1.0)])[0], quintic_bezier(points[None])[0]]))
 
@@ -167,13 +167,13 @@ def test_wrong_shapes_are_refused() -> None:
     assert blends(np.ones((0, 6, 2)))[0] == []
 
 
-def test_the_smallest_radius_is_that_of_dense_samples() -> None:
+def test_the_smallest_radius_agrees_with_dense_samples() -> None:
     blend: Curve = Blend(quintic_bezier([corner(1.0)])[0])
     bend = np.linalg.norm(blend.derivatives(np.linspace(0.0, blend.length, 20001), 2)[2], axis=1).max()
     assert blend.smallest_radius() == pytest.approx(1.0 / bend, rel=2e-3)
 
 
-def test_the_digest_tells_blends_apart() -> None:
+def test_the_digest_distinguishes_blends() -> None:
     one, other = Blend(quintic_bezier([corner(1.0)])[0]), Blend(quintic_bezier([corner(1.0 + 1e-12)])[0])
     assert Path([one]).digest != Path([other]).digest
     assert Path([one]).digest == Path([Blend(one.coefficients)]).digest

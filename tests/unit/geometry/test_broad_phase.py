@@ -1,4 +1,4 @@
-"""The curves that may hold the closest point: fewer than all of the window, and never without the one that does."""
+"""Candidate curves for the closest point: fewer than all in the window, and always including the right one."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ def walk(n_axis: int, closed: bool, n: int = 300) -> Path:
 
 
 def beads() -> Path:
-    """Half circles one after the other, to the left and to the right: stretches that are far longer than wide."""
+    """Return consecutive half circles, left and right: segments far longer than wide."""
     return Path([Arc((0.002 * i, 0.0), 0.001, np.pi, np.pi * (-1) ** i) for i in range(80)])
 
 
 def wavy() -> Path:
-    """Splines with lines between, each curve as long as ten of the walk's."""
+    """Return splines with lines between, each curve as long as ten of the walk's."""
     curves: list[Curve] = []
     for i in range(20):
         x = 0.03 * i
@@ -86,7 +86,7 @@ def test_pairs_are_in_the_order_of_the_path_and_within_the_window(name: str, mon
     assert (first >= -window[sample] - 1e-12).all() and (last <= window[sample] + 1e-12).all()
 
 
-def test_of_thousands_of_curves_a_few_are_left() -> None:
+def test_few_of_thousands_of_curves_remain() -> None:
     angle = np.linspace(0.0, 40.0 * np.pi, 20_000)
     path = polygon(0.05 * np.column_stack([np.cos(angle), np.sin(1.1 * angle)]), False)
     around = np.linspace(0.1, 0.9, 500) * path.length

@@ -1,4 +1,4 @@
-"""The contours by name: their shapes, their parameters, and what is said of a wrong name."""
+"""The contours by name: shapes, parameters, and the message for a wrong name."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from contourlab.geometry import contour, contour_names, contour_parameters
 
 
 def area(name: str, **parameters: float) -> float:
-    """Area enclosed, by Green's theorem over the path: the integral of (x dy - y dx) / 2."""
+    """Return the enclosed area, by Green's theorem over the path: the integral of (x dy - y dx) / 2."""
     path = contour(name, **parameters)
     n = 4000
     # A midpoint rule over a period is exact to rounding for a smooth closed curve, and over whole lines.
@@ -34,7 +34,7 @@ def test_all_names_are_there_with_defaults_and_units() -> None:
     assert contour_parameters("star") == {"radius": (0.03, "m"), "lobes": (5.0, ""), "depth": (0.3, "")}
 
 
-def test_sizes_are_what_they_say() -> None:
+def test_sizes_match_the_parameters() -> None:
     assert contour("circle", radius=0.025).length == pytest.approx(2.0 * math.pi * 0.025, rel=1e-15)
     assert contour("ellipse", a=0.04, b=0.02).length == pytest.approx(0.16 * ellipe(0.75), rel=1e-13)
     assert contour("diamond", side=0.05).length == pytest.approx(0.2, rel=1e-15)
@@ -53,17 +53,17 @@ def test_sizes_are_what_they_say() -> None:
     assert contour("line-line-circle").length == pytest.approx(0.05 + 0.02 + 0.06 * math.pi, rel=1e-15)
 
 
-def test_areas_are_what_they_say() -> None:
+def test_areas_match_the_parameters() -> None:
     assert area("circle", radius=0.02) == pytest.approx(math.pi * 0.02**2, rel=1e-13)
     assert area("circle", radius=0.02, clockwise=1) == pytest.approx(-math.pi * 0.02**2, rel=1e-13)
     assert area("ellipse", a=0.04, b=0.02) == pytest.approx(math.pi * 0.04 * 0.02, rel=1e-12)
     assert area("diamond", side=0.04) == pytest.approx(0.04**2, rel=1e-13)
     assert area("square", side=0.03) == pytest.approx(0.03**2, rel=1e-12)
     assert area("polygon", sides=8, radius=0.02) == pytest.approx(4.0 * 0.02**2 * math.sqrt(0.5), rel=1e-12)
-    # A midpoint rule over arcs beside lines has an error of its own.
+    # Where arcs meet lines the midpoint rule has an error of its own.
     assert area("rectangle", width=0.05, height=0.03, corner_radius=0.01) == pytest.approx(0.0015 - (4 - math.pi) * 1e-4, rel=1e-6)
     assert area("racetrack", length=0.05, radius=0.01) == pytest.approx(0.001 + math.pi * 1e-4, rel=1e-6)
-    # r = R (1 + d cos n u) holds pi R^2 (1 + d^2 / 2); the two lobes of the eight cancel.
+    # r = R (1 + d cos n u) encloses pi R^2 (1 + d^2 / 2); the two lobes of the eight cancel.
     assert area("star", radius=0.03, lobes=5, depth=0.3) == pytest.approx(math.pi * 0.03**2 * (1.0 + 0.045), rel=1e-11)
     assert area("lemniscate", a=0.04) == pytest.approx(0.0, abs=1e-16)
 
@@ -114,7 +114,7 @@ def test_the_line_line_circle_of_the_course() -> None:
     np.testing.assert_allclose(path.corners, [0.05, 0.07], rtol=1e-15)
 
 
-def test_a_wrong_name_is_told_the_right_ones() -> None:
+def test_a_wrong_name_lists_the_valid_ones() -> None:
     with pytest.raises(GeometryError, match=rf"'circel'.* {', '.join(contour_names())}$"):
         contour("circel")
     with pytest.raises(GeometryError, match=r"circle.*'diameter'.* radius, start_angle, clockwise$"):

@@ -20,7 +20,7 @@ LEMNISCATE_CONSTANT = gamma(0.25) ** 2 / (2.0 * math.sqrt(2.0 * math.pi))
 
 
 class Bernoulli(Parametric):
-    """Bernoulli's lemniscate of half-width a, as a stranger would add it; `first` and `last` pick a part."""
+    """Bernoulli's lemniscate of half-width a, as a user would add it; `first` and `last` select a part."""
 
     n_axis = 2
 
@@ -64,7 +64,7 @@ def curve(request: pytest.FixtureRequest) -> Curve:
     return CURVES[request.param]()
 
 
-def test_every_curve_runs_at_unit_speed_by_arc_length(curve: Curve) -> None:
+def test_every_curve_has_unit_speed_by_arc_length(curve: Curve) -> None:
     s = np.linspace(0.0, curve.length, 501)
     _, first, second, third = curve.derivatives(s)
     np.testing.assert_allclose(np.linalg.norm(first, axis=1), 1.0, rtol=0, atol=4e-14)
@@ -75,17 +75,17 @@ def test_every_curve_runs_at_unit_speed_by_arc_length(curve: Curve) -> None:
     np.testing.assert_allclose(np.einsum("ij,ij->i", first, third), -(bend**2), rtol=0, atol=1e-11 * size)
 
 
-def test_the_length_is_the_sum_of_many_chords_extrapolated(curve: Curve) -> None:
+def test_the_length_is_the_extrapolated_sum_of_many_chords(curve: Curve) -> None:
     chords = []
     for n in (2000, 4000, 8000):
         points = curve.position(np.linspace(0.0, curve.length, n + 1))
         chords.append(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
-    # The sum falls short by c/n^2 + d/n^4: Romberg's table has three rows.
+    # The sum is too short by c/n^2 + d/n^4: Romberg's table has three rows.
     once = [(4.0 * b - a) / 3.0 for a, b in ((chords[0], chords[1]), (chords[1], chords[2]))]
     assert (16.0 * once[1] - once[0]) / 15.0 == pytest.approx(curve.length, rel=1e-11)
 
 
-def test_all_orders_agree_and_scalars_are_taken(curve: Curve) -> None:
+def test_all_orders_agree_and_scalars_are_accepted(curve: Curve) -> None:
     s = np.linspace(0.0, curve.length, 17)
     whole = curve.derivatives(s, 3)
     assert whole.shape == (4, 17, curve.n_axis)
@@ -148,7 +148,7 @@ def test_an_arc_through_rounded_ends_joins_them_exactly(sweep: float) -> None:
     arc = Arc.through(start, end, centre, sweep)
     np.testing.assert_allclose(arc.position([0.0, arc.length]), [start, end], rtol=0, atol=1e-15)
     assert arc.sweep == pytest.approx(sweep, abs=0.01)
-    # The centre moves by no more than the two radii differ, over the sine of half a right angle.
+    # The centre moves by no more than the difference of the two radii over the sine of half a right angle.
     gap = abs(np.linalg.norm(start - centre) - np.linalg.norm(end - centre))
     assert np.linalg.norm(arc.centre - centre) < 2.0 * gap
 
@@ -163,11 +163,11 @@ def test_a_full_circle_and_a_helix_through_points() -> None:
 
 
 @pytest.mark.parametrize("end", [(0.0200004, 0.0), (0.0200004, 1e-7), (0.0199, -1e-5)])
-def test_a_circle_that_misses_its_start_is_refused_not_made_into_another(end: tuple[float, float]) -> None:
-    # The only circles through both ends have their centres far from the one that was given.
+def test_a_circle_that_misses_its_start_is_refused_and_not_changed(end: tuple[float, float]) -> None:
+    # The only circles through both ends have centres far from the given one.
     with pytest.raises(GeometryError, match=r"-360 degrees.*0\.02"):
         Arc.through((0.02, 0.0), end, (0.01, 0.0), -2.0 * math.pi)
-    # Ends a little apart along the circle are fine: their radii are the same.
+    # Ends slightly apart along the circle are fine: their radii are equal.
     angle = 1e-5
     near = (0.01 + 0.01 * math.cos(angle), 0.01 * math.sin(angle))
     arc = Arc.through((0.02, 0.0), near, (0.01, 0.0), -2.0 * math.pi)
@@ -183,7 +183,7 @@ def test_an_ellipse_against_the_elliptic_integral(a: float, b: float) -> None:
     )
 
 
-def test_an_ellipse_bends_as_the_textbook_says() -> None:
+def test_the_curvature_of_an_ellipse_follows_the_textbook() -> None:
     a, b = 0.04, 0.02
     ellipse = Ellipse(a, b)
     path, s = Path([ellipse], closed=True), np.linspace(0.0, ellipse.length, 97)
@@ -221,7 +221,7 @@ def test_the_lemniscate_of_bernoulli_has_the_length_of_its_constant() -> None:
     a = 0.05
     curve = Bernoulli(a)
     assert curve.length == pytest.approx(2.0 * a * LEMNISCATE_CONSTANT, rel=1e-13)
-    # Its curvature is 3 rho / a^2, rho being the distance from the origin.
+    # Its curvature is 3 rho / a^2, where rho is the distance from the origin.
     s = np.linspace(0.0, curve.length, 101)
     path = Path([curve], closed=True)
     np.testing.assert_allclose(np.abs(path.curvature(s)), 3.0 * np.linalg.norm(path.position(s), axis=1) / a**2, rtol=0, atol=1e-9)
@@ -275,6 +275,6 @@ NAN, INF = math.nan, math.inf
         (lambda: Star(INF, 5, 0.5), r"radius = inf"),
     ],
 )
-def test_what_is_no_curve_is_refused_and_told_why(make: Callable[[], Curve], message: str) -> None:
+def test_invalid_curves_are_refused_with_a_reason(make: Callable[[], Curve], message: str) -> None:
     with pytest.raises(GeometryError, match=message):
         make()

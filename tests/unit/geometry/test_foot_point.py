@@ -1,4 +1,4 @@
-"""The exact foot point, against closed forms and a search that shares nothing with it but the curve."""
+"""The exact foot point, against closed forms and a search that shares only the curve with it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SPATIAL = Path(
 
 
 def search(path: Path, point: Array, low: float, high: float, n: int = 20000) -> tuple[float, float]:
-    """Closest point between two arc lengths by dense samples, each dip refined by Brent's root of r'.(r - p): arc length, distance."""
+    """Return arc length and distance of the closest point between two arc lengths: dense samples, refined by Brent's root of r'.(r - p)."""
     s = np.linspace(low, high, n + 1)
     away = np.linalg.norm(path.position(s) - point, axis=1)
     dips = np.flatnonzero(away <= away.min() + (high - low) / n)
@@ -46,7 +46,7 @@ def search(path: Path, point: Array, low: float, high: float, n: int = 20000) ->
 def test_a_point_on_a_normal_has_its_foot_there(name: str, part: float) -> None:
     path = contour(name)
     s = np.linspace(0.0, path.length, 400, endpoint=False) + 1e-4 * path.length
-    # Up to a part of the smallest radius of curvature inside a window that no other branch enters.
+    # Up to a fraction of the smallest radius of curvature, inside a window without other branches.
     bend = np.max([np.abs(path.curvature(s + d)) for d in np.linspace(-5e-5, 5e-5, 21)], axis=0)
     offset = part / np.maximum(bend, 1e3)
     points = path.position(s) + offset[:, None] * path.normal(s)
@@ -71,7 +71,7 @@ def test_in_space_the_foot_of_a_point_in_the_normal_plane(path: Path) -> None:
 
 @pytest.mark.parametrize("name", contour_names())
 @pytest.mark.parametrize("reach", [1e-5, 2e-3, 2e-2])
-def test_the_whole_path_is_searched_when_the_window_is_that_wide(name: str, reach: float) -> None:
+def test_a_wide_window_covers_the_whole_path(name: str, reach: float) -> None:
     path, rng = contour(name), np.random.default_rng(11)
     around = rng.uniform(0.0, path.length, 12)
     angle = rng.uniform(0.0, 2.0 * math.pi, 12)
@@ -82,13 +82,13 @@ def test_the_whole_path_is_searched_when_the_window_is_that_wide(name: str, reac
     for i, point in enumerate(points):
         where, distance = search(path, point, 0.0, path.length)
         assert found.distance[i] == pytest.approx(distance, rel=0, abs=1e-15 + 1e-13 * distance)
-        # At corners and at equal distances there are two answers; the distance has settled which are right.
+        # At corners and at equal distances there are two answers; the distance above decides which are right.
         other = path.position(where)[0]
         if np.linalg.norm(found.position[i] - other) < 1e-6:
             assert np.linalg.norm(found.position[i] - other) < 1e-12 * path.length
 
 
-def test_a_hairpin_seen_in_a_wide_window_is_not_stepped_over() -> None:
+def test_a_hairpin_in_a_wide_window_is_not_missed() -> None:
     # The butterfly's tail turns within 23 um; its two legs run side by side.
     path = contour("butterfly")
     s = 0.2855 + np.linspace(-6e-4, 6e-4, 241)
@@ -109,7 +109,7 @@ def test_within_its_window_the_foot_is_the_closest(name: str) -> None:
         assert found.arc_length[i] == pytest.approx(where, rel=0, abs=1e-12 * path.length)
 
 
-def test_at_a_crossing_the_branch_is_that_of_the_progress() -> None:
+def test_at_a_crossing_progress_decides_the_branch() -> None:
     path = contour("lemniscate")
     half = 0.5 * path.length
     for middle in (0.0, half, path.length):
@@ -118,13 +118,13 @@ def test_at_a_crossing_the_branch_is_that_of_the_progress() -> None:
         found = path.foot_point(points, s + 3e-5, 2e-3)
         np.testing.assert_allclose(found.arc_length, s, rtol=0, atol=1e-12 * path.length)
         np.testing.assert_allclose(found.signed, 1e-5, rtol=0, atol=1e-14)
-    # At the crossing itself both branches are equally far, window or not.
+    # At the crossing itself both branches are equally far, for any window.
     for around, expected in ((1e-3, 0.0), (-1e-3, 0.0), (half + 1e-3, half), (half - 1e-3, half)):
         found = path.foot_point([(0.0, 0.0)], [around], path.length)
         assert found.arc_length[0] == pytest.approx(expected, abs=1e-12 * path.length)
 
 
-def test_crossing_lines_are_told_apart_by_progress() -> None:
+def test_progress_distinguishes_crossing_lines() -> None:
     points = [(-1.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, -1.0)]
     path = Path([Line(a, b) for a, b in pairwise(points)])
     found = path.foot_point([(0.0, 0.0), (0.0, 0.0), (0.01, 0.02)], [0.9, 4.8, 0.9], 10.0)
@@ -139,7 +139,7 @@ def test_at_a_corner() -> None:
     np.testing.assert_array_equal(found.arc_length, 1.0)
     np.testing.assert_allclose(found.position, [(1.0, 0.0)] * 3)
     np.testing.assert_allclose(found.signed, [-math.hypot(*(np.array(p) - (1.0, 0.0))) for p in outside], rtol=1e-14)
-    # On the bisector inside, both legs are equally far: the one of the progress.
+    # On the inner bisector both legs are equally far: progress decides.
     for around, expected in ((0.8, 0.9), (1.2, 1.1)):
         inside = path.foot_point([(0.9, 0.1)], [around], 0.5)
         assert inside.arc_length[0] == pytest.approx(expected, rel=1e-15)
@@ -147,21 +147,21 @@ def test_at_a_corner() -> None:
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
-def test_the_side_at_an_acute_corner_is_that_of_the_bisector(side: float) -> None:
-    # Beyond the tip of a 20 degree corner the two legs disagree on the side; the point is outside of the turn.
+def test_the_side_at_an_acute_corner_follows_the_bisector(side: float) -> None:
+    # Beyond the tip of a 20 degree corner the two legs disagree on the side; the point is outside the turn.
     leg = (1.0 - math.cos(math.radians(20)), side * math.sin(math.radians(20)))
     path = Path([Line((0.0, 0.0), (1.0, 0.0)), Line((1.0, 0.0), leg)])
     for angle in np.radians([-50, -10, 0.0, 30, 70]):
         point = (1.0 + 0.1 * math.cos(angle), 0.1 * math.sin(angle))
         found = path.foot_point([point], [1.0], 0.5)
         assert found.arc_length[0] == 1.0
-        # The direction of the bisector is that of the sum of the tangents.
+        # The bisector has the direction of the sum of the tangents.
         along = np.array([1.0, 0.0]) + (np.array(leg) - (1.0, 0.0))
         expected = math.copysign(0.1, along[0] * (point[1]) - along[1] * (point[0] - 1.0))
         assert found.signed[0] == pytest.approx(expected, rel=1e-14)
 
 
-def test_the_closing_corner_is_a_corner_like_the_others() -> None:
+def test_the_closing_corner_is_like_the_others() -> None:
     path = contour("diamond", side=0.04)
     tips = path.position(path.corners)
     for lap in (0.0, 3.0 * path.length):
@@ -182,7 +182,7 @@ def test_beyond_the_ends_of_an_open_path_the_foot_is_the_end() -> None:
         assert found.signed[1] > 0.0
 
 
-def test_progress_counts_laps_and_the_seam_is_crossed() -> None:
+def test_progress_counts_laps_and_crosses_the_seam() -> None:
     path = contour("ellipse")
     for lap in (-3, 0, 1, 250):
         s = lap * path.length + np.linspace(-1e-3, 1e-3, 21)
@@ -198,15 +198,15 @@ def test_an_arc_of_several_turns_keeps_the_turn_of_the_progress() -> None:
     s = np.array([0.01, 0.01 + turn, 0.01 + 2 * turn, 0.03 + 3 * turn])
     found = path.foot_point(1.1 * path.position(s), s + 0.02, 0.1)
     np.testing.assert_allclose(found.arc_length, s, rtol=1e-13)
-    # The path ends opposite to its start. Seen from a little past the start, the end of the window is closer than that of the path.
+    # The path ends opposite its start. For a point just after the start, the beginning of the window is closer than the end of the path.
     past = 1.1 * path.position([0.001])
     assert path.foot_point(past, [path.length], 0.01).arc_length[0] == pytest.approx(path.length - 0.01, rel=1e-15)
     behind = 1.1 * path.position([0.5 * turn + 0.01])
     assert path.foot_point(behind, [path.length], 0.01).arc_length[0] == path.length
 
 
-def test_an_arc_in_a_wide_window_is_seen_as_a_whole() -> None:
-    # From its start the foot at six tenths of a turn is nearer backwards, where the arc is not.
+def test_a_wide_window_sees_an_arc_as_a_whole() -> None:
+    # Backwards from its start the angle to the foot at six tenths of a turn is shorter, but the arc is not there.
     path = Path([Arc((0.0, 0.0), 0.02, 0.0, 1.5 * math.pi)])
     s = np.array([0.8, 0.1]) * path.length
     found = path.foot_point(0.9 * path.position(s), [0.0, path.length], path.length)
@@ -214,8 +214,8 @@ def test_an_arc_in_a_wide_window_is_seen_as_a_whole() -> None:
     np.testing.assert_allclose(found.signed, 0.002, rtol=1e-12)
 
 
-def test_a_corner_at_the_end_of_a_spline_does_not_hide_the_points_before_it() -> None:
-    # The last cell of the spline ends where the next curve already runs another way.
+def test_a_corner_at_the_end_of_a_spline_does_not_hide_earlier_points() -> None:
+    # The last cell of the spline ends where the next curve already has another direction.
     spline = BSpline(3, [(0.0, 0.0), (0.01, 0.02), (0.02, 0.0), (0.03, 0.01)], [0, 0, 0, 0, 1, 1, 1, 1])
     path = Path([Line((-0.001, 0.03), (0.0, 0.0)), spline, Line((0.03, 0.01), (0.0, 0.02))])
     joints = path.breaks[1:3]
@@ -236,13 +236,13 @@ def test_from_the_centre_of_a_circle_the_foot_is_the_progress() -> None:
 
 
 def test_from_the_centre_of_curvature_of_a_vertex() -> None:
-    # There the distance is flat to fourth order: the distance is exact, the arc length as good as rounding leaves it.
+    # There the distance is flat to fourth order: the distance is exact, the arc length limited by rounding.
     a, b = 0.04, 0.02
     path = contour("ellipse", a=a, b=b)
     found = path.foot_point([(a - b * b / a, 0.0)], [1e-3], 0.01)
     assert found.distance[0] == pytest.approx(b * b / a, rel=1e-14)
     assert abs(found.arc_length[0]) < 2e-5
-    # Inside, towards the vertex, the foot is sharp again; beyond the centre it leaves the vertex by symmetry.
+    # Towards the vertex the foot is well defined again; beyond the centre it leaves the vertex, by symmetry.
     nearer = path.foot_point([(a - 0.9 * b * b / a, 0.0)], [1e-3], 0.01)
     assert abs(nearer.arc_length[0]) < 1e-12 * path.length
 
@@ -256,7 +256,7 @@ def test_from_the_centre_of_an_ellipse_both_flanks_are_equally_far() -> None:
 
 
 @pytest.mark.parametrize("path", [*map(contour, contour_names()), HELIX, SPATIAL], ids=[*contour_names(), "helix", "nurbs"])
-def test_many_samples_and_one_by_one_agree(path: Path) -> None:
+def test_many_samples_at_once_and_one_by_one_agree(path: Path) -> None:
     rng, n = np.random.default_rng(7), 60
     around = rng.uniform(0.0, path.length, n)
     points = path.position(around) + rng.normal(0.0, 2e-4, (n, path.n_axis))
@@ -276,7 +276,7 @@ def test_more_samples_than_a_chunk() -> None:
     assert path.foot_point(np.zeros((0, 2)), [], 1.0).position.shape == (0, 2)
 
 
-def test_a_point_on_the_path_is_at_distance_nothing() -> None:
+def test_a_point_on_the_path_has_zero_distance() -> None:
     for name in contour_names():
         path = contour(name)
         s = np.linspace(0.0, path.length, 77)

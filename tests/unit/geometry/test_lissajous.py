@@ -1,4 +1,4 @@
-"""The Lissajous figure of any number of axes: its form, its length, and that all that is done with a path works in 2, 3 and 5 axes."""
+"""The Lissajous figure in any number of axes: its form and length, and all path functions in 2, 3 and 5 axes."""
 
 from __future__ import annotations
 
@@ -53,11 +53,11 @@ def test_it_is_closed_smooth_and_by_arc_length(axes: int, lowest: int, phase: fl
     np.testing.assert_allclose(first[0], first[1], rtol=0, atol=2e-12)
     np.testing.assert_allclose(tangent[0], tangent[1], rtol=0, atol=1e-6)
     np.testing.assert_allclose(np.linalg.norm(tangent, axis=1), 1.0, rtol=0, atol=1e-13)
-    # By arc length a curve bends at right angles to itself.
+    # By arc length a curve's second derivative is normal to its tangent.
     np.testing.assert_allclose((tangent * bend).sum(axis=1), 0.0, rtol=0, atol=1e-9 * max(np.abs(bend).max(), 1.0))
 
 
-def test_each_axis_goes_its_own_number_of_times_to_and_fro() -> None:
+def test_each_axis_makes_its_own_number_of_cycles() -> None:
     path = contour("lissajous", axes=5, lowest=2, phase=0.3)
     along = path.derivatives(np.linspace(0.0, path.length, 20_000, endpoint=False), 1)[1]
     turned = (np.signbit(along) != np.signbit(np.roll(along, 1, axis=0))).sum(axis=0)
@@ -97,7 +97,7 @@ def test_motion_along_it(axes: int) -> None:
     assert laps.n_axis == axes and laps.laps == ((0, 2000), (2000, 4000))
     once, again = laps.block(0, 2000), laps.block(2000, 4000)
     np.testing.assert_allclose(again.position, once.position, rtol=0, atol=1e-12)
-    # Constant speed, so that what each axis does is the derivative of where it is.
+    # Constant speed, so the motion of each axis is the derivative of its position.
     np.testing.assert_allclose(np.linalg.norm(once.velocity, axis=1), 0.5 * path.length, rtol=1e-12)
     within = AxisLimits(0.1, 1.0, 40.0)
     planned = plan(route_from_path(path, 0.05), within, 1e-3)
@@ -106,7 +106,7 @@ def test_motion_along_it(axes: int) -> None:
     np.testing.assert_allclose(ends, path.position(path.length)[0], rtol=0, atol=1e-12)
 
 
-def test_it_is_one_path_by_its_numbers() -> None:
+def test_equal_parameters_give_the_same_path() -> None:
     first: Path = contour("lissajous", axes=3)
     assert first.digest == contour("lissajous", axes=3, amplitude=0.02, lowest=1, phase=math.pi / 3.0).digest
     others = [contour("lissajous", **{name: value}) for name, value in (("axes", 4), ("lowest", 2), ("phase", 0.1), ("amplitude", 0.03))]

@@ -1,4 +1,4 @@
-"""Paths: joints, corners, laps, normals and curvature, and what is refused."""
+"""Paths: joints, corners, laps, normals and curvature, and refusals."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def polyline(points: list[tuple[float, ...]], closed: bool = False) -> Path:
 
 @pytest.fixture
 def mixed() -> Path:
-    """Line, arc and spline, smooth at the first joint and with a corner at the second."""
+    """Return line, arc and spline, smooth at the first joint and with a corner at the second."""
     arc = Arc((0.03, 0.01), 0.01, -math.pi / 2, math.pi)
     spline = BSpline(3, [(0.03, 0.02), (0.02, 0.04), (0.0, 0.03), (-0.01, 0.05)], [0, 0, 0, 0, 1, 1, 1, 1])
     return Path([Line((0.0, 0.0), (0.03, 0.0)), arc, spline, Line((-0.01, 0.05), (-0.01, 0.07))])
@@ -36,7 +36,7 @@ def test_breaks_and_corners_of_an_open_and_a_closed_square() -> None:
     np.testing.assert_array_equal(closed.corners, [0, 1, 2, 3])
 
 
-def test_a_tangent_joint_is_no_corner_though_the_curvature_jumps(mixed: Path) -> None:
+def test_a_tangent_joint_is_no_corner_even_if_the_curvature_jumps(mixed: Path) -> None:
     np.testing.assert_allclose(mixed.corners, mixed.breaks[2:4], rtol=1e-15)
     before, after = mixed.breaks[1] + np.array([-1e-9, 1e-9])
     assert mixed.curvature(before)[0] == 0.0
@@ -62,7 +62,7 @@ def test_a_joint_belongs_to_the_curve_that_begins_there() -> None:
     np.testing.assert_array_equal(polyline(SQUARE, closed=True).curve_index([4.0, -0.5, 9.5]), [0, 3, 1])
 
 
-def test_every_part_is_its_curve_to_the_last_bit_of_the_sum(mixed: Path) -> None:
+def test_every_part_equals_its_curve_to_the_last_bit_of_the_sum(mixed: Path) -> None:
     for curve, begin in zip(mixed.curves, mixed.breaks[:-1], strict=True):
         along = np.linspace(0.0, curve.length, 41)[1:-1]
         expected = curve.derivatives(along)
@@ -80,7 +80,7 @@ def test_order_of_samples_does_not_matter(mixed: Path) -> None:
     np.testing.assert_allclose(one_by_one, mixed.derivatives(s), rtol=1e-14, atol=1e-15)
 
 
-def test_a_closed_path_goes_on_in_laps_and_an_open_one_stops() -> None:
+def test_a_closed_path_continues_in_laps_and_an_open_one_stops() -> None:
     closed = contour("star")
     s = np.linspace(0.01, 0.99, 23) * closed.length
     for lap in (-2, -1, 1, 1000):
@@ -134,7 +134,7 @@ def test_a_gap_is_refused_with_its_place() -> None:
         Path([near[0], Line((1.0, 1.1e-9), (1.0, 1.0))])
 
 
-def test_what_is_no_path_is_refused() -> None:
+def test_an_invalid_path_is_refused() -> None:
     with pytest.raises(GeometryError, match="one curve"):
         Path([])
     with pytest.raises(GeometryError, match="coordinates"):
@@ -143,7 +143,7 @@ def test_what_is_no_path_is_refused() -> None:
         polyline(SQUARE[:4], closed=True)
 
 
-def test_the_digest_names_the_geometry_and_nothing_else(mixed: Path) -> None:
+def test_the_digest_depends_only_on_the_geometry(mixed: Path) -> None:
     assert mixed.digest == Path(list(mixed.curves)).digest
     paths = [mixed, polyline(SQUARE), polyline(SQUARE, closed=True), polyline(SQUARE[::-1]), polyline(SQUARE[:3])]
     paths += [Path([Ellipse(0.04, 0.02)]), Path([Ellipse(0.04, 0.020000000000000004)]), contour("ellipse"), contour("circle")]

@@ -1,4 +1,4 @@
-"""Paths of many curves: each kind is asked once for all of its curves, and says the same as a curve by itself."""
+"""Paths of many curves: one call per kind of curve, with the same results as single curves."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 class Wave(Curve):
-    """A kind of curve that the path has never heard of: a straight line that counts what it is asked."""
+    """A kind of curve unknown to the path: a straight line that counts its evaluations."""
 
     n_axis = 2
     asked = 0
@@ -41,7 +41,7 @@ class Wave(Curve):
 
 
 def of_all_kinds(times: int = 3) -> Path:
-    """Line, arc, spline and blend, again and again, each beginning where the last one ended."""
+    """Return line, arc, spline and blend, repeatedly, each beginning where the previous one ended."""
     curves: list[Curve] = []
     net = np.array([(0.03, 0.02), (0.02, 0.04), (0.0, 0.03), (-0.01, 0.05)])
     for at in np.outer(np.arange(times), (0.03, 0.12)):
@@ -52,14 +52,14 @@ def of_all_kinds(times: int = 3) -> Path:
     return Path(curves)
 
 
-def test_a_path_says_what_its_curves_say() -> None:
+def test_a_path_agrees_with_its_curves() -> None:
     path = of_all_kinds()
     rng = np.random.default_rng(2)
     index = rng.integers(0, len(path.curves), 500)
     along = rng.uniform(0.0, 1.0, 500) * np.diff(path.breaks)[index]
     found = path.at(index, along, 3)
     for i in range(500):
-        # A curve by itself adds up in another order.
+        # A single curve adds up in another order.
         np.testing.assert_allclose(found[:, i], path.curves[index[i]].derivatives(along[i])[:, 0], rtol=1e-13, atol=1e-10)
         np.testing.assert_allclose(found[:2, i], path.curves[index[i]].derivatives(along[i], 1)[:, 0], rtol=1e-15, atol=1e-15)
 
@@ -80,7 +80,7 @@ def test_every_curve_is_of_one_kind_and_keeps_its_number() -> None:
 
 
 @pytest.mark.parametrize("n", [50, 100, 200, 400])
-def test_a_kind_without_arrays_of_its_own_costs_its_samples_and_its_curves(n: int) -> None:
+def test_a_kind_without_array_support_is_called_once_per_curve(n: int) -> None:
     path = Path([Wave(float(i)) for i in range(n)])
     Wave.asked = Wave.calls = 0
     s = np.random.default_rng(1).permutation(np.linspace(0.0, n, 10 * n, endpoint=False))
@@ -91,7 +91,7 @@ def test_a_kind_without_arrays_of_its_own_costs_its_samples_and_its_curves(n: in
     assert (Wave.asked, Wave.calls) == (3, 2)
 
 
-def test_many_lines_are_the_lines_one_by_one() -> None:
+def test_many_lines_equal_single_lines() -> None:
     points = np.random.default_rng(3).normal(size=(40, 3))
     many = Line.many(points[:-1], points[1:])
     for one, (a, b) in zip(many, pairwise(points), strict=True):
@@ -106,7 +106,7 @@ def test_many_lines_are_the_lines_one_by_one() -> None:
     ("end", "said"),
     [([(1.0, 0.0), (0.0, 0.0)], "zero length"), ([(1.0, 0.0), (math.inf, 0.0)], "finite coordinates"), ([(1.0, 0.0)], "shape")],
 )
-def test_many_lines_refuse_what_one_refuses(end: Any, said: str) -> None:
+def test_many_lines_refuse_what_a_single_line_refuses(end: Any, said: str) -> None:
     with pytest.raises(GeometryError, match=said):
         Line.many([(0.0, 0.0), (0.0, 0.0)], end)
 
@@ -121,8 +121,8 @@ def test_a_part_of_an_arc_lies_on_it(rise: float) -> None:
         np.testing.assert_allclose(part.derivatives(s)[order], arc.derivatives(0.25 * arc.length + s)[order], rtol=0, atol=1e-14 * scale)
 
 
-def test_every_point_may_have_a_window_of_its_own() -> None:
-    # Two strands 1 mm apart: a point beside the second one finds it only where the window reaches that far.
+def test_every_point_may_have_its_own_window() -> None:
+    # Two strands 1 mm apart: a point near the second one finds it only if the window reaches that far.
     path = Path([Line((0.0, 0.0), (0.1, 0.0)), Line((0.1, 0.0), (0.1, 0.001)), Line((0.1, 0.001), (0.0, 0.001))])
     points = np.array([(0.05, 0.0009)] * 2)
     found = path.foot_point(points, [0.05, 0.05], [0.01, 0.2])
@@ -133,7 +133,7 @@ def test_every_point_may_have_a_window_of_its_own() -> None:
             path.foot_point(points, [0.05, 0.05], wrong)
 
 
-def test_a_blend_of_a_micron_beside_lines_of_a_metre() -> None:
+def test_a_micron_blend_between_metre_long_lines() -> None:
     t = 1e-6
     blend = Blend(
         quintic_bezier([np.array([(1.0 - t, 0), (1.0 - 0.6 * t, 0), (1.0 - 0.3 * t, 0), (1.0, 0.3 * t), (1.0, 0.6 * t), (1.0, t)])])[0]
@@ -143,7 +143,7 @@ def test_a_blend_of_a_micron_beside_lines_of_a_metre() -> None:
     assert len(table.cell) < 10_000
     s = np.concatenate([np.linspace(0.0, path.length, 999), path.breaks[1] + np.linspace(0.0, blend.length, 500)])
     np.testing.assert_allclose(table.evaluate(s, 0)[0], path.position(s), rtol=0, atol=1.1e-10)
-    # The closest point of what lies beside the path is where it was put off from: by a tenth of the smallest radius.
+    # The foot of a point off the path, by a tenth of the smallest radius, is its origin.
     off = 0.1 * blend.smallest_radius()
     found = path.foot_point(path.position(s) + off * path.normal(s), s, 1e-3)
     np.testing.assert_allclose(found.signed, off, rtol=0, atol=1e-15)

@@ -1,4 +1,4 @@
-"""The table of quintic pieces: its error bound, its look-up at the borders, its cost; and the view that compiles."""
+"""The table of quintic pieces: error bound, look-up at the borders, cost; and the compilable view."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ ROUNDING = 4e-16
 
 
 def spread(table: PathTable) -> Array:
-    """Arc lengths inside every piece, at its borders, and one bit to either side of them."""
+    """Return arc lengths inside every piece, at its borders, and one bit to either side of them."""
     inside = table.start[:-1, None] + np.diff(table.start)[:, None] * np.linspace(0.0, 1.0, 14)
     borders = table.start
     return np.clip(np.concatenate([inside.ravel(), borders, np.nextafter(borders, -1.0), np.nextafter(borders, 1e9)]), 0.0, table.length)
@@ -28,7 +28,7 @@ def spread(table: PathTable) -> Array:
 
 @pytest.mark.parametrize("name", contour_names())
 @pytest.mark.parametrize("tolerance", [1e-12, 1e-9, 1e-6, 1e-3])
-def test_no_point_of_the_table_is_further_off_than_its_bound(name: str, tolerance: float) -> None:
+def test_no_point_of_the_table_exceeds_its_error_bound(name: str, tolerance: float) -> None:
     path = contour(name)
     table = path.table(tolerance)
     assert table.error_bound <= tolerance
@@ -56,12 +56,12 @@ def test_pieces_meet_the_path_at_their_borders_up_to_curvature(name: str) -> Non
     path = contour(name)
     table = path.table(1e-8)
     inside = table.start[:-1]
-    # Arc length is good to 1e-14 of the path, and the tangent turns by the curvature of it.
+    # Arc length is accurate to 1e-14 of the path, and the tangent changes by that times the curvature.
     sharpest = max(np.abs(path.curvature(inside)).max(), 1.0)
     digits = 1e-13 + 3e-14 * path.length * sharpest
     np.testing.assert_allclose(table.evaluate(inside, 0), path.derivatives(inside, 0), rtol=0, atol=1e-13)
     np.testing.assert_allclose(table.evaluate(inside, 1)[1], path.tangent(inside), rtol=0, atol=digits)
-    # The limits from the left: the piece that ends there, evaluated a few bits short of its end, where no rounding finds the next one.
+    # Limits from the left: the piece that ends there, evaluated a few bits before its end, so that rounding cannot select the next one.
     before = table.start[1:] * (1.0 - 1e-15)
     at = path.derivatives(before, 2)
     found = table.evaluate(before, 2)
@@ -82,20 +82,20 @@ def test_no_piece_crosses_a_joint() -> None:
 
 
 @pytest.mark.parametrize("name", contour_names())
-def test_the_look_up_of_one_comparison_finds_the_piece_that_a_search_finds(name: str) -> None:
+def test_the_look_up_with_one_comparison_agrees_with_a_search(name: str) -> None:
     table = contour(name).table(1e-9)
     s = spread(table)
     s = s[s < table.length]
     i = table.cell[(s * table.inverse_cell).astype(int)].astype(int)
     i = i + (s >= table.start[i + 1])
     expected = np.searchsorted(table.start, s, side="right") - 1
-    # One bit before a border the division may round into the next cell: the piece after, from one bit before its start.
+    # One bit before a border the division may round into the next cell: the next piece then starts one bit early.
     early = (i == expected + 1) & (s >= np.nextafter(table.start[expected + 1], -1.0) * (1.0 - 4e-16))
     assert ((i == expected) | early).all()
     assert np.diff(table.start).min() > 1.0 / table.inverse_cell
 
 
-def test_a_closed_table_goes_on_in_laps_and_an_open_one_stops() -> None:
+def test_a_closed_table_continues_in_laps_and_an_open_one_stops() -> None:
     closed, opened = contour("star").table(1e-9), contour("line-line-circle").table(1e-9)
     s = np.linspace(0.01, 0.99, 50) * closed.length
     np.testing.assert_allclose(closed.evaluate(s - 3.0 * closed.length), closed.evaluate(s), rtol=1e-9, atol=1e-9)
@@ -103,7 +103,7 @@ def test_a_closed_table_goes_on_in_laps_and_an_open_one_stops() -> None:
     np.testing.assert_allclose(ends, [(0.0, 0.0), (0.0, 0.0), (0.06, 0.03), (0.06, 0.03)], atol=1e-15)
 
 
-def test_the_cost_is_that_of_the_length() -> None:
+def test_the_cost_is_proportional_to_the_length() -> None:
     counts = [len(Path([Arc((0.0, 0.0), 0.02, 0.0, turns * 2.0 * math.pi)]).table(1e-10).coefficients) for turns in (10, 20, 40, 80)]
     np.testing.assert_allclose(np.diff(counts), counts[0] * np.array([1, 2, 4]), atol=2)
     assert [len(Path([Line((0.0, 0.0), (x, 0.0))]).table(1e-10).coefficients) for x in (1e-6, 1.0, 1e6)] == [1, 1, 1]
@@ -111,13 +111,13 @@ def test_the_cost_is_that_of_the_length() -> None:
     table = Path([Line(a, b) for a, b in pairwise(zigzag)]).table(1e-10)
     assert len(table.coefficients) == 2000
     assert len(table.cell) <= 2003
-    # A whole contour at a tenth of a nanometre is a few thousand pieces, not a million.
+    # A whole contour at a tenth of a nanometre has a few thousand pieces, not a million.
     assert len(contour("butterfly").table(1e-10).coefficients) < 5000
 
 
 @pytest.mark.parametrize("name", contour_names())
 @pytest.mark.parametrize("pieces", [7, 100, 999])
-def test_pieces_asked_for_are_given_and_none_is_a_sliver(name: str, pieces: int) -> None:
+def test_the_requested_number_of_pieces_is_given_without_slivers(name: str, pieces: int) -> None:
     path = contour(name)
     plain, table = path.table(1e-6), path.table(1e-6, pieces=pieces)
     h = np.diff(table.start)
@@ -127,7 +127,7 @@ def test_pieces_asked_for_are_given_and_none_is_a_sliver(name: str, pieces: int)
     assert table.error_bound <= 1e-6
 
 
-def test_what_makes_no_table_is_refused() -> None:
+def test_invalid_settings_are_refused() -> None:
     for tolerance in (0.0, -1.0, math.nan):
         with pytest.raises(GeometryError, match=rf"tolerance = {tolerance}: .*> 0 m"):
             contour("circle").table(tolerance)
@@ -142,7 +142,7 @@ def seen(view: PathView, s: float) -> Array:
 
 
 @pytest.mark.parametrize("clockwise", [0, 1])
-def test_the_circle_in_closed_form_is_the_circle_of_the_table(clockwise: int) -> None:
+def test_the_closed_form_circle_equals_its_table(clockwise: int) -> None:
     path = contour("circle", radius=0.025, start_angle=0.7, clockwise=clockwise)
     analytic, table = view_of(path), view_of(path, 1e-12, analytic=False)
     assert not analytic.tables
@@ -154,7 +154,7 @@ def test_the_circle_in_closed_form_is_the_circle_of_the_table(clockwise: int) ->
         np.testing.assert_allclose(seen(table, s)[0], exact[0], rtol=0, atol=1.1e-12)
 
 
-def test_a_circle_anywhere_is_seen_where_it_is() -> None:
+def test_a_circle_anywhere_is_recognised() -> None:
     u, v = np.array([math.sin(1.1), math.cos(1.1)]), np.array([math.cos(1.1), -math.sin(1.1)])
     for frame in ((u, v), (v, u)):
         path = Path([Arc((0.3, -0.2), 0.05, 2.0, -2.0 * math.pi, *frame)], closed=True)
@@ -164,7 +164,7 @@ def test_a_circle_anywhere_is_seen_where_it_is() -> None:
 
 
 @pytest.mark.parametrize("path", [*map(contour, contour_names()[1:]), HELIX], ids=[*contour_names()[1:], "helix"])
-def test_a_view_is_its_table(path: Path) -> None:
+def test_a_view_equals_its_table(path: Path) -> None:
     view, table = view_of(path, 1e-9), path.table(1e-9)
     laps = (-0.4, 1.0, 2.3) if path.closed else (-0.4, 1.0, 1.3)
     picks = np.concatenate(
@@ -175,8 +175,8 @@ def test_a_view_is_its_table(path: Path) -> None:
 
 
 @pytest.mark.parametrize("short", [1e-6, 1e-8, 3e-10])
-def test_very_short_pieces_beside_long_ones_cost_halvings_and_no_memory(short: float) -> None:
-    # A straight line cut into pieces: the position is the arc length, if the right piece is found; each has another height.
+def test_very_short_pieces_between_long_ones_cost_halvings_and_no_memory(short: float) -> None:
+    # A straight line cut into pieces of different height: the position is the arc length if the right piece is found.
     marks = np.unique(np.concatenate([[0.0], 1.0 + short * np.arange(20), np.linspace(1.5, 2.0, 5)]))
     tops = np.arange(len(marks)) % 2
     path = Path([Line(a, b) for a, b in pairwise(np.column_stack([marks, short * tops]).tolist())])
@@ -191,7 +191,7 @@ def test_very_short_pieces_beside_long_ones_cost_halvings_and_no_memory(short: f
         np.testing.assert_array_equal(seen(view, float(x)), table.evaluate(x)[:, 0])
 
 
-def test_the_cells_of_a_table_grow_with_its_pieces_alone() -> None:
+def test_the_cells_of_a_table_are_proportional_to_its_pieces() -> None:
     for n in (100, 1000, 10000):
         ends = np.cumsum(np.where(np.arange(n) % 2, 1e-9, 1e-2))
         table = Path(Line.many(np.column_stack([ends[:-1], 0.0 * ends[1:]]), np.column_stack([ends[1:], 0.0 * ends[1:]]))).table(1e-10)

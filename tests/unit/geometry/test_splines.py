@@ -1,4 +1,4 @@
-"""B-splines and NURBS against scipy, against conics they draw exactly, and the published butterfly."""
+"""B-splines and NURBS against scipy, conics that they represent exactly, and the published butterfly."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ CORNER_WEIGHTS = [1, ROOT, 1, ROOT, 1, ROOT, 1, ROOT, 1]
 
 
 @pytest.mark.parametrize("degree", [2, 3, 4, 5])
-def test_a_spline_and_its_derivatives_by_parameter_are_those_of_scipy(degree: int) -> None:
+def test_a_spline_and_its_derivatives_by_parameter_agree_with_scipy(degree: int) -> None:
     inner = np.linspace(0.0, 2.0, len(POINTS) - degree + 1)
     knots = np.concatenate([[0.0] * degree, inner, [2.0] * degree])
     mine, other = BSpline(degree, POINTS, knots), ScipySpline(knots, POINTS, degree)
@@ -64,7 +64,7 @@ def test_a_circle_is_a_nurbs_exactly() -> None:
     s = np.linspace(0.0, circle.length, 101)
     round_ = np.column_stack([np.cos(s), np.sin(s)])
     swing = np.column_stack([-np.sin(s), np.cos(s)])
-    # By arc length every trace of the parametrisation is gone.
+    # By arc length the parametrisation has no effect.
     np.testing.assert_allclose(circle.derivatives(s), [round_, swing, -round_, -swing], rtol=0, atol=3e-13)
 
 
@@ -83,7 +83,7 @@ def test_equal_weights_make_a_polynomial_spline() -> None:
 
 
 @pytest.mark.parametrize(("scale", "shift"), [(1.0, 1000.0), (1e-3, 0.0), (1e4, -3e4), (1.0, 1e6)])
-def test_the_parameter_is_only_a_name(scale: float, shift: float) -> None:
+def test_scaling_the_parameter_changes_nothing(scale: float, shift: float) -> None:
     a, b = BSpline(3, POINTS, KNOTS), BSpline(3, POINTS, scale * np.array(KNOTS) + shift)
     digits = 1e-12 + 1e-14 * abs(shift) / scale
     assert b.length == pytest.approx(a.length, rel=digits)
@@ -91,10 +91,10 @@ def test_the_parameter_is_only_a_name(scale: float, shift: float) -> None:
     np.testing.assert_allclose(b.position(np.minimum(s, b.length)), a.position(s), rtol=0, atol=10 * digits)
 
 
-def test_the_butterfly_is_that_of_the_data(shared: File) -> None:
+def test_the_butterfly_agrees_with_its_data(shared: File) -> None:
     data = json.loads((shared / "data" / "contours" / "butterfly_nurbs.json").read_text(encoding="utf-8"))
     points, weights, knots = (np.array(data[name], dtype=float) for name in ("control_points", "weights", "knots"))
-    # This source leaves the contour open by 1 um: a last digit.
+    # This source leaves the contour open by 1 um, one unit of its last digit.
     assert points[-1] == pytest.approx(points[0], abs=1.0001e-3)
     points[-1] = points[0]
     path = Path([Nurbs(data["degree"], points, knots, weights)], closed=True)
@@ -104,7 +104,7 @@ def test_the_butterfly_is_that_of_the_data(shared: File) -> None:
     np.testing.assert_allclose(ours.position(s * 1e-3) * 1e3, path.position(s), rtol=0, atol=1e-10)
 
 
-def test_the_butterfly_agrees_with_what_is_published_of_it() -> None:
+def test_the_butterfly_agrees_with_published_values() -> None:
     path = contour("butterfly")
     assert path.length * 1e3 == pytest.approx(382.86, abs=0.005)
     assert path.corners.size == 0
@@ -114,13 +114,13 @@ def test_the_butterfly_agrees_with_what_is_published_of_it() -> None:
     curve = path.curves[0]
     assert isinstance(curve, Nurbs)
     assert curve.smallest_radius() * 1e3 == pytest.approx(0.023, abs=0.0005)
-    # Its smallest radius is at parameter 0.256, found by its own curvature.
+    # Its smallest radius is at parameter 0.256, found from its own curvature.
     s = np.linspace(0.0, path.length, 400001)
     assert curve.parameter(s[np.argmax(np.abs(path.curvature(s)))])[0] == pytest.approx(0.256, abs=0.001)
 
 
 def test_the_length_of_the_butterfly_by_another_quadrature() -> None:
-    # Midpoint chords of the rational form written out by scipy, between the knots where it is smooth; Romberg's rule lifts the order.
+    # Midpoint chords of the rational form by scipy, between the knots where it is smooth; Romberg's rule raises the order.
     curve = contour("butterfly").curves[0]
     assert isinstance(curve, Nurbs)
     lifted = ScipySpline(curve.knots, np.column_stack([curve.points * curve.weights[:, None], curve.weights]), 3)
@@ -161,7 +161,7 @@ def test_corners_gaps_and_points_of_rest_inside_a_spline_are_refused() -> None:
         BSpline(3, [(0, 0), (0, 0), (1, 1), (2, 0)], [0] * 4 + [1] * 4)
 
 
-def test_a_double_knot_that_leaves_no_corner_is_fine() -> None:
+def test_a_double_knot_without_a_corner_is_fine() -> None:
     straight = BSpline(2, [(0, 0), (1, 1), (2, 2), (4, 0), (6, 0)], [0, 0, 0, 1, 2, 3, 3, 3])
     assert straight.length > 6.0
     smooth = BSpline(2, [(0, 0), (1, 0), (2, 1), (3, 2), (4, 2)], [0, 0, 0, 1, 1, 2, 2, 2])
@@ -174,7 +174,7 @@ def test_a_double_knot_that_leaves_no_corner_is_fine() -> None:
         ((3, POINTS, KNOTS[:-1]), "degree 3 .*7 .*11 knots"),
         ((0, POINTS, KNOTS), "degree 0"),
         ((3, POINTS[:3], KNOTS[:7]), "3 control points"),
-        ((3, POINTS, sorted(KNOTS, reverse=True)), "knots.*fall"),
+        ((3, POINTS, sorted(KNOTS, reverse=True)), "knots.*decrease"),
         ((3, POINTS, [1.0] * 11), "interval"),
         ((3, POINTS * np.nan, KNOTS), "finite"),
         ((3, POINTS, [math.inf] * 11), "finite"),
@@ -183,12 +183,12 @@ def test_a_double_knot_that_leaves_no_corner_is_fine() -> None:
         ((3, "points", KNOTS), "control points"),
     ],
 )
-def test_what_is_no_spline_is_refused_and_told_why(arguments: tuple, message: str) -> None:
+def test_invalid_splines_are_refused_with_a_reason(arguments: tuple, message: str) -> None:
     with pytest.raises(GeometryError, match=message):
         BSpline(*arguments)
 
 
 @pytest.mark.parametrize("weights", [[1.0] * 6, [1.0] * 6 + [0.0], [1.0] * 6 + [-1.0], [1.0] * 6 + [math.nan]])
-def test_weights_are_one_for_each_point_and_positive(weights: list[float]) -> None:
+def test_weights_are_positive_and_one_per_point(weights: list[float]) -> None:
     with pytest.raises(GeometryError, match="weight > 0"):
         Nurbs(3, POINTS, KNOTS, weights)

@@ -1,4 +1,4 @@
-"""Which points of a long polygon are its corners."""
+"""The corners of a long polygon."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ TOLERANCE = 1e-8
 
 
 def strayed(points: np.ndarray, kept: np.ndarray) -> float:
-    """Return how far the points are from the polygon through those that are kept, each from the line that it belongs to."""
+    """Return the distance of each point from its line of the polygon through the kept points."""
     worst = 0.0
     for first, last in pairwise(kept):
         way = (points[last] - points[first]) / np.linalg.norm(points[last] - points[first])
@@ -30,7 +30,7 @@ def strayed(points: np.ndarray, kept: np.ndarray) -> float:
 @settings(max_examples=60, deadline=None)
 @given(st.integers(0, 2**32 - 1), st.integers(1, 3), st.sampled_from([1e-9, 1e-8, 1e-7]), st.integers(2, 400))
 def test_no_point_is_further_off_than_the_tolerance(seed: int, n_axis: int, step: float, n: int) -> None:
-    """Walks on a raster around a circle, as a logged reference goes: machine code and plain Python keep the same points."""
+    """Walks on a raster around a circle, like a logged reference: machine code and plain Python keep the same points."""
     rng = np.random.default_rng(seed)
     angle = np.cumsum(rng.uniform(0.0, 1e-4, n))
     smooth = 0.01 * np.column_stack([np.cos(angle), np.sin(angle), angle])[:, :n_axis]
@@ -55,7 +55,7 @@ def test_turning_back_on_a_line_is_a_corner() -> None:
     assert polygon_corners(np.column_stack([way, 0.0 * way]), TOLERANCE).tolist() == [0, 999, 1998]
 
 
-def test_lines_are_as_long_as_on_an_arc_they_can_be() -> None:
+def test_lines_on_an_arc_have_the_maximum_length() -> None:
     """The sagitta of a chord on a circle is the tolerance: c = sqrt(8 R tolerance)."""
     angle = np.linspace(0.0, np.pi, 200_001)
     kept = polygon_corners(0.02 * np.column_stack([np.cos(angle), np.sin(angle)]), TOLERANCE)
@@ -63,7 +63,7 @@ def test_lines_are_as_long_as_on_an_arc_they_can_be() -> None:
 
 
 @pytest.mark.parametrize("points", [np.empty((0, 2)), np.zeros(3), np.array([[0.0, 0.0], [0.0, 0.0]])])
-def test_what_is_no_polygon_is_refused(points: np.ndarray) -> None:
+def test_an_invalid_polygon_is_refused(points: np.ndarray) -> None:
     with pytest.raises(GeometryError):
         polygon_corners(points, TOLERANCE)
 

@@ -1,4 +1,4 @@
-"""Errors about samples have the names of their logs, and each name once."""
+"""Errors about samples contain the names of their logs, each name once."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from contourlab.logs.load import about
 @pytest.mark.parametrize(
     ("error", "said"),
     [
-        (ResultError("nothing is asked to move"), "runs/a.csv: nothing is asked to move"),
+        (ResultError("the reference does not move"), "runs/a.csv: the reference does not move"),
         (ParameterError("speed", "2 stretches", "at least 3"), "runs/a.csv: speed = 2 stretches: must be at least 3"),
         (ResultError("no reference in a.csv: say which"), "no reference in a.csv: say which"),
         (ParameterError("--lead", "3", "left out"), "--lead = 3: must be left out"),
-        (ParameterError("slowest", "3", "passed", "m/s"), "slowest = 3 m/s: must be passed m/s"),
+        (ParameterError("slowest", "3", "passed", "m/s"), "slowest = 3 m/s: must be passed"),
     ],
 )
 def test_an_error_gets_the_name_of_its_log(error: ContourlabError, said: str) -> None:
@@ -25,7 +25,7 @@ def test_an_error_gets_the_name_of_its_log(error: ContourlabError, said: str) ->
     assert str(found.value) == said
 
 
-def test_of_several_logs_those_in_question_are_named() -> None:
+def test_of_several_logs_only_the_affected_ones_are_named() -> None:
     with refuses(LogError, "speed = 2", file="a.csv, b.csv"), about("a.csv", "b.csv"):
         raise ParameterError("speed", "2", "more")
     with refuses(LogError, "speed = 2", file="m, o and 2 more"), about("m", "o", "r", "e"):

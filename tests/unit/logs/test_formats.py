@@ -1,4 +1,4 @@
-"""Readers of logs: each on text or bytes as its program writes them, and told from one another."""
+"""Readers of logs: each format as its program writes it, and its detection."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ SINUMERIK = """<?xml version="1.0" encoding="UTF-8"?>
 
 
 def twincat(mark: str = "\t", comma: bool = False, timelines: str = "each", stamp: float = 0.0) -> str:
-    """Return an export of two channels every millisecond and one every 5 ms, as the scope lays them out."""
+    """Return an export of two channels every millisecond and one every 5 ms, in the layout of the scope."""
     fast, slow = ["pos", "cmd"], ["load"]
     groups = {"each": [fast, slow], "all": [["pos"], ["cmd"], slow], "none": [fast, slow]}[timelines]
     heads = {
@@ -83,7 +83,7 @@ def written(folder: Path, name: str, text: str, encoding: str = "utf-8") -> Path
         ("a.txt", "% made by hand\n 1 2 3 \n", "csv"),
     ],
 )
-def test_a_file_is_told_by_what_stands_in_it(tmp_path: Path, name: str, text: str, kind: str) -> None:
+def test_a_format_is_detected_from_its_content(tmp_path: Path, name: str, text: str, kind: str) -> None:
     assert format_of(written(tmp_path, name, text)).name == kind
 
 
@@ -130,7 +130,7 @@ def test_twincat(tmp_path: Path, mark: str, timelines: str) -> None:
 
 
 def test_twincat_with_full_time_stamps(tmp_path: Path) -> None:
-    """File times count 100 ns since 1601: only what lies between them matters."""
+    """File times count 100 ns since 1601: only their differences matter."""
     time = read_record(written(tmp_path, "a.csv", twincat(stamp=132959733843760000.0))).channel("load").time
     assert time is not None
     assert time == pytest.approx([0.0, 5e-3], abs=2e-6)
@@ -141,9 +141,9 @@ def test_sinumerik(tmp_path: Path) -> None:
     actual, setpoint = record.channel("X actual"), record.channel("X setpoint")
     assert actual.unit == "mm"
     assert actual.time is not None and setpoint.time is not None
-    assert actual.time.tolist() == [0.0, 0.002] and actual.values.tolist() == [1.5, 1.7]  # the third is the bits of no number
+    assert actual.time.tolist() == [0.0, 0.002] and actual.values.tolist() == [1.5, 1.7]  # the bits of the third are a NaN
     assert setpoint.time.tolist() == [0.0, 0.004] and setpoint.values.tolist() == [1.6, 2.0]
-    with refuses(LogError, "complete XML", line=9):
+    with refuses(LogError, "XML", line=9):
         read_record(written(tmp_path, "a.xml", SINUMERIK[:-30]))
     with refuses(LogError, "f2 = 'high'", line=6):
         read_record(written(tmp_path, "a.xml", SINUMERIK.replace('f2="1.6"', 'f2="high"')))
@@ -176,8 +176,8 @@ TRACE = """<?xml version="1.0" encoding="utf-8" ?>
 """
 
 
-def test_a_trace_says_what_is_new(tmp_path: Path) -> None:
-    """Names stand in the display, by key; a value that is not written is that of the sample before; bits are words."""
+def test_a_trace_stores_changes_only(tmp_path: Path) -> None:
+    """Names are in the display, by key; a missing value repeats that of the previous sample; bits are words."""
     record = read_record(written(tmp_path, "a.xml", TRACE))
     assert record.names == ["Setpoint (64 bit) AX1", "started", "Setpoint (64 bit) AX2", "Current"]
     assert [channel.unit for channel in record.channels] == ["mm", "", "", "A"]
@@ -200,18 +200,18 @@ def test_a_trace_says_what_is_new(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("written_as", "read_as"),
     [
-        ('interval="0.002000" datapointCount="6"', 'interval="0.003" datapointCount="6"'),  # not the times that there are
-        ('interval="0.002000" datapointCount="6"', 'interval="0.002" datapointCount="3"'),  # all that there are
+        ('interval="0.002000" datapointCount="6"', 'interval="0.003" datapointCount="6"'),  # not the actual times
+        ('interval="0.002000" datapointCount="6"', 'interval="0.002" datapointCount="3"'),  # all available samples
         ('interval="0.002000" datapointCount="6"', 'interval="fast" datapointCount="6"'),
         ('interval="0.002000" datapointCount="6"', 'interval="0.002" datapointCount="1e12"'),
     ],
 )
-def test_a_trace_whose_interval_is_none_has_what_is_written(tmp_path: Path, written_as: str, read_as: str) -> None:
+def test_a_trace_with_an_invalid_interval_keeps_its_written_samples(tmp_path: Path, written_as: str, read_as: str) -> None:
     channel = read_record(written(tmp_path, "a.xml", TRACE.replace(written_as, read_as))).channels[0]
     assert channel.values.tolist() == [1.0, 2.0, 3.0]
 
 
-def test_samples_that_a_trace_lost_are_told(tmp_path: Path) -> None:
+def test_lost_samples_of_a_trace_are_reported(tmp_path: Path) -> None:
     record = read_record(written(tmp_path, "a.xml", TRACE.replace('dropOuts="0"', 'dropOuts="3"')))
     assert finding("CL423", drop_outs=3) in record.findings
 
@@ -254,7 +254,7 @@ def test_a_table_may_have_gaps_and_no_names(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("t,x\n0,1\n1,2,3\n", "a.csv:3: has 3 columns instead of 2"),
+        ("t,x\n0,1\n1,2,3\n", "a.csv:3: has 3 columns"),
         ("t,x\n0,1\n1,two\n", "a.csv:3: .*'two'.*'x'"),
         ("t,x\nname,of\n", "no rows"),
         ("time [s],x [mm]\n", "no rows"),
@@ -283,8 +283,8 @@ def test_text_in_the_encodings_of_windows(tmp_path: Path, encoding: str, name: s
     assert read_record(file).channels[0].values.size > 1
 
 
-def test_a_decimal_comma_that_comes_late(tmp_path: Path) -> None:
-    """A drive at rest writes 0, hundreds of times."""
+def test_a_late_decimal_comma(tmp_path: Path) -> None:
+    """A drive at rest writes 0 hundreds of times."""
     record = read_record(written(tmp_path, "a.csv", "t [s];x [mm]\n" + "0;0\n" * 500 + "0,5;1,25\n"))
     assert record.channel("x").values[-1] == 1.25
     mixed = read_record(written(tmp_path, "a.csv", "t [s];x [mm]\n0.5;7\n0,5;1.234,5\n"))
@@ -304,7 +304,7 @@ def test_a_decimal_comma_that_comes_late(tmp_path: Path) -> None:
     ],
 )
 def test_a_gap_in_the_last_column(tmp_path: Path, text: str, last: list[float]) -> None:
-    """A mark at the end of a line opens an empty cell, unless all lines, the head's too, end in one."""
+    """A separator at the end of a line opens an empty cell, unless all lines, the header included, end in one."""
     assert read_record(written(tmp_path, "a.csv", text)).channels[2].values == pytest.approx(last, nan_ok=True)
 
 
@@ -317,7 +317,7 @@ def test_a_gap_in_the_last_column(tmp_path: Path, text: str, last: list[float]) 
         ("a.csv", "t,x\n0,1\n1,2\n2", 2.0),
     ],
 )
-def test_a_file_whose_writing_was_broken_off(tmp_path: Path, name: str, text: str, last: float) -> None:
+def test_a_truncated_file(tmp_path: Path, name: str, text: str, last: float) -> None:
     record = read_record(written(tmp_path, name, text))
     values = record.channel({"a.txt": "2"}.get(name, record.names[min(1, len(record.names) - 1)])).values
     assert values[np.isfinite(values)][-1] == last
@@ -336,7 +336,7 @@ def test_two_records_in_one_file(tmp_path: Path) -> None:
         read_record(written(tmp_path, "a.csv", "t,x\n0,1\n1,2\n" * 2))
 
 
-def test_columns_of_one_name_are_numbered(tmp_path: Path) -> None:
+def test_columns_of_the_same_name_are_numbered(tmp_path: Path) -> None:
     record = read_record(written(tmp_path, "a.csv", "pos [mm],t,pos [mm]\n0,1,2\n3,4,5\n"))
     assert record.names == ["pos #1", "t", "pos #2"]
     assert record.channel("pos #2").values.tolist() == [2.0, 5.0]
@@ -348,8 +348,8 @@ def test_columns_of_one_name_are_numbered(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["csv", "twincat", "halsampler", "halscope", "sinumerik"])
-def test_what_is_no_log_is_said_in_words(tmp_path: Path, kind: str) -> None:
-    """Marks and nothing behind them, a quote that never ends in a line of 300 kB, an encoding that is none."""
+def test_a_file_that_is_not_a_log_is_refused_in_words(tmp_path: Path, kind: str) -> None:
+    """Separators without content, a quote that never ends in a line of 300 kB, an unknown encoding."""
     foreign = b'<?xml version="1.0" encoding="foo-8"?><trace><rec/></trace>'
     for content in (b"\xef\xbb\xbf", b"\xff\xfe", b'Name "' + b"a" * 300_000 + b"\n1\n", foreign):
         file = tmp_path / "a.txt"
@@ -362,7 +362,7 @@ def test_what_is_no_log_is_said_in_words(tmp_path: Path, kind: str) -> None:
             assert kind == "csv"
 
 
-def test_a_device_is_no_file() -> None:
+def test_a_device_is_not_a_file() -> None:
     with refuses(LogError, "regular file", file="/dev/null"):
         read_record(Path("/dev/null"))
 
@@ -376,13 +376,13 @@ def test_a_device_is_no_file() -> None:
         {"X": {"Data": np.arange(3.0)}, "Y": {"Name": "a", "Data": np.arange(3.0)}, "Capture": {"SamplingPeriod": "n"}},
     ],
 )
-def test_a_capture_that_is_none(tmp_path: Path, run: dict[str, object]) -> None:
+def test_an_invalid_capture(tmp_path: Path, run: dict[str, object]) -> None:
     savemat(tmp_path / "a.mat", {"run": run})
     with pytest.raises(LogError, match="capture"):
         read_record(tmp_path / "a.mat")
 
 
-def test_links_and_references_of_version_7_3_that_lead_nowhere(tmp_path: Path) -> None:
+def test_broken_links_and_references_of_version_7_3(tmp_path: Path) -> None:
     with h5py.File(tmp_path / "a.mat", "w") as stored:
         stored["x"] = np.arange(3.0)[None, :]
         stored.create_dataset("cell", (2, 1), dtype=h5py.ref_dtype)
@@ -401,7 +401,7 @@ def test_matlab_flat_and_in_structures(tmp_path: Path) -> None:
 
 
 def test_matlab_of_version_7_3(tmp_path: Path) -> None:
-    """Stored columns first, behind MATLAB's own text; a structure is a group, an array of them a group of references."""
+    """Stored by columns, after MATLAB's own text; a structure is a group, an array of them a group of references."""
     file = tmp_path / "a.mat"
     t = np.arange(4.0)
     with h5py.File(file, "w", userblock_size=512) as stored:
@@ -455,7 +455,7 @@ def test_parquet(tmp_path: Path) -> None:
         read_record(tmp_path / "a.parquet")
 
 
-def test_a_result_of_our_own(tmp_path: Path) -> None:
+def test_a_result_of_contourlab(tmp_path: Path) -> None:
     data = np.arange(6.0).reshape(3, 2)
     result = Result(
         "base", ("x", "y"), 1e-3, {"position": Signal(data, ("sample", "axis"), "m"), "arc_length": Signal(data[:, 0], ("sample",), "m")}
@@ -467,7 +467,7 @@ def test_a_result_of_our_own(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", [name for name in FORMATS if name != "contourlab"])
-def test_rubbish_is_refused_by_every_reader(tmp_path: Path, kind: str) -> None:
+def test_every_reader_refuses_random_bytes(tmp_path: Path, kind: str) -> None:
     file = tmp_path / "a.bin"
     for content in (b"\x00\x01\x02\x03" * 200, b"hello\nworld\n", b"MATLAB 5.0 MAT-file" + b"\xff" * 200, b"<trace><rec/>"):
         file.write_bytes(content)
@@ -475,7 +475,7 @@ def test_rubbish_is_refused_by_every_reader(tmp_path: Path, kind: str) -> None:
             read_record(file, kind)
 
 
-def test_a_format_that_is_none(tmp_path: Path) -> None:
+def test_an_unknown_format(tmp_path: Path) -> None:
     file = written(tmp_path, "a.csv", "t,x\n0,1\n")
     with refuses(ParameterError, "contourlab, matlab", name="format", value="'excel'"):
         read_record(file, "excel")
@@ -499,7 +499,7 @@ def test_a_format_that_is_none(tmp_path: Path) -> None:
     ],
 )
 def test_a_line_of_bare_units_below_the_names(tmp_path: Path, mark: str, heads: list[str], names: list[str], units: list[str]) -> None:
-    """Read as units where every cell of it that holds something is a known unit; else it is a line of names."""
+    """They are units if every non-empty cell is a known unit; otherwise the line contains names."""
     file = tmp_path / "log.csv"
     file.write_text("\n".join([*heads, "0;0;1", "1;2;3", "2;4;5"]).replace(";", mark) + "\n")
     record = read_record(file)

@@ -1,4 +1,4 @@
-"""From a log to a result: which columns are unknown, in which unit, and on which clock."""
+"""From a log to a result: column names, units and clocks."""
 
 from __future__ import annotations
 
@@ -43,38 +43,38 @@ def test_columns_become_signals_in_si(tmp_path: Path) -> None:
     assert log.findings == ()
 
 
-def test_of_two_columns_that_would_be_one_signal_neither_is_taken() -> None:
+def test_ambiguous_columns_are_not_used() -> None:
     channels = [Channel(name, np.arange(3.0), "mm") for name in ("x pos", "x encoder", "y pos")]
     log = result_of(record(*channels, period=1e-3), Columns())
     assert log.result.axes == ("y",)
     assert finding("CL431", signal="position.x", columns="'x pos' or 'x encoder'") in log.findings
     with pytest.raises(LogError, match=r"position\.x.*'x pos'.*'x encoder'"):
         result_of(record(*channels[:2], period=1e-3), Columns())
-    # One of the two is the reference, so that the other leaves no doubt.
+    # One of the two is the reference, so the other is unambiguous.
     log = result_of(record(*channels, period=1e-3), Columns(parse_columns(["reference.x=x pos"])))
     assert log.result.axes == ("x", "y") and "CL431" not in codes(log)
 
 
-def test_the_path_in_the_control_tells_what_a_name_does_not() -> None:
+def test_the_path_in_the_control_completes_an_ambiguous_name() -> None:
     twice = [Channel(f"ActPos #{n}", np.arange(3.0), "mm", symbol=f"Axes.Axis {n}.ToPlc.ActPos") for n in (1, 2)]
     said = Channel("Y raw encoder", np.arange(3.0), "mm", symbol="Axes.Axis 3.ToPlc.ActPos")
     assert guessed(record(*twice)) == {("position", "x"): ["ActPos #1"], ("position", "y"): ["ActPos #2"]}
     assert guessed(record(said)) == {("position", "y"): ["Y raw encoder"]}
 
 
-def test_a_column_named_as_a_signal_is_that_signal_whatever_else_sounds_alike() -> None:
+def test_an_exact_signal_name_has_priority_over_similar_ones() -> None:
     names = ("reference.x", "reference_acceleration.x", "position.x", "axis_position.x")
     assert guessed(record(*(Channel(name, np.arange(3.0)) for name in names)))["reference", "x"] == ["reference.x"]
 
 
-def test_a_date_is_the_time_only_where_no_other_column_is() -> None:
+def test_a_date_is_the_time_only_without_another_time_column() -> None:
     date, time = Channel("timestamp", np.arange(3.0), "s", is_timestamp=True), Channel("time", np.arange(3.0), "s")
     assert guessed(record(date, time))["time", ""] == ["time"]
     assert guessed(record(date))["time", ""] == ["timestamp"]
 
 
-def test_times_that_nobody_needs_are_no_fault() -> None:
-    """Channels with times of their own want none of a column that stands still."""
+def test_faults_in_unused_times_are_ignored() -> None:
+    """Channels with their own times do not need the constant time column."""
     even = np.arange(50) * 1e-3
     log = result_of(record(Channel("time", np.zeros(50), "s", even), Channel("x pos", even, "m", even)), Columns())
     assert log.result.servo_period == 1e-3
@@ -82,7 +82,7 @@ def test_times_that_nobody_needs_are_no_fault() -> None:
         result_of(record(Channel("time", np.zeros(50), "s"), Channel("x pos", even, "m")), Columns())
 
 
-def test_what_the_user_says_goes_first() -> None:
+def test_user_settings_have_priority() -> None:
     channels = Channel("x pos", np.arange(3.0), "mm"), Channel("raw", 2.0 * np.arange(3.0), "mm")
     log = result_of(record(*channels, period=1e-3), Columns(parse_columns(["position.x=raw"])))
     assert log.result["position"][:, 0] == pytest.approx(2e-3 * np.arange(3.0))
@@ -92,7 +92,7 @@ def test_what_the_user_says_goes_first() -> None:
     ("texts", "said"),
     [
         (["position.x"], "write for example position.x=NAME"),
-        (["place.x=a"], "'place.x' is no signal"),
+        (["place.x=a"], "'place.x' is not a signal"),
         (["position=a"], "write the axis"),
         (["time.x=a"], "no axis"),
         (["position.x=a [kg]"], "kg.*position"),
@@ -101,12 +101,12 @@ def test_what_the_user_says_goes_first() -> None:
         (["position.x=a", "position.x=b"], "position.x.*'a'.*'b'"),
     ],
 )
-def test_what_is_no_column_is_refused(texts: list[str], said: str) -> None:
+def test_an_unknown_column_is_refused(texts: list[str], said: str) -> None:
     with pytest.raises(LogError, match=said):
         parse_columns(texts)
 
 
-def test_a_file_of_columns(tmp_path: Path) -> None:
+def test_a_column_file(tmp_path: Path) -> None:
     file = tmp_path / "map.toml"
     text = 'period = "0.5 ms"\n[columns]\n"position.x" = "enc [mm]"\n"command.x" = {column = "u", unit = "N*m", factor = -2}\n'
     file.write_text(text)
@@ -132,7 +132,7 @@ def test_a_file_of_columns(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("channels", "columns", "said"),
     [
-        ([Channel("a", np.arange(3.0))], [], "columns are unknown"),
+        ([Channel("a", np.arange(3.0))], [], "matches a signal"),
         ([Channel("a", np.arange(3.0))], ["position.x=b [mm]"], "'b'.*'a'"),
         ([Channel("a", np.arange(3.0))], ["position.x=a"], "'a'.*no unit"),
         ([Channel("a", np.arange(3.0), "kg")], ["position.x=a"], "kg.*position"),
@@ -140,12 +140,12 @@ def test_a_file_of_columns(tmp_path: Path) -> None:
         ([Channel("a", np.full(3, np.nan), "mm")], ["position.x=a"], "no numbers"),
     ],
 )
-def test_what_cannot_be_right_is_refused(channels: list[Channel], columns: list[str], said: str) -> None:
+def test_contradictory_columns_are_refused(channels: list[Channel], columns: list[str], said: str) -> None:
     with pytest.raises(LogError, match=said):
         result_of(record(*channels, period=1e-3), Columns(parse_columns(columns)))
 
 
-def test_without_times_the_period_is_wanted() -> None:
+def test_without_times_a_period_is_required() -> None:
     channel = Channel("a", np.arange(4.0), "mm")
     with pytest.raises(LogError, match="--period"):
         result_of(record(channel), Columns(parse_columns(["position.x=a"])))
@@ -159,13 +159,13 @@ def look(time: np.ndarray, period: float | None = None) -> list[str]:
     return [one.text for one in look_at_clock(time, "a", FILE, period)[0].findings()]
 
 
-def test_an_even_clock_has_nothing_to_say() -> None:
+def test_a_uniform_clock_gives_no_finding() -> None:
     time = np.arange(1000) * 1e-4
     assert look(np.round(time, 7)) == []
     assert look_at_clock(np.float32(time).astype(float), "a", FILE)[0].period == 1e-4
 
 
-def test_gaps_are_counted_where_they_are() -> None:
+def test_gaps_are_counted_and_located() -> None:
     time = np.delete(np.arange(200) * 1e-3, [50, 51, 52, 120])
     report, _ = look_at_clock(time, "a", FILE)
     assert [(round(gap.time, 6), gap.missing) for gap in report.gaps] == [(0.049, 3), (0.119, 1)]
@@ -181,7 +181,7 @@ def test_too_large_a_gap_is_refused_with_its_place() -> None:
         look(np.delete(time, range(1, 400, 5)))
 
 
-def test_what_is_interpolated_is_said_with_the_clock_it_is_on() -> None:
+def test_an_interpolated_channel_is_reported_with_its_clock() -> None:
     t = np.arange(101) * 1e-3
     fast, slow = (Channel(name, time, "mm", time) for name, time in (("x act", t), ("x ref", t[::2])))
     log = result_of(record(fast, slow), Columns())
@@ -198,13 +198,13 @@ def test_what_is_interpolated_is_said_with_the_clock_it_is_on() -> None:
         (np.cumsum(np.append(np.full(30, 1e-3), np.full(20, 7e-3))), "missing"),
     ],
 )
-def test_times_that_are_none(time: np.ndarray, said: str) -> None:
+def test_invalid_times(time: np.ndarray, said: str) -> None:
     with pytest.raises(LogError, match=said):
         look(time)
 
 
 @given(st.floats(1e-5, 1e-1), st.floats(0.0, 0.2), st.integers(0, 2**31))
-def test_jitter_is_what_was_put_in(period: float, size: float, seed: int) -> None:
+def test_the_planted_jitter_is_measured(period: float, size: float, seed: int) -> None:
     off = size * period * np.random.default_rng(seed).uniform(-1.0, 1.0, 400)
     report, _ = look_at_clock(np.arange(400) * period + off, "a", FILE)
     assert report.period == pytest.approx(period, rel=2.0 * size / 399.0 + 1e-6)
@@ -212,8 +212,8 @@ def test_jitter_is_what_was_put_in(period: float, size: float, seed: int) -> Non
     assert not report.gaps
 
 
-def test_channels_of_unlike_rates_meet_on_the_fastest_clock() -> None:
-    """A line is its own interpolation; nothing is invented where one of the two has no samples."""
+def test_channels_of_different_rates_meet_on_the_fastest_clock() -> None:
+    """A line equals its interpolation; where either channel has no samples there is no result."""
     fast, slow = np.arange(2, 40) * 1e-3, np.arange(0, 8) * 5e-3
     channels = Channel("a", fast * 3.0, "m", fast), Channel("b", slow * 2.0, "m", slow)
     log = result_of(record(*channels), Columns(parse_columns(["position.x=a", "position.y=b"])))
@@ -223,8 +223,8 @@ def test_channels_of_unlike_rates_meet_on_the_fastest_clock() -> None:
     assert "CL429" in codes(log)
 
 
-def test_even_samples_are_taken_as_they_are() -> None:
-    """No interpolation: noise stays what it is to the last bit."""
+def test_uniform_samples_are_not_changed() -> None:
+    """No interpolation: noise is kept to the last bit."""
     noise = 1e-4 * np.random.default_rng(1).standard_normal(500)
     time = np.round(np.arange(500) * 1e-4, 9) + 3.0
     log = result_of(
@@ -237,8 +237,8 @@ def test_even_samples_are_taken_as_they_are() -> None:
 @pytest.mark.parametrize(
     ("values", "unit"),
     [
-        (20.0 * np.sin(np.arange(2000) * 5e-3), "m"),  # millimetres taken for metres
-        (np.where(np.arange(2000) > 900, -32.768, 32.767), "mm"),  # a counter of 16 bits that wraps
+        (20.0 * np.sin(np.arange(2000) * 5e-3), "m"),  # millimetres read as metres
+        (np.where(np.arange(2000) > 900, -32.768, 32.767), "mm"),  # a 16-bit counter that wraps
         (np.append(np.linspace(0.0, 300.0, 1000), np.linspace(0.0, 300.0, 1000)), "mm"),  # two records end to end
         (np.append(np.zeros(1999), 1e3), "mm"),
     ],
@@ -252,13 +252,13 @@ def test_a_position_that_jumps_is_refused(values: np.ndarray, unit: str) -> None
     result_of(record(Channel("a", np.append(np.zeros(10), np.ones(10)), "m"), Channel("b", np.zeros(20), "m")), steps)
 
 
-def test_a_time_without_a_unit_is_said(tmp_path: Path) -> None:
+def test_a_time_without_a_unit_is_reported(tmp_path: Path) -> None:
     rows = np.column_stack([np.arange(5.0), np.arange(5.0)])
     assert "CL433" in codes(load_log(table(tmp_path, "t,x pos [mm]", rows)))
     assert "CL433" not in codes(load_log(table(tmp_path, "t [ms],x pos [mm]", rows)))
 
 
-def test_a_period_that_is_not_that_of_the_times(tmp_path: Path) -> None:
+def test_a_period_that_contradicts_the_times(tmp_path: Path) -> None:
     file = table(tmp_path, "t [ms],x pos [mm]", np.column_stack([np.arange(50.0), np.arange(50.0)]))
     for period in (2e-3, 0.5e-3):
         with pytest.raises(LogError, match=r"1000 us apart|period of 500 us"):

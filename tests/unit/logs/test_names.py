@@ -1,4 +1,4 @@
-"""What columns are by the names that controls and people give them."""
+"""Signals recognised from the column names that controls and people use."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ from contourlab.logs.reading import name_and_unit
         ("datax ref", ("reference", "x")),
     ],
 )
-def test_names_that_leave_no_doubt(name: str, meaning: tuple[str, str]) -> None:
+def test_unambiguous_names(name: str, meaning: tuple[str, str]) -> None:
     assert meant(name) == meaning
 
 
@@ -63,30 +63,30 @@ def test_names_that_leave_no_doubt(name: str, meaning: tuple[str, str]) -> None:
     "name",
     [
         *("excitation", "spindle speed", "x", "Command X", "set x"),
-        # No position, though an actual value, or the difference of two
+        # Not a position: an actual value of something else, or a difference
         *("PosErr (X)", "MAIN.fbAxis1.NcToPlc.PosDiff", "MAIN.fbAxis1.NcToPlc.ActTorque", "X1_CurrentFeedback", "X1_CommandAcceleration"),
         *("Axes.Axis 1.ToPlc.ModuloActPos", "Axes.Axis 1.ToPlc.TargetPos", "X Lag", "REF ACTL X"),
         # Acceleration, velocity and voltage rather than axes of these letters
         *("a actual", "V ACTUAL", "V (NOM RPM)", "U nominal"),
-        # Which axis is not sure
+        # The axis is uncertain
         *("ENC1_POS|1", "DES_POS|1", "G.axis[1].NcToPlc.ActPos", "Axis0 SetPos", "ActPos", "axis[1].pos", "Axis 3 X ActPos"),
         # Errors, currents and torques in German
         *("Schleppfehler x ist", "Strom ist X", "Strom soll X", "Drehmoment ist X", "Lageistwert X Abweichung", "Soll Moment X", "i_act_x"),
-        # A word that is not known may change what the others say
+        # An unknown word may change the meaning of the others
         *("MAIN.fbAxis1.NcToPlc.CmdNo", "X1_CommandPositionDelta", "joint.0.free-pos-cmd", "joint.0.in-position", "in position X"),
         *("X axis position reached", "X pos act valid", "Actual pos X status", "joint.0.home-pos", "X position latch"),
         *("x trigger position", "x position window", "x position gain", "x act distance to go", "x compensation act", "d/dt x act"),
         *("x_act_std", "min x act", "x_act_old", "x_act model", "Position X g\u00fcltig", "\u0394x pos"),
-        # The second of its kind, a formula, the other sign, a number or unit beside
+        # The second of its kind, a formula, the opposite sign, an additional number or unit
         *("X2_ActualPosition", "encoder 2 x", "x act^2", "x pos'", "-x act", "1 pos x", "t mm"),
-        # Of a motor, a program or a feed, not said what
+        # Of an unspecified motor, program or feed
         *("motor cmd X", "MAIN.fbAxis1.Cmd", "encoder current X", "feed act X"),
     ],
 )
-def test_names_in_doubt_say_nothing(name: str) -> None:
+def test_ambiguous_names_give_nothing(name: str) -> None:
     assert meant(name) is None
 
 
-def test_an_axis_in_brackets_is_no_unit() -> None:
+def test_an_axis_in_brackets_is_not_a_unit() -> None:
     assert name_and_unit("PosFbk (X)") == ("PosFbk (X)", "")
     assert name_and_unit("PosFbk (X) (mm)") == ("PosFbk (X)", "mm")

@@ -30,7 +30,7 @@ def log(folder: Path, cells: list[str], mark: str = ";", name: str = "stamp") ->
         (["2024-05-31 14:03:21.250", "2024-05-31 14:03:21.251", "2024-05-31 14:03:21.252", "2024-05-31 14:03:21.253"], ","),
         (["2024-05-31 14:03:21,250", "2024-05-31 14:03:21,251", "2024-05-31 14:03:21,252", "2024-05-31 14:03:21,253"], ";"),
         (["2024-05-31T14:03:21.250Z", "2024-05-31T14:03:21.251Z", "2024-05-31T14:03:21.252Z", "2024-05-31T14:03:21.253Z"], "\t"),
-        # The clocks are put back an hour: the offset says so, and no time is lost.
+        # The clocks go back one hour: the offset shows it, and no time is lost.
         (
             ["2024-10-27T02:59:59.999+02:00", "2024-10-27T02:00:00.000+01:00", "2024-10-27T02:00:00.001+0100", "2024-10-27T01:00:00.002Z"],
             ";",
@@ -49,7 +49,7 @@ def test_timestamps_become_seconds_from_the_first(tmp_path: Path, cells: list[st
     assert found.start == 0.0
 
 
-def test_times_of_day_past_midnight_are_told(tmp_path: Path) -> None:
+def test_times_of_day_past_midnight_are_recognised(tmp_path: Path) -> None:
     log_of = [f"23:59:{59 - k}" for k in (2, 1, 0)] + ["00:00:00", "00:00:01"]
     assert finding("CL421", column="stamp") in load_log(log(tmp_path, log_of)).findings
 
@@ -66,8 +66,8 @@ def test_times_of_day_past_midnight_are_told(tmp_path: Path) -> None:
     ),
     st.integers(1, 10**10),
 )
-def test_timestamps_are_those_of_the_calendar(start: datetime, form: str, microseconds: int) -> None:
-    """Held against the standard library."""
+def test_timestamps_agree_with_the_calendar(start: datetime, form: str, microseconds: int) -> None:
+    """Compared with the standard library."""
     moments = [start + k * timedelta(microseconds=microseconds) for k in range(5)]
     found = timestamp_channel("stamp", [moment.strftime(form) for moment in moments], range(2, 7), Path("log.csv"))
     assert found.fault is None
@@ -97,7 +97,7 @@ def test_nanoseconds_are_kept(tmp_path: Path) -> None:
         (["2024-05-31T14:03:21", "yesterday", "2024-05-31T14:03:23"], 3),
     ],
 )
-def test_a_doubtful_timestamp_is_refused_with_its_line_and_the_cure(tmp_path: Path, cells: list[str], line: int) -> None:
+def test_an_ambiguous_timestamp_is_refused_with_its_line_and_advice(tmp_path: Path, cells: list[str], line: int) -> None:
     with pytest.raises(LogError, match="--period") as refused:
         load_log(log(tmp_path, cells))
     assert refused.value.line == line
@@ -106,17 +106,17 @@ def test_a_doubtful_timestamp_is_refused_with_its_line_and_the_cure(tmp_path: Pa
 @pytest.mark.parametrize(
     ("cells", "said"),
     [
-        (["2024-05-31T14:03:21", "2024-05-31T14:03:22;7", "2024-05-31T14:03:23"], "csv:3: has 3 columns instead of 2"),
+        (["2024-05-31T14:03:21", "2024-05-31T14:03:22;7", "2024-05-31T14:03:23"], "csv:3: has 3 columns"),
         (["2024-05-31T14:03:21"] * 40 + ["2024-05-31T14:03:22"] * 40 + ["2024-05-31T14:03:23"], "repeat"),
         (["2024-05-31T14:03:21", "2024-05-31T14:03:20", "2024-05-31T14:03:23"], "time goes back"),
     ],
 )
-def test_times_that_are_no_sampling_are_refused(tmp_path: Path, cells: list[str], said: str) -> None:
+def test_invalid_times_are_refused(tmp_path: Path, cells: list[str], said: str) -> None:
     with pytest.raises(LogError, match=said):
         load_log(log(tmp_path, cells))
 
 
-def test_a_column_that_is_named_goes_before_one_of_dates(tmp_path: Path) -> None:
+def test_a_named_column_has_priority_over_dates(tmp_path: Path) -> None:
     file = tmp_path / "log.csv"
     rows = [f"2024-05-31T14:03:2{i};{0.002 * i:.3f};{i}" for i in range(4)]
     file.write_text("\n".join(["written at;t [s];x pos [mm]", *rows]) + "\n")
@@ -135,19 +135,19 @@ def in_two(folder: Path, rows: list[str], heads: str = "Date;Time") -> Path:
 
 
 @pytest.mark.parametrize("date", ["2024-05-31", "31.05.2024", "22.11.26", "22-SEPT-26", "22/11/26"])
-def test_times_of_day_beside_a_date_count_alone(tmp_path: Path, date: str) -> None:
+def test_with_a_date_column_only_times_of_day_count(tmp_path: Path, date: str) -> None:
     times = ["23:59:59.998", "23:59:59.999", "00:00:00.000", "00:00:00.001"]
     found = load_log(in_two(tmp_path, [f"{date};{time}" for time in times]))
     assert found.result.servo_period == pytest.approx(1e-3, rel=1e-9)
 
 
-def test_dates_and_times_in_columns_parted_by_blanks(tmp_path: Path) -> None:
+def test_dates_and_times_in_columns_separated_by_blanks(tmp_path: Path) -> None:
     file = tmp_path / "log.txt"
     file.write_text("Date Time x_pos\n" + "".join(f"2024-05-31 14:03:2{k} {k}\n" for k in range(4)))
     assert load_log(file, columns=parse_columns(["position.x=x_pos [mm]"])).result.servo_period == pytest.approx(1.0)
 
 
-def test_of_two_times_of_day_the_one_that_is_called_so(tmp_path: Path) -> None:
+def test_of_two_times_of_day_the_one_named_time_counts(tmp_path: Path) -> None:
     rows = [f"2024-05-31;14:00:00;14:03:2{k}" for k in range(4)]
     assert load_log(in_two(tmp_path, rows, "Date;Begin;Time")).result.servo_period == pytest.approx(1.0)
     file = in_two(tmp_path, rows, "Date;Begin;Stamp")
@@ -159,7 +159,7 @@ def test_of_two_times_of_day_the_one_that_is_called_so(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("cells", ["31.05.24;14:03:21", "2024-05-31;14:03:21", "05/06/2024;14:03:60", ";", "2024-05-31;"])
-def test_dates_that_nobody_needs_are_no_fault(tmp_path: Path, cells: str) -> None:
+def test_faults_in_unused_dates_are_ignored(tmp_path: Path, cells: str) -> None:
     timed = in_two(tmp_path, [f"{cells};{0.002 * k:.3f}" for k in range(4)], "Date;Written at;t [s]")
     assert load_log(timed).result.servo_period == pytest.approx(2e-3)
     counted = load_log(in_two(tmp_path, [cells] * 4, "Date;Written at"), period=1e-3)
@@ -175,8 +175,8 @@ def test_dates_that_nobody_needs_are_no_fault(tmp_path: Path, cells: str) -> Non
         (["", "", ""], "no times"),
     ],
 )
-def test_a_period_counts_samples_that_their_column_does_not(tmp_path: Path, cells: list[str], why: str) -> None:
-    """It is said why the column is not used; a column that the user has named for it has to be right."""
+def test_a_period_replaces_an_unusable_time_column(tmp_path: Path, cells: list[str], why: str) -> None:
+    """The finding says why the column is not used; a column named by the user must be valid."""
     file = log(tmp_path, cells, name="timestamp")
     counted = load_log(file, period=1e-3)
     assert counted.result.servo_period == 1e-3
@@ -193,7 +193,7 @@ def test_rows_without_a_time_are_gaps(tmp_path: Path, stamps: list[str]) -> None
     found = load_log(log(tmp_path, stamps, name="timestamp"))
     assert finding("CL434", missing=2, rows=50) in found.findings
     assert [(one.values["missing"], one.values["samples"]) for one in found.findings if one.code == "CL427"] == [(1, 49)]
-    assert found.result["position"][19, 0] == pytest.approx(20e-4)  # between the rows beside it
+    assert found.result["position"][19, 0] == pytest.approx(20e-4)  # between its neighbouring rows
 
 
 def test_rows_without_a_time_in_parquet_are_gaps(tmp_path: Path) -> None:

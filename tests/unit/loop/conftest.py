@@ -1,4 +1,4 @@
-"""What the tests of the servo loop run."""
+"""Fixtures for the servo loop tests."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import contourlab as cl
 
 @pytest.fixture(scope="module")
 def circle() -> cl.Reference:
-    """Two quick laps of a small circle."""
+    """Return two quick laps of a small circle."""
     return cl.uniform(cl.contour("circle", radius=5e-3), 1.0, 2, PERIOD)
 
 

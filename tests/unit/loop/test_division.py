@@ -1,4 +1,4 @@
-"""Controllers in two, base and axis, and the links between."""
+"""Controllers divided into base and axis, and the links between them."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def alike(one: cl.Result, other: cl.Result) -> bool:
 
 
 def crossed() -> cl.Controller:
-    """Return position loops under a cross-coupling that sees what the drives accept."""
+    """Return position loops with a cross-coupling that reads the accepted commands."""
     coupling = make("coupling", "cross-coupled", gain=300.0, integral_rate=5.0, limit=0.5)
     return replace(control(), coupling=coupling)
 
@@ -57,7 +57,7 @@ CONTROLLERS = {"modified reference": control, "cross-coupled": crossed, "predict
 @pytest.mark.parametrize("division", DIVISIONS)
 @pytest.mark.parametrize("name", CONTROLLERS)
 @pytest.mark.parametrize("link", [Network(), Network(message_period=PERIOD), Network(between="extrapolate"), IdealLink()], ids=repr)
-def test_a_link_that_takes_no_time_changes_no_bit(division: str, name: str, link: Any, circle: cl.Reference) -> None:
+def test_an_instant_link_changes_no_bit(division: str, name: str, link: Any, circle: cl.Reference) -> None:
     """With sticking friction, noise, counts and late commands."""
     controller = CONTROLLERS[name]()
     if division == "observer" and name == "predictor":
@@ -69,7 +69,7 @@ def test_a_link_that_takes_no_time_changes_no_bit(division: str, name: str, link
 
 
 @pytest.mark.parametrize("division", DIVISIONS)
-def test_nor_where_the_drives_are_at_their_limit(division: str) -> None:
+def test_an_instant_link_changes_nothing_at_the_drive_limit(division: str) -> None:
     machine = stage(drive=make("drive", "saturation", limit=0.25))
     fast = short(machine, 2.0)
     whole = cl.simulate(machine, control(), fast)
@@ -78,8 +78,8 @@ def test_nor_where_the_drives_are_at_their_limit(division: str) -> None:
     assert all(np.array_equal(whole[name], found[name]) for name in PLAIN)
 
 
-def test_a_reference_that_comes_late_gives_the_same_motion_later(circle: cl.Reference) -> None:
-    """One way, the whole controller in the axis: all that a network can do is to shift time."""
+def test_a_late_reference_gives_the_same_motion_later(circle: cl.Reference) -> None:
+    """One way with the whole controller in the axis: a network can only shift time."""
     machine = stage(sensor=make("sensor", "ideal"))
     alone = control(coupled=False)
     whole = cl.simulate(machine, alone, circle)
@@ -90,8 +90,8 @@ def test_a_reference_that_comes_late_gives_the_same_motion_later(circle: cl.Refe
 
 
 @pytest.mark.parametrize("division", ["drive", "observer"])
-def test_delay_is_not_taken_for_a_limit(division: str) -> None:
-    """With a limit that is never reached the integral never waits, however late the drive's answer."""
+def test_delay_does_not_look_like_a_limit(division: str) -> None:
+    """With a limit that is never reached the integral never waits, however late the drive's answer is."""
     machine = stage(drive=make("drive", "saturation", limit=10.0), sensor=make("sensor", "ideal"))
     link = Network(delay=2 * PERIOD)
     found = []
@@ -100,12 +100,12 @@ def test_delay_is_not_taken_for_a_limit(division: str) -> None:
         axes = {name: replace(mine, controller=mine.controller.replace(anti_windup=way)) for name, mine in plain.axes.items()}
         found.append(cl.simulate(machine, in_two(replace(plain, axes=axes), division, link, link), short(machine)))
     assert np.abs(found[0]["command"]).max() < 10.0
-    # Two forms of a step are two pieces of machine code: they round a product and a sum once or twice.
+    # The two variants compile to different machine code, so products and sums may be rounded differently.
     assert all(np.allclose(found[0][name], found[1][name], rtol=0, atol=1e-12) for name in ("axis_position", "command"))
 
 
-def test_a_limit_is_heard_of_across_the_network() -> None:
-    """An integral that hears nothing of the limit overshoots; one that hears of it late does so hardly."""
+def test_the_limit_is_reported_across_the_network() -> None:
+    """An integral without knowledge of the limit overshoots; one that learns of it late hardly does."""
     line = cl.uniform(cl.contour("circle", radius=5e-3), 3.0, 3, PERIOD)
     machine = stage(drive=make("drive", "saturation", limit=0.9), sensor=make("sensor", "ideal"), friction=make("friction", "none"))
     largest = {}
@@ -117,8 +117,8 @@ def test_a_limit_is_heard_of_across_the_network() -> None:
     assert largest["hold"] < 0.8 * largest["none"]
 
 
-def test_the_axis_takes_its_own_estimate_off_at_once() -> None:
-    """The command that the drive gets less that of the base is the estimate of the same tick, whatever the network does."""
+def test_the_axis_subtracts_its_own_estimate_at_once() -> None:
+    """The base's command minus the drive's is the estimate of the same tick, for any network."""
     machine = stage(sensor=make("sensor", "ideal"))
     controller = in_two(control(coupled=False), "observer", Network(message_period=3 * PERIOD, delay=2 * PERIOD), Network())
     found = cl.simulate(machine, controller, short(machine))
@@ -129,7 +129,7 @@ def test_the_axis_takes_its_own_estimate_off_at_once() -> None:
     assert np.count_nonzero(np.diff(found["disturbance_estimate"][:, 0])) > 2 * len(changes)
 
 
-def test_what_is_recorded_is_what_the_axis_measures() -> None:
+def test_the_record_contains_what_the_axis_measures() -> None:
     machine = stage(sensor=make("sensor", "ideal"))
     slow = Network(message_period=5 * PERIOD, delay=3 * PERIOD)
     found = cl.simulate(machine, in_two(control(), "observer", slow, slow), short(machine))
@@ -140,7 +140,7 @@ def test_what_is_recorded_is_what_the_axis_measures() -> None:
 def test_lanes_single_runs_and_plain_python_agree(division: str) -> None:
     machine = stage(sensor=make("sensor", "ideal"), friction=make("friction", "none"))
     chance = Network(message_period=2 * PERIOD, delay=0.7e-3, jitter=1.1e-3, loss=0.1)
-    # By the tangent: a foot point that two forms find on two pieces of the path's table differs by what the table may be wrong by.
+    # Tangent estimator: two forms of the path table may find foot points that differ by the error of the table.
     whole = replace(control(), estimator=make("estimator", "tangent"))
     controller, circle = in_two(whole, division, chance, chance), cl.uniform(cl.contour("circle", radius=5e-3), 2.0, 1, PERIOD)
     fast, plain = (cl.simulate(machine, controller, circle, jit=jit) for jit in (True, False))
@@ -161,14 +161,14 @@ def test_lanes_single_runs_and_plain_python_agree(division: str) -> None:
         assert np.abs(batch.signals["axis_position"][:, :, i] - alone["axis_position"]).max() <= 1e-9 * 5e-3
 
 
-def test_another_seed_draws_other_messages_and_the_same_one_the_same(circle: cl.Reference) -> None:
+def test_the_seed_determines_the_messages(circle: cl.Reference) -> None:
     machine, lossy = stage(sensor=make("sensor", "ideal")), Network(loss=0.3)
     controller = in_two(control(), "observer", lossy, lossy)
     one, again, other = (cl.simulate(machine, controller, circle, seed=seed) for seed in (4, 4, 5))
     assert alike(one, again) and not alike(one, other)
 
 
-def test_one_axis_may_be_divided_and_another_not(circle: cl.Reference) -> None:
+def test_only_some_axes_may_be_divided(circle: cl.Reference) -> None:
     machine, plain = stage(), control()
     half = replace(plain, axes={**plain.axes, "x": replace(plain.axes["x"], link=Division("observer", Network(), Network()))})
     assert alike(cl.simulate(machine, plain, circle), cl.simulate(machine, half, circle))
@@ -178,7 +178,7 @@ def test_one_axis_may_be_divided_and_another_not(circle: cl.Reference) -> None:
     assert found["axis_position"][49, 1] != found["axis_position"][0, 1]
 
 
-def test_what_cannot_be_divided_is_refused(circle: cl.Reference) -> None:
+def test_indivisible_controllers_are_refused(circle: cl.Reference) -> None:
     with refuses(ParameterError, name="link.division"):
         Division("velocity")
     for division in ("drive", "observer"):
@@ -194,7 +194,7 @@ def test_what_cannot_be_divided_is_refused(circle: cl.Reference) -> None:
         cl.simulate(stage(), control(), circle, changes=[cl.Change(0.5, other)])
 
 
-def test_a_controller_of_the_same_links_may_take_over(circle: cl.Reference) -> None:
+def test_a_controller_with_the_same_links_may_take_over(circle: cl.Reference) -> None:
     link = Network(delay=PERIOD)
     one, other = (in_two(control(position_gain=gain), "controller", link, link) for gain in (2800.0, 2000.0))
     machine = stage(sensor=make("sensor", "ideal"))
@@ -203,7 +203,7 @@ def test_a_controller_of_the_same_links_may_take_over(circle: cl.Reference) -> N
     assert found.status.ok and moved[495:520].max() < 2.0 * moved[300:495].max()
 
 
-def test_parameters_of_the_parts_in_the_axis_are_local() -> None:
+def test_parameters_of_the_axis_part_are_local() -> None:
     mine = replace(control().axes["x"], link=Division("observer"))
     heads = {name.partition(".")[0] for name in mine.local_parameters}
     assert heads == {"velocity", "observer"}

@@ -1,4 +1,4 @@
-"""A loop that runs away ends at the sample where it did, by name, in one run as in lanes."""
+"""A diverging loop ends at the right sample and names it, in single runs and in lanes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def test_sample_time_and_axis_are_named(circle: cl.Reference) -> None:
     with pytest.raises(cl.DivergenceError) as caught:
         cl.simulate(machine, controller, circle)
     found = caught.value
-    # The run without a limit tells independently when 1 mm was first passed.
+    # A run without the limit shows independently when 1 mm is first exceeded.
     free, _ = runaway(math.inf)
     status: Any = cl.simulate(free, controller, circle, on_failure="return")
     gap = np.abs(status["reference"][:, 1] - status["axis_position"][:, 1])
@@ -40,7 +40,7 @@ def test_sample_time_and_axis_are_named(circle: cl.Reference) -> None:
     assert "1 mm" in str(found) and "following error" in str(found)
 
 
-def test_the_result_up_to_the_failure_can_be_had(circle: cl.Reference) -> None:
+def test_the_result_up_to_the_failure_is_available(circle: cl.Reference) -> None:
     machine, controller = runaway()
     result = cl.simulate(machine, controller, circle, on_failure="return")
     assert not result.status.ok
@@ -49,7 +49,7 @@ def test_the_result_up_to_the_failure_can_be_had(circle: cl.Reference) -> None:
     assert gap[-1] > 1e-3 >= gap[:-1].max()
 
 
-def test_numbers_that_are_not_finite_end_the_run(circle: cl.Reference) -> None:
+def test_non_finite_values_end_the_run(circle: cl.Reference) -> None:
     machine, controller = runaway(1e308, 1e9)
     result = cl.simulate(machine, controller, circle, on_failure="return")
     assert not result.status.ok
@@ -66,7 +66,7 @@ def test_the_sample_does_not_depend_on_the_block(block: int, circle: cl.Referenc
     assert len(last["axis_position"]) == sample % block + 1
 
 
-def test_lanes_fail_alone_and_at_the_same_sample(circle: cl.Reference) -> None:
+def test_lanes_fail_independently_and_at_the_same_sample(circle: cl.Reference) -> None:
     machine, controller = runaway()
     gains = np.array([60.0, 6000.0, 5000.0, 70.0])
     name = "controller.axes.y.controller.velocity_gain"
@@ -83,7 +83,7 @@ def test_plain_python_fails_at_the_same_sample(circle: cl.Reference) -> None:
     assert runs[0].sample == runs[1].sample and runs[0].axis == runs[1].axis
 
 
-def test_what_does_not_fit_is_refused(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+def test_invalid_settings_are_refused(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     with pytest.raises(cl.ContourlabError, match=r"axes\.x\.plant\.grain"):
         cl.simulate_batch(machine, controller, circle, {"axes.x.plant.grain": [1.0]})
     with pytest.raises(cl.ContourlabError, match="lengths"):

@@ -1,4 +1,4 @@
-"""What is fed to the loop besides the reference, and the slots that add to it: learned tables, feedforward, predictor, correction."""
+"""Inputs of the loop besides the reference, and additive slots: learned tables, feedforward, predictor, correction."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ QUIET: dict[str, Any] = {
 
 
 class Ahead(Component):
-    """Asks for the position some ticks early."""
+    """Requests the position some ticks early."""
 
     family, kind = "feedforward", "test-ahead"
     inputs = (Port("reference"), Port("reference_ahead"))
@@ -55,7 +55,7 @@ class Push(Component):
 
 
 class Same(Component):
-    """A predictor that foresees nothing."""
+    """A predictor that returns the measured position."""
 
     family, kind = "predictor", "test-same"
     inputs = (Port("position"), Port("applied"))
@@ -67,7 +67,7 @@ class Same(Component):
 
 
 class Nudge(Component):
-    """A coupling that corrects the commands by constants, and reads a few of its inputs only."""
+    """A coupling that corrects the commands by constants and reads only some of its inputs."""
 
     family, kind = "coupling", "test-nudge"
     inputs = (Port("tangent", -1),)
@@ -80,7 +80,7 @@ class Nudge(Component):
 
 
 class Deaf(Component):
-    """A controller that takes nothing from outside its own law."""
+    """A controller without external inputs."""
 
     family, kind = "controller", "test-deaf"
     inputs = (Port("reference"), Port("position"))
@@ -99,12 +99,12 @@ def table(reference: cl.Reference, *values: float) -> np.ndarray:
     return np.tile(np.array(values), (reference.n_sample, 1))
 
 
-def test_a_learned_command_cancels_the_load_that_it_is_the_opposite_of(circle: cl.Reference) -> None:
+def test_a_learned_command_cancels_an_opposite_load(circle: cl.Reference) -> None:
     machine, controller = stage(**QUIET), control(coupled=False)
     loaded = replace(machine, axes=tuple(replace(a, disturbance=make("disturbance", "constant", force=-0.3)) for a in machine.axes))
     free = cl.simulate(machine, controller, circle)
     held = cl.simulate(loaded, controller, circle, learned=Learned(command=table(circle, 0.3, 0.3)))
-    # The observer takes the learned command for the load's opposite, as it should: nothing is left for it to estimate but the load.
+    # The observer counts the learned command as part of the drive's command, so it still estimates the load. Compare without it.
     plain = {name: replace(part, observer=None) for name, part in controller.axes.items()}
     without = cl.Controller(plain)
     np.testing.assert_allclose(
@@ -116,7 +116,7 @@ def test_a_learned_command_cancels_the_load_that_it_is_the_opposite_of(circle: c
 
 
 @pytest.mark.parametrize("hertz", [3.0, 17.0])
-def test_a_learned_reference_acts_through_the_loop_alone(hertz: float) -> None:
+def test_a_learned_reference_acts_only_through_the_loop(hertz: float) -> None:
     machine, controller = stage(**QUIET), control(coupled=False)
     still = cl.Reference.from_samples(np.zeros((4000, 2)), PERIOD, cl.contour("circle", radius=1e-3), arc_length=np.zeros(4000))
     t, w = np.arange(4000) * PERIOD, 2.0 * np.pi * hertz
@@ -126,13 +126,13 @@ def test_a_learned_reference_acts_through_the_loop_alone(hertz: float) -> None:
     basis = np.column_stack([np.sin(w * t[tail]), np.cos(w * t[tail])])
     (a, b), *_ = np.linalg.lstsq(basis, moved[tail, 0], rcond=None)
     wanted = sampled_loop(machine.axis("x"), controller.axes["x"], PERIOD).response([w]).modified[0]
-    # The state at a sample is that before the command of its tick: the response stands at the same sample.
+    # The state at a sample is that before the command of its tick, so the response refers to the same sample.
     assert abs((a + 1j * b) / 1e-6 - wanted) < 2e-3 * abs(wanted)
     assert np.abs(moved[:, 1]).max() == 0.0
 
 
 @pytest.mark.parametrize("block", [7, 100, 4096])
-def test_looking_ahead_is_the_same_reference_earlier(circle: cl.Reference, block: int) -> None:
+def test_looking_ahead_equals_an_earlier_reference(circle: cl.Reference, block: int) -> None:
     machine, controller = stage(**QUIET), control(coupled=False)
     early = every_axis(controller, feedforward=Ahead(ticks=5.0))
     parts = [found for found, _ in simulate_blocks(machine, early, circle, block=block)]
@@ -144,8 +144,8 @@ def test_looking_ahead_is_the_same_reference_earlier(circle: cl.Reference, block
     np.testing.assert_allclose(seen, wanted, atol=1e-15)
 
 
-def test_terms_add_up(circle: cl.Reference) -> None:
-    """A correction of the coupling, a feedforward and a learned command, each a constant, are one constant together."""
+def test_additive_terms_add_up(circle: cl.Reference) -> None:
+    """A coupling correction, a feedforward and a learned command, each constant, equal one constant."""
     machine, controller = stage(**QUIET), control()
     three = every_axis(replace(controller, coupling=Nudge()), feedforward=Push(push=0.02))
     found = cl.simulate(machine, three, circle, learned=Learned(command=table(circle, 0.03, 0.03)))
@@ -155,15 +155,15 @@ def test_terms_add_up(circle: cl.Reference) -> None:
     assert "modified_reference" not in found.signals
 
 
-def test_a_predictor_stands_between_sensor_and_controller(circle: cl.Reference) -> None:
-    # Without a delay: behind a predictor the observer is shown the commands ahead of it.
+def test_a_predictor_is_between_sensor_and_controller(circle: cl.Reference) -> None:
+    # Without a delay: with a predictor the observer receives the commands before it.
     machine, controller = stage(drive=QUIET["drive"]), control()
     plain = cl.simulate(machine, controller, circle)
     through = cl.simulate(machine, every_axis(controller, predictor=Same()), circle)
     np.testing.assert_array_equal(plain["axis_position"], through["axis_position"])
 
 
-def test_lanes_learn_as_single_runs_do(circle: cl.Reference) -> None:
+def test_lanes_learn_like_single_runs(circle: cl.Reference) -> None:
     machine, controller = stage(**QUIET), control()
     rng = np.random.default_rng(3)
     learned = Learned(1e-2 * rng.normal(size=(circle.n_sample, 2)), 1e-7 * rng.normal(size=(circle.n_sample, 2)))
@@ -173,7 +173,7 @@ def test_lanes_learn_as_single_runs_do(circle: cl.Reference) -> None:
     np.testing.assert_allclose(batch.signals["axis_position"][:, :, 0], single["axis_position"], atol=1e-12)
 
 
-def test_noise_differs_from_trial_to_trial_and_not_within_one(circle: cl.Reference) -> None:
+def test_noise_differs_between_trials_and_repeats_within_one(circle: cl.Reference) -> None:
     machine, controller = stage(), control()
     first, again, second = (cl.simulate(machine, controller, circle, trial=trial)["position"] for trial in (1, 1, 2))
     np.testing.assert_array_equal(first, again)
@@ -182,17 +182,17 @@ def test_noise_differs_from_trial_to_trial_and_not_within_one(circle: cl.Referen
 
 
 @pytest.mark.parametrize("shape", [(10, 2), (5, 3)])
-def test_tables_of_another_motion_are_refused(circle: cl.Reference, shape: tuple[int, int]) -> None:
+def test_tables_for_another_motion_are_refused(circle: cl.Reference, shape: tuple[int, int]) -> None:
     with refuses(ParameterError, re.escape(f"{shape}"), name="learned.command"):
         cl.simulate(stage(), control(), circle, learned=Learned(command=np.zeros(shape)))
 
 
-def test_tables_that_are_not_finite_are_refused(circle: cl.Reference) -> None:
+def test_non_finite_tables_are_refused(circle: cl.Reference) -> None:
     with pytest.raises(ParameterError, match="finite"):
         Learned(reference=np.full((circle.n_sample, 2), np.nan))
 
 
-def test_a_controller_that_takes_no_addition_is_named(circle: cl.Reference) -> None:
+def test_a_controller_without_an_additive_input_is_named(circle: cl.Reference) -> None:
     machine = stage(**QUIET)
     axes = {**control(coupled=False).axes, "y": cl.AxisController(Deaf())}
     cl.simulate(machine, cl.Controller(axes), circle, on_failure="return")

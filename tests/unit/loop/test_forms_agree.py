@@ -1,4 +1,4 @@
-"""Plain Python, machine code and lanes are three forms of one loop, however it is cut up and shared out."""
+"""Plain Python, machine code and lanes are three forms of one loop and agree for any blocks, groups and threads."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_compiled_equals_plain_python(friction: str, circle: cl.Reference) -> No
 
 
 def test_lanes_equal_single_runs(machine: cl.Machine, circle: cl.Reference) -> None:
-    """With an ideal encoder: counts turn a difference of 1e-13 into one of a whole count."""
+    """With an ideal encoder: quantisation turns a difference of 1e-13 into a whole count."""
     machine = stage(sensor=make("sensor", "ideal"))
     weights = np.linspace(0.0, 0.75, 5)
     batch = cl.simulate_batch(machine, control(), circle, {"controller.coupling.weight": weights}, keep=SIGNALS)
@@ -45,8 +45,8 @@ def test_lanes_equal_single_runs(machine: cl.Machine, circle: cl.Reference) -> N
             assert np.max(np.abs(kept - single[name])) <= 1e-9 * scale(single[name]), (name, weight)
 
 
-def test_lanes_do_not_know_their_company(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
-    """Any order, grouping and number of threads gives the same bits, encoder noise and all."""
+def test_a_lane_does_not_depend_on_its_neighbours(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    """Any order, grouping and number of threads gives the same bits, including encoder noise."""
     gains = np.linspace(1.0, 1.3, 70)
     name = "axes.x.plant.gain"
     first = cl.simulate_batch(machine, controller, circle, {name: gains}, threads=1, keep=("axis_position",))
@@ -74,7 +74,7 @@ def test_the_past_does_not_depend_on_the_future(machine: cl.Machine, controller:
     assert np.array_equal(two["axis_position"][: one.n_sample - 1], one["axis_position"][:-1])
 
 
-def test_the_seed_decides_the_noise(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+def test_the_seed_determines_the_noise(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     runs = [cl.simulate(machine, controller, circle, seed=seed)["position"] for seed in (1, 1, 2)]
     assert np.array_equal(runs[0], runs[1])
     assert not np.array_equal(runs[0], runs[2])

@@ -1,4 +1,4 @@
-"""Axes in a machine: swapped, stacked, and away from where their encoders say they are."""
+"""Axes in a machine: swapped, stacked, and with errors between encoder and tool."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from contourlab.loop import simulate_blocks
 
 
 def lump(name: str, mass: float, **changes: object) -> cl.Axis:
-    """Return an axis of a plain mass in N and kg."""
+    """Return an axis with a plain mass, in N and kg."""
     plant = make("plant", "mass-damper", mass=mass, damping=40.0, force_constant=50.0)
     return replace(cl.Axis(name, plant), **changes)  # type: ignore[arg-type]
 
@@ -26,7 +26,7 @@ def loops(names: str = "xy") -> cl.Controller:
     return cl.Controller(dict.fromkeys(names, part))
 
 
-def test_a_swapped_module_runs_as_one_that_was_always_there(circle: cl.Reference, controller: cl.Controller) -> None:
+def test_a_swapped_module_runs_like_an_original_one(circle: cl.Reference, controller: cl.Controller) -> None:
     machine = stage()
     other = replace(machine.axis("y"), name="spare", plant=machine.axis("y").plant.replace(gain=0.9))
     built = with_axis(machine, "x", plant=other.plant, friction=other.friction)
@@ -58,7 +58,7 @@ SCREW = {"lead": 0.01, "torque_constant": 0.5, "efficiency": 1.0, "damping": 0.0
 
 
 def pushed(rider: object, *, carried: float = 0.0, alignment: float = 1.0, idle: str = "x") -> tuple[np.ndarray, np.ndarray]:
-    """Return the velocities of a 80 kg carrier and a rider of which one is driven and the other left to itself."""
+    """Return the velocities of an 80 kg carrier and a rider; one is driven, the other is free."""
     carrier = make("plant", "mass-damper", mass=80.0, damping=0.0, force_constant=500.0)
     wide = cl.Limits(following_error=10.0)
     axes = [cl.Axis("x", carrier, limits=wide), cl.Axis("y", rider, mounted_on="x", alignment=alignment, stage_mass=45.0, limits=wide)]  # type: ignore[arg-type]
@@ -76,19 +76,19 @@ def pushed(rider: object, *, carried: float = 0.0, alignment: float = 1.0, idle:
 @pytest.mark.parametrize("alignment", [1.0, -1.0, 0.3])
 @pytest.mark.parametrize("carried", [0.0, 12.0])
 @pytest.mark.parametrize("inertia", [0.0, 4.8e-4])
-def test_momentum_goes_from_the_rider_to_its_carrier(inertia: float, carried: float, alignment: float) -> None:
-    """What only turns, 189 kg of a rider of 20 kg seen at its screw, pushes on nothing."""
+def test_the_reaction_of_the_rider_acts_on_its_carrier(inertia: float, carried: float, alignment: float) -> None:
+    """Rotating inertia (189 kg at the screw of a 20 kg rider) does not push the carrier."""
     rider = make("plant", "ball-screw", mass=20.0, inertia=inertia, **SCREW)
     carrier_v, rider_v = pushed(rider, carried=carried, alignment=alignment)
     assert np.abs(rider_v).max() > 0.03
-    # The module of 45 kg on the carrier holds the 20 kg; a reaction is one tick late, hence the tolerance of a tick's acceleration.
+    # The 45 kg on the carrier include the 20 kg; a reaction is one tick late, hence a tolerance of one tick's acceleration.
     total = 80.0 + 45.0 + carried
     expected = -alignment * (20.0 + carried) / total * rider_v
     assert np.abs(carrier_v - expected).max() < 2.0 * 1e-4 * (1.0 + np.abs(np.gradient(rider_v, 1e-4)).max())
     assert np.abs(carrier_v).max() > 2e-3
 
 
-def test_a_rider_that_is_left_alone_stays_behind_when_its_carrier_moves_off() -> None:
+def test_a_free_rider_stays_behind_when_its_carrier_moves_off() -> None:
     rider = make("plant", "ball-screw", mass=20.0, inertia=4.8e-4, **SCREW)
     seen = 20.0 + 4.8e-4 * (2.0 * math.pi / 0.01) ** 2
     carrier_v, rider_v = pushed(rider, idle="y")
@@ -96,12 +96,12 @@ def test_a_rider_that_is_left_alone_stays_behind_when_its_carrier_moves_off() ->
     assert np.abs(rider_v + 20.0 / seen * carrier_v).max() < 2.0 * 1e-4 * np.abs(np.gradient(carrier_v, 1e-4)).max()
 
 
-def test_crossed_axes_do_not_feel_each_other() -> None:
+def test_perpendicular_axes_do_not_affect_each_other() -> None:
     carrier_v, rider_v = pushed(make("plant", "mass-damper", mass=5.0, force_constant=50.0), alignment=0.0)
     assert np.abs(rider_v).max() > 0.03 and not carrier_v.any()
 
 
-def test_a_plant_known_by_its_response_is_given_no_more_mass() -> None:
+def test_a_plant_identified_by_its_response_accepts_no_extra_mass() -> None:
     response = make("plant", "rigid-axis", gain=1.7, damping=10.0)
     with refuses(ParameterError, "3 kg", name="axes.x.plant", value='"rigid-axis"'):
         cl.Machine("stack", (cl.Axis("x", response), lump("y", 2.0, mounted_on="x", stage_mass=3.0)), PERIOD)
@@ -118,18 +118,18 @@ def _line(a: tuple[float, float], b: tuple[float, float]) -> object:
 
 
 def test_mounting_in_a_circle_is_refused() -> None:
-    with pytest.raises(cl.ContourlabError, match="circle"):
+    with pytest.raises(cl.ContourlabError, match="cycle"):
         cl.Machine("knot", (lump("x", 1.0, mounted_on="y"), lump("y", 1.0, mounted_on="x")), PERIOD)
     with pytest.raises(cl.ContourlabError, match="mounted_on"):
         cl.Machine("nowhere", (lump("x", 1.0, mounted_on="z"),), PERIOD)
 
 
-def test_the_tool_is_where_lead_error_and_squareness_put_it(circle: cl.Reference, controller: cl.Controller) -> None:
+def test_the_tool_has_its_lead_and_squareness_error(circle: cl.Reference, controller: cl.Controller) -> None:
     table = cl.AxisError(np.array([-0.01, 0.0, 0.01]), np.array([-3e-6, 0.0, 5e-6]))
     machine = replace(with_axis(stage(), "x", error=table), squareness={("y", "x"): 2e-4})
     result, plain = (cl.simulate(one, controller, circle) for one in (machine, stage()))
     x, y = result["axis_position"].T
-    # The controller sees its encoders: nothing changes but the tool.
+    # The controller sees its encoders, so only the tool changes.
     assert np.array_equal(result["axis_position"], plain["axis_position"])
     assert result["tool_position"][:, 0] == pytest.approx(x + np.where(x < 0.0, 3e-4 * x, 5e-4 * x), abs=1e-15)
     assert result["tool_position"][:, 1] == pytest.approx(y + 2e-4 * x, abs=1e-15)
@@ -143,13 +143,13 @@ def test_repeatability_is_a_new_offset_at_each_reversal(controller: cl.Controlle
     result = cl.simulate(machine, controller, reference)
     offset = np.round((result["tool_position"] - result["axis_position"])[:, 0], 15)
     levels = offset[np.concatenate([[True], np.abs(np.diff(offset)) > 1e-12])]
-    assert 75 <= levels.size <= 90  # two reversals a lap
+    assert 75 <= levels.size <= 90  # two reversals per lap
     assert np.std(levels) == pytest.approx(1e-6, rel=0.25)
     again = [cl.simulate(machine, controller, reference, seed=seed)["tool_position"] for seed in (0, 1)]
     assert np.array_equal(again[0], result["tool_position"]) and not np.array_equal(again[1], again[0])
 
 
-def test_memory_is_flat_when_a_run_is_streamed(machine: cl.Machine, controller: cl.Controller) -> None:
+def test_memory_does_not_grow_when_a_run_is_streamed(machine: cl.Machine, controller: cl.Controller) -> None:
     """Ten times the laps, the same peak."""
     import tracemalloc
 
@@ -188,10 +188,10 @@ def test_values_out_of_range_are_refused() -> None:
     ("limits", "wanted"),
     [
         (cl.Limits(acceleration=1.0), " y .*velocity"),
-        (cl.Limits(velocity=0.5), " y .*ramps"),
+        (cl.Limits(velocity=0.5), " y .*jerk"),
     ],
 )
-def test_limits_that_do_not_do_for_planning_name_the_axis(limits: cl.Limits, wanted: str) -> None:
+def test_limits_unsuitable_for_planning_name_the_axis(limits: cl.Limits, wanted: str) -> None:
     plant = make("plant", "rigid-axis", gain=1.0)
     whole = cl.Axis("x", plant, limits=cl.Limits(velocity=0.5, jerk=40.0))
     with pytest.raises(FeedError, match=wanted):

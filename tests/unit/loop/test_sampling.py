@@ -1,4 +1,4 @@
-"""The compiled samples of a reference against those of `Reference.block`, which are held against closed forms elsewhere."""
+"""The compiled samples of a reference against `Reference.block`, which other tests compare with closed forms."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ def program(text: str = PART, period: float = PERIOD) -> Reference:
 
 
 def compare(reference: Reference, start: int, stop: int) -> None:
-    """Each number is as good as rounding lets it be: progress to a few bits of the length, the rest by how it follows from it."""
+    """Check each value to rounding: progress to a few bits of the length, the rest as it follows from progress."""
     plain, compiled = reference.block(start, stop), reference.block(start, stop, sample_compiled)
     length = reference.path.length * max(len(reference.laps), 1)
     speed, bend = float(plain.feedrate.max(initial=0.0)), 1.0 / 0.5e-3
     change = float(np.abs(plain.acceleration).max(initial=0.0))
-    # At a joint to rounding either curve will do.
+    # Within rounding of a joint either curve is right.
     along = np.mod(plain.arc_length, reference.path.length) if reference.path.closed else plain.arc_length
     clear = np.abs(along[:, None] - reference.path.breaks).min(axis=1) > 1e-13 * length
     assert clear.mean() > 0.9 or not clear.size
@@ -91,7 +91,7 @@ def test_any_block_is_a_part_of_the_whole(data: st.DataObject) -> None:
 
 
 def test_joints_belong_to_the_curve_that_begins_there() -> None:
-    """One sample exactly at each corner of a square: the direction is that of the side to come."""
+    """One sample exactly at each corner of a square has the direction of the next side."""
     square = cl.Path([Line(a, b) for a, b in zip(CORNERS, CORNERS[1:] + CORNERS[:1], strict=True)], closed=True)
     reference = cl.uniform(square, 2.0**-4, 2, 2.0**-5)
     velocity = reference.block(0, reference.n_sample, sample_compiled).velocity

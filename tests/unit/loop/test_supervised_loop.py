@@ -1,4 +1,4 @@
-"""Several controllers on one axis: bumpless hand-over, both sides of a drive, controllers that take over on the way."""
+"""Several controllers on one axis: bumpless hand-over, feedback from both sides of a drive, controller changes during a run."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def zones(handover_time: float = 0.0, **supervised: Any) -> cl.Controller:
     return both(controller=parts[0], others=(("gap", parts[1]),), supervisor=supervisor)
 
 
-def test_a_controller_supervised_beside_its_copy_runs_as_it_does_alone(circle: cl.Reference) -> None:
+def test_a_supervised_controller_with_a_copy_runs_like_the_controller_alone(circle: cl.Reference) -> None:
     alone = cl.simulate(machine(), both(controller=Cascade(**GAINS)), circle)
     supervisor = Performance(thresholds=(0.5 * GAP,), handover_time=0.0)
     beside = cl.simulate(machine(), both(controller=Cascade(**GAINS), others=(("copy", Cascade(**GAINS)),), supervisor=supervisor), circle)
@@ -67,7 +67,7 @@ def test_a_command_does_not_jump_at_a_switch_with_hand_over(circle: cl.Reference
     alone = cl.simulate(machine(), both(controller=first), circle)
 
     def jump(handover_time: float) -> float:
-        """Return by how much the command at the switch differs from that of the controller that is switched off."""
+        """Return the difference at the switch between the command and that of the replaced controller."""
         supervisor = PreRouted(places=(at,), numbers=(1.0,), handover_time=handover_time)
         run = cl.simulate(machine(), both(controller=first, others=(("slow", slow),), supervisor=supervisor), circle)
         k = int(np.flatnonzero(run["switch_reason"][:, 0])[0])
@@ -80,23 +80,23 @@ def test_a_command_does_not_jump_at_a_switch_with_hand_over(circle: cl.Reference
 
 @pytest.mark.parametrize("handover_time", [0.0, 5e-3, 0.05])
 def test_switching_to_a_copy_changes_nothing(handover_time: float, circle: cl.Reference) -> None:
-    """Whatever its anti-windup: its integral has followed, and nothing that is added at the hand-over is taken for a limit of the drive."""
+    """With any anti-windup: the copy's integral has followed, and the hand-over correction does not count as a limit of the drive."""
     for words in ("hold", "back-calculation"):
         cascade = Cascade(**GAINS, anti_windup=words)
         supervisor = PreRouted(places=(0.01, 0.1, 0.2), numbers=(1.0, 0.0, 1.0), handover_time=handover_time)
         switched = both(controller=cascade, others=(("copy", cascade),), supervisor=supervisor)
         alone, beside = (cl.simulate(machine(), made, circle) for made in (both(controller=cascade), switched))
         assert np.count_nonzero(beside["switch_reason"][:, 0]) == 3
-        # Not active, a copy is led by what was carried out, one tick late.
+        # An inactive copy tracks the accepted command one tick late.
         assert beside["axis_position"] == pytest.approx(alone["axis_position"], abs=2e-6)
 
 
-def test_contact_and_gap_controllers_are_switched_where_the_drive_says_so(circle: cl.Reference) -> None:
+def test_contact_and_gap_controllers_switch_at_the_state_of_the_drive(circle: cl.Reference) -> None:
     run = cl.simulate(machine(), zones(), circle)
     assert run.status.ok
     apart = np.abs(run["motor_position"] - run["axis_position"])
     active = run["active_controller"]
-    # What the supervisor saw at the tick is what is recorded at the tick.
+    # The record holds what the supervisor saw in the same tick.
     assert (apart[active == 1] <= 0.5 * GAP + 1.0001e-6).all()
     assert (apart[active == 0] >= 0.5 * GAP - 1.0001e-6).all()
     assert 0.02 < active.mean() < 0.6
@@ -109,7 +109,7 @@ def test_plain_python_and_the_compiled_loop_agree_under_a_supervisor() -> None:
         assert fast[name] == pytest.approx(plain[name], rel=1e-9, abs=1e-11), name
 
 
-def test_gaps_in_lanes_are_the_same_as_one_by_one(circle: cl.Reference) -> None:
+def test_lanes_with_gaps_equal_single_runs(circle: cl.Reference) -> None:
     gaps = np.linspace(0.0, 60e-6, 7)
     names = [f"axes.{axis}.plant.backlash_gap" for axis in "xy"]
     found = cl.simulate_batch(machine(), zones(), circle, dict.fromkeys(names, gaps), keep=("axis_position",))
@@ -120,7 +120,7 @@ def test_gaps_in_lanes_are_the_same_as_one_by_one(circle: cl.Reference) -> None:
 
 
 @pytest.mark.parametrize("feedback", ["motor", "load"])
-def test_a_loop_is_closed_over_the_side_that_is_asked_for(feedback: str, circle: cl.Reference) -> None:
+def test_the_loop_uses_the_selected_side(feedback: str, circle: cl.Reference) -> None:
     sensors = {"sensor": Encoder(resolution=1e-6), "motor_sensor": Encoder(resolution=3e-6)}
     run = cl.simulate(machine(**sensors), both(controller=Cascade(**GAINS), feedback=feedback), circle)
     side, count = ("motor_position", 3e-6) if feedback == "motor" else ("axis_position", 1e-6)
@@ -141,7 +141,7 @@ def test_without_a_gap_both_sides_of_a_stiff_drive_give_the_same_run(circle: cl.
     assert made[0]["axis_position"] == pytest.approx(made[1]["axis_position"], abs=2e-6)
 
 
-def test_a_moving_start_spares_the_run_in(circle: cl.Reference) -> None:
+def test_a_moving_start_avoids_the_initial_transient(circle: cl.Reference) -> None:
     controller = both(controller=Cascade(**GAINS))
     still, moving = (cl.simulate(machine(RIGID), controller, circle, moving=m) for m in (False, True))
     error = {name: np.abs(run["reference"] - run["axis_position"])[:300].max() for name, run in (("still", still), ("moving", moving))}
@@ -149,7 +149,7 @@ def test_a_moving_start_spares_the_run_in(circle: cl.Reference) -> None:
     assert moving["axis_velocity"][0] == pytest.approx(circle.block(0, 1).velocity[0])
 
 
-def test_a_supervisor_and_its_controllers_belong_together() -> None:
+def test_a_supervisor_needs_matching_controllers() -> None:
     supervisor = Performance(thresholds=(1e-6,))
     with pytest.raises(ParameterError, match="supervisor"):
         cl.AxisController(others=(("gap", Cascade(**GAINS)),))
@@ -161,13 +161,13 @@ def test_a_supervisor_and_its_controllers_belong_together() -> None:
         cl.AxisController(feedback="table")
 
 
-def test_what_an_estimator_based_supervisor_asks_for_has_to_be_observed(circle: cl.Reference) -> None:
+def test_an_estimator_based_supervisor_needs_a_gap_observer(circle: cl.Reference) -> None:
     controller = both(controller=Cascade(**GAINS), others=(("gap", Cascade(**GAINS)),), supervisor=EstimatorBased())
     with pytest.raises(ParameterError, match="gap_observer"):
         cl.simulate(machine(), controller, circle)
 
 
-def test_a_motor_of_its_own_is_for_drives_that_have_one() -> None:
+def test_a_motor_sensor_needs_a_drive_with_a_motor_side() -> None:
     from contourlab.components.plant.rigid_axis import RigidAxis
 
     axis = cl.Axis("x", RigidAxis(gain=1.0), motor_sensor=Encoder(resolution=1e-6))
@@ -175,10 +175,10 @@ def test_a_motor_of_its_own_is_for_drives_that_have_one() -> None:
         cl.Machine("m", (axis,), PERIOD)
 
 
-# --- controllers that take over on the way ------------------------------------------------------------------------------------------
+# --- controller changes during a run -------------------------------------------------------------------------------------------------
 
 
-def test_a_controller_that_takes_over_from_its_copy_changes_nothing(circle: cl.Reference) -> None:
+def test_a_change_to_a_copy_changes_nothing(circle: cl.Reference) -> None:
     for controller in (both(controller=Cascade(**GAINS)), zones(2e-3)):
         alone = cl.simulate(machine(), controller, circle)
         changes = [Change(0.3, controller, 0.0), Change(0.3005, controller, 0.0), Change(1.2, controller, 0.0)]
@@ -188,7 +188,7 @@ def test_a_controller_that_takes_over_from_its_copy_changes_nothing(circle: cl.R
             assert np.array_equal(alone[name], again[name])
 
 
-def test_another_controller_takes_over_at_its_sample_without_a_jump(circle: cl.Reference) -> None:
+def test_a_change_of_controller_acts_at_its_sample_without_a_jump(circle: cl.Reference) -> None:
     first, second = both(controller=Cascade(**GAINS)), both(controller=Cascade(**{**SLOW, "velocity_feedforward": 0.0}))
     alone, k = cl.simulate(machine(), first, circle), 700
     made = {time: cl.simulate(machine(), first, circle, changes=[Change(0.6995, second, time)]) for time in (0.0, 0.02)}
@@ -198,18 +198,18 @@ def test_another_controller_takes_over_at_its_sample_without_a_jump(circle: cl.R
         assert not np.array_equal(run["command"][k + 20], alone["command"][k + 20])
     jumps = {time: np.abs(run["command"][k] - run["command"][k - 1]).max() for time, run in made.items()}
     assert jumps[0.02] < 1e-14 and jumps[0.0] > 0.1
-    # What friction asks for is carried over: a hair's breadth in the gains is one in the motion.
+    # The command against friction is carried over: slightly different gains give a slightly different motion.
     hair = both(controller=Cascade(**{**GAINS, "position_gain": 1.0001 * GAINS["position_gain"]}))
     near = cl.simulate(machine(), first, circle, changes=[Change(0.6995, hair, 0.01)])
     assert near["axis_position"] == pytest.approx(alone["axis_position"], abs=1e-6)
-    # In the end both follow with the lag of the slow one: v/K_v.
+    # Finally both follow with the lag of the slow one: v/K_v.
     speed = 2.0 * np.pi * 0.02
     for run in made.values():
         lag = np.linalg.norm(run["reference"] - run["axis_position"], axis=1)[-200:]
         assert lag.mean() == pytest.approx(speed / 10.0, rel=0.25)
 
 
-def test_a_change_beyond_the_end_is_none_and_two_at_a_sample_are_refused(circle: cl.Reference) -> None:
+def test_a_change_after_the_end_is_ignored_and_two_at_one_sample_are_refused(circle: cl.Reference) -> None:
     controller = both(controller=Cascade(**GAINS))
     late = cl.simulate(machine(), controller, circle, changes=[Change(1e3, controller)])
     assert np.array_equal(late["command"], cl.simulate(machine(), controller, circle)["command"])
@@ -220,8 +220,8 @@ def test_a_change_beyond_the_end_is_none_and_two_at_a_sample_are_refused(circle:
             Change(time, controller, handover)
 
 
-def test_what_is_fed_forward_on_both_sides_is_that_of_a_drive_that_follows(circle: cl.Reference) -> None:
-    """K_1 r_v' and the like drop out where the motor is where it is asked to be: what is left is J r_a, whatever measures it."""
+def test_the_feedforward_from_both_sides_is_that_of_a_following_drive(circle: cl.Reference) -> None:
+    """K_1 r_v' and similar terms cancel when the motor follows its reference: J r_a is left, for any sensor."""
     from contourlab.loop.trials import feedforward_command
 
     sensed = machine(motor_sensor=Encoder(resolution=1e-5), sensor=Encoder(resolution=1e-5))

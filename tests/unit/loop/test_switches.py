@@ -1,4 +1,4 @@
-"""The list of switches says of every sample which controller was active, and why it became so."""
+"""The list of switches gives the active controller of every sample and the reason of each switch."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def led(supervisor: Any, *others: str) -> cl.AxisController:
 
 
 def recorded(active: Any, reason: Any, start: int = 0, **more: Any) -> cl.Result:
-    """Return a run of axes x, y ... that holds what supervisors did and nothing else."""
+    """Return a run of axes x, y ... with only the supervisors' signals."""
     columns = {"active_controller": active, "switch_reason": reason, **more}
     signals = {
         name: cl.Signal(np.asarray(data, float), ("sample", "axis") if np.ndim(data) == 2 else ("sample",), "")
@@ -42,20 +42,20 @@ def recorded(active: Any, reason: Any, start: int = 0, **more: Any) -> cl.Result
     return cl.Result("made", tuple("xyz"[: np.shape(active)[1]]), PERIOD, signals, start=start)
 
 
-def told(switches: Switches) -> list[tuple[int, str, str, str, str]]:
-    """Return the switches one by one: sample, axis, from, to, reason."""
+def tuples(switches: Switches) -> list[tuple[int, str, str, str, str]]:
+    """Return the switches as tuples: sample, axis, from, to, reason."""
     kinds = [switches.kinds[k] for k in switches.kind]
     return [(int(n), k.axis, k.before, k.after, k.reason) for n, k in zip(switches.sample, kinds, strict=True)]
 
 
-def test_a_list_that_can_be_checked_by_hand() -> None:
+def test_a_short_list_against_a_manual_check() -> None:
     controller = cl.Controller({"x": led(Performance(thresholds=(1e-5,)), "gap"), "y": cl.AxisController(FAST)})
     active = np.array([[0, 0], [1, 0], [1, 0], [0, 0], [0, 0], [1, 0]])
     reason = np.array([[0, 0], [2, 0], [0, 0], [1, 0], [0, 0], [2, 0]])
     found = switches_of(recorded(active, reason, arc_length=np.arange(6) * 0.5), controller)
     assert found is not None and found.axes == ("x",) and found.first == {"x": "controller"}
     rose, fell = Performance.reasons
-    assert told(found) == [(1, "x", "controller", "gap", fell), (3, "x", "gap", "controller", rose), (5, "x", "controller", "gap", fell)]
+    assert tuples(found) == [(1, "x", "controller", "gap", fell), (3, "x", "gap", "controller", rose), (5, "x", "controller", "gap", fell)]
     np.testing.assert_allclose(found.time, [1e-3, 3e-3, 5e-3])
     np.testing.assert_allclose(found.arc_length, [0.5, 1.5, 2.5])
     assert found.active == {"x": {"controller": 3, "gap": 3}}
@@ -68,16 +68,16 @@ def test_a_run_without_a_supervisor_has_no_list() -> None:
 
 
 def test_a_supervisor_may_switch_at_the_very_first_sample() -> None:
-    """A run begins with number 0; of a part of a run it is not known what was active before."""
+    """A run begins with number 0; for a part of a run the previous controller is unknown."""
     controller = cl.Controller({"x": led(EstimatorBased(), "gap")})
     result = recorded([[1], [1], [0]], [[1], [0], [3]])
     whole, part = switches_of(result, controller), switches_of(result.window(1, 3), controller)
     assert whole is not None and part is not None
-    assert told(whole) == [
+    assert tuples(whole) == [
         (0, "x", "controller", "gap", EstimatorBased.reasons[0]),
         (2, "x", "gap", "controller", EstimatorBased.reasons[2]),
     ]
-    assert told(part) == told(whole)[1:] and part.first == {"x": "gap"}
+    assert tuples(part) == tuples(whole)[1:] and part.first == {"x": "gap"}
 
 
 def test_a_reason_may_name_the_controller_that_takes_over() -> None:
@@ -90,19 +90,19 @@ def test_a_reason_may_name_the_controller_that_takes_over() -> None:
     assert [kind.reason for kind in found.kinds] == ["light here", "heavy here"]
 
 
-def test_what_a_stranger_s_supervisor_gives_besides_is_told_as_it_is() -> None:
-    """A number that no controller has, a reason that is not in its list, and no number in the last sample of a run that failed."""
+def test_unknown_numbers_and_reasons_of_a_foreign_supervisor_are_shown_unchanged() -> None:
+    """An unknown controller number, an unknown reason, and no number in the last sample of a failed run."""
     controller = cl.Controller({"x": led(Performance(thresholds=(1e-5,)), "gap")})
     found = switches_of(recorded([[0], [7], [1], [np.nan]], [[0], [9], [0], [np.nan]]), controller)
     assert found is not None
-    assert [switch[:4] for switch in told(found)] == [(1, "x", "controller", "number 7"), (2, "x", "number 7", "gap")]
-    assert all(reason not in Performance.reasons for *_, reason in told(found))
+    assert [switch[:4] for switch in tuples(found)] == [(1, "x", "controller", "number 7"), (2, "x", "number 7", "gap")]
+    assert all(reason not in Performance.reasons for *_, reason in tuples(found))
 
 
 def rebuilt(switches: Switches, axis: str, n: int) -> list[str]:
-    """Return which controller was active at each sample, from the list alone."""
+    """Return the active controller of each sample, from the list alone."""
     names, now = [], switches.first[axis]
-    changes = {sample: after for sample, name, _, after, _ in told(switches) if name == axis}
+    changes = {sample: after for sample, name, _, after, _ in tuples(switches) if name == axis}
     for k in range(n):
         now = changes.get(k, now)
         names.append(now)
@@ -114,7 +114,7 @@ numbers = st.integers(1, 60).flatmap(lambda n: st.lists(st.lists(st.integers(0, 
 
 @settings(deadline=None, max_examples=60)
 @given(numbers, st.lists(st.integers(1, 9), min_size=1, max_size=60))
-def test_blocks_of_any_length_give_the_list_of_the_whole_and_the_list_gives_the_signal(rows: list[list[int]], lengths: list[int]) -> None:
+def test_blocks_of_any_length_give_the_whole_list_and_the_list_gives_the_signal(rows: list[list[int]], lengths: list[int]) -> None:
     active = np.array(rows)
     reason = (np.diff(active, axis=0, prepend=0) != 0) * (1 + (active > 0))
     supervisor = Performance(thresholds=(1e-6, 1e-5))
@@ -129,14 +129,14 @@ def test_blocks_of_any_length_give_the_list_of_the_whole_and_the_list_gives_the_
         step = lengths[len(parts) % len(lengths)]
         parts.append(log.add(result.window(edge, min(edge + step, len(rows)))))
         edge += step
-    assert [one for part in parts for one in told(part)] == told(whole)
+    assert [one for part in parts for one in tuples(part)] == tuples(whole)
     assert log.counts == Counter(whole.counts())
     held = sum((Counter(part.active["x"]) for part in parts), Counter())
     assert held == Counter(whole.active["x"]) and held.total() == len(rows)
 
 
-def test_the_list_of_a_run_agrees_with_what_moved() -> None:
-    """At each switch the measure has just passed its threshold by the hysteresis, and two are never closer than the dwell time."""
+def test_the_list_of_a_run_agrees_with_the_motion() -> None:
+    """At each switch the measure has just passed its threshold by the hysteresis; switches are at least the dwell time apart."""
     supervisor = Performance(thresholds=(0.5 * GAP,), hysteresis=1e-6, dwell_time=4e-3)
     axes = tuple(cl.Axis(name, DRIVE, substeps=4) for name in "xy")
     reference = cl.uniform(cl.contour("circle", radius=0.02), 1.0, 2, PERIOD)
@@ -146,7 +146,7 @@ def test_the_list_of_a_run_agrees_with_what_moved() -> None:
     assert found is not None and len(found) > 20
     apart = np.abs(run["motor_position"] - run["axis_position"])
     rose, fell = Performance.reasons
-    for sample, axis, before, after, reason in told(found):
+    for sample, axis, before, after, reason in tuples(found):
         seen = apart[sample, "xy".index(axis)]
         if after == "gap":
             assert before == "controller" and reason == fell and seen <= 0.5 * GAP + 1e-6
@@ -156,8 +156,8 @@ def test_the_list_of_a_run_agrees_with_what_moved() -> None:
         assert np.diff(found.sample[found.of(axis)]).min() >= 4
 
 
-def test_switches_are_told_by_the_line_of_the_program() -> None:
-    """Route by arc length: the first corner of a square is 10 mm along, where line 3 begins."""
+def test_switches_name_the_line_of_the_program() -> None:
+    """Routed by arc length: the first corner of a square is at 10 mm, where line 3 begins."""
     program = cl.parse_program("G21 G90 G61 F6000\nG1 X10\nG1 Y10\nG1 X0\nG1 Y0\nM2\n")
     limits = cl.AxisLimits([0.2, 0.2], [2.0, 2.0], [100.0, 100.0])
     reference = cl.plan(route_from_program(program, ("x", "y")), limits, PERIOD)
@@ -166,7 +166,7 @@ def test_switches_are_told_by_the_line_of_the_program() -> None:
     run = cl.simulate(cl.Machine("stage", axes, PERIOD), controller, reference)
     found = switches_of(run, controller, reference)
     assert found is not None
-    assert [(one[1], one[3]) for one in told(found)] == [("x", "light"), ("y", "light"), ("x", "controller"), ("y", "controller")]
+    assert [(one[1], one[3]) for one in tuples(found)] == [("x", "light"), ("y", "light"), ("x", "controller"), ("y", "controller")]
     assert found.line.tolist() == [3, 3, 5, 5]
     along = run["arc_length"]
     for sample, edge in zip(found.sample, (0.01, 0.01, 0.03, 0.03), strict=True):
@@ -174,7 +174,7 @@ def test_switches_are_told_by_the_line_of_the_program() -> None:
 
 
 @pytest.mark.parametrize("block", [1 << 16, 300])
-def test_a_controller_that_takes_over_is_a_switch_too(block: int) -> None:
+def test_a_controller_change_is_a_switch_too(block: int) -> None:
     supervisor = Performance(thresholds=(0.5 * GAP,), hysteresis=1e-6)
     first = cl.Controller(dict.fromkeys("xy", led(supervisor, "gap")))
     then = cl.Controller(dict.fromkeys("xy", led(supervisor, "free")))
@@ -183,7 +183,7 @@ def test_a_controller_that_takes_over_is_a_switch_too(block: int) -> None:
     machine, reference = cl.Machine("stage", axes, PERIOD), cl.uniform(cl.contour("circle", radius=0.02), 1.0, 1, PERIOD)
     run = cl.simulate(machine, first, reference, changes=changes)
     log = SwitchLog(first, PERIOD, reference, changes)
-    found = [one for k in range(0, run.n_sample, block) for one in told(log.add(run.window(k, min(k + block, run.n_sample))))]
+    found = [one for k in range(0, run.n_sample, block) for one in tuples(log.add(run.window(k, min(k + block, run.n_sample))))]
     taken = [(sample, axis) for sample, axis, _, _, reason in found if "folder/second.toml" in reason]
     assert taken == [(600, axis) for axis in "xy"]
     for sample, _, before, after, _ in found:
@@ -192,8 +192,8 @@ def test_a_controller_that_takes_over_is_a_switch_too(block: int) -> None:
 
 
 @pytest.mark.parametrize("supervised_first", [True, False])
-def test_switches_are_listed_where_only_one_of_two_controllers_has_a_supervisor(supervised_first: bool) -> None:
-    """The list up to the change, or from it on, is that of the supervisor: the other one switches nothing."""
+def test_switches_are_listed_if_only_one_of_two_controllers_has_a_supervisor(supervised_first: bool) -> None:
+    """The list up to the change, or after it, is that of the supervisor; the other controller never switches."""
     several = cl.Controller(dict.fromkeys("xy", led(Performance(thresholds=(0.5 * GAP,), hysteresis=1e-6), "gap")))
     single = cl.Controller(dict.fromkeys("xy", cl.AxisController(FAST, feedback="motor")))
     first, then = (several, single) if supervised_first else (single, several)
@@ -203,16 +203,16 @@ def test_switches_are_listed_where_only_one_of_two_controllers_has_a_supervisor(
     run = cl.simulate(cl.Machine("stage", axes, PERIOD), first, reference, changes=changes)
     found = switches_of(run, first, reference, changes)
     assert found is not None
-    own = [sample for sample, *_, reason in told(found) if reason.startswith("the measure")]
+    own = [sample for sample, *_, reason in tuples(found) if reason.startswith("the measure")]
     assert len(own) > 6 and all((sample < 500) == supervised_first for sample in own)
-    assert sum("takes over" in reason for *_, reason in told(found)) == 2
+    assert sum("takes over" in reason for *_, reason in tuples(found)) == 2
     assert not run["active_controller"][slice(500, None) if supervised_first else slice(500)].any()
 
 
-def test_an_axis_with_one_controller_is_listed_where_another_takes_its_place() -> None:
+def test_an_axis_with_one_controller_is_listed_when_it_changes() -> None:
     first, then = (cl.Controller({"x": cl.AxisController(kind, feedback="motor")}) for kind in (FAST, SLOW))
     result = cl.Result("made", ("x",), PERIOD, {"position": cl.Signal(np.zeros((10, 1)), ("sample", "axis"), "m")})
     found = switches_of(result, first, changes=(Change(4e-3, then, file="slow.toml"), Change(7.5e-3, first)))
     assert found is not None
-    assert [one[:4] for one in told(found)] == [(4, "x", "controller", "slow"), (8, "x", "slow", "from 0.0075 s")]
+    assert [one[:4] for one in tuples(found)] == [(4, "x", "controller", "slow"), (8, "x", "slow", "from 0.0075 s")]
     assert found.active == {"x": {"controller": 4, "slow": 4, "from 0.0075 s": 2}}

@@ -1,4 +1,4 @@
-"""Runs along rounded paths: places on the programmed path, and the compiled judge on blends of a micron beside lines of a metre."""
+"""Runs along rounded paths: places on the programmed path, and the compiled judge with micron blends between metre-long lines."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def along_the_plan(route: Route, arc_length: Array) -> Reference:
     )
 
 
-def test_the_compiled_judge_on_blends_of_a_micron_beside_lines_of_a_metre() -> None:
+def test_the_compiled_judge_with_micron_blends_between_metre_long_lines() -> None:
     path = rounded(staircase(5, 1.0), 1e-6).path
     assert path.table(1e-11).halvings > 0
     blends = path.breaks[1:-1].reshape(-1, 2)
@@ -52,18 +52,18 @@ def test_the_compiled_judge_on_blends_of_a_micron_beside_lines_of_a_metre() -> N
 
 
 @pytest.mark.parametrize("tolerance", [1e-5, 1e-4])
-def test_nothing_is_left_out_of_a_rounded_path_but_what_the_corners_cut_off(tolerance: float) -> None:
+def test_only_the_cut_corners_of_a_rounded_path_are_left_out(tolerance: float) -> None:
     route = rounded(staircase(200, 1e-3), tolerance)
     s = np.linspace(0.0, route.path.length, 20_001)
     reference = along_the_plan(route, s)
     judged = judge(made_run(reference, reference.block(0, len(s)).position), reference)
     longest, at_end = left_out(judged, reference, (0, len(s)))
-    # The middle of a blend of a right angle is P off; its feet jump from one leg to the other there: sqrt(2) P before and after the corner.
+    # The middle of a right-angled blend is P off. Its foot jumps from one leg to the other there: sqrt(2) P before and after the corner.
     assert 1.1 * tolerance < longest < np.sqrt(2.0) * tolerance + 1.5 * s[1]
     assert at_end < 1e-9
-    # In proportion to the lengths the place would be off by what all corners before it have saved.
+    # Scaling by total length instead would be off by the sum of all earlier corner cuts.
     assert np.abs(reference.programmed_arc_length(s) - s * (route.programmed.length / s[-1])).max() < 1e-3
-    # A tool that stops short has left out the rest of the programmed path; along a staircase the way is x + y.
+    # A tool that stops early leaves out the rest of the programmed path; along a staircase its length is x + y.
     tool = reference.block(0, len(s)).position.copy()
     tool[19_800:] = tool[19_800]
     _, at_end = left_out(judge(made_run(reference, tool), reference), reference, (0, len(s)))
@@ -72,7 +72,7 @@ def test_nothing_is_left_out_of_a_rounded_path_but_what_the_corners_cut_off(tole
     assert np.linalg.norm(off, axis=1).max() < 2.0 * tolerance
 
 
-def test_a_circle_of_the_program_is_found_though_corners_before_it_are_rounded() -> None:
+def test_a_programmed_circle_is_found_after_rounded_corners() -> None:
     lead_in = staircase(40, 1e-3)
     at = lead_in[-1].end
     circle = Arc(at + np.array([0.0, 0.01]), 0.01, -0.5 * np.pi, 2.0 * np.pi)
@@ -80,10 +80,10 @@ def test_a_circle_of_the_program_is_found_though_corners_before_it_are_rounded()
     s = np.linspace(0.0, route.path.length, 8001)
     reference = along_the_plan(route, s)
     (found,) = circles_of(made_run(reference, reference.block(0, 8001).position), reference)
-    # A reference that is followed has no deviation, behind the blend that leads into the circle.
+    # An exactly followed reference has no deviation after the blend into the circle.
     assert found.radius == pytest.approx(0.01)
     assert np.abs(found.deviation[200:-10]).max() < 1e-9
-    # All of it is seen: without the map as much is lost as the corners before it save, a third of a radian.
+    # The whole circle is covered: without the map, earlier corner cuts would remove a third of a radian.
     assert np.ptp(np.unwrap(found.angle)) > 2.0 * np.pi - 0.05
 
 

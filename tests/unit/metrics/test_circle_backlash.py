@@ -1,4 +1,4 @@
-"""Backlash from circular tests: circles made of axis errors, whose radial deviations are not those of the fit but the true ones."""
+"""Backlash from circular tests: circles with planted axis errors, judged by the true radial deviation and not that of a fit."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ CENTRE = np.array([0.3, -0.1])
 
 
 def measured(sense: float, n: int = 3600, **causes: Any) -> Array:
-    """Positions (n, 2) of a circle run in a sense, by the errors of its axes."""
+    """Return positions (n, 2) of a circle with the given axis errors, run in one sense."""
     get = {"backlash": (0.0, 0.0), "slope": (0.0, 0.0), "centre": (0.0, 0.0), "spike": (0.0, 0.0), **causes}.get
     phi = sense * np.linspace(0.1, 0.1 + 2.0 * math.pi, n, endpoint=False)
     unit = np.column_stack([np.cos(phi), np.sin(phi)])
@@ -36,7 +36,7 @@ def measured(sense: float, n: int = 3600, **causes: Any) -> Array:
     out += get("centre")
     out *= 1.0 + get("mean", 0.0) / RADIUS
     for axis in (0, 1):
-        # After each reversal of the axis the table stays behind for a while: outwards, as the axis stands at its end.
+        # After each reversal the table lags for a while: outwards, because the axis is at its end.
         since = np.mod(sense * (phi - 0.5 * math.pi * axis), math.pi)
         out[:, axis] += get("spike")[axis] * np.sign(unit[:, axis]) * np.exp(-since / math.radians(2.0))
     return CENTRE + out
@@ -46,12 +46,12 @@ EVERYTHING = {"scale": 8e-5, "squareness": -6e-5, "servo": 9e-6, "centre": (7e-6
 
 
 def noisy(points: Array, rng: np.random.Generator) -> Array:
-    """Noise of a count, and counts of 0.1 um."""
+    """Return the points with noise of one count, rounded to counts of 0.1 um."""
     return 1e-7 * np.round((points + 1e-7 * rng.normal(size=points.shape)) / 1e-7)
 
 
-def test_all_causes_at_once_are_told_apart() -> None:
-    """What is left out of the first order is (e/R)^2 R, some 0.02 um here."""
+def test_all_causes_together_are_separated() -> None:
+    """The first order neglects (e/R)^2 R, some 0.02 um here."""
     rng = np.random.default_rng(1)
     found = backlash_from_circle(noisy(measured(1.0, **EVERYTHING), rng), CENTRE, RADIUS, opposite=noisy(measured(-1.0, **EVERYTHING), rng))
     assert found.backlash == pytest.approx((6e-6, 2.5e-6), abs=0.05e-6)
@@ -77,7 +77,7 @@ def test_one_sense_gives_backlash_too(sense: float) -> None:
     assert all(q.clockwise == (sense < 0.0) for q in found.quadrants)
 
 
-def test_no_backlash_is_found_where_there_is_none() -> None:
+def test_no_backlash_is_found_without_backlash() -> None:
     runs = [measured(sense, **{**EVERYTHING, "backlash": (0.0, 0.0)}) for sense in (1.0, -1.0)]
     assert backlash_from_circle(runs[0], CENTRE, RADIUS, opposite=runs[1]).backlash == pytest.approx((0.0, 0.0), abs=0.02e-6)
 
@@ -94,8 +94,8 @@ def test_backlash_that_differs_between_the_ends() -> None:
 
 
 @pytest.mark.parametrize("height", [8e-6, -5e-6])
-def test_spikes_have_their_height_and_width_and_leave_the_backlash_alone(height: float) -> None:
-    """exp(-phi/2 deg) has half its height at 2 ln 2 degrees; after 15 degrees half a thousandth of it is left."""
+def test_spikes_are_measured_and_do_not_affect_the_backlash(height: float) -> None:
+    """exp(-phi/2 deg) falls to half its height at 2 ln 2 degrees, and to half a thousandth after 15 degrees."""
     causes = {**EVERYTHING, "spike": (height, 0.0)}
     found = backlash_from_circle(measured(1.0, **causes), CENTRE, RADIUS, opposite=measured(-1.0, **causes))
     assert found.backlash == pytest.approx((6e-6, 2.5e-6), abs=0.05e-6)
@@ -107,8 +107,8 @@ def test_spikes_have_their_height_and_width_and_leave_the_backlash_alone(height:
             assert abs(q.spike_height) < 0.2e-6
 
 
-def test_the_deviation_is_that_of_the_estimate() -> None:
-    """Over 60 circles the estimates scatter by what each of them says, white noise or noise that lasts for ten samples."""
+def test_the_stated_deviation_matches_the_scatter() -> None:
+    """Over 60 circles the estimates scatter by their stated deviation, with white noise or noise correlated over ten samples."""
     clean = measured(1.0, n=1200, **EVERYTHING)
     truth = np.array(backlash_from_circle(clean, CENTRE, RADIUS).backlash)
     for lasting in (1, 10):
@@ -126,19 +126,19 @@ def figures(found: CircleBacklash) -> list[float]:
 
 
 @given(scale=st.floats(1e-2, 1e2), shift=st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)), start=st.integers(0, 719))
-def test_units_place_and_start_do_not_matter(scale: float, shift: tuple[float, float], start: int) -> None:
+def test_units_position_and_start_do_not_matter(scale: float, shift: tuple[float, float], start: int) -> None:
     runs = [measured(sense, n=720, **EVERYTHING) for sense in (1.0, -1.0)]
     one = backlash_from_circle(runs[0], CENTRE, RADIUS, opposite=runs[1])
     moved = [np.roll(scale * run + np.array(shift), start, axis=0) for run in runs]
     other = backlash_from_circle(moved[1], scale * CENTRE + np.array(shift), scale * RADIUS, opposite=moved[0])
-    # Differences of positions a metre away have lost digits.
+    # Differences of positions a metre away lose digits.
     assert figures(other) == pytest.approx([scale * f for f in figures(one)], rel=1e-6, abs=1e-12)
     assert other.squareness == pytest.approx(one.squareness, rel=1e-6)
     assert other.scale_mismatch == pytest.approx(one.scale_mismatch, rel=1e-6)
 
 
-def test_the_axes_are_alike() -> None:
-    """Mirrored on the diagonal, x is y, and a run in one sense is one in the other."""
+def test_both_axes_are_treated_alike() -> None:
+    """Mirroring on the diagonal swaps x and y and reverses the sense."""
     one = backlash_from_circle(measured(1.0, **EVERYTHING), CENTRE, RADIUS, opposite=measured(-1.0, **EVERYTHING))
     swapped = backlash_from_circle(
         measured(1.0, **EVERYTHING)[:, ::-1], CENTRE[::-1], RADIUS, opposite=measured(-1.0, **EVERYTHING)[:, ::-1], axes=("u", "v")
@@ -150,7 +150,7 @@ def test_the_axes_are_alike() -> None:
     assert swapped.squareness == pytest.approx(one.squareness, rel=1e-9)
 
 
-def test_runs_as_the_circles_of_a_result_are_taken_as_well() -> None:
+def test_circles_of_a_result_are_accepted_too() -> None:
     runs = [circle_figures(measured(s, **EVERYTHING) - CENTRE, np.zeros(2), RADIUS, s < 0.0, "circle") for s in (1.0, -1.0)]
     direct = backlash_from_circle(measured(1.0, **EVERYTHING), CENTRE, RADIUS, opposite=measured(-1.0, **EVERYTHING))
     assert figures(backlash_of_runs(runs)) == pytest.approx(figures(direct), rel=1e-9)
@@ -175,13 +175,13 @@ ROUND = measured(1.0, n=720)
         (ROUND, {"radius": 0.0}, "radius"),
     ],
 )
-def test_what_is_no_circular_test_is_refused(position: Array, options: dict[str, Any], said: str) -> None:
+def test_other_records_are_refused(position: Array, options: dict[str, Any], said: str) -> None:
     with pytest.raises(ContourlabError, match=said) as refused:
         backlash_from_circle(position, CENTRE, **{"radius": RADIUS, **options})
     assert isinstance(refused.value, ResultError | ParameterError)
 
 
-def test_runs_of_unlike_radii_are_refused() -> None:
+def test_runs_of_different_radii_are_refused() -> None:
     runs = [
         circle_figures((1.0 + 0.1 * (s < 0)) * (measured(s) - CENTRE), np.zeros(2), RADIUS * (1.0 + 0.1 * (s < 0)), s < 0, "c")
         for s in (1, -1)

@@ -1,4 +1,4 @@
-"""Figures of ISO 230-4 on circles whose errors are known, and against a search for the minimum zone."""
+"""Figures of ISO 230-4 on circles with known errors, and against a search for the minimum zone."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def ring(deviation: Array | float, n: int = 720, centre: tuple[float, float] = (
 
 
 def searched_zone(points: Array) -> float:
-    """Minimum zone by a grid of centres, refined around the best one: no assumption besides a few rounds of convexity."""
+    """Return the minimum zone from a refined grid of centres; assumes only convexity over a few refinements."""
     middle, reach = points.mean(axis=0), 2.0 * float(np.ptp(np.linalg.norm(points - points.mean(axis=0), axis=1)))
     steps = np.linspace(-1.0, 1.0, 21)
     best = math.inf
@@ -44,12 +44,12 @@ def figures(points: Array, clockwise: bool = False) -> CircleFigures:
 
 
 def test_circle_off_centre() -> None:
-    """Round is round wherever it stands: G = 0, while F_max and F_min say how far off it is."""
+    """An eccentric circle is round: G = 0, while F_max and F_min show its eccentricity."""
     e = 30e-6
     found = figures(ring(0.0, centre=(e * 0.6, e * 0.8)))
     assert found.circular_deviation < 1e-15
     assert found.circular_deviation_least_squares < 1e-15
-    # Extremes |R +- e| at the angle of the shift, met by the samples to e (pi/720)^2.
+    # The extremes |R +- e| lie at the angle of the shift; the samples reach them to e (pi/720)^2.
     assert found.radial_max == pytest.approx(e, rel=1e-4)
     assert found.radial_min == pytest.approx(-e, rel=1e-4)
     # Mean radius of a circle seen from e off its centre: R + e^2/(4 R).
@@ -63,7 +63,7 @@ def test_circle_too_large() -> None:
 
 
 def test_ellipse() -> None:
-    """Servo mismatch: an ellipse at 45 degrees, a - b wide, whose centre serves both definitions."""
+    """Servo mismatch: an ellipse at 45 degrees, a - b wide; both definitions have the same centre."""
     a, b, turn = R + 8e-6, R - 5e-6, math.pi / 4
     u = 2.0 * np.pi * np.arange(720) / 720
     flat = np.column_stack([a * np.cos(u), b * np.sin(u)])
@@ -76,7 +76,7 @@ def test_ellipse() -> None:
 
 @pytest.mark.parametrize("lobes", [2, 3, 5])
 def test_lobes(lobes: int) -> None:
-    """r = R + h cos(n a): G = 2 h around the centre, which no shift betters."""
+    """r = R + h cos(n a): G = 2 h around the centre; no shift improves it."""
     h = 4e-6
     found = figures(ring(h * np.cos(lobes * 2.0 * np.pi * np.arange(720) / 720)))
     for value in (found.circular_deviation, found.circular_deviation_least_squares):
@@ -84,7 +84,7 @@ def test_lobes(lobes: int) -> None:
 
 
 def test_minimum_zone_is_less_than_least_squares() -> None:
-    """A bulge in one quadrant: least squares weighs all samples, the minimum zone the outermost ones only."""
+    """A bulge in one quadrant: least squares weights all samples, the minimum zone only the outermost ones."""
     angle = 2.0 * np.pi * np.arange(720) / 720
     points = ring(10e-6 * np.exp(-((angle - math.pi / 4) ** 2) / 0.02))
     found = figures(points)
@@ -102,12 +102,12 @@ def test_minimum_zone_against_a_search(seed: int) -> None:
     sought = searched_zone(points)
     assert zone <= sought * (1.0 + 1e-12)
     assert zone == pytest.approx(sought, rel=1e-4)
-    # The zone is that of the centre given with it.
+    # Check the zone at the returned centre.
     assert float(np.ptp(np.linalg.norm(points - centre, axis=1))) == pytest.approx(zone, rel=1e-12)
 
 
 def test_minimum_zone_touches_alternately() -> None:
-    """The mark of a minimum zone: outer and inner contacts alternate around it, four at least."""
+    """A minimum zone has outer and inner contacts that alternate around it, at least four."""
     rng = np.random.default_rng(11)
     angle = 2.0 * np.pi * np.arange(500) / 500
     points = ring(sum(rng.normal(0.0, 5e-6) * np.cos(k * angle + k) for k in range(2, 7)), 500)
@@ -120,7 +120,7 @@ def test_minimum_zone_touches_alternately() -> None:
 
 
 def test_minimum_zone_of_an_arc_with_known_answer() -> None:
-    """A square's corners and the middles of its sides: sqrt 2 - 1 of the half side, by symmetry."""
+    """Corners and side middles of a square: sqrt 2 - 1 of the half side, by symmetry."""
     corners = [(1, 1), (-1, 1), (-1, -1), (1, -1), (1, 0), (0, 1), (-1, 0), (0, -1)]
     zone, centre = minimum_zone(np.array(corners, dtype=float) + np.array([3.0, 2.0]))
     assert zone == pytest.approx(math.sqrt(2.0) - 1.0, rel=1e-9)
@@ -128,7 +128,7 @@ def test_minimum_zone_of_an_arc_with_known_answer() -> None:
 
 
 def test_least_squares_centre_is_stationary() -> None:
-    """At the centre of least squared radial distances its gradient is zero: sum (r - mean r) spoke = 0."""
+    """At the least-squares centre the gradient is zero: sum (r - mean r) spoke = 0."""
     rng = np.random.default_rng(3)
     points = ring(rng.normal(0.0, 1e-4, 300), 300, (2e-3, -1e-3))[:200]
     out = points - least_squares_centre(points)
@@ -146,8 +146,8 @@ def test_two_senses_with_a_lag_between_them() -> None:
     assert abs(found.mean_radial) < 1e-15
 
 
-def test_both_senses_off_centre_alike() -> None:
-    """What is common to both runs, as an offset, is taken up by the centre; a common radius error is D."""
+def test_both_senses_with_the_same_eccentricity() -> None:
+    """The centre takes up an offset common to both runs; a common radius error is D."""
     points = ring(5e-6, centre=(2e-5, -1e-5))
     found = bidirectional(figures(points), figures(points[::-1], clockwise=True))
     assert found.circular_deviation < 1e-14
@@ -156,7 +156,7 @@ def test_both_senses_off_centre_alike() -> None:
 
 
 def test_backlash_in_opposite_senses() -> None:
-    """Backlash b of x moves half circles apart: against each other at every angle by b |cos|."""
+    """Backlash b of x shifts the half circles: at every angle the two runs differ by b |cos|."""
     b = 8e-6
     angle = 2.0 * np.pi * np.arange(720) / 720
     points, back = ring(0.0), ring(0.0)
@@ -167,7 +167,7 @@ def test_backlash_in_opposite_senses() -> None:
     assert found.circular_deviation == pytest.approx(b, rel=2e-2)
 
 
-def test_runs_that_are_no_pair() -> None:
+def test_runs_that_do_not_form_a_pair() -> None:
     one, larger = figures(ring(0.0)), circle_figures(ring(0.0), ORIGIN, 2 * R, True, "larger")
     for other in (one, larger):
         with pytest.raises(ResultError, match="opposite senses"):
@@ -184,7 +184,7 @@ def test_too_few_samples() -> None:
 
 @pytest.mark.parametrize("clockwise", [0.0, 1.0])
 def test_circle_of_a_run_in_laps(clockwise: float) -> None:
-    """The last lap counts: the first one was run wide."""
+    """The last lap counts: the first one is too wide."""
     reference = circle_laps(360, laps=2, clockwise=clockwise)
     factor = np.where(np.arange(720) < 360, 1.02, 1.0 + 1e-3)
     tool = reference.block(0, 720).position * factor[:, None]
@@ -197,7 +197,7 @@ def test_circle_of_a_run_in_laps(clockwise: float) -> None:
 
 
 def programme() -> tuple[Path, Reference]:
-    """Approach, a circle to the left, a circle to the right, a half circle, and away."""
+    """Return a program: approach, a circle to the left, a circle to the right, a half circle, departure."""
     curves = [
         Line((-0.01, 0.0), (0.0, 0.0)),
         Arc((0.0, 0.03), 0.03, -math.pi / 2, 2.0 * math.pi),
@@ -210,11 +210,11 @@ def programme() -> tuple[Path, Reference]:
 
 
 def test_circles_of_a_programme() -> None:
-    """Only full circles are found, each with its sense and its own error; both senses make a pair."""
+    """Only full circles are found, each with its own sense and error; opposite senses form a pair."""
     path, reference = programme()
     along = reference.block(0, 4001).arc_length
     wide = np.where(along < path.breaks[2], 3e-6, -2e-6)
-    # Wider means away from the circle's centre, that is to the right of a left turn.
+    # Wider means away from the centre: to the right in a left turn.
     side = np.where(along < path.breaks[2], -1.0, 1.0)
     tool = path.position(along) + (side * wide)[:, None] * path.normal(along)
     left, right = circles_of(made_run(reference, tool), reference)
@@ -225,8 +225,8 @@ def test_circles_of_a_programme() -> None:
     assert both.mean_radial == pytest.approx(0.5e-6, rel=1e-2)
 
 
-def test_standing_still_does_not_count() -> None:
-    """A dwell at the end of the circle would weigh one place with a thousand samples."""
+def test_a_dwell_does_not_count() -> None:
+    """A dwell at the end of the circle would weight one place with a thousand samples."""
     path = Path([Arc((0.0, 0.0), 0.02, 0.0, 2.0 * math.pi)])
     along = np.concatenate([np.linspace(0.0, path.length, 500), np.full(1000, path.length)])
     reference = Reference.from_samples(path.position(along), PERIOD, path, arc_length=along)
@@ -235,7 +235,7 @@ def test_standing_still_does_not_count() -> None:
 
 
 @pytest.mark.parametrize(("u", "v", "left"), [((-1, 0), (0, -1), True), ((1, 0), (0, -1), False), ((0, 1), (1, 0), False)])
-def test_sense_does_not_hang_on_the_frame(u: tuple[int, int], v: tuple[int, int], left: bool) -> None:
+def test_sense_does_not_depend_on_the_frame(u: tuple[int, int], v: tuple[int, int], left: bool) -> None:
     path = Path([Arc((0.0, 0.0), 0.02, 0.0, 2.0 * math.pi, u, v)])
     reference = samples_on(path, np.linspace(0.0, path.length, 100))
     points = reference.block(0, 100).position
@@ -246,7 +246,7 @@ def test_sense_does_not_hang_on_the_frame(u: tuple[int, int], v: tuple[int, int]
 
 
 def test_circle_in_a_plane_of_space() -> None:
-    """A circle in ZX with the tool off along Y: out of the plane is no radial error."""
+    """A circle in ZX with the tool off along Y: the error out of the plane is not radial."""
     path = Path([Arc((0.0, 0.01, 0.0), 0.02, 0.3, -2.0 * math.pi, (0, 0, 1), (1, 0, 0))])
     reference = samples_on(path, np.linspace(0.0, path.length, 300))
     tool = reference.block(0, 300).position * (1.0 + 1e-4) + (0.0, 5e-5, 0.0)
@@ -255,8 +255,8 @@ def test_circle_in_a_plane_of_space() -> None:
     assert found.mean_radial == pytest.approx(2e-6, rel=1e-9)
 
 
-def test_circles_of_one_size_at_two_places_are_not_one() -> None:
-    """Each is run once, in senses of its own: neither has a figure of both ways."""
+def test_equal_circles_at_two_places_are_not_one() -> None:
+    """Each is run once, in opposite senses: neither has a bidirectional figure."""
     here, there = (Arc((x, 0.0), 0.01, 0.0, turn) for x, turn in ((0.0, 2.0 * math.pi), (0.02, -2.0 * math.pi)))
     path = cl.Path([here, Line((0.01, 0.0), (0.03, 0.0)), there])
     reference = cl.plan(cl.route_from_path(path, 0.05), cl.AxisLimits(0.2, 1.0, 20.0), 1e-3)

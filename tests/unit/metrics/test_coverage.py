@@ -1,4 +1,4 @@
-"""What of a path a tool never came to, and what that does to a verdict."""
+"""Coverage: the part of a path that the tool left out, and its effect on the verdict."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ def run_along(reference: Reference, along: Any) -> Result:
     return judge(made_run(reference, reference.path.position(along)), reference)
 
 
-def test_a_tool_that_follows_leaves_out_a_step() -> None:
+def test_a_following_tool_leaves_out_at_most_one_step() -> None:
     for reference in (open_path(), circle_laps(800, laps=2)):
         along = reference.block(0, reference.n_sample).arc_length
         found = summarise(run_along(reference, along), reference)
         assert found.left_out == pytest.approx(float(np.diff(along).max()), rel=1e-6)
 
 
-def test_a_tool_that_stays_leaves_out_what_it_did_not_drive() -> None:
+def test_a_stopped_tool_leaves_out_the_rest() -> None:
     reference = open_path()
     along = np.minimum(reference.block(0, 201).arc_length, 0.07)
     assert summarise(run_along(reference, along), reference).left_out == pytest.approx(0.03, abs=1e-9)
@@ -51,8 +51,8 @@ def test_a_hole_in_the_middle_is_found() -> None:
     assert summarise(run_along(reference, jumping), reference).left_out == pytest.approx(0.04, abs=1e-9)
 
 
-def test_on_laps_a_lag_leaves_nothing_out() -> None:
-    """The lap that counts begins where the one before it ended, a lag of 30 samples back."""
+def test_a_lag_on_laps_leaves_nothing_out() -> None:
+    """The judged lap begins where the previous one ended, 30 samples late."""
     reference = circle_laps(800, laps=3)
     along = reference.block(0, reference.n_sample).arc_length
     lagging = run_along(reference, np.maximum(along - 30.0 * LAP / 800.0, 0.0))
@@ -61,7 +61,7 @@ def test_on_laps_a_lag_leaves_nothing_out() -> None:
     assert longest == pytest.approx(LAP, rel=1e-9) and at_end == 0.0
 
 
-def test_what_is_missing_at_the_end_is_told_apart() -> None:
+def test_a_missing_end_is_reported_separately() -> None:
     reference = open_path()
     along = reference.block(0, 201).arc_length
     jumping = np.where((along > 0.01) & (along < 0.05), np.where(along < 0.03, 0.01, 0.05), np.minimum(along, 0.0985))
@@ -71,7 +71,7 @@ def test_what_is_missing_at_the_end_is_told_apart() -> None:
 
 @pytest.mark.parametrize(("coulomb", "passes"), [(0.02, True), (30.0, False)])
 def test_a_machine_that_cannot_move_does_not_pass(coulomb: float, passes: bool) -> None:
-    """Stuck at the start of the circle the tool is on the path all the time."""
+    """A tool stuck at the start of the circle is on the path all the time."""
     plant = component("plant", "mass-damper")(mass=10.0, damping=0.0, force_constant=50.0)
     friction = component("friction", "coulomb")(coulomb=50.0 * coulomb, breakaway=50.0 * coulomb, stribeck_velocity=1e-3)
     drive = component("drive", "saturation")(limit=3.0)

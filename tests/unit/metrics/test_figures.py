@@ -1,4 +1,4 @@
-"""Figures of errors whose sums are known in closed form."""
+"""Figures of errors with closed-form sums."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def test_sine_over_whole_periods() -> None:
     """rms A/sqrt 2, mean of |.| 2A/pi, max A, 95 % below A sin(0.475 pi), signed mean 0, integral mean * T."""
     amplitude = 3e-6
     found = figures_of(amplitude * np.sin(2.0 * np.pi * 5.0 * (np.arange(N) + 0.5) / N))
-    grid = (np.pi * 5.0 / N) ** 2  # of the midpoint rule on |sin|
+    grid = (np.pi * 5.0 / N) ** 2  # error of the midpoint rule on |sin|
     assert found.rms == pytest.approx(amplitude / math.sqrt(2.0), rel=1e-12)
     assert found.mean == pytest.approx(amplitude * 2.0 / math.pi, rel=grid)
     assert found.max == pytest.approx(amplitude, rel=grid)
@@ -47,14 +47,14 @@ def test_ramp() -> None:
     assert found.integral == pytest.approx(5050e-6 * PERIOD, rel=1e-13)
     assert found.signed_mean == pytest.approx(0.5e-6, rel=1e-12)
     assert 95e-6 <= found.p95 <= 96e-6
-    # Taking the mean m out: 50 values k - m and 50 of k + m, whose magnitudes are the values themselves.
+    # Without the mean m: 50 values k - m and 50 of k + m, whose magnitudes are the values themselves.
     assert found.integral_without_mean == pytest.approx(5050e-6 * PERIOD, rel=1e-12)
 
 
 @pytest.mark.parametrize("clockwise", [0.0, 1.0])
 @pytest.mark.parametrize("radius_error", [12.5e-6, -40e-6])
 def test_radius_error(radius_error: float, clockwise: float) -> None:
-    """A circle run too large by dr: every figure is |dr|, its integral over the period |dr| T; nothing is left without the mean."""
+    """A circle too large by dr: every figure is |dr|, its integral over the period |dr| T; without the mean nothing is left."""
     reference = circle_laps(800, laps=2, clockwise=clockwise)
     tool = reference.block(0, 1600).position * (1.0 + radius_error / 0.02)
     found = summarise(judge(made_run(reference, tool), reference), reference).part_error
@@ -100,13 +100,13 @@ def test_the_last_lap_counts() -> None:
     assert (last.window, last.basis) == ((200, 300), "last lap")
     assert last.contour_error.max == 2e-6
     assert summarise(result, reference, (100, 200)).contour_error.max == 5e-6
-    # A run that failed in its last lap is judged by the one before.
+    # If the last lap fails, the previous one is judged.
     assert summarise(result.window(0, 250), reference).contour_error.max == 5e-6
     assert evaluation_window(reference, 99) == ((0, 99), "whole motion")
 
 
 def test_a_window_of_a_run_keeps_its_laps() -> None:
-    """Samples are counted from where the window begins; laps from where the run did."""
+    """Samples count from the start of the window, laps from the start of the run."""
     reference = circle_laps(100, laps=3)
     error = np.concatenate([np.full(100, 9e-6), np.full(100, 5e-6), np.full(100, 2e-6)])
     result = with_error(made_run(reference, reference.block(0, 300).position), error)
@@ -119,7 +119,7 @@ def test_a_window_of_a_run_keeps_its_laps() -> None:
 
 
 def test_feedrate_of_a_circle_run_too_large() -> None:
-    """The chord of a lap's n-th part: 2 R' sin(pi/n)/dt; a steady speed has no ripple."""
+    """Chord of the n-th part of a lap: 2 R' sin(pi/n)/dt; a steady speed has no ripple."""
     reference = circle_laps(500)
     tool = reference.block(0, 500).position * 1.01
     found = summarise(judge(made_run(reference, tool), reference), reference)
@@ -129,7 +129,7 @@ def test_feedrate_of_a_circle_run_too_large() -> None:
 
 
 def test_feedrate_ripple_of_a_planted_wave() -> None:
-    """Speed v (1 + m sin): standard deviation m/sqrt 2 of the speed asked for."""
+    """Speed v (1 + m sin): standard deviation m/sqrt 2 of the programmed speed."""
     path = Path([Line((0.0, 0.0), (1.0, 0.0))])
     n, speed, depth = 2001, 0.1, 0.05
     along = 0.1 + speed * PERIOD * np.arange(n)
@@ -142,7 +142,7 @@ def test_feedrate_ripple_of_a_planted_wave() -> None:
 
 
 def test_ramps_of_the_feed_are_no_ripple() -> None:
-    """Where the reference itself changes speed, following it is no ripple."""
+    """Following a reference that changes speed is no ripple."""
     path = Path([Line((0.0, 0.0), (1.0, 0.0))])
     feed = np.concatenate([np.linspace(0.0, 0.1, 300), np.full(400, 0.1), np.linspace(0.1, 0.0, 300)])
     along = np.concatenate([[0.0], np.cumsum(feed[:-1] * PERIOD)])
@@ -182,14 +182,14 @@ def test_window_outside_the_run(window: tuple[int, int]) -> None:
         summarise(result, reference, window)
 
 
-def test_a_run_that_was_not_judged() -> None:
+def test_an_unjudged_run() -> None:
     reference = circle_laps(100)
     with pytest.raises(ResultError, match="no signal 'tracking_error'"):
         summarise(made_run(reference, reference.block(0, 100).position), reference)
 
 
 def test_figures_as_json() -> None:
-    """JSON knows no NaN: a ripple that cannot be told is null."""
+    """JSON has no NaN: an unknown ripple is null."""
     reference = uniform(contour("circle"), 500.0, 1, 1e-3)
     result = with_error(made_run(reference, reference.block(0, 2).position), np.array([1e-6, -1e-6]))
     plain = json_values(summarise(result, reference))

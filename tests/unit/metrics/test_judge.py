@@ -1,4 +1,4 @@
-"""The judge on positions whose errors are known in closed form."""
+"""The judge on positions with closed-form errors."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ ROUND = 1e-15  # positions of some 0.1 m have a last digit of 1.4e-17 m
 
 @pytest.mark.parametrize("clockwise", [0.0, 1.0])
 def test_circle_run_off_centre(clockwise: float) -> None:
-    """Tool on the same circle moved by c: the distance is |p - 0| - R, the side left of the travel is the inside if ccw."""
+    """The tool's circle is shifted by c: the distance is |p - 0| - R; left of a counter-clockwise travel is inside."""
     reference = circle_laps(720, clockwise=clockwise)
     shift = np.array([1.3e-4, -0.7e-4])
     tool = reference.block(0, 720).position + shift
@@ -26,7 +26,7 @@ def test_circle_run_off_centre(clockwise: float) -> None:
     outward = np.linalg.norm(tool, axis=1) - 0.02
     inside = -outward if clockwise == 0.0 else outward
     assert np.abs(judged["contour_error"] - inside).max() < ROUND
-    # Cosine theorem: |p| of the moved circle at the angle between spoke and shift.
+    # Law of cosines: |p| of the shifted circle at the angle between spoke and shift.
     angle = (1.0 if clockwise == 0.0 else -1.0) * 2.0 * np.pi * np.arange(720) / 720 - math.atan2(*shift[::-1])
     e = math.hypot(*shift)
     law = np.sqrt(0.02**2 + e**2 + 2.0 * 0.02 * e * np.cos(angle)) - 0.02
@@ -35,13 +35,13 @@ def test_circle_run_off_centre(clockwise: float) -> None:
 
 
 def test_ellipse_run_as_a_circle() -> None:
-    """On the tool's circle of radius R around an ellipse's centre: R - b on the short axis, a - R on the long one, and in
-    between the distance that solves the foot point's equation."""
+    """On a tool circle of radius R around an ellipse's centre: R - b on the short axis, a - R on the long one,
+    and in between the distance from the foot point equation."""
     a, b, radius = 0.030, 0.0298, 0.0299
     path = contour("ellipse", a=a, b=b)
     along = np.linspace(0.0, path.length, 400, endpoint=False)
     foot = path.position(along)
-    # Points made from their feet: p = foot + d * (unit normal to the left), d free of choice and well inside the evolute.
+    # Points made from their feet: p = foot + d * (unit normal to the left), with any d well inside the evolute.
     d = 1e-4 * np.sin(3.0 * 2.0 * np.pi * along / path.length)
     tool = foot + d[:, None] * path.normal(along)
     judged = judge(made_run(samples_on(path, along), tool), samples_on(path, along))
@@ -50,12 +50,12 @@ def test_ellipse_run_as_a_circle() -> None:
     quarter = np.arange(4) * path.length / 4.0
     tool = radius * np.array([[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]])
     judged = judge(made_run(samples_on(path, quarter), tool), samples_on(path, quarter))
-    # Counter-clockwise: inside the ellipse is left, so a point outside is negative.
+    # Counter-clockwise, left is inside: a point outside is negative.
     assert np.abs(judged["contour_error"] - [a - radius, b - radius, a - radius, b - radius]).max() < 1e-14
 
 
 def test_circle_run_as_an_ellipse() -> None:
-    """Servo mismatch makes an ellipse of a circle; its distance from the circle is |p| - R exactly."""
+    """Servo mismatch turns a circle into an ellipse; its distance from the circle is exactly |p| - R."""
     reference = circle_laps(500)
     u = 2.0 * np.pi * np.arange(500) / 500
     a, b = 0.0201, 0.01985
@@ -76,7 +76,7 @@ def test_lag_along_a_line_is_no_contour_error() -> None:
     assert np.abs(judged["foot_arc_length"] - (along - 2e-3)).max() < 1e-14
 
 
-def test_beyond_the_ends_of_an_open_path_the_end_counts() -> None:
+def test_beyond_the_ends_of_an_open_path_the_distance_is_to_the_end() -> None:
     path = Path([Line((0.0, 0.0), (0.1, 0.0))])
     reference = samples_on(path, np.array([0.0, 0.1]))
     judged = judge(made_run(reference, np.array([[-3e-4, 4e-4], [0.1 + 3e-4, -4e-4]])), reference)
@@ -85,7 +85,7 @@ def test_beyond_the_ends_of_an_open_path_the_end_counts() -> None:
 
 
 def test_branch_at_the_self_intersection() -> None:
-    """Where the lemniscate crosses itself at right angles, the branch of the progress counts, not the nearer one."""
+    """Where the lemniscate crosses itself at right angles, progress decides the branch, not distance."""
     path = contour("lemniscate", a=0.04)
     half = 0.5 * path.length
     near = np.linspace(-4e-3, 4e-3, 81)
@@ -100,8 +100,8 @@ def test_branch_at_the_self_intersection() -> None:
 
 
 @pytest.mark.parametrize("turn", [1.0, -1.0])
-def test_corner_cut_and_overshot(turn: float) -> None:
-    """A right-angled corner: cutting it is an error to the inside, equal to the shorter leg; overshooting one to the outside."""
+def test_a_corner_cut_and_overshot(turn: float) -> None:
+    """A right-angled corner: cutting it gives an inward error, equal to the shorter leg; overshooting gives an outward one."""
     corner = Path([Line((0.0, 0.0), (0.1, 0.0)), Line((0.1, 0.0), (0.1, 0.1 * turn))])
     cut = np.array([[0.1 - 3e-4, 2e-4 * turn], [0.1 - 1e-4, 2e-4 * turn]])
     over = np.array([[0.1 + 3e-4, -4e-4 * turn], [0.1 + 3e-4, 1e-3 * turn]])
@@ -110,7 +110,7 @@ def test_corner_cut_and_overshot(turn: float) -> None:
     assert judged["contour_error"] == pytest.approx(turn * np.array([2e-4, 1e-4, -5e-4, -3e-4]), abs=1e-15)
 
 
-def test_two_passes_over_one_point_keep_apart() -> None:
+def test_two_passes_over_one_point_are_kept_apart() -> None:
     """There and back on one line: the side changes with the direction of travel."""
     path = Path([Line((0.0, 0.0), (0.1, 0.0)), Line((0.1, 0.0), (0.0, 0.0))])
     reference = samples_on(path, np.array([0.05, 0.15]))
@@ -140,7 +140,7 @@ def test_in_space_the_error_is_a_distance() -> None:
 
 @pytest.mark.parametrize("turn", [1.0, -1.0])
 def test_rounded_corner_has_a_planning_deviation(turn: float) -> None:
-    """Fillet of radius r in a right angle: r (1 - cos alpha) from the lines, at most r (1 - cos 45 deg), to the inside."""
+    """Fillet of radius r in a right angle: inwards r (1 - cos alpha) from the lines, at most r (1 - cos 45 deg)."""
     r = 2e-3
     programmed = Path([Line((0.0, 0.0), (0.1, 0.0)), Line((0.1, 0.0), (0.1, 0.1 * turn))])
     fillet = Arc((0.1 - r, r * turn), r, -turn * math.pi / 2, turn * math.pi / 2)
@@ -149,12 +149,12 @@ def test_rounded_corner_has_a_planning_deviation(turn: float) -> None:
     along = 0.1 - r + r * swept
     reference = samples_on(planned, along, programmed)
     off = 7e-5
-    tool = planned.position(along) - turn * off * planned.normal(along)  # to the outside
+    tool = planned.position(along) - turn * off * planned.normal(along)  # outwards
     judged = judge(made_run(reference, tool), reference)
     deviation = r * (1.0 - np.cos(np.minimum(swept, math.pi / 2 - swept)))
     assert np.abs(judged["planning_deviation"] - turn * deviation).max() < 1e-14
     assert np.abs(judged["contour_error"] + turn * off).max() < 1e-14
-    # The tool runs on a circle of radius r + off about the fillet's centre: the same law with that radius.
+    # The tool runs at radius r + off about the fillet's centre: the same law with that radius.
     to_line = (r + off) * np.cos(np.minimum(swept, math.pi / 2 - swept)) - r
     assert np.abs(judged["part_error"] + turn * to_line).max() < 1e-14
 
@@ -168,7 +168,7 @@ def test_reach_holds_the_foot_of_any_tracking_error() -> None:
 
 
 def test_a_reference_far_ahead_does_not_lose_the_foot() -> None:
-    """A tenth of a lap of lag on a circle: the foot lies as far behind as the tool."""
+    """A lag of a tenth of a lap on a circle: the foot lags as much as the tool."""
     reference = circle_laps(400, laps=2)
     asked = reference.block(0, 800)
     lag = 0.1 * reference.path.length
@@ -187,7 +187,7 @@ def test_a_reference_far_ahead_does_not_lose_the_foot() -> None:
     ],
 )
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_what_is_not_finite_is_named(name: str, row: tuple[int, ...], words: str, bad: float) -> None:
+def test_a_non_finite_sample_is_reported_by_name(name: str, row: tuple[int, ...], words: str, bad: float) -> None:
     reference = circle_laps(50)
     result = made_run(reference, reference.block(0, 50).position)
     data = np.array(result[name])
@@ -197,14 +197,14 @@ def test_what_is_not_finite_is_named(name: str, row: tuple[int, ...], words: str
         judge(result.with_signals(**{name: signal}), reference)
 
 
-def test_axes_that_are_not_those_of_the_path() -> None:
+def test_axes_other_than_those_of_the_path() -> None:
     ring, line = circle_laps(50), Path([Line((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))])
     result = made_run(ring, ring.block(0, 50).position)
     with pytest.raises(ResultError, match=r"axes x, y .*3 coordinates"):
         judge(result, samples_on(line, np.linspace(0.0, 1.0, 50)))
 
 
-def test_missing_signal_is_named() -> None:
+def test_a_missing_signal_is_reported_by_name() -> None:
     ring = circle_laps(50)
     result = made_run(ring, ring.block(0, 50).position)
     bare = type(result)("bare", result.axes, result.servo_period, {"reference": result.signals["reference"]})

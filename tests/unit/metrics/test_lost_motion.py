@@ -1,4 +1,4 @@
-"""Gap and windup from motor and load, on records whose gap is known."""
+"""Gap and windup from motor and load, on records with a known gap."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ COUNT = 1e-7
 
 
 def strokes(n: int = 6, length: float = 0.02, samples: int = 800) -> Array:
-    """A motor that goes there and back n times, each stroke with its own speed."""
+    """Return the position of a motor that goes there and back n times, with a different speed for each stroke."""
     forth = length * 0.5 * (1.0 - np.cos(np.linspace(0.0, math.pi, samples, endpoint=False)))
     return np.concatenate([forth, length - forth] * n)
 
 
 def behind(motor: Array, half: Any) -> Array:
-    """The load of a play whose half width may depend on the place."""
+    """Return the load behind a play whose half width may depend on position."""
     at, load = float(motor[0]), np.empty_like(motor)
     for k, (m, b) in enumerate(zip(motor, np.broadcast_to(half, motor.shape), strict=True)):
         at = min(max(at, m - b), m + b)
@@ -40,7 +40,7 @@ def counted(position: Array, count: float = COUNT) -> Array:
 
 @pytest.mark.parametrize("gap", [0.0, 2e-6, 20e-6, 200e-6])
 def test_the_gap_of_a_play(gap: float) -> None:
-    """Counts of 0.1 um on both sides, scales 0.3 m apart, noise of half a count: to a tenth of a count, as many samples are averaged."""
+    """Counts of 0.1 um on both sides, scales 0.3 m apart, noise of half a count: averaging gives a tenth of a count."""
     rng = np.random.default_rng(1)
     motor = strokes()
     load = behind(motor, 0.5 * gap)
@@ -54,8 +54,8 @@ def test_the_gap_of_a_play(gap: float) -> None:
     assert found.lost_motion_deviation < 0.1 * COUNT
 
 
-def test_standstill_and_crossing_count_nothing() -> None:
-    """The load left anywhere in the gap while the axis stands for most of the record; the crossing made slow."""
+def test_standstill_and_crossing_do_not_count() -> None:
+    """The axis rests for most of the record with the load anywhere in the gap, and crosses it slowly."""
     motor, gap = strokes(2), 30e-6
     load = behind(motor, 0.5 * gap)
     still = np.full(20_000, motor[-1])
@@ -64,8 +64,8 @@ def test_standstill_and_crossing_count_nothing() -> None:
     assert found.lost_motion == pytest.approx(gap, abs=1e-12)
 
 
-def test_a_load_that_lies_somewhere_in_the_gap_at_the_start_is_not_taken_for_one_in_contact() -> None:
-    """It lies at the front: until the motor has crossed the whole gap nothing may count, or the first pass would be wrong by all of it."""
+def test_a_load_free_in_the_gap_at_the_start_does_not_count_as_contact() -> None:
+    """It lies at the front. If the motion before the first full crossing counted, the first pass would be wrong by the whole gap."""
     motor, gap = strokes(1), 100e-6
     load, at = np.empty_like(motor), motor[0] + 0.5 * gap
     for k, m in enumerate(motor):
@@ -73,17 +73,17 @@ def test_a_load_that_lies_somewhere_in_the_gap_at_the_start_is_not_taken_for_one
     assert lost_motion_from_pair(motor, load, bins=100).lost_motion == pytest.approx(gap, abs=1e-12)
 
 
-def test_errors_of_a_scale_along_the_axis_drop_out() -> None:
-    """A pitch error of 8 um and 50 um per metre, alike both ways."""
+def test_scale_errors_along_the_axis_cancel() -> None:
+    """A pitch error of 8 um and 50 um per metre, equal in both directions."""
     motor, gap = strokes(), 25e-6
     wrong = 8e-6 * np.sin(2.0 * math.pi * motor / 5e-3) + 5e-5 * motor
     found = lost_motion_from_pair(motor, behind(motor, 0.5 * gap) + wrong, bins=20)
-    # The two directions sample a bin at unlike speeds: the error's slope of 1e-2 over that difference of place.
+    # At different speeds the two directions sample a bin at different positions: this difference times the error's slope of 1e-2.
     assert found.lost_motion == pytest.approx(gap, abs=2e-8)
 
 
 def test_a_gap_that_varies_along_the_axis() -> None:
-    """b(x) = 20 um + 1 um a millimetre: in each bin that of its middle, and in all the mean."""
+    """b(x) = 20 um + 1 um per millimetre: each bin gives its middle, all together the mean."""
     motor = strokes(samples=4000)
     found = lost_motion_from_pair(motor, motor - (motor - behind(motor, 0.5 * (20e-6 + 1e-3 * motor))), bins=8)
     assert len(found.place) == 8
@@ -92,7 +92,7 @@ def test_a_gap_that_varies_along_the_axis() -> None:
 
 
 def windup_record(gap: float, stiffness: float, speeds: tuple[float, ...]) -> tuple[Array, Array, Array]:
-    """Motor, load, and the force handed on: friction of 40 N and 2000 N s/m on strokes at several speeds, 1 ms between samples."""
+    """Return motor, load and transmitted force: friction of 40 N and 2000 N s/m on strokes at several speeds, 1 ms between samples."""
     motor, force = [np.zeros(1)], [np.zeros(1)]
     for speed in speeds:
         for sense in (1.0, -1.0):
@@ -103,8 +103,8 @@ def windup_record(gap: float, stiffness: float, speeds: tuple[float, ...]) -> tu
     return m, behind(m, 0.5 * gap + np.abs(f) / stiffness), f
 
 
-def test_force_tells_windup_from_gap() -> None:
-    """2 F/k of some 4.5 um on a gap of 12 um, with counts of 0.1 um: by force alone, by force and stiffness, by friction and stiffness."""
+def test_force_separates_windup_from_gap() -> None:
+    """2 F/k of some 4.5 um on a gap of 12 um, with counts of 0.1 um: by force, by force and stiffness, by friction and stiffness."""
     gap, stiffness = 12e-6, 2.5e7
     motor, load, force = windup_record(gap, stiffness, (2e-3, 5e-3, 10e-3, 20e-3))
     rng = np.random.default_rng(7)
@@ -124,15 +124,15 @@ def test_force_tells_windup_from_gap() -> None:
     assert rubbed.windup == pytest.approx(2.0 * mean / stiffness, rel=1e-12)
 
 
-def test_a_force_of_one_size_cannot_tell_stiffness_from_gap() -> None:
+def test_a_constant_force_cannot_separate_stiffness_from_gap() -> None:
     motor, load, force = windup_record(12e-6, 2.5e7, (5e-3, 5e-3, 5e-3))
     with pytest.raises(ResultError, match="stiffness"):
         lost_motion_from_pair(motor, load, force=force)
     assert lost_motion_from_pair(motor, load, force=force, stiffness=2.5e7).gap == pytest.approx(12e-6, abs=1e-10)
 
 
-def test_the_deviation_is_that_of_the_estimate() -> None:
-    """Over 60 records with noise of their own, the estimates scatter by what each of them says."""
+def test_the_stated_deviation_matches_the_scatter() -> None:
+    """Over 60 records with different noise the estimates scatter by their stated deviation."""
     motor, rng = strokes(3, samples=300), np.random.default_rng(6)
     load, z = behind(motor, 5e-6), []
     for _ in range(60):
@@ -150,8 +150,8 @@ def test_the_deviation_is_that_of_the_estimate() -> None:
     mirrored=st.booleans(),
     repeated=st.integers(1, 4),
 )
-def test_units_places_direction_and_pace_do_not_matter(scale: float, shift: float, apart: float, mirrored: bool, repeated: int) -> None:
-    # No sample lies on the edge of a bin, where rounding would decide which one it belongs to.
+def test_units_position_direction_and_pace_do_not_matter(scale: float, shift: float, apart: float, mirrored: bool, repeated: int) -> None:
+    # No sample lies on the edge of a bin, where rounding would decide.
     motor = strokes(2, samples=150)
     motor += 1e-5 * np.sin(1.7 * np.arange(motor.size))
     load = behind(motor, 15e-6) + 1e-7 * np.sin(np.arange(motor.size))
@@ -178,7 +178,7 @@ GOOD = strokes(1, samples=100)
         (np.zeros(1), np.zeros(1), "not move"),
     ],
 )
-def test_a_record_that_says_nothing_is_refused(motor: Array, load: Array, said: str) -> None:
+def test_a_record_without_information_is_refused(motor: Array, load: Array, said: str) -> None:
     with pytest.raises(ResultError, match=said):
         lost_motion_from_pair(motor, load)
 

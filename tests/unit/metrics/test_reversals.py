@@ -1,4 +1,4 @@
-"""Reversal spikes that were planted: when, how high, how wide."""
+"""Planted reversal spikes: their time, height and width."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from contourlab.result import Result
 N = 2000
 START = math.pi / 4
 SLOPE = 1e-7
-"""Of the baseline [m/s]: its ends are means over five samples, which shifts it by the slope of three."""
+"""Slope of the baseline [m/s]. Its ends are means over five samples, which shifts it by the slope over three samples."""
 
 
 def hat(when: Array, at: float, half: float) -> Array:
-    """Triangle of height 1: half of it stands above half its height, `half` wide."""
+    """Return a triangle of height 1, `half` wide at half its height."""
     return np.maximum(1.0 - np.abs(when - at) / half, 0.0)
 
 
 def planted(clockwise: float, heights: tuple[float, ...], delay: float, half: float, laps: int = 1) -> Result:
-    """Triangles behind the reversals of a circle, on a baseline of 2 um that slopes."""
-    # A start in the middle of a quadrant, so that no reversal stands at the edge.
+    """Return triangles after the reversals of a circle, on a sloping baseline of 2 um."""
+    # Start in the middle of a quadrant, so that no reversal lies at the edge.
     path = contour("circle", radius=0.02, start_angle=START, clockwise=clockwise)
     reference = uniform(path, 1.0 / (N * PERIOD), laps, PERIOD)
     time = np.arange(N * laps) * PERIOD
@@ -69,7 +69,7 @@ def test_reversals_of_a_clockwise_circle() -> None:
 
 
 def test_no_spike_no_height() -> None:
-    """On a sloping baseline without a spike nothing stands out."""
+    """A sloping baseline without a spike gives no height."""
     for spike in reversal_spikes(planted(0.0, (), 0.0, 1.0)):
         assert abs(spike.height) == pytest.approx(3.0 * PERIOD * SLOPE, rel=1e-6)
 
@@ -80,7 +80,7 @@ def test_window_and_longest() -> None:
     second = reversal_spikes(result, (N, 2 * N))
     assert len(second) == 4
     assert all(N <= s.sample < 2 * N for s in second)
-    # Looked for during 20 ms, a spike that comes after 50 ms is not seen.
+    # A search of 20 ms does not see a spike that comes after 50 ms.
     assert all(abs(s.height) < 4.0 * PERIOD * SLOPE for s in reversal_spikes(result, longest=0.02))
 
 
@@ -97,7 +97,7 @@ def test_standstill_in_between_is_one_reversal() -> None:
     reference = samples_on(path, along)
     result = with_error(made_run(reference, path.position(along)), 5e-6 * hat(np.arange(500) * PERIOD, 0.34, 0.02))
     (spike,) = reversal_spikes(result)
-    # The central difference of the last sample at rest already sees the move back.
+    # The central difference at the last sample at rest already sees the backward motion.
     assert (spike.axis, spike.quadrant) == ("x", 0)
     assert spike.sample in (299, 300)
     assert spike.height == pytest.approx(5e-6, rel=0.05)
@@ -111,16 +111,16 @@ def test_in_space_there_is_no_quadrant() -> None:
     assert (spike.axis, spike.quadrant) == ("y", 0)
 
 
-def test_circle_laps_have_a_reversal_per_quarter() -> None:
+def test_circle_laps_have_four_reversals_each() -> None:
     reference = circle_laps(400, laps=3)
     result = with_error(made_run(reference, reference.block(0, 1200).position), np.zeros(1200))
-    # At the very start y moves already and x begins to: 4 reversals a lap, but for the one at the first sample.
+    # At the very start y already moves and x begins to: 4 reversals per lap, less the one at the first sample.
     assert len(reversal_spikes(result)) == 3 * 4 - 1
 
 
 @pytest.mark.parametrize(("clockwise", "order"), [(0.0, (90, 180, 270, 0)), (1.0, (0, 270, 180, 90))])
 def test_reversals_of_a_circle_are_at_its_four_quadrants(clockwise: float, order: tuple[int, ...]) -> None:
-    """x is farthest out at 0 degrees and turns back there, whichever way the circle is run."""
+    """x is farthest out at 0 degrees and turns back there, in either sense."""
     path = contour("circle", radius=0.02, start_angle=START, clockwise=clockwise)
     result = planted(clockwise, (1e-6,) * 4, 0.03, 0.02)
     spikes = reversal_spikes(result, reference=uniform(path, 1.0 / (N * PERIOD), 1, PERIOD))
@@ -130,7 +130,7 @@ def test_reversals_of_a_circle_are_at_its_four_quadrants(clockwise: float, order
 
 
 def test_only_arcs_have_quadrants() -> None:
-    """Up, round half a circle, and down again: x turns on the arc, y does not turn there but at the corner of a line."""
+    """Up, around a half circle, down: x turns on the arc, y at the corner of a line."""
     path = Path(
         [
             Line((0.0, -0.02), (0.0, 0.0)),
@@ -149,7 +149,7 @@ def test_only_arcs_have_quadrants() -> None:
 
 
 @pytest.mark.parametrize(("plane", "first", "second"), [("xy", 0, 1), ("yz", 1, 2), ("zx", 2, 0)])
-def test_quadrants_of_a_circle_in_space_are_counted_from_the_first_axis_of_its_plane(plane: str, first: int, second: int) -> None:
+def test_quadrants_of_a_circle_in_space_start_at_the_first_axis_of_its_plane(plane: str, first: int, second: int) -> None:
     frame = np.eye(3)
     path = Path([Arc((0.0, 0.0, 0.0), 0.02, 0.5, 2.0 * math.pi, u=frame[first], v=frame[second])], closed=True)
     reference = uniform(path, 1.0 / (N * PERIOD), 2, PERIOD)
@@ -160,7 +160,7 @@ def test_quadrants_of_a_circle_in_space_are_counted_from_the_first_axis_of_its_p
 
 
 def in_space(inward: float, height: float) -> tuple[Result, Reference]:
-    """A circle in the XY plane of three axes: the tool runs inside by a lag, and a spike behind each reversal throws it outwards."""
+    """Return a circle in the XY plane of three axes: the tool runs inside by its lag; a spike after each reversal throws it outwards."""
     path = Path([Arc((0.0, 0.0, 0.0), 0.02, START, 2.0 * math.pi, u=(1.0, 0.0, 0.0), v=(0.0, 1.0, 0.0))], closed=True)
     reference = uniform(path, 1.0 / (N * PERIOD), 1, PERIOD)
     asked, when = reference.block(0, N).position, np.arange(N) * PERIOD
@@ -168,21 +168,21 @@ def in_space(inward: float, height: float) -> tuple[Result, Reference]:
     return judge(made_run(reference, asked * (1.0 + out / 0.02)[:, None]), reference), reference
 
 
-def test_a_spike_through_the_path_counts_from_where_it_comes_in_space_too() -> None:
-    """From 10 um inside to 10 um outside is a spike of 20 um, though the distance is 10 um at its foot and at its tip."""
+def test_in_space_too_a_spike_through_the_path_counts_from_its_baseline() -> None:
+    """From 10 um inside to 10 um outside the spike is 20 um high, though the distance is 10 um at its foot and at its tip."""
     result, reference = in_space(10e-6, 20e-6)
     assert result["contour_error"].min() >= 0.0 and result["contour_error"].max() == pytest.approx(10e-6, rel=0.01)
     spikes = reversal_spikes(result, reference=reference)
     assert len(spikes) == 4
     for spike in spikes:
-        # The baseline is a chord of the lag that turns by 45 degrees with the circle: it is off by up to 10 um (1 - cos 22.5 deg).
+        # The baseline is a chord; the lag turns by 45 degrees with the circle, so it is off by up to 10 um (1 - cos 22.5 deg).
         assert spike.height == pytest.approx(20e-6, abs=0.8e-6)
         assert spike.peak_time - spike.time == pytest.approx(0.04, abs=2.0 * PERIOD)
         assert spike.width == pytest.approx(0.03, rel=0.1)
 
 
-def test_in_space_the_error_is_that_from_the_planned_path() -> None:
-    """The corner of the programmed path is cut by 0.4 mm: that is planning, no spike of the servo."""
+def test_in_space_the_error_refers_to_the_planned_path() -> None:
+    """Planning cuts the programmed corner by 0.4 mm: this is no spike of the servo."""
     programmed = Path([Line((0.0, 0.0, 0.0), (0.02, 0.0, 0.0)), Line((0.02, 0.0, 0.0), (0.01, 0.02, 0.0))])
     planned = Path(
         [
@@ -213,7 +213,7 @@ def test_figures_of_spikes_by_hand() -> None:
     assert (first.mean, first.largest, first.largest_time, first.duration) == pytest.approx((6e-6, 8e-6, 2.0, 0.02))
     assert (second.axis, second.angle) == ("y", 1.5 * math.pi)
     assert (third.axis, third.count) == ("x", 1) and math.isnan(third.angle)
-    # Without places: the quadrant is told where all share it.
+    # Without places, the quadrant is given if all share it.
     together = {f.axis: f for f in reversal_figures(spikes, places=False)}
     assert together["x"].count == 3 and math.isnan(together["x"].angle)
     assert together["y"].angle == 1.5 * math.pi

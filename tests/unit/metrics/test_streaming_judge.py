@@ -1,4 +1,4 @@
-"""The judge of a batch against the exact judge, on positions made by hand."""
+"""The streaming judge of a batch against the exact judge, on hand-made positions."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from contourlab.metrics.streaming import SUMS, corner_parts, judge_step
 
 WINDOW = 2e-2
 TABLE = 1e-11
-"""Largest distance [m] of the path's table from the path, where there is no closed form."""
+"""Largest distance [m] of the path's table from the path, where no closed form exists."""
 
 
 def streamed(path: Path, along: Array, tool: Array, counted: tuple[int, int] | None = None, analytic: bool = True) -> Any:
-    """Return the sums of the streaming judge by name, its contour error (n_sample,), and at which samples it was unsure."""
+    """Return the sums of the streaming judge by name, its contour error (n_sample,), and the samples in doubt."""
     view = view_of(path, tolerance=TABLE, analytic=analytic)
     n = path.n_axis
     first, stop = counted or (0, len(along))
@@ -54,7 +54,7 @@ CASES = [("circle", {}), ("ellipse", {"a": 0.03, "b": 0.015}), ("lemniscate", {}
 @pytest.mark.parametrize(("name", "parameters"), CASES)
 @pytest.mark.parametrize("size", [1e-5, 3e-4])
 def test_agrees_with_the_exact_judge(name: str, parameters: dict[str, float], size: float) -> None:
-    """Sample by sample to the tolerance of the path's table; doubt is for errors that are not small beside the path's radii."""
+    """Each sample agrees to the tolerance of the path's table; doubt is only for errors comparable to the path's radii."""
     path = contour(name, **parameters)
     along = np.linspace(0.0, 1.2 * path.length, 500)
     tool = path.position(along - 2.0 * size) + wobble(500, size)
@@ -66,7 +66,7 @@ def test_agrees_with_the_exact_judge(name: str, parameters: dict[str, float], si
 
 @pytest.mark.parametrize("analytic", [True, False])
 def test_sums(analytic: bool) -> None:
-    """Every sum is that of the errors that count."""
+    """Every sum equals that of the judged errors."""
     path = contour("circle")
     along = np.linspace(0.0, path.length, 300)
     tool = path.position(along) + wobble(300, 5e-5)
@@ -109,8 +109,8 @@ def test_in_space_it_is_a_distance() -> None:
     assert sums["sum_signed"] == pytest.approx(sums["sum_magnitude"], rel=1e-15)
 
 
-def test_doubt_is_told() -> None:
-    """Jumps as large as the path's radii, which Newton's method does not follow: what it got wrong it was not sure of."""
+def test_every_wrong_sample_is_marked_as_doubtful() -> None:
+    """Jumps as large as the path's radii, which Newton's method cannot follow."""
     path = contour("star", lobes=5, depth=0.4)
     along = np.linspace(0.0, path.length, 500)
     tool = path.position(along) + np.random.default_rng(0).normal(0.0, 2e-3, (500, 2))
@@ -122,7 +122,7 @@ def test_doubt_is_told() -> None:
     assert sums["unsure"] == np.count_nonzero(doubt) < 500
 
 
-def test_at_rest_nothing_happens() -> None:
+def test_at_rest_the_error_is_zero() -> None:
     path = Path([Line((0.0, 0.0), (0.1, 0.0))])
     along = np.zeros(20)
     sums, error, _ = streamed(path, along, path.position(along))
@@ -138,20 +138,20 @@ def square_or_zigzag(closed: bool) -> Path:
 @pytest.mark.parametrize("closed", [True, False])
 @pytest.mark.parametrize("size", [2e-5, 5e-4])
 def test_corners_from_inside_and_outside(closed: bool, size: float) -> None:
-    """A tool that lags and wobbles around corners: outside of one the corner itself is the foot point, and nothing is in doubt."""
+    """A tool that lags and wobbles around corners: outside, the corner itself is the foot point; no sample is in doubt."""
     path = square_or_zigzag(closed)
-    # On a closed path a run that begins at the closing corner itself has nothing yet to come from.
+    # On a closed path a run that begins at the closing corner has no earlier segment to come from.
     along = np.linspace(0.1 * path.length if closed else 0.0, (1.7 if closed else 1.0) * path.length, 1500)
     tool = path.position(np.maximum(along - 3.0 * size, 0.0)) + wobble(1500, size)
     exact = judge(made_run(samples_on(path, along), tool), samples_on(path, along))["contour_error"]
     sums, error, _ = streamed(path, along, tool)
     assert np.abs(np.abs(error) - np.abs(exact)).max() < 2.0 * TABLE
-    assert np.count_nonzero(np.sign(error) != np.sign(exact)) <= 0.01 * len(exact)  # straight behind a corner either side will do
+    assert np.count_nonzero(np.sign(error) != np.sign(exact)) <= 0.01 * len(exact)  # straight behind a corner both sides are right
     assert sums["unsure"] == 0.0
 
 
 @pytest.mark.parametrize("beyond", [1e-6, 3e-4])
-def test_a_tool_that_runs_past_the_end_is_off(beyond: float) -> None:
+def test_a_tool_beyond_the_end_is_in_error(beyond: float) -> None:
     path = Path([Line((0.0, 0.0), (0.04, 0.0)), Line((0.04, 0.0), (0.04, 0.03))])
     along = np.concatenate([np.linspace(0.0, path.length, 300), np.full(20, path.length)])
     tool = path.position(along)

@@ -19,7 +19,7 @@ W = np.logspace(-4, 7, 60_001)
 
 
 def least_on_a_grid(loop: BacklashLoop) -> float:
-    """Return the least of 1 + k Re G over a fine grid."""
+    """Return the minimum of 1 + k Re G over a fine grid."""
     return float((1.0 + loop.stiffness * loop.transfer(W).real).min())
 
 
@@ -29,18 +29,18 @@ def least_on_a_grid(loop: BacklashLoop) -> float:
     load=st.floats(-2.5, 1.0),
     integral=st.sampled_from([0.0, 10.0]),
 )
-def test_least_value_agrees_with_a_grid(gains: tuple[float, float], load: float, integral: float) -> None:
+def test_the_minimum_agrees_with_a_grid(gains: tuple[float, float], load: float, integral: float) -> None:
     loop = two_inertia_loop(drive(load_damping=10.0**load), motor_pid(*gains, integral))
     circle = circle_criterion(loop)
     on_grid = least_on_a_grid(loop)
-    # A grid can only miss the least; an infinite grid would find the limit at infinity, 1.
+    # A grid can only miss the minimum; an infinite grid would find the limit at infinity, 1.
     assert circle.margin <= on_grid + 1e-9 * abs(on_grid)
     assert circle.margin == pytest.approx(on_grid, rel=1e-3, abs=2e-3)
 
 
 @pytest.mark.parametrize(("damping", "verdict"), [(2.0, "undecided"), (2.1, "stable"), (3.0, "stable")])
-def test_the_circle_criterion_wants_much_damping(damping: float, verdict: str) -> None:
-    """Low frequencies: Re G = 1/K_p - J_l/c^2, so c has to pass sqrt(k J_l) = 2.04 or so."""
+def test_the_circle_criterion_needs_much_damping(damping: float, verdict: str) -> None:
+    """Low frequencies: Re G = 1/K_p - J_l/c^2, so c must exceed about sqrt(k J_l) = 2.04."""
     loop = two_inertia_loop(drive(load_damping=damping), SCHEME_II)
     found = circle_criterion(loop)
     assert found.verdict == verdict
@@ -49,10 +49,10 @@ def test_the_circle_criterion_wants_much_damping(damping: float, verdict: str) -
 
 
 def test_it_finds_a_resonance_between_the_points_of_a_grid() -> None:
-    """Damping of 1e-9 of the frequency: the dip below -1/k is narrower than any reasonable grid's steps."""
+    """Damping of 1e-9 of the frequency: the dip below -1/k is narrower than the steps of any reasonable grid."""
     w, zeta, gain = 464.7, 1e-9, 2e-11
     a = np.array([[0.0, 1.0, 0.0], [-(w**2), -2.0 * zeta * w, 0.0], [0.0, 0.0, -50.0]])
-    # G = -gain w^2/(s^2 + 2 zeta w s + w^2) + 1e-4/(s + 50) - ..., made of relative degree 2 by its second row.
+    # G = -gain w^2/(s^2 + 2 zeta w s + w^2) + 1e-4/(s + 50) - ...; its second row makes it of relative degree 2.
     b, c = np.array([0.0, 1.0, 1.0]), np.array([0.0, -gain, gain])
     loop = BacklashLoop(a, b, c, stiffness=1.0 / (gain * 1e3), half_gap=HALF_GAP)
     found = circle_criterion(loop)
@@ -64,7 +64,7 @@ def test_it_finds_a_resonance_between_the_points_of_a_grid() -> None:
     assert found.margin < 0.0
 
 
-def test_where_it_does_not_apply_it_says_so() -> None:
+def test_loops_outside_its_scope_are_reported() -> None:
     lossless = circle_criterion(two_inertia_loop(PAPER, SCHEME_II))
     assert (lossless.verdict, "double pole" in lossless.explanation) == ("undecided", True)
     damped_shaft = circle_criterion(two_inertia_loop(drive(load_damping=0.1, shaft_damping=0.1), SCHEME_II))
@@ -73,15 +73,15 @@ def test_where_it_does_not_apply_it_says_so() -> None:
     assert math.isnan(lossless.margin)
 
 
-def test_it_never_calls_a_loop_with_a_limit_cycle_stable() -> None:
-    """Motor side, K_v 60, K_p 0.3, K_i 3000 with a damped load swings for ever at 1.2 half-gaps."""
+def test_a_loop_with_a_limit_cycle_is_never_called_stable() -> None:
+    """Motor side, K_v 60, K_p 0.3, K_i 3000 with a damped load oscillates for ever at 1.2 half-gaps."""
     loop = two_inertia_loop(drive(load_damping=0.2), p_pi_cascade(60.0, 0.3, 3000.0, "motor"))
     run = simulate_exact(loop, [0.0, 0.0, -3.0 * HALF_GAP, 0.0, 0.0], 3.0)
     assert np.ptp(run.difference(np.linspace(2.9, 3.0, 500))) > 2.0 * HALF_GAP
     assert circle_criterion(loop).verdict == "undecided"
 
 
-def test_a_stable_verdict_is_borne_out() -> None:
+def test_simulations_confirm_a_stable_verdict() -> None:
     """All motions of the loop end with the gap unloaded."""
     loop = two_inertia_loop(drive(load_damping=3.0), SCHEME_II)
     assert circle_criterion(loop).verdict == "stable"

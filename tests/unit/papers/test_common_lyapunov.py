@@ -1,4 +1,4 @@
-"""Common quadratic Lyapunov functions: known borders, certificates checked without the solver, and the paper's own matrices."""
+"""Common quadratic Lyapunov functions: known limits, certificates checked without the solver, and the paper's matrices."""
 
 from __future__ import annotations
 
@@ -57,8 +57,8 @@ def refutes(matrices: list[Array], found: CommonLyapunov) -> None:
     assert np.linalg.eigvalsh(total)[0] >= -1e-12 * size
 
 
-def test_the_papers_scheme_has_none() -> None:
-    """The load is free in the gap: proved by its own direction, for scheme II and III."""
+def test_the_scheme_of_the_paper_has_none() -> None:
+    """The load is free in the gap: its own direction proves it, for schemes II and III."""
     for feedback in (None, SCHEME_III):
         loop = paper_loop() if feedback is None else two_inertia_loop(PAPER, feedback)
         matrices = [loop.gap_matrix, loop.contact_matrix]
@@ -72,7 +72,7 @@ def test_the_papers_scheme_has_none() -> None:
 
 
 def test_contact_alone_has_one() -> None:
-    """Rates from 0.2 to 1.9e5 1/s: P is found, its rate is near that of the slowest eigenvalue, and the bound holds along motions."""
+    """Rates from 0.2 to 1.9e5 1/s: P is found, its rate is near the slowest eigenvalue, and the bound holds along motions."""
     for loop in (paper_loop(), two_inertia_loop(PAPER, SCHEME_III)):
         found = common_quadratic([loop.contact_matrix], ("contact",))
         assert found.verdict == "feasible"
@@ -89,8 +89,8 @@ def test_contact_alone_has_one() -> None:
 @pytest.mark.parametrize(
     ("ratio", "verdict"), [(2.0, "feasible"), (5.8, "feasible"), (5.828, "feasible"), (5.829, "undecided"), (7.0, "undecided")]
 )
-def test_a_border_that_is_known(ratio: float, verdict: str) -> None:
-    """Dayawansa & Martin's pair: a common function exists for ratios below 3 + sqrt 8 = 5.8284, and only there."""
+def test_a_known_limit(ratio: float, verdict: str) -> None:
+    """Dayawansa & Martin's pair: a common function exists only for ratios below 3 + sqrt 8 = 5.8284."""
     matrices = [ROTATION, squeezed(ratio)]
     found = common_quadratic(matrices)
     assert found.verdict == verdict
@@ -98,7 +98,7 @@ def test_a_border_that_is_known(ratio: float, verdict: str) -> None:
         holds(matrices, found)
 
 
-def test_at_the_border_it_says_nothing_false() -> None:
+def test_at_the_limit_it_makes_no_false_statement() -> None:
     border = 3.0 + math.sqrt(8.0)
     assert common_quadratic([ROTATION, squeezed(border * (1.0 + 1e-13))]).verdict != "feasible"
 
@@ -110,8 +110,8 @@ def test_at_the_border_it_says_nothing_false() -> None:
     frame=st.lists(st.floats(-1.0, 1.0), min_size=9, max_size=9),
     units=st.floats(-4.0, 4.0),
 )
-def test_commuting_matrices_share_one(poles: list[float], others: list[float], frame: list[float], units: float) -> None:
-    """Narendra & Balakrishnan: matrices that are Hurwitz and commute always have one, in any units."""
+def test_commuting_matrices_have_a_common_function(poles: list[float], others: list[float], frame: list[float], units: float) -> None:
+    """Narendra & Balakrishnan: Hurwitz matrices that commute always have one, in any units."""
     t = (np.eye(3) + 0.3 * np.array(frame).reshape(3, 3)) * np.array([1.0, 10.0**units, 1.0])[:, None]
     matrices = [t @ np.diag(row) @ np.linalg.inv(t) for row in (poles, others)]
     found = common_quadratic(matrices)
@@ -129,7 +129,7 @@ def test_routh_agrees_with_eigenvalues(entries: list[float], shift: float) -> No
     assert [float(c) for c in characteristic(rational(matrix))] == pytest.approx(np.poly(matrix), rel=1e-8, abs=1e-8)
 
 
-def test_rational_arithmetic_sees_what_floats_do_not() -> None:
+def test_rational_arithmetic_decides_what_floats_cannot() -> None:
     tiny = 2.0**-60
     assert is_positive_definite(rational(np.array([[1.0, 1.0], [1.0, 1.0 + 2.0**-52]])))
     assert not is_positive_definite(rational(np.ones((2, 2))))

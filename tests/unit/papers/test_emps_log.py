@@ -1,4 +1,4 @@
-"""The log of the EMPS benchmark, read; files that are none are refused in words."""
+"""Reading the log of the EMPS benchmark; invalid files are refused in words."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def saved(file: Path, values: dict[str, object]) -> Path:
     return file
 
 
-def test_signals_and_gains_come_as_they_are_held(tmp_path: Path) -> None:
+def test_signals_and_gains_are_read_unchanged(tmp_path: Path) -> None:
     log = read_emps(saved(tmp_path / "log.mat", held()))
     assert (log.position_gain, log.velocity_gain, log.drive_gain) == (160.0, 240.0, 35.0)
     assert log.period == pytest.approx(1e-3)
@@ -34,7 +34,7 @@ def test_signals_and_gains_come_as_they_are_held(tmp_path: Path) -> None:
     assert log.pulses.shape == (N,) and not log.pulses.any()
 
 
-def test_pulses_are_read_where_there_are_any(tmp_path: Path) -> None:
+def test_pulses_are_read_if_present(tmp_path: Path) -> None:
     pulses = np.arange(N) % 7 == 0
     log = read_emps(saved(tmp_path / "log", held() | {"pulses_N": 5.0 * pulses}))
     np.testing.assert_array_equal(log.pulses, 5.0 * pulses)
@@ -45,21 +45,21 @@ def test_pulses_are_read_where_there_are_any(tmp_path: Path) -> None:
     [
         ({"vir": np.zeros(5)}, "vir has 5 samples, not 40"),
         ({"qm": np.r_[np.zeros(N - 1), np.nan]}, "qm is not finite at sample 39"),
-        ({"gtau": "35 N/V"}, "holds no gtau"),
+        ({"gtau": "35 N/V"}, "has no gtau"),
         ({"kp": np.ones(2)}, "kp has 2 samples, not 1"),
-        ({"kv": 0.0}, "kv = 0 is no gain"),
+        ({"kv": 0.0}, "kv = 0 is not a valid gain"),
         ({"pulses_N": np.ones(3)}, "pulses_N has 3 samples"),
         ({"t": 0.0}, "t has 1 samples, not 2"),
     ],
 )
-def test_values_that_are_none_are_refused(tmp_path: Path, changed: dict[str, object], told: str) -> None:
+def test_invalid_values_are_refused(tmp_path: Path, changed: dict[str, object], told: str) -> None:
     file = saved(tmp_path / "log.mat", held() | changed)
     with pytest.raises(LogError, match=told) as refused:
         read_emps(file)
     assert str(refused.value).startswith(str(file))
 
 
-def test_files_that_are_no_log_say_what_is_wanted(tmp_path: Path) -> None:
+def test_files_that_are_not_logs_name_the_requirements(tmp_path: Path) -> None:
     text, folder = tmp_path / "text.mat", tmp_path / "folder"
     text.write_text("no matrix\n" * 50, encoding="utf-8")
     folder.mkdir()
@@ -68,7 +68,7 @@ def test_files_that_are_no_log_say_what_is_wanted(tmp_path: Path) -> None:
         (tmp_path / "nowhere.mat", "cannot be read: No such file"),
         (folder, "is not a regular file"),
         (text, "cannot be read as MATLAB"),
-        (lacking, "holds no vir, kp"),
+        (lacking, "has no vir, kp"),
     ):
         with pytest.raises(LogError, match=told) as refused:
             read_emps(file)

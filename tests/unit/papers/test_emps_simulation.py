@@ -30,7 +30,7 @@ KP, KV, GAIN = 160.0, 243.0, 35.0
 
 
 def there_and_back(n: int = 3000, amplitude: float = 0.01) -> EmpsLog:
-    """Return a log of an axis at rest, told to move from tick 20 on."""
+    """Return a log of an axis at rest with a reference that moves from tick 20 on."""
     t = PERIOD * np.arange(n, dtype=np.float64)
     reference = amplitude * np.where(t > 0.02, 1.0 - np.cos(2.0 * math.pi * (t - 0.02)), 0.0)
     return EmpsLog(t, np.zeros(n), reference, np.zeros(n), np.zeros(n), KP, KV, GAIN)
@@ -43,7 +43,7 @@ def control(par: Any, x: Any, inp: Any, clock: Any) -> Any:
 
 
 def in_the_engine(reference: Array, delay: int) -> tuple[Array, Array]:
-    """Return position and velocity of the same loop, made of components but for its controller."""
+    """Return position and velocity of the same loop from components, except for its controller."""
     plant, friction, drive = MassDamper(mass=95.0, damping=200.0, force_constant=GAIN), Coulomb(coulomb=20.0), Saturation(limit=LIMIT)
     inputs, states = (Port("reference"), Port("position")), (Port("earlier"), Port("last"), Port("waiting"))
     law = Step("control", control, (), (), "", states, inputs, (Port("now"), Port("late")))
@@ -65,12 +65,12 @@ def test_the_engine_runs_the_same_loop(delay: int) -> None:
     run = simulate_emps(log, AXIS, delay=delay)
     position, velocity = in_the_engine(log.reference, delay)
     assert np.ptp(position) > 0.018 and np.count_nonzero(velocity == 0.0) > 10
-    # Runge-Kutta of a rate of 2/s, and a reversal on a cubic: far below a count of the encoder.
+    # Runge-Kutta with a rate of 2/s, and a reversal on a cubic: far below one encoder count.
     np.testing.assert_allclose(run.position, position, rtol=0.0, atol=1e-9)
     np.testing.assert_allclose(run.velocity, velocity, rtol=0.0, atol=1e-6)
 
 
-def test_a_held_force_slides_the_axis_exponentially() -> None:
+def test_a_constant_force_slides_the_axis_exponentially() -> None:
     force, t = 60.0, 0.5
     p, v = advance(AXIS, 0.1, 0.02, force, 0.0, t)
     end, tau = (60.0 + 3.0 - 20.0) / 200.0, 95.0 / 200.0
@@ -80,7 +80,7 @@ def test_a_held_force_slides_the_axis_exponentially() -> None:
     assert advance(frictionless, 0.0, 1.0, -6.0, 0.0, 1.0) == pytest.approx((1.0 - 1.5, 1.0 - 3.0))
 
 
-def test_an_axis_that_runs_out_is_held_up_to_coulomb_friction_and_no_further() -> None:
+def test_coulomb_friction_stops_a_coasting_axis_and_holds_it() -> None:
     p, v = advance(AXIS, 0.0, 1e-3, -10.0, 0.0, 1.0)
     assert v == 0.0 and 0.0 < p < 1e-4
     assert advance(AXIS, p, 0.0, 16.999, 0.0, 1.0) == (p, 0.0)
@@ -92,7 +92,7 @@ def test_an_axis_that_runs_out_is_held_up_to_coulomb_friction_and_no_further() -
 
 
 @given(v=st.floats(-0.3, 0.3), force=st.floats(-300.0, 300.0), share=st.floats(0.05, 0.95))
-def test_two_parts_of_a_tick_are_the_tick_and_friction_gives_no_energy(v: float, force: float, share: float) -> None:
+def test_two_parts_of_a_tick_equal_the_tick_and_friction_adds_no_energy(v: float, force: float, share: float) -> None:
     axis = EmpsAxis(95.0, (166.0, 240.0), (21.0, 19.0))
     whole = advance(axis, 0.0, v, force, 0.0, PERIOD)
     first = advance(axis, 0.0, v, force, 0.0, share * PERIOD)
@@ -101,8 +101,8 @@ def test_two_parts_of_a_tick_are_the_tick_and_friction_gives_no_energy(v: float,
     assert gained <= force * whole[0] + 1e-12
 
 
-def test_a_run_starts_from_what_the_log_says_of_the_past() -> None:
-    """Cut out of the middle of a run, the rest of it comes again: place, speed and the controller's memory are in the log."""
+def test_a_run_starts_from_the_initial_state_in_the_log() -> None:
+    """A log cut from the middle of a run reproduces the rest: it contains position, speed and the controller's memory."""
     full = there_and_back()
     run = simulate_emps(full, AXIS)
     logged = replace(full, position=run.position, voltage=run.force / GAIN)
@@ -115,14 +115,14 @@ def test_a_run_starts_from_what_the_log_says_of_the_past() -> None:
 
 
 def test_saturation_and_pulses() -> None:
-    """The drive takes 10 V of the controller, and the pulses on top."""
+    """The drive limits the controller to 10 V and adds the pulses."""
     log = there_and_back(amplitude=0.3)
     pulsed = replace(log, pulses=np.where(log.time > 0.3, 2.0, 0.0))
     assert np.abs(simulate_emps(log, AXIS).force).max() == pytest.approx(LIMIT * GAIN)
     assert simulate_emps(pulsed, AXIS).force.max() == pytest.approx((LIMIT + 2.0) * GAIN)
 
 
-def test_the_published_solver_differs_by_its_clock_delay_and_chatter_alone() -> None:
+def test_the_published_solver_differs_only_by_its_clock_delay_and_chatter() -> None:
     log = there_and_back()
     published, ours = simulate_as_published(log, AXIS), simulate_emps(log, AXIS, delay=1)
     assert np.abs(published.position - ours.position).max() < 2e-6
@@ -133,8 +133,8 @@ def test_the_published_solver_differs_by_its_clock_delay_and_chatter_alone() -> 
     assert drifting.time[-1] - log.time[-1] == pytest.approx(2e-8 * (log.time.size - 1))
 
 
-def test_pulses_of_the_published_model_rise_in_a_ramp_over_a_tick() -> None:
-    """An axis left alone: each of 100 ticks of 2 V gives its momentum, the ramp before them half of one tick's."""
+def test_pulses_of_the_published_model_start_with_a_ramp_of_one_tick() -> None:
+    """A free axis: each of 100 ticks of 2 V adds its momentum, the initial ramp half that of one tick."""
     n = 300
     t, none = PERIOD * np.arange(n, dtype=np.float64), np.zeros(n)
     pulses = np.where((t > 0.0995) & (t < 0.1995), 2.0, 0.0)
@@ -147,7 +147,7 @@ def test_pulses_of_the_published_model_rise_in_a_ramp_over_a_tick() -> None:
     assert (published[-1], held[-1]) == pytest.approx((100.0 * gain, 100.0 * gain))
 
 
-def test_errors_in_percent_leave_the_start_out() -> None:
+def test_errors_in_percent_exclude_the_start() -> None:
     log = there_and_back()
     run = simulate_emps(log, AXIS)
     logged = replace(log, position=1.01 * run.position, voltage=run.force / GAIN)

@@ -1,4 +1,4 @@
-"""Rows of a reproduction: what counts as agreement, what differs and says why, what fails; and what the command makes of it."""
+"""Rows of a reproduction: agreement, explained differences, failures, and their effect on the command."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def test_a_lower_limit_is_not_met_from_below() -> None:
     assert (above.verdict, below.verdict) == ("agrees", "fails")
 
 
-def test_what_is_no_number_never_agrees_and_is_null_in_json() -> None:
+def test_a_non_finite_value_never_agrees_and_is_null_in_json() -> None:
     row = printed("gain", "", 2.0, float("nan"), "1/s", 0.1)
     assert row.verdict == "fails"
     assert json_values(row)["here"] is None
@@ -52,13 +52,13 @@ def figures(text: str) -> list[int]:
     return [int(digits) for digits in re.findall(r"\d+", text)]
 
 
-def test_the_tally_keeps_the_kinds_apart() -> None:
+def test_the_tally_separates_the_kinds() -> None:
     printed_ones, rest = tally((AGREES, DIFFERS, FAILS, OURS)).split(";")
     assert figures(printed_ones) == [1, 2, 1]
     assert figures(rest) == [0, 1, 1, 1]
 
 
-def test_figures_of_a_log_and_figures_asked_for_are_called_what_they_are(
+def test_logged_and_requested_figures_are_labelled(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     beside = measured("contour rms", "seen", 84.8, 84.6, "um", 1.0), measured("contour rms", "unseen", 84.8, 60.0, "um", None)
@@ -68,14 +68,14 @@ def test_figures_of_a_log_and_figures_asked_for_are_called_what_they_are(
     assert main(["reproduce", "ghaffari"]) == 1
     lines = [" ".join(line.split()) for line in capsys.readouterr().out.splitlines()]
     assert any(line.startswith("case measured ") for line in lines)
-    assert any(line.startswith("case asked ") for line in lines)
+    assert any(line.startswith("case required ") for line in lines)
     assert figures(lines[-1]) == [1, 1, 1, 2, 1, 0]
     assert figures(tally([])) == [0]
 
 
 @pytest.mark.parametrize(("rows", "code"), [((AGREES, DIFFERS, OURS), 0), ((AGREES, FAILS), 1)])
 @pytest.mark.parametrize("words", [[], ["--json"]])
-def test_only_a_failure_without_a_reason_changes_the_exit_code(
+def test_only_an_unexplained_failure_changes_the_exit_code(
     rows: tuple[Row, ...], code: int, words: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(ghaffari, "PARTS", (("rows", lambda: rows),))
@@ -86,7 +86,7 @@ def test_only_a_failure_without_a_reason_changes_the_exit_code(
     else:
         lines = shown.splitlines()
         assert lines[-1] == tally(rows)
-        for row in rows:  # each case has its verdict and its own note in its line
+        for row in rows:  # each line contains the verdict and note of its case
             (line,) = (line for line in lines if line.strip().startswith(row.case))
             assert row.verdict in line
             assert row.note in line
@@ -94,7 +94,7 @@ def test_only_a_failure_without_a_reason_changes_the_exit_code(
 
 @pytest.mark.parametrize("table", [TABLE_2, TABLE_3], ids=["II", "III"])
 @pytest.mark.parametrize("number", [1, 2, 3])
-def test_the_observers_responses_solve_its_two_equations(number: int, table: dict[int, Gains]) -> None:
+def test_the_responses_of_the_observer_solve_its_two_equations(number: int, table: dict[int, Gains]) -> None:
     """s v = -b v + a (u_c - e + d) and e = w_d/(s + w_d) ((w_z s/(s + w_z) + b_hat) v/a_hat - (u_c - e)), for (v, e) at each s."""
     w = np.geomspace(0.01, 5000.0, 25)
     gains, plant, reading = table[number], AXES[number], Reading()
@@ -110,7 +110,7 @@ def test_the_observers_responses_solve_its_two_equations(number: int, table: dic
         assert (exact[0][i], exact[1][i]) == (pytest.approx(driven, rel=1e-8), pytest.approx(loaded, rel=1e-8))
 
 
-def test_the_closed_loop_follows_slow_references_and_falls_off_with_the_cube() -> None:
+def test_the_closed_loop_is_one_at_low_frequency_and_falls_with_the_cube() -> None:
     """P/R' of eq (16): 1 as s -> 0, a' K_P K_I/s^3 as s -> infinity."""
     w = np.array([1e-4, 1e6])
     far = TABLE_3[1].model_gain * TABLE_3[1].position_gain * TABLE_3[1].integral_gain / (1j * w[1]) ** 3
@@ -146,8 +146,8 @@ def test_a_first_order_loop_is_fitted_exactly() -> None:
     assert first_order_fit(w, 873.0 / (1j * w + 19.7)) == (pytest.approx(873.0, rel=1e-12), pytest.approx(19.7, rel=1e-12))
 
 
-def test_an_axis_on_the_bench_answers_a_step_as_its_model_does() -> None:
-    """v = u a/b (1 - exp(-b t)), and nothing below the stiction."""
+def test_a_simulated_axis_answers_a_step_like_its_model() -> None:
+    """v = u a/b (1 - exp(-b t)), and zero below the stiction."""
     command = np.full(500, 0.07)
     _, velocity = drive_open_loop(command)
     time = PERIOD * np.arange(500.0)
@@ -164,5 +164,5 @@ def test_the_rise_time_of_an_exponential_is_its_time_constant() -> None:
     assert rise_time(1.0 - np.exp(-time / 0.15)) == pytest.approx(0.15, rel=1e-5)
 
 
-def test_a_crossing_is_found_to_a_millionth() -> None:
+def test_a_crossing_is_located_to_a_millionth() -> None:
     assert crossing(lambda x: x**3 - 40.0**3, 1.0, 1e4) == pytest.approx(40.0, rel=1.1e-6)

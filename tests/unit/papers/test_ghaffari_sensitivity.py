@@ -20,8 +20,8 @@ def rows() -> Sequence[Row]:
     return list(sensitivity_rows())
 
 
-def test_minima_stand_beside_table_iii(rows: Sequence[Row]) -> None:
-    """None fails; those of axes 1 and 2 lie within 6 % of the table, the signs of all are those of a radius error."""
+def test_minima_agree_with_table_iii(rows: Sequence[Row]) -> None:
+    """None fails; those of axes 1 and 2 are within 6 % of the table, and all signs are those of a radius error."""
     found = {row.name + row.case[:6]: row for row in rows if row.source == "printed"}
     assert len(found) == 12 and not any(row.verdict == "fails" for row in found.values())
     for number in (1, 2, 3):
@@ -39,7 +39,7 @@ def test_minima_lie_at_one_ratio(rows: Sequence[Row]) -> None:
 
 
 def test_curves_pass_through_table_iii() -> None:
-    """At the table's own values a curve has the integral of Fig 9's run."""
+    """At the table's own values a curve equals the integral of the run of Fig 9."""
     for number in (1, 2):
         curve = axis_curves(number)["a'"]
         here = 1e6 * float(np.interp(curve.variable.value, curve.values, curve.figures))

@@ -1,4 +1,4 @@
-"""The stated cases of limit cycles: shooting, exact simulation, an integrator, and the describing function side by side."""
+"""The stated limit cycles: shooting, exact simulation, an integrator, and the describing function."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from backlash_loops import integrated
 from contourlab.analysis.backlash.exact_simulation import ExactRun, simulate_exact
 from contourlab.papers.shahin.limit_cycle_cases import CASES, CASES_WITHOUT, LimitCycleCase, compare
 
-# Amplitude over half of the gap and frequency [rad/s] of the orbits, as shooting gave them, with residuals below 1e-10; DOP853 settles on
-# the same (below). They are properties of the piecewise linear loops, so they move only if a case or its maker changes.
+# Amplitude over half of the gap and frequency [rad/s] of the orbits, from shooting with residuals below 1e-10; DOP853 confirms them
+# (below). They are properties of the piecewise linear loops, so they change only if a case or its builder changes.
 MEASURED = {
     "load side, K_v 180, K_p 5": (24.1782, 452.22),
     "motor side, K_v 300, K_p 4, K_i 1950": (16.8307, 381.98),
@@ -24,11 +24,11 @@ MEASURED = {
 
 
 LAST = 20
-"""Periods that are measured at the end of a simulation."""
+"""Number of periods measured at the end of a simulation."""
 
 
 def settled(case: LimitCycleCase, frequency: float) -> tuple[float, float]:
-    """Return amplitude over half of the gap and frequency of the motion after a kick, simulated until its amplitude is constant."""
+    """Return amplitude over half of the gap and frequency after a kick, simulated until the amplitude is constant."""
     loop, slowest = case.loop, frequency
     state, twist, before = np.zeros(loop.n), None, math.inf
     state[2] = -case.kick * loop.half_gap
@@ -71,7 +71,7 @@ def check(case: LimitCycleCase) -> None:
         assert abs(found.frequency_error) < 0.05
         assert abs(found.amplitude_error) < 0.05
     else:
-        # Elsewhere the error is shown, and it is as large as the validity says: no such prediction is called good.
+        # Elsewhere the prediction is off by as much as the validity says: it is never called good.
         assert abs(found.frequency_error) > 0.05
         assert not found.predicted.validity.startswith("good")
 
@@ -94,8 +94,8 @@ def test_every_case(case: LimitCycleCase) -> None:
 
 
 @pytest.mark.parametrize("case", CASES_WITHOUT[1:2], ids=named)
-def test_none_where_none_exists(case: LimitCycleCase) -> None:
-    """The describing function says that there is one; motions come to rest, and no shot closes."""
+def test_no_limit_cycle_where_none_exists(case: LimitCycleCase) -> None:
+    """The describing function predicts one, but motions come to rest and no shooting closes."""
     found = compare(case)
     assert found.orbit is None
     slowest = math.sqrt(case.drive.stiffness / case.drive.load_inertia) if found.predicted is None else found.predicted.frequency
@@ -105,14 +105,14 @@ def test_none_where_none_exists(case: LimitCycleCase) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("case", CASES_WITHOUT, ids=named)
-def test_every_case_without(case: LimitCycleCase) -> None:
-    test_none_where_none_exists(case)
+def test_every_case_without_a_limit_cycle(case: LimitCycleCase) -> None:
+    test_no_limit_cycle_where_none_exists(case)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("case", [case for case in CASES if case.drive.shaft_damping == 0.0], ids=named)
 def test_an_integrator_settles_on_the_same_orbit(case: LimitCycleCase) -> None:
-    """From a fifth beyond the orbit, by DOP853 without any knowledge of modes."""
+    """From 20 % beyond the orbit, by DOP853 without knowledge of modes."""
     ratio, frequency = MEASURED[case.name]
     loop = case.loop
     start = np.zeros(loop.n)

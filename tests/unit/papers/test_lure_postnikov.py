@@ -1,4 +1,4 @@
-"""Energy plus the dead zone's integral: checked along motions, and against what has no such function."""
+"""Energy plus the dead zone's integral: checked along motions, and on loops without such a function."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from contourlab.papers.shahin.lure_postnikov import energy_function
 from contourlab.papers.shahin.two_inertia_loop import motor_pid, p_pi_cascade, two_inertia_loop
 
 
-def test_it_works_on_the_papers_own_model() -> None:
-    """Lossless load, motor under PD: the energy of the controller's spring, both inertias and the shaft; all ends at rest."""
+def test_it_exists_for_the_model_of_the_paper() -> None:
+    """Lossless load, motor under PD: the energy of the controller's spring, both inertias and the shaft; all motions end at rest."""
     for half_gap in (HALF_GAP, 2.0 * HALF_GAP):
         found = energy_function(two_inertia_loop(drive(half_gap=half_gap), SCHEME_II))
         assert found.verdict == "stable"
         assert found.settles
         assert found.p == pytest.approx(np.diag([200.0, J_M, 0.0, J_L]), rel=1e-14)
-        # What is taken is taken by the derivative gain alone.
+        # Only the derivative gain dissipates.
         assert found.dissipation == pytest.approx(np.diag([0.0, 2000.0, 0.0, 0.0]), rel=1e-12)
 
 
@@ -34,7 +34,7 @@ def test_it_works_on_the_papers_own_model() -> None:
     losses=st.tuples(st.floats(0.0, 0.1), st.floats(0.0, 0.1)),
 )
 def test_it_never_rises_and_its_bounds_hold(start: tuple[float, ...], gains: tuple[float, float], losses: tuple[float, float]) -> None:
-    """Along exact motions V falls, and the motor-load difference stays within what it says at the start."""
+    """Along exact motions V falls, and the motor-load difference stays within the initial bound."""
     loop = two_inertia_loop(drive(motor_damping=losses[0], load_damping=losses[1]), motor_pid(*gains))
     found = energy_function(loop)
     assert found.verdict == "stable"
@@ -51,8 +51,8 @@ def test_its_bound_is_a_closed_form() -> None:
     assert found.difference_bound(x0) == pytest.approx(HALF_GAP + math.sqrt(J_M * 9.0 / K_S), rel=1e-12)
 
 
-def test_motions_end_where_it_says() -> None:
-    """Load damping and a softer controller, so that it ends soon: motor at the reference, load anywhere in the gap."""
+def test_motions_end_at_the_predicted_rest() -> None:
+    """With load damping and a softer controller, for a quick end: motor at the reference, load anywhere in the gap."""
     loop = two_inertia_loop(drive(load_damping=0.05), motor_pid(100.0, 1.0))
     found = energy_function(loop)
     assert found.settles
@@ -61,7 +61,7 @@ def test_motions_end_where_it_says() -> None:
     assert abs(x[2]) <= HALF_GAP * (1.0 + 1e-9)
 
 
-def test_a_damped_shaft_keeps_it() -> None:
+def test_it_exists_for_a_damped_shaft() -> None:
     """With the twist of the shaft in place of the dead zone it falls too."""
     loop = two_inertia_loop(drive(shaft_damping=0.3), motor_pid(100.0, 1.0))
     found = energy_function(loop)
@@ -72,13 +72,13 @@ def test_a_damped_shaft_keeps_it() -> None:
 
 
 def test_without_damping_it_bounds_but_does_not_settle() -> None:
-    """Two inertias and a spring to the reference: bounded, but nothing comes to rest."""
+    """Two inertias and a spring to the reference: bounded, but never at rest."""
     found = energy_function(two_inertia_loop(PAPER, motor_pid(100.0, 0.0)))
     assert found.verdict == "stable"
     assert not found.settles
 
 
-def test_what_puts_energy_in_is_undecided() -> None:
+def test_a_loop_that_adds_energy_is_undecided() -> None:
     for feedback in (motor_pid(200.0, -1.0), motor_pid(-200.0, 10.0), FREE, SCHEME_III, p_pi_cascade(30.0, 2.0)):
         found = energy_function(two_inertia_loop(PAPER, feedback))
         assert found.verdict == "undecided", feedback

@@ -14,8 +14,8 @@ from contourlab.papers.shahin.two_inertia_loop import Feedback, motor_pid, p_pi_
 
 
 @pytest.mark.parametrize("feedback", [SCHEME_II, SCHEME_III])
-def test_the_papers_schemes_need_ten_microseconds(feedback: Feedback) -> None:
-    """K_1'/J_m = 1.92e5 1/s: a held command swings above 2 J_m/K_1' = 10.4 us, in the gap as in contact."""
+def test_the_schemes_of_the_paper_need_ten_microseconds(feedback: Feedback) -> None:
+    """K_1'/J_m = 1.92e5 1/s: above 2 J_m/K_1' = 10.4 us a held command oscillates, in the gap and in contact."""
     gap, contact = servo_period_limit(PAPER, feedback)
     assert gap == pytest.approx(2.0 * J_M / 1000.0, rel=1e-5)
     assert contact == pytest.approx(1.04e-5, rel=1e-3)
@@ -39,7 +39,7 @@ def test_jury_on_a_held_pd(proportional: float, derivative: float) -> None:
 
 
 def test_integrals_and_cascades() -> None:
-    """As the period goes to 0 the sampled loop is the continuous one."""
+    """As the period goes to 0 the sampled loop becomes the continuous one."""
     assert min(servo_period_limit(PAPER, p_pi_cascade(100.0, 5.0, 50.0))) > 0.0
     assert servo_period_limit(PAPER, p_pi_cascade(1.1 * K_S / 5.0, 5.0))[1] == 0.0
 

@@ -1,4 +1,4 @@
-"""Values in a part program: closed forms, order of operations, and what is refused with its column."""
+"""Values in a part program: closed forms, order of operations, and refusals with their column."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def test_functions_are_in_degrees(text: str, expected: float) -> None:
     assert of(text) == pytest.approx(expected, rel=1e-14)
 
 
-def test_a_line_sees_parameters_as_they_were_before_it() -> None:
+def test_a_line_uses_parameters_from_before_the_line() -> None:
     parameters = Parameters()
     assert of("#1", parameters) == 0.0
     assert read_words("#1 = 5 #2 = [#1 + 1] #<Deep> = 3", parameters) == []
@@ -82,7 +82,7 @@ def test_a_line_sees_parameters_as_they_were_before_it() -> None:
     assert of("EXISTS[#<deep>]", parameters) == 1.0 and of("EXISTS[#<flat>]", parameters) == 0.0
 
 
-def test_comments_and_blanks_inside() -> None:
+def test_comments_and_blanks_inside_expressions() -> None:
     words = read_words("G 1 X [ 1 (one) + 2 ] (#3 = 4) F #1 ; [")
     assert [(w.letter, w.value, w.column) for w in words] == [("G", 1.0, 1), ("X", 3.0, 5), ("F", 0.0, 32)]
 
@@ -93,10 +93,10 @@ def test_comments_and_blanks_inside() -> None:
         ("X[1/0]", 4, r"1 / 0"),
         ("X[5 MOD 0]", 5, "5 MOD 0"),
         ("X[-8 ** 0.5]", 6, r"-8 \*\* 0\.5"),
-        ("X[10 ** 400]", 6, "no value"),
+        ("X[10 ** 400]", 6, "undefined"),
         ("XSQRT[-1]", 2, r"SQRT\[-1\]"),
-        ("XLN[0]", 2, "no value"),
-        ("XASIN[1.5]", 2, "no value"),
+        ("XLN[0]", 2, "undefined"),
+        ("XASIN[1.5]", 2, "undefined"),
         ("XATAN[1]", 8, "'/'.*ATAN"),
         ("XFOO[1]", 2, "'F'"),
         ("X-SIN+[30]#1=1", 6, r"SIN .*brackets"),
@@ -104,7 +104,7 @@ def test_comments_and_blanks_inside() -> None:
         ("X[1 2 3", 7, "']'.*end"),
         ("X[]", 3, "number"),
         ("X#<deep>", 2, "#<deep>"),
-        ("X#<deep", 3, "no end"),
+        ("X#<deep", 3, "'>'"),
         ("X#0", 2, "#0"),
         ("X#5602", 2, "#5602"),
         ("X#1.5", 3, r"#1\.5.*whole"),
@@ -116,7 +116,7 @@ def test_comments_and_blanks_inside() -> None:
         ("N[1] X1", 1, "digits"),
         ("X[1e3]", 4, "'e'"),
         ("X" + "[" * 60 + "1" + "]" * 60, 53, "50 deep"),
-        ("X[2 ** 40]", 1, "number"),
+        ("X[2 ** 40]", 1, "too large"),
         ("O[1] sub", 1, "alone"),
         ("G1 X[2] O[1] call", 9, "alone"),
     ],
@@ -133,11 +133,11 @@ def test_a_program_with_parameters() -> None:
     assert [move.end for move in program.moves] == [(0.01, -0.005, 0.0), (0.015, -0.005, 0.0)]  # type: ignore[union-attr]
 
 
-def test_the_position_is_in_the_units_in_force() -> None:
+def test_the_position_is_in_the_current_units() -> None:
     program = parse_program("G20 F60\nG1 X2\nG1 Y#5420\nM2")
     assert program.moves[-1].end == pytest.approx((0.0508, 0.0508, 0.0))  # type: ignore[union-attr]
 
 
-def test_faults_come_with_line_and_column() -> None:
+def test_errors_have_line_and_column() -> None:
     with refuses(ProgramError, "1 / 0", file="part.ngc", line=2, column=7):
         parse_program("G21\nG1 X[1/0] F1\nM2", "part.ngc")

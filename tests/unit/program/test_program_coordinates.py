@@ -1,4 +1,4 @@
-"""Work coordinate systems, shifts, home positions and tool lengths: closed forms of where the axes go."""
+"""Work coordinate systems, shifts, home positions and tool lengths: end positions in closed form."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ points = st.tuples(lengths, lengths, lengths)
 
 
 @given(points, points, points, points, st.floats(-720.0, 720.0))
-def test_a_frame_and_back(point: tuple[float, float, float], origin: tuple[float, float, float], shift: tuple[float, float, float],
+def test_a_frame_and_its_inverse(point: tuple[float, float, float], origin: tuple[float, float, float], shift: tuple[float, float, float],
                           tool: tuple[float, float, float], rotation: float) -> None:  # fmt: skip
     frame = Frame(origin=origin, rotation=rotation, shift=shift, tool=tool)
     frame.refresh()
@@ -27,14 +27,14 @@ def test_a_frame_and_back(point: tuple[float, float, float], origin: tuple[float
 
 
 def test_the_order_of_offsets() -> None:
-    """Shift first, then the turn, then origin and tool: 1 + 1 = 2 along x becomes 2 along y."""
+    """First the shift, then the rotation, then origin and tool: 1 + 1 = 2 along x becomes 2 along y."""
     frame = Frame(origin=(10.0, 0.0, 0.0), rotation=90.0, shift=(1.0, 0.0, 0.0), tool=(0.0, 0.0, 5.0))
     frame.refresh()
     assert frame.axes((1.0, 0.0, 0.0)) == pytest.approx((10.0, 2.0, 5.0))
 
 
 def last(text: str) -> tuple[float, float, float]:
-    """Return where the axes stand at the end [mm]."""
+    """Return the final position of the axes [mm]."""
     move = [m for m in parse_program(f"G21 F100\n{text}\nM2").moves if not isinstance(m, Dwell)][-1]
     x, y, z = move.end
     return (1e3 * x, 1e3 * y, 1e3 * z)
@@ -87,7 +87,7 @@ HALF = math.sqrt(0.5)
         ("G7\nG91 G0 X10", (5, 0, 0)),
     ],
 )
-def test_where_the_axes_go(text: str, wanted: tuple[float, float, float]) -> None:
+def test_final_positions(text: str, wanted: tuple[float, float, float]) -> None:
     assert last(text) == pytest.approx(wanted, abs=1e-12)
 
 
@@ -98,8 +98,8 @@ def test_a_home_move_goes_through_the_given_point() -> None:
 
 @pytest.mark.parametrize("plane", ["G17", "G18", "G19"])
 @pytest.mark.parametrize("angle", [0, 30, -77.7, 180])
-def test_an_arc_turns_with_its_coordinate_system(plane: str, angle: float) -> None:
-    """Radius and sweep are those of the unturned arc; the centre is turned with the points."""
+def test_an_arc_rotates_with_its_coordinate_system(plane: str, angle: float) -> None:
+    """Radius and sweep are those of the unrotated arc; the centre rotates with the points."""
     words = {"G17": "X0 Y10 I-10", "G18": "Z0 X10 K-10", "G19": "Y0 Z10 J-10"}[plane]
     start = {"G17": "X10", "G18": "Z10", "G19": "Y10"}[plane]
     arc = parse_program(f"G21 F100 G10 L2 P1 X3 Y-4 R{angle}\n{plane} G0 X0 Y0\n{start}\nG3 {words}\nM2").moves[-1]
@@ -136,7 +136,7 @@ def test_tools_from_a_table(tmp_path: Path) -> None:
         ("T1 Z1 what", 1, "words"),
     ],
 )
-def test_bad_tables(tmp_path: Path, text: str, line: int, message: str) -> None:
+def test_invalid_tool_tables(tmp_path: Path, text: str, line: int, message: str) -> None:
     table = tmp_path / "tool.tbl"
     table.write_text(text, encoding="utf-8")
     with pytest.raises(ProgramError, match=message) as caught:
@@ -153,24 +153,24 @@ def test_bad_tables(tmp_path: Path, text: str, line: int, message: str) -> None:
         ("G10 P1 X1", 1, "G10 takes L2 or L20"),
         ("G10 L2 X1", 1, "G10 L2 has no P"),
         ("G10 L1 X1", 1, "G10 L1 has no P: write the number of the tool"),
-        ("G10 L2 P10 X1", 8, "the work coordinate systems are 1"),
+        ("G10 L2 P10 X1", 8, "work coordinate system"),
         ("G10 L2 P1.5 X1", 8, "whole number"),
-        ("G10 L20 P1 R5", 12, "R \\(rotation\\) goes with G10 L2"),
-        ("G10 L20 P1 I5 X1", 12, "I has no G2, G3"),
-        ("G10 L1 P0 Z1", 8, "number of a tool, from 1"),
+        ("G10 L20 P1 R5", 12, "G10 L20 .*R \\(rotation\\)"),
+        ("G10 L20 P1 I5 X1", 12, "uses I"),
+        ("G10 L1 P0 Z1", 8, "tool number"),
         ("G10 L1 P1", 8, "sets nothing"),
-        ("G10 L2 P1 X1 G0", 14, "would both take the axis words"),
+        ("G10 L2 P1 X1 G0", 14, "both use the axis words"),
         ("G92", 1, "G92 has no axis"),
         ("G52", 1, "G52 has no axis"),
-        ("G43.2", 1, "G43.2 takes a tool"),
-        ("G43.2 H1 Z1", 1, "G43.2 takes a tool"),
+        ("G43.2", 1, "G43.2 needs a tool"),
+        ("G43.2 H1 Z1", 1, "G43.2 needs a tool"),
         ("G43 H1.5", 5, "whole number"),
-        ("G53 G80", 1, "G53 goes with G0 or G1"),
-        ("G53", 1, "G53 goes with G0 or G1"),
-        ("G53 X1", 5, "X without a motion"),
-        ("G91 G53 G0 X1", 5, "G53 means machine coordinates"),
-        ("G53 G0 @5 ^3", 1, "takes no polar coordinates"),
-        ("H1", 1, "H has no G43"),
+        ("G53 G80", 1, "G53 needs G0 or G1"),
+        ("G53", 1, "G53 needs G0 or G1"),
+        ("G53 X1", 5, "X has no motion code"),
+        ("G91 G53 G0 X1", 5, "G53 .*absolute"),
+        ("G53 G0 @5 ^3", 1, "polar coordinates"),
+        ("H1", 1, "uses H"),
     ],
 )
 def test_refusals(text: str, column: int, message: str) -> None:

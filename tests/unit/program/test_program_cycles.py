@@ -1,4 +1,4 @@
-"""Canned cycles and splines: strokes worked out by hand, and end conditions of the curves."""
+"""Canned cycles and splines: strokes by hand, and end conditions of the curves."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def strokes(text: str) -> list[tuple[str, tuple[float, ...] | float]]:
 
 
 def test_drilling_in_a_row() -> None:
-    """Level 5, clearance 2: G98 comes back to 5, G99 to 2; with G91, R and Z count from where the row began, and L steps on."""
+    """Level 5, clearance 2: G98 returns to 5, G99 to 2; with G91, R and Z count from the start of the row, and L steps on."""
     assert strokes("G0 Z5\nG98 G81 X1 Y2 Z-3 R2\nG99 X4\nX5 L2")[1:] == [
         ("rapid", (1, 2, 5)), ("rapid", (1, 2, 2)), ("feed", (1, 2, -3)), ("rapid", (1, 2, 5)),
         ("rapid", (4, 2, 5)), ("rapid", (4, 2, 2)), ("feed", (4, 2, -3)), ("rapid", (4, 2, 2)),
@@ -68,25 +68,25 @@ def test_strokes(code: str, tail: list[tuple[str, float]]) -> None:
 
 
 @pytest.mark.parametrize(("plane", "words", "last"), [("G18", "Z1 X2 Y-3", (2, 2, 1)), ("G19", "Y1 Z2 X-3", (2, 1, 2))])
-def test_cycles_work_across_their_plane(plane: str, words: str, last: tuple[float, ...]) -> None:
+def test_cycles_work_normal_to_their_plane(plane: str, words: str, last: tuple[float, ...]) -> None:
     made = strokes(f"{plane} G99 G81 {words} R2")
     assert made[-1] == ("rapid", last)
     assert made[-2][0] == "feed"
 
 
-def test_tapping_turns_the_spindle_back() -> None:
+def test_tapping_reverses_the_spindle() -> None:
     program = parse_program(f"{HEAD}G84 X1 Z-3 R2\nM2")
     assert [event.word for event in program.events] == ["S", "M3", "M5", "M4", "M5", "M3"]
     assert "M4" in [event.word for event in program.events if event.source_line == 2]
 
 
-def test_a_cycle_is_exact_and_leaves_the_mode() -> None:
+def test_a_cycle_moves_exactly_and_keeps_the_mode() -> None:
     moves = parse_program(f"{HEAD}G64 P0.1 G0 Z5\nG81 X1 Z-3 R2\nG0 X3\nM2").moves
     assert [move.mode.control for move in moves] == ["blend", *["exact_path"] * 4, "blend"]  # type: ignore[union-attr]
 
 
-def test_pecks_leave_no_dust() -> None:
-    """Nine tenths of a millimetre ten times are nine millimetres, whatever the last bit says."""
+def test_pecks_sum_exactly() -> None:
+    """Ten times 0.9 mm is 9 mm despite rounding."""
     feeds = [end for kind, end in strokes("G0 Z-1\nG83 X5 Z-10 R-1 Q0.9") if kind == "feed"]
     assert len(feeds) == 10
 
@@ -101,17 +101,17 @@ def test_pecks_leave_no_dust() -> None:
         ("G83 X1 Z-1 R1", 1, "G83 has no peck"),
         ("G83 X1 Z-1 R1 Q0", 1, "greater than 0"),
         ("G83 X1 Z-900 R1 Q0.001", 1, "more than 100000 strokes"),
-        ("G81 X1 Z5 R1", 1, "lies below the depth"),
+        ("G81 X1 Z5 R1", 1, "below the depth"),
         ("G81 X1 Z-1 R1 L0", 15, "from 1 to"),
         ("G81 X1 Z-1 R1 L1.5", 15, "from 1 to"),
-        ("G82 X1 Z-1 R1 P-1", 15, "not negative"),
+        ("G82 X1 Z-1 R1 P-1", 15, "in seconds"),
         ("G74 X1 Z-1 R1", 1, "the other way: write M4"),
         ("M4 G84 X1 Z-1 R1", 4, "the other way: write M3"),
         ("M5 G86 X1 Z-1 R1 P1", 4, "needs a turning spindle"),
-        ("G93 G81 X1 Z-1 R1", 5, "does not go with inverse-time feed"),
+        ("G93 G81 X1 Z-1 R1", 5, "inverse-time feed"),
         ("G81 R1", 1, "G81 has no axis"),
-        ("G74 X1 Z-1 R1 L2", 15, "L has no G10, a cycle other than G74"),
-        ("G87 X1 Z-1 R1", 1, "G87 takes I and J"),
+        ("G74 X1 Z-1 R1 L2", 15, "uses L"),
+        ("G87 X1 Z-1 R1", 1, "G87 needs I and J"),
     ],
 )
 def test_cycle_refusals(text: str, column: int, message: str) -> None:
@@ -120,7 +120,7 @@ def test_cycle_refusals(text: str, column: int, message: str) -> None:
     assert (caught.value.line, caught.value.column) == (2, column)
 
 
-def test_remembered_words_do_not_outlive_a_change_of_units() -> None:
+def test_remembered_words_end_with_a_change_of_units() -> None:
     with refuses(ProgramError, "G81.*depth", line=4):
         parse_program(f"{HEAD}G81 X1 Z-1 R1\nG20\nX2\nM2")
     assert parse_program(f"{HEAD}G81 X1 Z-1 R1\nG20\nX2 Z-1 R1\nM2").moves[-1].end == (0.0508, 0.0, 0.0254)  # type: ignore[union-attr]
@@ -134,7 +134,7 @@ def spline(text: str) -> tuple[Spline, Nurbs]:
     return move, Nurbs(move.degree, move.points, move.knots, move.weights)
 
 
-def test_a_cubic_leaves_and_arrives_along_its_handles() -> None:
+def test_a_cubic_starts_and_ends_along_its_handles() -> None:
     move, curve = spline("G0 X1 Y1\nG5 X5 Y1 I1 J2 P-1 Q3")
     ends = curve.raw(np.array([curve.first, curve.last]), 1)
     assert ends[0] == pytest.approx(np.array([[0.001, 0.001, 0.0], [0.005, 0.001, 0.0]]))
@@ -142,7 +142,7 @@ def test_a_cubic_leaves_and_arrives_along_its_handles() -> None:
     assert move.degree == 3
 
 
-def test_a_cubic_without_handle_goes_on_smoothly() -> None:
+def test_a_cubic_without_a_handle_continues_smoothly() -> None:
     first, second = [m for m in parse_program("G21 F60\nG5 X5 Y1 I1 J2 P-1 Q3\nG5 X9 Y0 P0 Q1\nM2").moves if isinstance(m, Spline)]
     assert np.subtract(second.points[1], second.points[0]) == pytest.approx(np.subtract(first.points[3], first.points[2]), abs=1e-18)
 
@@ -156,7 +156,7 @@ def test_a_quadratic_is_the_parabola() -> None:
 
 
 def test_a_nurbs_of_order_three_is_a_quarter_circle() -> None:
-    """Weights 1, sqrt(1/2), 1 on the corners of a square, as in any textbook."""
+    """Weights 1, sqrt(1/2), 1 on the corners of a square, as in textbooks."""
     _, curve = spline(f"G0 X10 Y0\nG5.2 X10 Y10 P{math.sqrt(0.5):.15f} L3\nX0 Y10 P1\nG5.3")
     point = curve.raw(np.linspace(curve.first, curve.last, 50), 0)[0]
     assert np.hypot(point[:, 0], point[:, 1]) == pytest.approx(0.01, rel=1e-12)
@@ -167,19 +167,19 @@ def test_a_nurbs_of_order_three_is_a_quarter_circle() -> None:
     ("text", "line", "message"),
     [
         ("G5 X1 Y1 P1 Q1", 2, "G5 has no I and J"),
-        ("G5 X1 Y1 I1 P1 Q1", 2, "takes both I and J"),
-        ("G5 X1 Y1 I1 J1 P1", 2, "takes both P and Q"),
+        ("G5 X1 Y1 I1 P1 Q1", 2, "needs both I and J"),
+        ("G5 X1 Y1 I1 J1 P1", 2, "needs both P and Q"),
         ("G5.1 X1 Y1", 2, "G5.1 has no I and J"),
-        ("G18 G5 X1 Y1 I1 J1 P1 Q1", 2, "lies in the XY plane"),
+        ("G18 G5 X1 Y1 I1 J1 P1 Q1", 2, "needs the XY plane"),
         ("G5 X1 Y1 Z1 I1 J1 P1 Q1", 2, "stays in the XY plane: delete Z"),
-        ("G93\nG5 X1 Y1 I1 J1 P1 Q1", 3, "do not go with inverse-time feed"),
-        ("G5.2 X1 P1", 2, "has both X and Y"),
-        ("G5.2 X1 Y1", 2, "has a weight P greater than 0"),
-        ("G5.2 X1 Y1 P0", 2, "has a weight P greater than 0"),
+        ("G93\nG5 X1 Y1 I1 J1 P1 Q1", 3, "inverse-time feed"),
+        ("G5.2 X1 P1", 2, "needs both X and Y"),
+        ("G5.2 X1 Y1", 2, "needs a weight P"),
+        ("G5.2 X1 Y1 P0", 2, "needs a weight P"),
         ("G5.2 X1 Y1 P1 L1", 2, "whole number from 2"),
-        ("G5.2 X1 Y1 P1\nG5.3", 3, "at least 3 control points, here are 2"),
+        ("G5.2 X1 Y1 P1\nG5.3", 3, "at least 3 control points"),
         ("G5.2 X1 Y1 P1\nG1 X2", 3, "not closed: write G5.3"),
-        ("G5.3", 2, "no G5.2 has begun"),
+        ("G5.3", 2, "no G5.2"),
     ],
 )
 def test_spline_refusals(text: str, line: int, message: str) -> None:

@@ -1,4 +1,4 @@
-"""O-words, M98 and M99: which lines are executed, how often, and what is said where they do not fit together."""
+"""O-words, M98 and M99: the executed lines, their repetitions, and messages for mismatches."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from contourlab.program.flow import Tape
 
 
 def ends(text: str) -> list[float]:
-    """Return the x [mm] that the moves of a program end at."""
+    """Return the x [mm] at the end of each move."""
     moves = parse_program(f"G21 F100 G1\n{text}\nM2").moves
     return [round(1e3 * move.end[0], 9) for move in moves if not isinstance(move, Dwell)]
 
@@ -94,19 +94,19 @@ def test_subprograms(text: str, wanted: list[float]) -> None:
         ("o1 if [1]\no2 while [1]\no1 endif", 3, 1, "O1 endif"),
         ("o1 endwhile", 1, 1, "no while"),
         ("o1 endrepeat", 1, 1, "no repeat"),
-        ("o1 break", 1, 1, "no loop"),
-        ("o1 continue", 1, 1, "no loop"),
-        ("o1 endsub", 1, 1, "no subprogram"),
-        ("o1 return [1]", 1, 1, "no subprogram"),
+        ("o1 break", 1, 1, "not inside a loop"),
+        ("o1 continue", 1, 1, "not inside a loop"),
+        ("o1 endsub", 1, 1, "not inside"),
+        ("o1 return [1]", 1, 1, "not inside"),
         ("o1 if", 1, 1, "one expression"),
         ("o1 if [1] [2]", 1, 1, "one expression"),
         ("o1 repeat [1/0]", 1, 13, "1 / 0"),
         ("o1 repeat [2 ** 60]", 1, 1, "repeats"),
-        ("o1 begin", 1, 4, "no keyword"),
+        ("o1 begin", 1, 4, "keyword"),
         ("o1 do [2]", 1, 1, "do .*no value"),
         ("o1 if [1] X2", 1, 11, "O-word"),
         ("o call", 1, 3, "function"),
-        ("o<open call", 1, 2, "no end"),
+        ("o<open call", 1, 2, "'>'"),
         ("o[1.5] call", 1, 2, "whole number"),
         ("o1234567890 call", 1, 2, "9 digits"),
         ("o1 sub\no2 sub\no2 endsub\no1 endsub", 2, 1, "O2 sub .*O1 sub"),
@@ -128,7 +128,7 @@ def test_subprograms(text: str, wanted: list[float]) -> None:
 )
 def test_refusals(text: str, line: int, column: int, message: str) -> None:
     with pytest.raises(ProgramError, match=message) as caught:
-        parse_program(f"{text}\nM2" if column else text)  # the place of an end that is missing has no column
+        parse_program(f"{text}\nM2" if column else text)  # a missing end has no column
     assert (caught.value.line, caught.value.column) == (line, column)
 
 
@@ -138,7 +138,7 @@ def test_refusals(text: str, line: int, column: int, message: str) -> None:
      "M98 P1 L999999999\nM2\nO1\nM99", "o1 while [1]\no2 repeat [3]\n#1 = 2\no2 endrepeat\no1 endwhile", "o1 while [1]\nG0 X0\no1 endwhile",
      "o1 while [1]\nG92 X0\no1 continue\no1 endwhile"],
 )  # fmt: skip
-def test_endless_loops_are_stopped_soon(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_endless_loops_are_stopped_early(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("contourlab.program.walker.MOST_IDLE", 50_000)
     begun = time.perf_counter()
     with pytest.raises(ProgramError, match=r"endless loop|never ends"):
@@ -147,18 +147,18 @@ def test_endless_loops_are_stopped_soon(text: str, monkeypatch: pytest.MonkeyPat
 
 
 @pytest.mark.slow
-def test_loops_may_count_to_three_hundred_thousand_and_not_for_ever() -> None:
+def test_loops_may_count_to_three_hundred_thousand_but_not_for_ever() -> None:
     text = "#1 = 0\no1 while [#1 lt {}]\n#1 = [#1 + 1]\no1 endwhile\nG1 F1 X1"
     assert ends(text.format(300_000)) == [1]
     with pytest.raises(ProgramError, match="1000000 lines"):
         parse_program(text.format(400_000) + "\nM2")
 
 
-def test_a_label_may_serve_in_a_subprogram_again() -> None:
+def test_a_subprogram_may_use_a_label_again() -> None:
     assert ends("o1 sub\no9 if [1]\nX1\no9 endif\no1 endsub\no9 if [1]\no1 call\no1 call\no9 endif") == [1]
 
 
-def test_subprograms_in_files_of_their_own(tmp_path: Path) -> None:
+def test_subprograms_in_separate_files(tmp_path: Path) -> None:
     (tmp_path / "drill.ngc").write_text("o<drill> sub\nG0 X#1\no<drill> endsub\nM2\n", encoding="utf-8")
     (tmp_path / "bad.ngc").write_text("(a)\no<bad> sub\nG0 X\no<bad> endsub\nM2\n", encoding="utf-8")
     main = tmp_path / "main.ngc"
@@ -181,7 +181,7 @@ def test_block_delete() -> None:
     assert [1e3 * m.end[0] for m in parse_program(text, reading=Reading(block_delete=True)).moves] == [2]  # type: ignore[union-attr]
 
 
-def test_a_tape_keeps_what_may_be_needed_again() -> None:
+def test_the_tape_keeps_lines_that_may_run_again() -> None:
     tape = Tape(iter(f"line {i}" for i in range(10)), "t")
     assert tape.line(3) == "line 3"
     tape.forget(3)
@@ -190,8 +190,8 @@ def test_a_tape_keeps_what_may_be_needed_again() -> None:
     assert tape.line(10) is None
 
 
-def test_a_long_program_keeps_no_lines() -> None:
-    """Ten times as many lines, loops among them, take no more memory."""
+def test_a_long_program_is_not_kept_in_memory() -> None:
+    """Ten times as many lines, including loops, need no more memory."""
 
     def peak(count: int) -> int:
         tracemalloc.start()
@@ -216,14 +216,14 @@ def _lines(count: int) -> Iterator[str]:
             yield f"o{number} endrepeat"
 
 
-def test_a_loop_that_moves_but_never_changes_anything_is_refused() -> None:
+def test_a_loop_that_moves_without_changing_any_state_is_refused() -> None:
     with refuses(ProgramError, "O1 while", line=4, column=1):
         parse_program("o1 while [1]\nG0 X1\nG0 X0\no1 endwhile\nM2\n")
-    # One that comes further with each turn ends some time: by its own condition.
+    # A loop that advances with each turn ends by its own condition.
     assert len(parse_program("G91\no1 while [#5420 LT 5]\nG0 X1\no1 endwhile\nM2\n").moves) == 5
 
 
-def test_many_subprograms_behind_the_end_are_looked_for_once() -> None:
+def test_many_subprograms_after_the_end_are_read_once() -> None:
     calls = "".join(f"o{n} call\n" for n in range(1, 2001))
     subs = "".join(f"o{n} sub\nG1 X{n}\no{n} endsub\n" for n in range(1, 2001))
     read = []
@@ -239,7 +239,7 @@ def test_many_subprograms_behind_the_end_are_looked_for_once() -> None:
     assert len(read) <= 8002
 
 
-def test_moves_of_another_file_carry_the_line_of_the_call(tmp_path: Path) -> None:
+def test_moves_from_another_file_have_the_line_of_the_call(tmp_path: Path) -> None:
     (tmp_path / "drill.ngc").write_text("o<drill> sub\n\n\nG0 X1\no<drill> endsub\nM2\n", encoding="utf-8")
     (tmp_path / "main.ngc").write_text("G21\no<drill> call\nG0 X0\nM2\n", encoding="utf-8")
     program = read_program(tmp_path / "main.ngc")
@@ -250,10 +250,10 @@ def test_moves_of_another_file_carry_the_line_of_the_call(tmp_path: Path) -> Non
     assert (Path(caught.value.file).name, caught.value.line) == ("drill.ngc", 3)
 
 
-def test_loops_cannot_ask_for_any_number_of_moves(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_loops_cannot_produce_unlimited_moves(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("contourlab.program.reader.MOST_REPEATED", 1000)
     text = "F100\n{}\no1 repeat [{}]\nG1 X1\nX0\no1 endrepeat\nM2"
-    lines = "\n".join(f"G1 Y{i % 7 + 1}" for i in range(1500))  # what the text itself holds is not counted
+    lines = "\n".join(f"G1 Y{i % 7 + 1}" for i in range(1500))  # moves written in the text itself are not limited
     assert len(parse_program(text.format(lines, 500)).moves) == 1500 + 1000
     with refuses(ProgramError, "1000 moves", line=4):
         parse_program(text.format("", 501))

@@ -1,4 +1,4 @@
-"""Single moves: coordinates, units, modes, arcs in all planes; the answers are worked out by hand."""
+"""Single moves: coordinates, units, modes, arcs in all planes; expected values by hand."""
 
 import math
 
@@ -48,24 +48,24 @@ def test_incremental_distance() -> None:
     assert ends == [(0.001, 0.0, 0.0), (0.002, 0.001, 0.0), (0.001, 0.001, 0.0)]
 
 
-def test_every_move_starts_where_the_last_one_ended() -> None:
+def test_every_move_starts_at_the_end_of_the_previous_one() -> None:
     made = moves("G1 F100 X1 Y1", "G3 X3 Y1 I1 J0", "G4 P1", "G2 X5 R1", "G0 X0")
     travelled = [move for move in made if not isinstance(move, Dwell)]
     assert travelled[0].start == (0.0, 0.0, 0.0)
     assert [move.start for move in travelled[1:]] == [move.end for move in travelled[:-1]]
 
 
-def test_moves_of_no_length_are_left_out() -> None:
+def test_moves_of_zero_length_are_left_out() -> None:
     assert [move.source_line for move in moves("G1 F100", "X1", "X1", "Y0", "G91 X0", "G4 P0", "X1")] == [2, 7]
 
 
-def test_tiny_increments_are_not_lost() -> None:
-    # 5000 steps of 1e-9 mm are too short to be moves, but their sum is not.
+def test_tiny_increments_are_accumulated() -> None:
+    # 5000 steps of 1e-9 mm are each too short for a move, but their sum is not.
     end = moves("G91 G0 X1", *["X0.0000000009"] * 5000, "Y1")[-1].end  # type: ignore[union-attr]
     assert end[0] == pytest.approx(0.001 + 5000 * 0.9e-12, abs=2e-12)
 
 
-def test_an_arc_after_steps_too_short_starts_where_the_last_move_ended() -> None:
+def test_an_arc_after_too_short_steps_starts_where_the_last_move_ended() -> None:
     first, arc = moves("G91 G0 X1", "X0.0000000009", "G3 I5 F100")
     assert isinstance(first, Traverse)
     assert isinstance(arc, Arc)
@@ -94,7 +94,7 @@ def test_full_circle_needs_no_axis_words(code: str, sense: int) -> None:
     assert arc.sweep == pytest.approx(sense * 2 * math.pi)
 
 
-def test_turns_of_p() -> None:
+def test_p_gives_the_number_of_turns() -> None:
     arc = only_arc("G0 X10", "G2 X0 Y10 Z3 I-10 P3 F600")
     assert arc.turns == -3
     assert arc.sweep == pytest.approx(-(1.5 + 4.0) * math.pi)
@@ -110,7 +110,7 @@ def test_helix_centre_is_at_the_height_of_the_start() -> None:
 @pytest.mark.parametrize(
     ("plane", "name", "start", "words", "centre", "end"),
     [
-        # A quarter, counterclockwise seen from the normal's tip: first axis to second axis.
+        # A quarter turn, counterclockwise seen from the tip of the normal: first axis to second axis.
         ("G17", "XY", "X10", "X0 Y10 I-10 J0", (0.0, 0.0, 0.0), (0.0, 0.01, 0.0)),
         ("G18", "ZX", "Z10", "Z0 X10 K-10 I0", (0.0, 0.0, 0.0), (0.01, 0.0, 0.0)),
         ("G19", "YZ", "Y10", "Y0 Z10 J-10 K0", (0.0, 0.0, 0.0), (0.0, 0.0, 0.01)),
@@ -130,7 +130,7 @@ def test_planes_are_right_handed(plane: str, name: str, start: str, words: str, 
         ("G2 X10 R10", (5.0, -math.sqrt(75.0)), -math.pi / 3),
         ("G2 X10 R-10", (5.0, math.sqrt(75.0)), -5 * math.pi / 3),
         ("G3 X10 R5", (5.0, 0.0), math.pi),
-        ("G3 X10 R4.9995", (5.0, 0.0), math.pi),  # half a micrometre short: a semicircle
+        ("G3 X10 R4.9995", (5.0, 0.0), math.pi),  # half a micrometre too small: a semicircle
     ],
 )
 def test_radius_form(words: str, centre: tuple[float, float], sweep: float) -> None:
@@ -139,8 +139,8 @@ def test_radius_form(words: str, centre: tuple[float, float], sweep: float) -> N
     assert arc.sweep == pytest.approx(sweep)
 
 
-def test_semicircle_of_rounded_radius_keeps_its_centre() -> None:
-    # R is a hair above half the chord: without care its root would throw the centre aside by 30 nm.
+def test_a_semicircle_with_a_rounded_radius_keeps_its_centre() -> None:
+    # R is slightly above half the chord: without care its square root would shift the centre by 30 nm.
     arc = only_arc("G0 X0.1 Y0.2", "G3 X0.4 Y0.6 R0.25000000000001 F600")
     assert arc.centre[:2] == pytest.approx((0.00025, 0.0004), abs=1e-15)
 
@@ -164,11 +164,11 @@ def test_centre_is_incremental_in_incremental_distance_too() -> None:
         ("G20 G2 X2.0028 I1", 2.8e-3 * 0.0254),
     ],
 )
-def test_radii_may_differ_a_little(line: str, mismatch: float) -> None:
+def test_radii_may_differ_slightly(line: str, mismatch: float) -> None:
     assert only_arc(f"{line} F600").radius_mismatch == pytest.approx(mismatch, rel=1e-6)
 
 
-def test_sweep_of_next_to_nothing_is_a_full_circle() -> None:
+def test_a_sweep_near_zero_is_a_full_circle() -> None:
     assert only_arc("G0 X10", "G3 X10 Y0.000001 I-10 F600").sweep == pytest.approx(2 * math.pi)
     assert only_arc("G0 X10", "G3 X10 Y0.001 I-10 F600").sweep == pytest.approx(1e-4)
 

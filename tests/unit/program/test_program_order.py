@@ -1,4 +1,4 @@
-"""The order of execution within a block is fixed by RS274/NGC, not by the order of the words."""
+"""RS274/NGC fixes the order of execution within a block, independent of the order of the words."""
 
 import itertools
 
@@ -16,7 +16,7 @@ def test_f_is_read_before_the_units_change() -> None:
     assert metric.feedrate == pytest.approx(10 * 0.001 / 60, rel=1e-15)
 
 
-def test_a_change_of_units_leaves_the_feedrate_alone() -> None:
+def test_a_change_of_units_keeps_the_feedrate() -> None:
     first, second = parse_program("G21 F60\nG1 X1\nG20\nX1\nM2").moves
     assert isinstance(first, Feed)
     assert isinstance(second, Feed)
@@ -34,7 +34,7 @@ def test_g94_clears_an_earlier_feedrate_but_not_the_one_on_its_line() -> None:
     assert (caught.value.line, caught.value.column) == (3, 1)
 
 
-def test_f_holds_for_the_motion_of_its_block() -> None:
+def test_f_applies_to_the_motion_of_its_block() -> None:
     first, second = parse_program("G1 F60 X1\nX2 F120\nM2").moves
     assert isinstance(first, Feed)
     assert isinstance(second, Feed)
@@ -70,7 +70,7 @@ def test_nothing_after_the_end_is_read() -> None:
     assert len(parse_program("G0 X1\nM30\nthis is no G-code (").moves) == 1
 
 
-def test_the_order_of_words_means_nothing() -> None:
+def test_the_order_of_words_does_not_matter() -> None:
     words = ("G91", "G20", "F60", "G1", "X1", "G4", "P2")
     want = parse_program(" ".join(words) + "\nM2").moves
     assert len(want) == 2

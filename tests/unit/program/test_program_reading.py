@@ -1,4 +1,4 @@
-"""Ways of reading: the grbl dialect with its notices, names that the interpreter keeps, and what stays in force."""
+"""Reading: the grbl dialect with its notices, reserved names of the interpreter, and the modal state."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ GRBL = Reading(dialect="grbl")
         ("X1 (then G0)\nM2", 1, 1, "motion code"),
     ],
 )
-def test_each_leniency_is_told(text: str, line: int, column: int, message: str) -> None:
+def test_each_tolerated_deviation_gives_a_notice(text: str, line: int, column: int, message: str) -> None:
     notices = parse_program(text, reading=GRBL).notices
     assert len(notices) == 1
     assert (notices[0].line, notices[0].column) == (line, column)
@@ -36,13 +36,13 @@ def test_each_leniency_is_told(text: str, line: int, column: int, message: str) 
 
 
 @pytest.mark.parametrize("text", ["G0 X1 ; see (note\nM2", "G0 X1 (a) Y2\nM30", "%\nG0 X1\n%", "G28\nG0 X1\nM2", "G92 X0\nG0 X1\nM2"])
-def test_what_linuxcnc_reads_needs_no_notice(text: str) -> None:
+def test_programs_valid_for_linuxcnc_give_no_notice(text: str) -> None:
     lenient = parse_program(text, reading=GRBL)
     assert lenient.notices == ()
     assert lenient.moves == parse_program(text).moves
 
 
-def test_grbl_does_not_hide_faults() -> None:
+def test_grbl_does_not_hide_errors() -> None:
     for text, column in (("G0 X1 (a (b) c)\nM2", 10), ("G0 X1 Q5\nM2", 7), ("G0 X\nM2", 4), ("G0 X1 )\nM2", 7)):
         with pytest.raises(ProgramError) as caught:
             parse_program(text, reading=GRBL)
@@ -67,7 +67,7 @@ def test_an_unknown_dialect() -> None:
         ("G10 L2 P1 X5\nG1 F9 X2", "_x", 2), ("G10 L2 P1 X5\nG1 F9 X2", "_abs_x", 7), ("", "_line", 2), ("", "_call_level", 0),
     ],
 )  # fmt: skip
-def test_names_that_the_interpreter_keeps(lines: str, name: str, value: float) -> None:
+def test_predefined_parameters(lines: str, name: str, value: float) -> None:
     reader = Reader(f"{lines}\n#100 = #<{name}>\nG21 G0 Y9\nM2".split("\n"))
     list(reader.moves())
     assert reader.parameters.number(100) == value
@@ -75,13 +75,13 @@ def test_names_that_the_interpreter_keeps(lines: str, name: str, value: float) -
         parse_program(f"#<{name}> = 1\nM2")
 
 
-def test_a_reader_tells_what_is_in_force_behind_each_move() -> None:
+def test_a_reader_gives_the_modal_state_after_each_move() -> None:
     reader = Reader(["G21 F60", "G1 X1", "F120", "G1 X1", "X2", "M2"], still=True)
     found = [(move.source_line, reader.state.feedrate, reader.state.position[0]) for move in reader.moves()]
     assert found == [(2, 0.001, 0.001), (4, 0.002, 0.001), (5, 0.002, 0.002)]
 
 
-# The order of execution, beyond what has a file of its own.
+# The order of execution, except for what test_program_order.py covers.
 
 
 def ends(text: str) -> list[tuple[float, ...]]:
@@ -94,7 +94,7 @@ def ends(text: str) -> list[tuple[float, ...]]:
         ("G10 L2 P2 X5\nG0 X1 G55", [(6, 0, 0)]),  # coordinate system before motion
         ("G10 L1 P3 Z5\nG0 Z1 G43 H3", [(0, 0, 6)]),  # tool length before motion
         ("G0 X1 G91 G90.1\nX1", [(1, 0, 0), (2, 0, 0)]),
-        ("G0 X1\n#1 = 5 X#1\nX#1", [(1, 0, 0), (0, 0, 0), (5, 0, 0)]),  # a line sees parameters as they were before it
+        ("G0 X1\n#1 = 5 X#1\nX#1", [(1, 0, 0), (0, 0, 0), (5, 0, 0)]),  # a line uses parameters from before the line
         ("G0 X5 G21\nG10 L2 P1 X1 G20", [(5, 0, 0)]),
         ("G0 X#5420\nX[#5420 + 1]\nX[#5420 + 1]", [(1, 0, 0), (2, 0, 0)]),
     ],
@@ -103,17 +103,17 @@ def test_order_within_a_line(text: str, wanted: list[tuple[float, ...]]) -> None
     assert ends(text) == wanted
 
 
-def test_units_hold_for_the_offsets_of_their_line() -> None:
+def test_units_apply_to_the_offsets_of_their_line() -> None:
     assert ends("G10 L2 P1 X1 G20\nG21 G0 X0 Y1") == [(25.4, 1, 0)]
 
 
-def test_a_pause_comes_behind_the_motion_and_events_before_it() -> None:
+def test_a_pause_follows_the_motion_and_other_events_precede_it() -> None:
     program = parse_program("F60 M0 M3 S9 G1 X1\nM2")
     assert [event.word for event in program.events] == ["S", "M3", "M0"]
 
 
 def test_inverse_time_is_one_over_the_minutes() -> None:
-    """5 mm at F2 take half a minute; the next move has its own F; G94 wants a new feedrate."""
+    """5 mm at F2 take half a minute; the next move has its own F; G94 needs a new feedrate."""
     moves = parse_program("G93\nG1 X3 Y4 F2\nX0 Y0 F1\nG94 F60\nX1\nM2").moves
     assert [round(6e4 * m.feedrate, 9) for m in moves if isinstance(m, Feed)] == [10.0, 5.0, 60.0]
     with pytest.raises(ProgramError, match="G1 with G93 has no F"):
@@ -121,7 +121,7 @@ def test_inverse_time_is_one_over_the_minutes() -> None:
 
 
 def test_inverse_time_is_never_slower_than_a_tenth_per_minute() -> None:
-    """As LinuxCNC has it, in the units of the program."""
+    """As in LinuxCNC, in the units of the program."""
     moves = parse_program("G93\nG1 X0.001 F2\nG20 G1 X0.001 F2\nM2").moves
     assert [m.feedrate for m in moves if isinstance(m, Feed)] == pytest.approx([1e-4 / 60.0, 2.54e-3 / 60.0])
 

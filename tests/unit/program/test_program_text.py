@@ -80,13 +80,13 @@ def test_errors_name_the_file_as_given(tmp_path: Path) -> None:
     assert str(caught.value).startswith(f"{file}:2:1: G41 ")
 
 
-def test_files_that_cannot_be_read(tmp_path: Path) -> None:
+def test_unreadable_files(tmp_path: Path) -> None:
     for place in (tmp_path / "missing.ngc", tmp_path, "nul\0byte"):
         with refuses(ProgramError, "read", file=str(place), line=0):
             read_program(place)
 
 
-def test_iter_moves_reads_no_further_than_asked() -> None:
+def test_iter_moves_reads_only_as_far_as_needed() -> None:
     read: list[int] = []
 
     def lines() -> Iterator[str]:
@@ -99,5 +99,5 @@ def test_iter_moves_reads_no_further_than_asked() -> None:
     assert read == [1, 2, 3]
 
 
-def test_a_dwell_is_kept_in_seconds() -> None:
+def test_a_dwell_is_stored_in_seconds() -> None:
     assert parse_program("G4 P0.25\nG20 G0 X1\nG4 P1.5\nM2").moves[::2] == (Dwell(0.25, 1), Dwell(1.5, 3))

@@ -68,11 +68,11 @@ def in_drawing_units(move: Move) -> tuple[object, ...]:
     return ("arc", end, centre, round(move.sweep / (math.pi / 2), 9), feedrate)
 
 
-def test_moves_are_those_of_the_drawing(program: Program) -> None:
+def test_moves_agree_with_the_drawing(program: Program) -> None:
     assert [in_drawing_units(move) for move in program.moves] == DRAWING
 
 
-def test_fits_its_envelope(program: Program) -> None:
+def test_it_fits_its_envelope(program: Program) -> None:
     for move in program.moves:
         if isinstance(move, Dwell):
             continue
@@ -104,7 +104,7 @@ def test_cutting_lasts_twenty_to_forty_seconds(program: Program) -> None:
     assert 20.0 < seconds < 40.0
 
 
-def test_uses_all_axes_and_names_itself(program: Program) -> None:
+def test_it_uses_all_axes_and_names_itself(program: Program) -> None:
     assert program.name == "circle_diamond_square.ngc"
     for move in program.moves:
         assert program.lines[move.source_line - 1].startswith("N")

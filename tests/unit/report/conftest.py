@@ -1,4 +1,4 @@
-"""Reports that several tests read; made once, since nothing changes them."""
+"""Reports shared by several tests; built once, because nothing changes them."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from contourlab.report.data import ReportData
 
 @pytest.fixture(scope="session")
 def circle() -> ReportData:
-    """Two runs round a circle."""
+    """Return two runs around a circle."""
     return synthetic.report()
 
 
 @pytest.fixture(scope="session")
 def single() -> ReportData:
-    """One run, without a verdict."""
+    """Return one run without a verdict."""
     return synthetic.report((8e-6,))
 
 
 @pytest.fixture(scope="session")
 def square() -> ReportData:
-    """One run round a square on its corner, which has corners and no circle."""
+    """Return one run around a square on its corner: it has corners and no circle."""
     path = contour("diamond", side=0.02)
     reference = uniform(path, 0.5, 2, 1e-3)
     data = synthetic.report((8e-6,))

@@ -1,4 +1,4 @@
-"""What cannot be reported is refused, with a reason."""
+"""Data that cannot be reported are refused with a reason."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def test_limits_must_be_positive():
         AxisBounds(np.array([0.1, 0.0]), np.ones(2), np.ones(2), np.ones(2))
 
 
-def test_one_limit_stands_for_all_axes():
+def test_one_limit_applies_to_all_axes():
     bounds = AxisBounds(np.array([0.1]), np.array([1.0, 2.0]), np.array([np.inf]), np.ones(1))
     assert bounds.of("velocity", 1) == 0.1 and bounds.of("acceleration", 1) == 2.0
 

@@ -1,4 +1,4 @@
-"""Thinning keeps what the eye would see: ends and extremes."""
+"""Decimation keeps the visible: ends and extremes."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_a_single_spike_in_a_million_samples_survives():
     assert 123_457 in keep_extremes(values, 2000)
 
 
-def test_budget_too_small_says_what_would_be_right():
+def test_too_small_a_budget_names_the_minimum():
     with pytest.raises(ParameterError, match="at least 4 per column, 12 here"):
         keep_extremes(np.zeros((100, 3)), 11)
 

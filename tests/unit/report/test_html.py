@@ -1,4 +1,4 @@
-"""The page: whole in one file, safe with any text, small for any run."""
+"""The page: one self-contained file, safe with any text, small for any run."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ EVIL = "</script><script>alert(1)</script><img src=x onerror=alert(2)> \"quoted\
 
 
 class Page(HTMLParser):
-    """Collects elements and texts, and complains where elements are not closed in order."""
+    """Collects elements and texts, and fails if elements are not closed in order."""
 
     def __init__(self, text: str) -> None:
         super().__init__(convert_charrefs=True)
@@ -53,12 +53,12 @@ class Page(HTMLParser):
 
     @property
     def text(self) -> str:
-        """What a reader sees without the pictures."""
+        """The text that a reader sees without the pictures."""
         return " ".join(" ".join(self.words).split())
 
     @property
     def figures(self) -> dict:
-        """The pictures' data."""
+        """The data of the pictures."""
         return json.loads(self.scripts[0])
 
 
@@ -90,7 +90,7 @@ def test_nothing_is_fetched(page, html):
     assert len(style) > 1000 and "url(" not in style and "@import" not in style
 
 
-def test_the_browser_is_told_to_run_our_scripts_only(page):
+def test_the_browser_may_run_our_scripts_only(page):
     policy = next(a["content"] for t, a in page.elements if t == "meta" and a.get("http-equiv"))
     assert policy.startswith("default-src 'none'; script-src 'sha256-")
     for script in page.scripts[1:]:
@@ -106,7 +106,7 @@ def test_plotly_offers_no_upload(page):
 def test_contents_lead_to_sections_that_exist(page):
     ids = {attributes.get("id") for _, attributes in page.elements}
     targets = [a["href"][1:] for t, a in page.elements if t == "a"]
-    assert targets == ["verdict", "comparison", "path", "circles", "errors", "reversals", "axes", "bode", "program", "again"]
+    assert targets == ["verdict", "findings", "comparison", "path", "circles", "errors", "reversals", "axes", "bode", "program", "again"]
     assert set(targets) <= ids
 
 
@@ -115,7 +115,7 @@ def test_every_picture_has_its_place(page):
     assert places == set(page.figures)
 
 
-def test_verdict_table_and_scenario_are_read_without_pictures(page, circle):
+def test_verdict_table_and_scenario_are_readable_without_pictures(page, circle):
     for words in (
         "independent axes: out of tolerance",
         "modified reference: within tolerance",
@@ -145,7 +145,7 @@ def test_every_row_of_figures_has_a_unit(page, html):
         assert unit or "tolerance 5 um" in row
 
 
-def test_drawn_numbers_are_the_signal(page, circle):
+def test_drawn_numbers_equal_the_signal(page, circle):
     trace = page.figures["error-time"]["data"][0]
     time, error = unpack(trace["x"]), unpack(trace["y"])
     signal = circle.schemes[0].result["contour_error"] * 1e6
@@ -153,7 +153,7 @@ def test_drawn_numbers_are_the_signal(page, circle):
     assert np.abs(error).max() == pytest.approx(np.abs(signal).max(), rel=1e-6)
 
 
-def test_foreign_text_is_text(circle):
+def test_markup_in_foreign_text_is_escaped(circle):
     first = circle.schemes[0]
     verdict = synthetic.judgement(first.result, 5e-6, EVIL)
     verdict = replace(verdict, causes=(Cause(EVIL, 1e-6, 1.0),))
@@ -169,7 +169,7 @@ def test_foreign_text_is_text(circle):
     assert any("alert(1)" in name for name in names) and not any("<" in name for name in names)
 
 
-def test_drawing_libraries_are_not_imported_before_they_are_used():
+def test_drawing_libraries_are_imported_only_when_used():
     modules = "contourlab.report.html, contourlab.report.plots, contourlab.report.tables"
     code = f"import sys, {modules}; print(sorted({{'plotly', 'matplotlib', 'jinja2', 'rich'}} & set(sys.modules)))"
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
@@ -209,7 +209,7 @@ def _size(trace: dict) -> int:
     return unpack(numbers).size if isinstance(numbers, dict) else len(numbers)
 
 
-def test_a_program_of_a_million_characters_is_cut_around_its_worst_line(circle):
+def test_a_long_program_is_cut_around_its_worst_line(circle):
     lines = tuple(f"N{i} G1 X{i % 97}.125 Y{i % 89}.5" for i in range(60_000))
     worst = replace(circle.schemes[0].verdict.worst, line=40_000)
     scheme = replace(circle.schemes[0], verdict=replace(circle.schemes[0].verdict, worst=worst))
@@ -220,7 +220,7 @@ def test_a_program_of_a_million_characters_is_cut_around_its_worst_line(circle):
     assert hashlib.sha256("\n".join(lines).encode()).hexdigest() in page.text
 
 
-def test_a_long_scenario_is_cut_and_says_so(circle):
+def test_a_long_scenario_is_cut_with_a_note(circle):
     scenario = "# a table\n" + "0.001, 0.002\n" * 60_000
     page = Page(render_html(replace(circle, provenance=replace(circle.provenance, scenario=scenario))))
     assert hashlib.sha256(scenario.encode()).hexdigest() in page.text

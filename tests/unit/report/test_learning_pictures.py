@@ -1,4 +1,4 @@
-"""Pictures of the analysis show its figures, and both views draw them."""
+"""Pictures of the learning analysis show its figures, and both views contain them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The table of the planned motion against the limits of the axes."""
+"""The table of the planned motion against the axis limits."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from contourlab.feed import LimitReport
 from contourlab.feed.verify import Worst
 from contourlab.report.data import ReportData
 from contourlab.report.html import render_html
+from contourlab.report.page_tables import LIMIT_TITLE as TITLE
 
-CURVATURE = "step of curvature"
-TITLE = "Planned motion against the limits of the axes"
+CURVATURE = "curvature step"
 REPORT = LimitReport(
-    # The second axis is slower, but nearer to its limit.
+    # The second axis is slower but nearer to its limit.
     velocity=(Worst(0, 0.1, 0.4, 0.0, 10, 0.01, (0.0, 0.0), 3), Worst(1, 0.05, 0.1, 0.0, 20, 1.25, (0.0, 0.0), 7)),
     acceleration=(Worst(0, 2.004, 2.0, 0.0, 30, 0.03, (0.0, 0.0), 4), Worst(1, 1.0, 2.0, 0.0, 5, 0.005, (0.0, 0.0), 4)),
     jerk=(Worst(0, 30.0, math.inf, 0.0, 6, 0.006), Worst(1, 90.0, math.inf, 0.0, 7, 0.007)),
@@ -24,7 +24,7 @@ REPORT = LimitReport(
 
 
 def tables(data: ReportData) -> dict[str, list[list[str]]]:
-    """Return the cells of each such table of the page, by its caption."""
+    """Return the cells of each such table of the page, by caption."""
     found = re.findall(rf"<caption>({TITLE}[^<]*)</caption>(.*?)</table>", render_html(data), flags=re.S)
     return {title: [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in re.findall(r"<tr>.*?</tr>", body)] for title, body in found}
 
@@ -34,7 +34,7 @@ def with_limits(data: ReportData, *limits: LimitReport | None) -> ReportData:
     return replace(data, schemes=schemes)
 
 
-def test_each_row_tells_the_axis_nearest_to_its_limit(single: ReportData) -> None:
+def test_each_row_names_the_axis_nearest_to_its_limit(single: ReportData) -> None:
     ((title, rows),) = tables(with_limits(single, REPORT)).items()
     assert title == TITLE and len(rows[0]) == 7
     assert rows[1:] == [

@@ -34,7 +34,7 @@ def test_the_same_run_gives_the_same_bytes(square, tmp_path):
     assert first == second
 
 
-def test_names_with_formula_signs_are_printed_as_they_are(square, tmp_path):
+def test_names_with_formula_characters_are_printed_literally(square, tmp_path):
     odd = replace(square, title="cost $1 and $2", schemes=(replace(square.schemes[0], name="_kept $x_"),))
     svg = {file.stem: file.read_text() for file in write_plots(odd, tmp_path, ("svg",))}
     assert "_kept $x_" in svg["error-time"]
@@ -49,7 +49,7 @@ def test_gaps_in_a_signal_are_gaps_in_the_picture(square, tmp_path):
     assert write_plots(data, tmp_path)
 
 
-def test_unknown_format_names_those_that_are_known(square, tmp_path):
+def test_unknown_format_names_the_known_ones(square, tmp_path):
     with pytest.raises(ParameterError, match="png, svg, pdf"):
         write_plots(square, tmp_path, ("gif",))
 
@@ -61,7 +61,7 @@ def test_a_folder_that_is_a_file(square, tmp_path):
 
 
 def test_points_with_bars_are_points(tmp_path):
-    """Measured points have a mark each and no line between them, in print and on the page."""
+    """Measured points have one mark each and no line between them, in print and on the page."""
     x, y = np.array([1.0, 2.0, 4.0]), np.array([3.0, 1.0, 2.0])
     points = Curve(x, y, "measured", "#000000", half=np.full(3, 0.5))
     chart = Chart("seen", "Points", "", (Panel("x", "y", (points, Curve(x, y, "model", "#ff0000"))),))

@@ -1,4 +1,4 @@
-"""Pictures of studies: what is drawn, and that it can be."""
+"""Pictures of studies: their content, and their files."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ CURVE = curve_tile(Curve(NUMBER, X, 1e-6 * Y, Minimum(2.0, 1e-6, 0.1, ""), None,
 NAMES = ("a", "b_", "$c")
 
 
-def test_small_multiples_share_one_scale_and_shade_what_fails() -> None:
+def test_small_multiples_share_one_scale_and_shade_failures() -> None:
     figure = drawing(Multiples("curves", "curves", "", "error [um]", (CURVE,) * 4))
     places = [place for place in figure.axes if place.get_visible()]
     assert len(places) == 4 and len({place.get_ylim() for place in places}) == 1
@@ -40,7 +40,7 @@ def test_bars_are_in_the_order_of_the_last_series_with_their_intervals() -> None
     assert [bar.get_width() for bar in place.patches] == [0.2, 0.0, 0.1, 0.9, 0.5, 0.3]  # type: ignore[attr-defined]
 
 
-def test_a_matrix_leaves_its_diagonal_and_what_is_unknown_blank() -> None:
+def test_a_matrix_leaves_its_diagonal_and_unknown_values_blank() -> None:
     values = np.array([[9.0, 2.0, np.nan], [2.0, 9.0, -1.0], [np.nan, -1.0, 9.0]])
     sure = np.zeros((3, 3), dtype=bool)
     figure = drawing(interactions_chart("interactions", NAMES, values, sure))
@@ -64,7 +64,7 @@ def test_a_span_of_x_is_shaded_and_named_in_print_and_on_the_page() -> None:
     assert "fitted" in {note["text"] for note in layout["annotations"]}
 
 
-def test_each_becomes_a_file(tmp_path: Path) -> None:
+def test_each_chart_becomes_a_file(tmp_path: Path) -> None:
     charts = [Multiples("curves", "t", "", "y", (CURVE,)), interactions_chart("t", NAMES, np.eye(3), np.eye(3) > 2.0)]
     assert [file.name for file in write_charts(charts, tmp_path, ("png", "svg"))] == [
         "curves.png",

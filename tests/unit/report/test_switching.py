@@ -28,7 +28,7 @@ PERIOD = 1e-3
 
 
 def switched(samples: list[int], n: int, axes: tuple[str, ...] = ("x", "y")) -> Switches:
-    """Return switches of x to and fro; y stays with its first controller."""
+    """Return switches of x back and forth; y keeps its first controller."""
     kind = np.arange(len(samples)) % 2
     ends = np.array([0, *samples, n])
     held = np.diff(ends)
@@ -45,7 +45,7 @@ def with_switches(data: ReportData, samples: list[int]) -> ReportData:
 
 @pytest.fixture(scope="module")
 def backlash(circle: ReportData) -> ReportData:
-    """The circle with a motor that leads its load of x by 10 um one way and trails it by 12 um the other."""
+    """Return the circle with a motor that leads its load of x by 10 um one way and trails it by 12 um the other."""
     schemes = []
     for scheme in circle.schemes:
         result = scheme.result
@@ -57,7 +57,7 @@ def backlash(circle: ReportData) -> ReportData:
     return replace(circle, schemes=tuple(schemes))
 
 
-def test_a_line_of_text_tells_how_often_and_why(circle: ReportData) -> None:
+def test_a_line_of_text_gives_count_and_reasons(circle: ReportData) -> None:
     lines = switch_lines(with_switches(circle, [100, 200, 300]))
     name = circle.schemes[1].name
     x, y = lines
@@ -66,7 +66,7 @@ def test_a_line_of_text_tells_how_often_and_why(circle: ReportData) -> None:
     assert switch_lines(circle) == [] and switch_tables(circle) == () and strip_charts(circle) == ()
 
 
-def test_many_kinds_are_cut_short_but_counted(circle: ReportData) -> None:
+def test_many_kinds_are_shortened_but_counted(circle: ReportData) -> None:
     kinds = tuple(SwitchKind("x", "controller", f"c{i}", "by the way") for i in range(9))
     kind = np.repeat(np.arange(9), [9, 8, 7, 6, 5, 4, 3, 2, 1])
     some = np.arange(len(kind))
@@ -90,7 +90,7 @@ def test_the_table_counts_shares_and_lists(circle: ReportData) -> None:
 
 
 def bars(curve: object) -> list[tuple[float, float]]:
-    """Return the stretches of a broken line."""
+    """Return the segments of a broken line."""
     x = curve.x  # type: ignore[attr-defined]
     parts = np.split(x, np.flatnonzero(np.isnan(x)))
     return [(float(p[~np.isnan(p)][0]), float(p[~np.isnan(p)][-1])) for p in parts]
@@ -109,7 +109,7 @@ def test_the_strip_shows_each_controller_where_it_was_active(circle: ReportData)
 
 
 def test_the_strip_of_a_chattering_axis_stays_small_and_hides_nothing(circle: ReportData) -> None:
-    """A switch at every sample, and one single sample in the gap: both are seen, by a bounded number of points."""
+    """A switch at every sample, and one single sample in the gap: both are visible, with a bounded number of points."""
     n = circle.schemes[1].result.n_sample
     chattering = strip_charts(with_switches(circle, list(range(1, n))))[0].panels[0]
     assert {curve.name for curve in chattering.curves} == {"controller", "gap"}
@@ -130,7 +130,7 @@ def test_the_page_holds_tables_and_pictures_of_switches_and_backlash(backlash: R
     assert "<script>alert(1)" not in page
 
 
-def test_the_loop_is_drawn_whole_between_the_flanks_of_its_gap(backlash: ReportData) -> None:
+def test_the_whole_loop_is_drawn_between_the_flanks_of_its_gap(backlash: ReportData) -> None:
     (chart,) = hysteresis_charts(backlash, 500)
     assert len(chart.panels) == 2 and chart.loops
     for panel in chart.panels:
@@ -138,7 +138,7 @@ def test_the_loop_is_drawn_whole_between_the_flanks_of_its_gap(backlash: ReportD
         load = backlash.schemes[0].result["axis_position"][:, 0] * 1e3
         assert (loop.x.min(), loop.x.max()) == pytest.approx((load.min(), load.max()), abs=2e-2)
         assert (loop.y.min(), loop.y.max()) == pytest.approx((-12.0, 10.0))
-        # The gap widens from 16 to 20 um over the 20 mm in the middle and holds beyond.
+        # The gap widens from 16 to 20 um over the middle 20 mm and is constant beyond.
         assert np.interp([-20.0, -10.0, 0.0, 10.0, 20.0], upper.x, upper.y) == pytest.approx([8.0, 8.0, 9.0, 10.0, 10.0])
         np.testing.assert_array_equal(lower.y, -upper.y)
         assert panel.y_range == pytest.approx((-1.15 * 12.0, 1.15 * 12.0))
@@ -154,7 +154,7 @@ def test_pictures_for_papers_are_written_too(backlash: ReportData, tmp_path: obj
 
 
 def spikes(factor: float) -> tuple[Spike, ...]:
-    """A circle's four quadrants, x turned twice at 0 degrees, and z at a corner."""
+    """Return spikes in the four quadrants of a circle (x turns twice at 0 degrees), and one of z at a corner."""
     turns = (("x", -1, 0.0), ("y", -1, 90.0), ("x", 1, 180.0), ("y", 1, 270.0), ("x", -1, 0.0))
     found = [
         Spike(axis, 0.1 * i, 100 * i, 0, factor * (i + 1) * 1e-6, 0.1 * i, 0.02, way, math.radians(angle))
@@ -163,7 +163,7 @@ def spikes(factor: float) -> tuple[Spike, ...]:
     return tuple(found)
 
 
-def test_reversals_stand_side_by_side_by_quadrant(circle: ReportData) -> None:
+def test_reversals_are_listed_side_by_side_by_quadrant(circle: ReportData) -> None:
     data = replace(circle, schemes=tuple(replace(s, spikes=spikes(f)) for s, f in zip(circle.schemes, (1.0, -0.5), strict=True)))
     table = reversal_table(data)
     assert table is not None and table.heads == tuple(s.name for s in circle.schemes)
@@ -175,17 +175,17 @@ def test_reversals_stand_side_by_side_by_quadrant(circle: ReportData) -> None:
     assert text.splitlines()[3].split()[-6:] == ["3", "/", "5", "1.5", "/", "2.5"]
 
 
-def test_reversals_on_arcs_and_elsewhere_are_kept_apart_on_the_page_and_put_together_in_the_text(circle: ReportData) -> None:
+def test_the_page_separates_reversals_on_arcs_and_elsewhere_and_the_text_combines_them(circle: ReportData) -> None:
     corner = Spike("x", 0.9, 900, 0, 9e-6, 0.9, 0.05, -1, math.nan)
     data = replace(circle, schemes=(replace(circle.schemes[0], spikes=(*spikes(1.0), corner)), replace(circle.schemes[1], spikes=())))
     table = reversal_table(data)
     assert table is not None
-    assert table.rows[0][0].startswith("x at 0 deg") and table.rows[-1][:2] == ("x, + to - elsewhere", "1")
+    assert table.rows[0][0].startswith("x at 0 deg") and table.rows[-1][:2] == ("x, + to -, not on arcs", "1")
     assert table.rows[-1][2] == (("9", "9", "50"), ("-", "-", "-"))
-    assert "x, + to - (3)" in reversal_text(data) and "elsewhere" not in reversal_text(data)
+    assert "x, + to - (3)" in reversal_text(data) and "arcs" not in reversal_text(data)
 
 
-def test_no_reversal_no_table(circle: ReportData) -> None:
+def test_without_reversals_there_is_no_table(circle: ReportData) -> None:
     data = replace(circle, schemes=tuple(replace(scheme, spikes=()) for scheme in circle.schemes))
     assert reversal_table(data) is None and reversal_text(data) == "" and 'id="reversals"' not in render_html(data)
 
@@ -201,7 +201,7 @@ def test_spikes_are_ringed_on_the_polar_picture(circle: ReportData) -> None:
     assert polar_charts(circle, 100)[0].marks == ()
 
 
-def test_an_unstable_loop_of_a_supervised_axis_is_called_what_it_is(circle: ReportData) -> None:
+def test_an_unstable_loop_of_a_supervised_axis_is_called_unstable(circle: ReportData) -> None:
     first, second = circle.schemes
     meant = "first controller, in contact"
     shaky = {axis: replace(answer, stable=False, meant=meant) for axis, answer in second.bode.items()}

@@ -1,4 +1,4 @@
-"""The comparison says the same on a terminal, in a pipe and in Markdown."""
+"""The comparison is the same on a terminal, in a pipe and in Markdown."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ def test_figures_are_the_metrics_in_print_units(circle):
     assert feed.unit == "mm/min" and float(feed.cells[0].text) == pytest.approx(3770, rel=1e-3)
 
 
-def test_change_is_of_the_last_against_the_first(circle):
+def test_change_compares_the_last_with_the_first(circle):
     row = cells(circle, "contour error, rms")
     assert row.change.text == "-75 %" and row.change.mood == "good"
 
 
-def test_pass_and_fail_are_told_in_words(circle):
+def test_pass_and_fail_are_written_as_words(circle):
     row = cells(circle, "tolerance 5 um")
     assert [cell.text for cell in row.cells] == ["fail", "pass"]
 
@@ -61,7 +61,7 @@ def test_an_error_in_space_has_no_signed_mean(single):
     assert "contour error, signed mean" not in labels and "contour error, mean" in labels
 
 
-def test_without_tolerance_nobody_passes_or_fails(square):
+def test_without_a_tolerance_there_is_no_verdict(square):
     assert not any("tolerance" in row.label for row in compare(square).rows)
 
 
@@ -73,7 +73,7 @@ def test_the_text_is_plain_ascii_and_fits_the_page(circle):
     assert "-75 %" in text
 
 
-def test_the_part_that_errors_are_of_is_told_of_each_run_where_it_differs(circle):
+def test_runs_with_different_judged_parts_name_them(circle):
     first, second = circle.schemes
     assert "2 s to 4 s." in compare(circle).note
     other = replace(second, metrics=replace(second.metrics, window=(100, 900)))
@@ -82,16 +82,16 @@ def test_the_part_that_errors_are_of_is_told_of_each_run_where_it_differs(circle
     assert f"0.1 s to 0.9 s ({second.name})" in note
 
 
-def test_markup_in_names_is_printed_as_it_is(circle):
+def test_markup_in_names_is_printed_literally(circle):
     odd = replace(circle, schemes=(replace(circle.schemes[0], name="[bold]a|b[/bold]"),))
     assert "[bold]a|b[/bold]" in comparison_text(odd)
 
 
-def test_a_measured_run_says_what_its_encoders_do_not(circle):
+def test_a_measured_run_names_the_limits_of_its_encoders(circle):
     assert "encoders" not in compare(circle).note
     assert "encoders" in compare(replace(circle, is_measured=True)).note
 
 
-def test_notes_stand_below_the_table_as_they_are(circle):
+def test_notes_are_printed_unchanged_below_the_table(circle):
     noted = replace(circle, notes=("one: two?", "three *four*"))
-    assert comparison_text(noted).splitlines()[-2:] == ["note: one: two?", "note: three *four*"]
+    assert comparison_text(noted).splitlines()[-2:] == ["one: two?", "three *four*"]

@@ -1,4 +1,4 @@
-"""Learning in the report: the errors of each trial, as picture and as text, and what a servo tick costs."""
+"""Learning in the report: the errors of each trial as picture and text, and the cost of a servo tick."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def course(n: int = 31, best: int = 17, status: str = "converged") -> TrialCours
 
 @pytest.fixture
 def learned(circle: ReportData) -> ReportData:
-    """The second run has learned."""
+    """Return data in which the second run has learned."""
     first, second = circle.schemes
     return replace(circle, schemes=[replace(first, tick=2e-7), replace(second, trials=course(), tick=2.5e-7)])
 
@@ -37,17 +37,17 @@ def test_the_picture_has_the_errors_of_all_trials(learned: ReportData) -> None:
     assert level.y.tolist() == [learned.schemes[0].metrics.contour_error.rms * 1e6] * 2
     np.testing.assert_allclose(falling.y, 0.8 ** np.arange(31))
     np.testing.assert_allclose(tracking.curves[0].y, 5.0 * 0.8 ** np.arange(31))
-    assert contour.log_y and "converged, trial 17 of 30" in chart.caption
+    assert contour.log_y and "converged, best trial 17 of 30" in chart.caption
 
 
-def test_a_report_without_learning_says_nothing_of_it(circle: ReportData) -> None:
+def test_a_report_without_learning_does_not_mention_it(circle: ReportData) -> None:
     assert trial_charts(circle) == ()
     assert trials_text(circle) == ""
     assert 'id="trials"' not in render_html(circle)
-    assert not {"learning", "servo tick, machine included"} & {row.label for row in compare(circle).rows}
+    assert not {"learning", "computing time per servo tick"} & {row.label for row in compare(circle).rows}
 
 
-def test_trials_of_no_error_and_trials_that_failed_leave_gaps(learned: ReportData) -> None:
+def test_trials_with_zero_error_and_failed_trials_leave_gaps(learned: ReportData) -> None:
     rms = np.array([1e-6, 0.0, np.nan])
     odd = replace(
         learned, schemes=[replace(learned.schemes[1], trials=TrialCourse(rms, rms[:, None], 0, "diverged, rolled back to trial 0"))]
@@ -68,19 +68,19 @@ def test_the_text_shows_first_best_and_last(learned: ReportData) -> None:
     assert len(trial_rows(course(1001, 700))) <= 20
 
 
-def test_the_table_tells_the_end_and_the_cost(learned: ReportData) -> None:
+def test_the_table_shows_the_end_and_the_cost(learned: ReportData) -> None:
     rows = {row.label: [cell.text for cell in row.cells] for row in compare(learned).rows}
     assert rows["learning"][0] == "-" and rows["learning"][1].startswith("converged") and "17 of 30" in rows["learning"][1]
-    assert rows["servo tick, machine included"] == ["200", "250"]
+    assert rows["computing time per servo tick"] == ["200", "250"]
 
 
-def test_page_and_plots_hold_it(learned: ReportData, tmp_path: Path) -> None:
+def test_page_and_plots_contain_the_picture(learned: ReportData, tmp_path: Path) -> None:
     page = render_html(learned)
-    assert 'id="trials"' in page and "converged, trial 17 of 30." in page
+    assert 'id="trials"' in page and "converged, best trial 17 of 30." in page
     assert (tmp_path / "trials.png") in write_plots(learned, tmp_path)
 
 
 @pytest.mark.parametrize(("n", "best"), [(0, 0), (3, 3)])
-def test_courses_that_make_no_sense_are_refused(n: int, best: int) -> None:
+def test_inconsistent_trial_histories_are_refused(n: int, best: int) -> None:
     with pytest.raises(ParameterError, match="trials"):
         TrialCourse(np.ones(n), np.ones((n, 2)), best, "converged")

@@ -1,4 +1,4 @@
-"""Whatever happens while a file is written, it is there whole or as it was before."""
+"""A file is whole or unchanged, even if writing it fails."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def full(*args: Any, **kwargs: Any) -> None:
 
 
 def only(folder: Path, name: str, content: bytes) -> None:
-    """Check that a folder holds one file, with its old content."""
+    """Check that a folder holds one file with its old content."""
     assert [p.name for p in folder.iterdir()] == [name]
     assert (folder / name).read_bytes() == content
 
@@ -45,7 +45,7 @@ def test_line_ends_are_not_touched(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="modes are those of POSIX")
-def test_files_are_as_readable_as_others(tmp_path: Path) -> None:
+def test_new_files_have_the_usual_permissions(tmp_path: Path) -> None:
     before = os.umask(0o027)
     try:
         write_bytes_atomic(tmp_path / "a", b"")
@@ -65,7 +65,7 @@ def test_full_disk_while_bytes_are_written(tmp_path: Path, monkeypatch: pytest.M
 
 
 def test_target_that_cannot_be_replaced(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The last act, the renaming, may fail too: another program holds the file open, on Windows."""
+    """The final rename may fail too: on Windows another program may hold the file open."""
     (tmp_path / "a").write_bytes(b"old")
     monkeypatch.setattr(Path, "replace", full)
     with pytest.raises(OutputError):
@@ -87,7 +87,7 @@ def test_a_file_in_place_of_the_folder(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("stop", [KeyboardInterrupt, RuntimeError, MemoryError])
-def test_a_run_that_is_broken_off(tmp_path: Path, stop: type[BaseException]) -> None:
+def test_an_interrupted_run(tmp_path: Path, stop: type[BaseException]) -> None:
     file, result = tmp_path / "run.nc", a_result()
     file.write_bytes(b"old")
     with pytest.raises(stop), ResultWriter(file, result.header(), result.axes) as writer:
@@ -98,7 +98,7 @@ def test_a_run_that_is_broken_off(tmp_path: Path, stop: type[BaseException]) -> 
 
 @pytest.mark.parametrize("after", [0, 1, 3, 8, 20])
 def test_full_disk_after_some_writes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, after: int) -> None:
-    """From the n-th write on, the system refuses: the writer says so, the old file stays, and no part of the new one."""
+    """From the n-th write on the system refuses: the writer raises, the old file stays, and no part of the new one remains."""
     file, result = tmp_path / "run.nc", a_result(40_000)
     file.write_bytes(b"old")
     count = 0
@@ -119,7 +119,7 @@ def test_full_disk_after_some_writes(tmp_path: Path, monkeypatch: pytest.MonkeyP
 
 
 def test_spool_reads_back_what_the_disk_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """To its user the file is whole after a failure too, part on the disk and part held; beyond its end there are zeros."""
+    """After a failure the file still reads as whole, part from disk and part from memory; beyond its end there are zeros."""
     with Spool(tmp_path / "s", "w+") as spool:
         spool.write(b"abcdef")
         spool.check()
@@ -172,7 +172,7 @@ LIMITED = """
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the system limits no file sizes")
 def test_the_system_refuses_to_write(tmp_path: Path) -> None:
-    """A real limit on file sizes, at many places; in a process of its own, which must live on to its end."""
+    """A real limit on file sizes, at many places, in a process of its own that must survive to its end."""
     code = textwrap.dedent(LIMITED)
     done = subprocess.run([sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, timeout=60, check=False)
     assert (done.returncode, done.stderr) == (0, "")

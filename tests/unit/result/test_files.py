@@ -1,4 +1,4 @@
-"""Results on disk: what is read is what was written, to the last bit, or there is a clear error."""
+"""Results on disk: they read back to the last bit, or raise a clear error."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from hypothesis.extra.numpy import arrays
 from contourlab.errors import ResultError
 from contourlab.result import Result, ResultWriter, Signal, Status
 
-# No control characters, and no surrogates: HDF5 keeps text as UTF-8 that ends with a zero.
+# No control characters or surrogates: HDF5 stores text as zero-terminated UTF-8.
 TEXT = st.text(st.characters(min_codepoint=32, exclude_categories=["Cs"]), max_size=12)
 NAME = st.from_regex(r"[a-z][a-z_0-9]{0,11}", fullmatch=True).filter(lambda name: name not in ("axis", "time", "sample"))
 FLOAT = st.floats(width=64, allow_nan=True, allow_infinity=True, allow_subnormal=True)
@@ -50,13 +50,13 @@ def assert_identical(one: Result, other: Result) -> None:
     for name, signal in one.signals.items():
         twin = other.signals[name]
         assert (signal.dims, signal.unit, signal.data.shape) == (twin.dims, twin.unit, twin.data.shape)
-        # As bytes, so that -0 is not 0, and each NaN is the NaN that it was.
+        # Compare bytes, so that -0 is not 0 and each NaN keeps its bits.
         assert np.ascontiguousarray(signal.data).tobytes() == np.ascontiguousarray(twin.data).tobytes()
 
 
 @settings(max_examples=60, deadline=None)
 @given(result=results())
-def test_out_and_back(result: Result) -> None:
+def test_round_trip(result: Result) -> None:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "run.nc"
         result.save(file)
@@ -66,7 +66,7 @@ def test_out_and_back(result: Result) -> None:
 @settings(max_examples=30, deadline=None)
 @given(result=results(), data=st.data())
 def test_blocks_make_one_file(result: Result, data: st.DataObject) -> None:
-    """Written in any cuts, empty ones included, a result is the one written at once."""
+    """Written in any cuts, empty ones included, a result equals the one written at once."""
     cuts = [0, *sorted(data.draw(st.lists(st.integers(0, result.n_sample), max_size=4))), result.n_sample]
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "run.nc"
@@ -90,7 +90,7 @@ def test_status_of_a_run_that_failed_in_its_last_block(tmp_path: Path) -> None:
 
 
 def test_longer_than_a_chunk(tmp_path: Path) -> None:
-    """Blocks that do not divide the chunks of the file, over several of them."""
+    """The blocks do not divide the chunks of the file and span several of them."""
     n = 50_001
     signal = Signal(np.random.default_rng(1).normal(size=(n, 3)), ("sample", "axis"), "m")
     result = Result("long", ("x", "y", "z"), 1e-4, {"position": signal})
@@ -104,7 +104,7 @@ def test_longer_than_a_chunk(tmp_path: Path) -> None:
 
 
 def test_other_programs_read_it(tmp_path: Path) -> None:
-    """Plain NetCDF-4: xarray finds the signals with units, and time as index times period, from the start of the run."""
+    """Plain NetCDF-4: xarray finds the signals with units, and time as index times period from the start of the run."""
     file, result = tmp_path / "run.nc", plain(seed=3).window(2, 5)
     result.save(file)
     with xarray.open_dataset(file, engine="h5netcdf") as data:
@@ -123,7 +123,7 @@ def test_a_folder_is_made(tmp_path: Path) -> None:
     assert [p.name for p in file.parent.iterdir()] == ["run.nc"]
 
 
-# --- what cannot be kept --------------------------------------------------------------------------------------------------------
+# --- content that cannot be stored ---------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("value", [2**64, -(2**70), "text\0with a zero"])
@@ -134,7 +134,7 @@ def test_attributes_that_no_file_can_keep(tmp_path: Path, value: str | int) -> N
 
 
 def test_blocks_with_other_signals(tmp_path: Path) -> None:
-    """A signal that comes later, or goes missing, would have holes in it."""
+    """A signal that appears later, or disappears, would have holes."""
     result = plain()
     extra = {**result.signals, "feedrate": Signal(np.zeros(5), ("sample",), "m/s")}
     for first, second in ((result.signals, extra), (extra, result.signals)):
@@ -147,7 +147,7 @@ def test_blocks_with_other_signals(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-# --- files that are no results --------------------------------------------------------------------------------------------------
+# --- files that are not results -------------------------------------------------------------------------------------------------
 
 
 def test_no_such_file(tmp_path: Path) -> None:
@@ -204,7 +204,7 @@ def test_a_signal_of_odd_shape(tmp_path: Path) -> None:
 
 
 def test_truncated_anywhere(tmp_path: Path) -> None:
-    """A copy that broke off: at whatever byte, the answer is an error of ours, never a result and never a stranger's exception."""
+    """A copy that ends at any byte gives an error of ours, never a result and never a foreign exception."""
     whole = tmp_path / "run.nc"
     plain(200).save(whole)
     content = whole.read_bytes()
@@ -216,12 +216,12 @@ def test_truncated_anywhere(tmp_path: Path) -> None:
 
 
 def test_a_byte_turned_over_in_the_head(tmp_path: Path) -> None:
-    """Damage in the head of the file gives our error, and does not stick to the next file that is read."""
+    """Damage in the head of the file gives our error and does not affect the next file."""
     whole, file = tmp_path / "run.nc", tmp_path / "bad.nc"
     plain(20).save(whole)
     content = whole.read_bytes()
     refused = 0
-    # Up to the text of the attributes: further on HDF5 keeps no check sums.
+    # Up to the text of the attributes: beyond them HDF5 keeps no checksums.
     for place in range(0, content.index(b"GCOL"), 9):
         damaged = bytearray(content)
         damaged[place] ^= 0xFF
@@ -237,7 +237,7 @@ def test_a_byte_turned_over_in_the_head(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("blocks", [1, 3])
-def test_a_file_of_known_length_wants_just_so_many_samples(tmp_path: Path, blocks: int) -> None:
+def test_a_file_of_fixed_length_needs_exactly_that_many_samples(tmp_path: Path, blocks: int) -> None:
     result = Result("base", ("x",), 1e-3, {"position": Signal(np.arange(4.0)[:, None], ("sample", "axis"), "m")})
     with (
         pytest.raises(ResultError, match=rf"^{4 * blocks} .*\b8$"),

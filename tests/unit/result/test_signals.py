@@ -26,12 +26,12 @@ def test_signals_by_name() -> None:
         result["jerk"]
 
 
-def test_what_is_handed_on_cannot_be_changed() -> None:
+def test_returned_arrays_are_read_only() -> None:
     data = np.zeros((4, 1))
     result = Result("made", ("x",), 1e-3, {"position": Signal(data, ("sample", "axis"), "m")})
     with pytest.raises(ValueError, match="read-only"):
         result["position"][0, 0] = 1.0
-    # The maker keeps the right to its own array.
+    # The creator may still write to its own array.
     data[0, 0] = 1.0
 
 
@@ -60,7 +60,7 @@ def test_columns_that_are_not_the_axes() -> None:
 
 
 def test_time_is_a_product_not_a_sum() -> None:
-    """Ten million steps of 0.1 ms: adding them up would be off by some 1e-7 s."""
+    """Ten million steps of 0.1 ms: a running sum would be off by some 1e-7 s."""
     n, period = 10_000_000, 1e-4
     result = Result("long", ("x",), period, {"e": Signal(np.broadcast_to(0.0, n), ("sample",), "m")})
     assert result.time[-1] == (n - 1) * period
@@ -76,7 +76,7 @@ def test_window_keeps_time() -> None:
     assert (part.axes, part.status, part.attributes) == (result.axes, result.status, result.attributes)
 
 
-def test_signals_added_leave_the_old_result() -> None:
+def test_added_signals_leave_the_old_result_unchanged() -> None:
     result = a_result()
     more = result.with_signals(contour_error=Signal(np.zeros(6), ("sample",), "m"))
     assert "contour_error" in more
@@ -96,7 +96,7 @@ def test_as_xarray() -> None:
     assert data["position"].sel(axis="y").values.tolist() == result["position"][:, 1].tolist()
     assert data.attrs["scheme"] == "cascade"
     assert data.attrs["attribute_seed"] == 7
-    # A data set of the user's own: writing to it leaves the result alone.
+    # The data set belongs to the user: writing to it leaves the result unchanged.
     data["position"][0, 0] = 99.0
     assert result["position"][0, 0] == 0.0
 

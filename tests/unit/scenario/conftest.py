@@ -1,4 +1,4 @@
-"""Fixtures of the tests of the scenario room."""
+"""Fixtures for the scenario tests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A controller in two, in files."""
+"""A divided controller in files."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_short_forms(text: str, expected: Division | None) -> None:
     assert parse_scenario(dump(scenario)).controller == scenario.controller
 
 
-def test_one_way_wants_no_estimator() -> None:
+def test_a_one_way_link_needs_no_estimator() -> None:
     one_way = TOP.replace("LINK", '{division = "controller", down = "network", up = "none"}')
     with refuses(ScenarioError, 'estimator = "newton"', key="controller.coupling"):
         parse_scenario(one_way)
@@ -75,7 +75,7 @@ def test_one_way_wants_no_estimator() -> None:
         ('{division = "observer", down = {kind = "network", delay = "-1 ms"}}', "delay"),
     ],
 )
-def test_what_is_wrong_is_said_with_its_key(text: str, words: str) -> None:
+def test_errors_name_their_key(text: str, words: str) -> None:
     with pytest.raises(ScenarioError, match=words) as refusal:
         parse_scenario(TOP.replace("LINK", text))
     assert "controller.axes" in str(refusal.value)
@@ -88,7 +88,7 @@ def test_local_parameters_are_those_of_the_part_in_the_axis() -> None:
         parse_scenario(text.replace("observer.model_gain", "controller.position_gain"))
 
 
-def test_a_scheme_may_change_a_link_or_take_it_back() -> None:
+def test_a_scheme_may_change_or_remove_a_link() -> None:
     schemes = '[schemes.whole]\ncontroller.axes."*".link = "none"\n[schemes.late]\ncontroller.axes."*".link.up.delay = "3 ms"\n'
     scenario = parse_scenario(TOP.replace("LINK", NETWORK) + schemes)
     assert scenario.case("whole").controller.axes["1"].link is None
@@ -98,7 +98,7 @@ def test_a_scheme_may_change_a_link_or_take_it_back() -> None:
     assert [case.controller for case in again.cases()] == [case.controller for case in scenario.cases()]
 
 
-def test_a_run_with_a_link_is_a_run() -> None:
+def test_a_run_with_a_link() -> None:
     case = parse_scenario(TOP.replace("LINK", NETWORK)).cases()[0]
     reference = case.reference()
     one, again = (cl.simulate(case.machine, case.controller, reference, seed=case.seed) for _ in range(2))

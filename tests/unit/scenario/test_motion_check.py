@@ -1,4 +1,4 @@
-"""Motions that a machine cannot be asked for."""
+"""Motions that are impossible for a machine."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ def scenario(*changes: tuple[str, str]) -> cl.Scenario:
     return parse_scenario(text)
 
 
-def test_a_uniform_law_keeps_to_the_limits_of_the_axes() -> None:
-    """R = 20 mm: at 1 Hz 125.7 mm/s and 0.79 m/s^2, at 1.25 Hz 157.1 mm/s of 150 mm/s; 2.1 m/s^2 at 1.25 Hz would be R = 34 mm."""
+def test_a_uniform_law_respects_the_axis_limits() -> None:
+    """R = 20 mm: 125.7 mm/s and 0.79 m/s^2 at 1 Hz; 157.1 mm/s (limit 150 mm/s) at 1.25 Hz; 2.1 m/s^2 at 1.25 Hz needs R = 34 mm."""
     assert scenario(("0.5 Hz", "1 Hz")).base.reference().n_sample == 2000
     with pytest.raises(cl.ContourlabError, match=r"circle: axis x .*157\.1 mm/s.* 150 mm/s.*0\.955"):
         scenario(("0.5 Hz", "1.25 Hz")).base.reference()
@@ -34,7 +34,7 @@ def test_a_motion_of_months_is_refused_at_once() -> None:
         scenario(("0.5 Hz", "1e-7 Hz")).base.reference()
 
 
-def test_a_scheme_cannot_name_an_axis_that_nobody_has() -> None:
+def test_a_scheme_cannot_name_an_unknown_axis() -> None:
     scheme = '[schemes.off]\ncontroller.axes."9".observer = "none"\n'
     with refuses(ScenarioError, "'9'.*x, y", key="schemes.off.controller.axes.9"):
         parse_scenario(SCENARIO + scheme)
@@ -48,8 +48,8 @@ def test_a_scheme_cannot_name_an_axis_that_nobody_has() -> None:
     assert parse_scenario(named + scheme.replace('"9"', "y")).case("off").controller.axes["y"].observer is None
 
 
-def test_a_friction_that_the_step_cannot_follow_is_refused() -> None:
-    """a F_s / v_e = 1.1 * 0.06 / 1e-5 = 6600 1/s: 6.6 in a millisecond, of which Runge and Kutta follow 2.78."""
+def test_a_friction_too_steep_for_the_step_is_refused() -> None:
+    """a F_s / v_e = 1.1 * 0.06 / 1e-5 = 6600 1/s: 6.6 per millisecond, while Runge-Kutta is stable up to 2.78."""
     smooth = (
         'kind = "coulomb"\ncoulomb = "0.05 full_scale"',
         'kind = "smooth-coulomb"\ncoulomb = "0.05 full_scale"\nbreakaway = "0.06 full_scale"',
@@ -60,6 +60,6 @@ def test_a_friction_that_the_step_cannot_follow_is_refused() -> None:
     assert scenario(smooth, ('breakaway = "0.06 full_scale"', 'breakaway = "0.06 full_scale"\nsmoothing_velocity = "0.1 mm/s"'))
 
 
-def test_a_structure_that_moves_by_its_integral_needs_one() -> None:
+def test_a_structure_that_moves_by_its_integral_needs_an_integral_gain() -> None:
     with pytest.raises(cl.ContourlabError, match=r"integral_gain = 0.*: must be > 0 with structure"):
         scenario(('kind = "position"\n', 'kind = "position"\nstructure = "ipv"\n'))

@@ -1,4 +1,4 @@
-"""Contours moved, and driven on machines with further axes."""
+"""Contours with an offset, and on machines with more axes than the path."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ def curves() -> list[Path]:
 
 
 @pytest.mark.parametrize("path", curves())
-def test_a_path_is_moved_and_stands_still_beyond_its_own_axes(path: Path) -> None:
-    """A rigid shift leaves every derivative as it was, and adds nothing in the further coordinate."""
+def test_a_path_is_shifted_and_constant_in_further_axes(path: Path) -> None:
+    """A rigid shift keeps every derivative; the further coordinates have none."""
     moved = placed(path, (0.1, -0.02, 0.003))
     assert (moved.n_axis, moved.closed) == (3, path.closed)
     assert moved.length == pytest.approx(path.length, rel=1e-12)
@@ -42,7 +42,7 @@ def test_a_path_is_moved_and_stands_still_beyond_its_own_axes(path: Path) -> Non
     np.testing.assert_allclose(moved.corners, path.corners, rtol=0, atol=1e-12)
 
 
-def test_a_circle_stays_a_circle_and_what_fits_is_left_alone() -> None:
+def test_a_shifted_circle_stays_a_circle_and_a_zero_shift_changes_nothing() -> None:
     path = cl.contour("circle")
     assert placed(path, (0.0, 0.0)) is path
     (arc,) = placed(path, (0.01, 0.0, 0.0)).curves
@@ -57,7 +57,7 @@ def test_a_plane_contour_holds_the_third_axis_still() -> None:
     assert len(case.notes) == 1 and mentions(case.notes, "still", "z at 5 mm")
 
 
-def test_an_offset_survives_being_written() -> None:
+def test_an_offset_survives_a_round_trip() -> None:
     scenario = parse_scenario(ON_XYZ + 'name = "circle"\noffset = ["30 mm", "-40 mm"]\n')
     assert 'offset = ["30 mm", "-40 mm"]' in dump(scenario)
     again = parse_scenario(dump(scenario))
@@ -65,16 +65,16 @@ def test_an_offset_survives_being_written() -> None:
     assert dump(again) == dump(scenario)
 
 
-def test_the_offset_comes_before_the_look_at_the_travel() -> None:
-    """A travel of 300 mm around the middle: 130 + 20 mm touches its end, a micrometre more leaves it."""
+def test_the_offset_is_applied_before_the_check_of_the_travel() -> None:
+    """A travel of 300 mm around the middle: 130 + 20 mm touches its end, one micrometre more leaves it."""
     text = ON_XYZ + 'name = "circle"\nradius = "20 mm"\noffset = ["{} mm", "0 mm"]\n'
     assert parse_scenario(text.format("130")).base.reference().n_sample
-    message = r'axis x is sent to 110\.001 \.\. 150\.001 mm, .*: move it with offset = \["10 mm", "10 mm", "10 mm"\] under \[contour\]'
+    message = r'axis x .* 110\.001 to 150\.001 mm, .*: move it with offset = \["10 mm", "10 mm", "10 mm"\] under \[contour\]'
     with pytest.raises(cl.ContourlabError, match=message):
         parse_scenario(text.format("130.001")).base.reference()
 
 
-def test_tolerances_of_corners_want_a_blend() -> None:
+def test_corner_tolerances_need_a_blend() -> None:
     text = SCENARIO.replace('\nlaw = "uniform"\nfrequency = "0.5 Hz"\nlaps = 2\n', '\nfeedrate = "1 m/min"\n{}\n')
     for control, name, words in (
         ('path_control = "exact_path"', "corner_tolerance", 'path_control = "exact_path" blends nothing'),
@@ -84,7 +84,7 @@ def test_tolerances_of_corners_want_a_blend() -> None:
         with pytest.raises(cl.ContourlabError, match=rf"feed.{name}: .*{words}"):
             parse_scenario(text.format(f'{control}\n{name} = "5 um"'))
     blend = text.format('path_control = "blend"\ncorner_tolerance = "5 um"\nmerge_tolerance = "0 um"')
-    # What a scheme inherits may be idle: it compares a blend with none.
+    # Inherited tolerances may be idle: a scheme then compares a blend with none.
     both = parse_scenario(blend + '[schemes.exact.feed]\npath_control = "exact_path"\n')
     assert [case.feed.path_control for case in both.cases()] == ["exact_path"]
     assert dump(parse_scenario(dump(both))) == dump(both)

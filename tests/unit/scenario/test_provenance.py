@@ -1,4 +1,4 @@
-"""Where numbers are from, as files say it: what is read, what is refused, what is inherited, and the way back."""
+"""Provenance of numbers in files: reading, refusal, inheritance and writing."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def axis(mass: str = FITTED, coulomb: str = '"10 N"', top: str = "", more: str =
     return parsed(AXIS.format(mass=mass, coulomb=coulomb, top=top, more=more))
 
 
-def test_a_number_is_read_with_where_it_is_from() -> None:
+def test_a_number_is_read_with_its_origin() -> None:
     found = axis()
     assert found.plant.mass == 20.0
     assert found.plant.origins == {"mass": Origin("fitted", deviation=0.5, reference="log.mat", note="of three")}
@@ -96,7 +96,7 @@ def test_deviations_are_in_units_or_percent(said: str, wanted: Origin) -> None:
         ('{value = "20 kg", source = "fitted", deviation = "1 mm"}', "plant.mass.deviation", "to kg"),
         ('{value = "20 kg", source = "fitted", deviation = 0.5}', "plant.mass.deviation", "no unit"),
         ('{value = "20 kg", source = "fitted", deviation = "-1 %"}', "plant.mass.deviation", "must be > 0"),
-        ('{value = "20 kg", source = "fitted", deviation = "x %"}', "plant.mass.deviation", "no quantity"),
+        ('{value = "20 kg", source = "fitted", deviation = "x %"}', "plant.mass.deviation", "a number and %"),
         ('{value = "20 kg", source = "fitted", range = "1 kg"}', "plant.mass.range", "list"),
         ('{value = "20 kg", source = "fitted", range = ["21 kg", "22 kg"]}', "plant.mass.range", "between"),
         ('{value = "20 kg", source = "fitted", range = ["-1 kg", "22 kg"]}', "plant.mass.range", "must be > 0"),
@@ -108,14 +108,14 @@ def test_deviations_are_in_units_or_percent(said: str, wanted: Origin) -> None:
         ('{value = "-20 kg", source = "fitted"}', "plant.mass", "must be > 0"),
     ],
 )
-def test_what_cannot_be_is_refused_in_words(mass: str, key: str, words: str) -> None:
+def test_invalid_entries_are_refused_in_words(mass: str, key: str, words: str) -> None:
     with pytest.raises(ScenarioError) as caught:
         axis(mass=mass)
     assert caught.value.key == key
     assert words in str(caught.value)
 
 
-def test_a_share_of_nothing_is_no_deviation() -> None:
+def test_a_percentage_of_zero_is_no_deviation() -> None:
     with refuses(ScenarioError, "value is 0", key="friction.coulomb.deviation"):
         axis(coulomb='{value = "0 N", source = "fitted", deviation = "1 %"}')
 
@@ -129,22 +129,22 @@ def test_a_share_of_nothing_is_no_deviation() -> None:
          'amplitudes = {value = ["1 N"], source = "fitted", deviation = "1 %"}', "list"),
     ],
 )  # fmt: skip
-def test_only_numbers_that_are_simulated_deviate(more: str, words: str) -> None:
+def test_only_simulated_numbers_may_have_deviations(more: str, words: str) -> None:
     with pytest.raises(ScenarioError, match=words):
         axis(more=more)
 
 
-def test_gains_that_are_wished_for_make_chosen_numbers() -> None:
+def test_gains_by_design_are_chosen_numbers() -> None:
     found = parse_scenario(SCENARIO.format(more="")).base.controller.axes["x"].controller.origins
     assert {origin.source for origin in found.values()} == {"design"} and "position_gain" in found
 
 
-# --- what was fitted together --------------------------------------------------------------------------------------------------------
+# --- correlations ----------------------------------------------------------------------------------------------------------------------
 
 TWO = {"mass": FITTED, "coulomb": '{value = "10 N", source = "fitted", deviation = "1 N"}'}
 
 
-def test_correlations_are_of_numbers_with_a_deviation() -> None:
+def test_correlations_need_numbers_with_a_deviation() -> None:
     pair = 'correlations = [["plant.mass", "friction.coulomb", -0.3]]'
     assert axis(**TWO, top=pair).correlations == (("plant.mass", "friction.coulomb", -0.3),)
     assert axis(top=pair).correlations == (), "the friction has lost its deviation"
@@ -156,8 +156,8 @@ def test_correlations_are_of_numbers_with_a_deviation() -> None:
         ('"plant.mass"', "list"),
         ('[["plant.mass", "friction.coulomb"]]', "item 1"),
         ('[["plant.mass", "plant.mass", 0.3]]', "different"),
-        ('[["plant.mass", "friction.coulomb", 1.5]]', "between -1 and 1"),
-        ('[["plant.mass", "friction.coulomb", true]]', "no coefficient"),
+        ('[["plant.mass", "friction.coulomb", 1.5]]', "from -1 to 1"),
+        ('[["plant.mass", "friction.coulomb", true]]', "not a coefficient"),
         ('[["plant.mas", "friction.coulomb", 0.5]]', "'plant.mass'"),
         ('[["plant.mass", "friction.coulomb", 0.5], ["friction.coulomb", "plant.mass", 0.5]]', "listed twice"),
     ],
@@ -167,7 +167,7 @@ def test_other_correlations_are_refused(said: str, words: str) -> None:
         axis(**TWO, top=f"correlations = {said}")
 
 
-def test_correlations_that_contradict_each_other_are_refused() -> None:
+def test_contradictory_correlations_are_refused() -> None:
     three = (
         '[["plant.mass", "friction.coulomb", 0.9], ["plant.mass", "friction.viscous", 0.9], ["friction.coulomb", "friction.viscous", -0.9]]'
     )
@@ -189,7 +189,7 @@ friction = {{kind = "coulomb", coulomb = {{value = "10 N", source = "fitted", de
 """
 
 
-def test_correlations_between_axes_stand_at_the_machine(written: Callable[..., Path]) -> None:
+def test_correlations_between_axes_belong_to_the_machine(written: Callable[..., Path]) -> None:
     pairs = '[["x.plant.mass", "y.plant.mass", 0.4]]'
     found = load_machine(written(machine=BETWEEN.format(pairs=pairs)))
     assert found.correlations == (("x.plant.mass", "y.plant.mass", 0.4),)
@@ -212,7 +212,7 @@ def test_other_correlations_between_axes_are_refused(said: str, words: str, writ
         load_machine(written(machine=BETWEEN.format(pairs=said)))
 
 
-# --- files on top of files -----------------------------------------------------------------------------------------------------------
+# --- inheritance -----------------------------------------------------------------------------------------------------------------------
 
 
 def scheme(change: str) -> Origin | None:
@@ -222,14 +222,14 @@ def scheme(change: str) -> Origin | None:
     return found
 
 
-def test_a_number_that_is_replaced_loses_where_it_was_from() -> None:
+def test_a_replaced_number_loses_its_origin() -> None:
     assert scheme('axes.x.plant.gain = "2.1 m/s^2/full_scale"') is None
     assert scheme('axes.x.plant.damping = "6 1/s"') == Origin("fitted", deviation=0.02)
     assert scheme('axes.x.plant.gain = {value = "2.1 m/s^2/full_scale", source = "assumed"}') == Origin("assumed")
     assert scheme('axes.x.plant = {kind = "mass-damper", mass = "1 kg", force_constant = "1 N/A"}') is None
 
 
-def test_where_an_inherited_number_is_from_can_be_said_later() -> None:
+def test_an_inherited_number_can_get_its_origin_later() -> None:
     stated = scheme('axes.x.plant.damping = {source = "assumed", deviation = "10 %"}')
     assert stated == Origin("fitted", deviation=0.02)
     case = parse_scenario(SCENARIO.format(more='[schemes.s]\naxes.x.plant.damping = {source = "assumed", deviation = "10 %"}')).case("s")
@@ -237,7 +237,7 @@ def test_where_an_inherited_number_is_from_can_be_said_later() -> None:
     assert case.machine.axes[0].plant.origins["damping"] == Origin("assumed", deviation=0.5)
 
 
-def test_an_axis_that_takes_another_plant_drops_its_correlations(written: Callable[..., Path]) -> None:
+def test_an_axis_with_another_plant_drops_its_correlations(written: Callable[..., Path]) -> None:
     text = AXIS.format(**TWO, top='correlations = [["plant.mass", "friction.coulomb", -0.3]]', more="")
     machine = '[machine]\nname = "m"\nservo_period = "1 ms"\naxes = ["x"]\n[axes.x]\nfile = "axis.toml"\n'
     assert len(load_machine(written(axis=text, machine=machine)).axes[0].correlations) == 1
@@ -245,7 +245,7 @@ def test_an_axis_that_takes_another_plant_drops_its_correlations(written: Callab
     assert load_machine(written(axis=text, machine=machine + other)).axes[0].correlations == ()
 
 
-# --- the way back --------------------------------------------------------------------------------------------------------------------
+# --- round trip ------------------------------------------------------------------------------------------------------------------------
 
 
 def origins_of(found: Axis) -> dict[str, object]:
@@ -253,7 +253,7 @@ def origins_of(found: Axis) -> dict[str, object]:
     return {**parts, "axis": found.origins, "correlations": found.correlations}
 
 
-def test_a_scenario_reads_back_with_all_that_is_stated() -> None:
+def test_a_scenario_with_all_statements_reads_back() -> None:
     first = parse_scenario(SCENARIO.format(more='[schemes.s]\naxes.x.plant.gain = "2.1 m/s^2/full_scale"'))
     again = parse_scenario(dump(first))
     assert dump(again) == dump(first)
@@ -270,7 +270,7 @@ def test_a_scenario_reads_back_with_all_that_is_stated() -> None:
     st.text(st.characters(categories=["L", "N", "P", "Zs"]), max_size=60),
     st.booleans(),
 )
-def test_whatever_is_stated_reads_back_the_same(source: str, deviation: float, words: str, ranged: bool) -> None:
+def test_any_statement_reads_back_the_same(source: str, deviation: float, words: str, ranged: bool) -> None:
     given_ = {"span": (20.0 - 1e-10 * deviation, 20.0 + deviation)} if ranged else {"deviation": deviation}
     words = words if words.isprintable() else ""
     first = axis(mass='"20 kg"')
@@ -280,7 +280,7 @@ def test_whatever_is_stated_reads_back_the_same(source: str, deviation: float, w
 
 
 @pytest.mark.parametrize("name", [name for name in builtin_names() if name.startswith(("ghaffari/axis", "emps/axis", "gecer-ulu/stage"))])
-def test_shipped_axes_say_where_all_of_their_numbers_are_from(name: str) -> None:
+def test_shipped_axes_give_the_origin_of_all_their_numbers(name: str) -> None:
     found = load_axis(f"builtin:{name}")
     for part in (found.plant, found.friction, found.sensor):
         given_ = {key for key, value in part.values().items() if not part.parameters[key].choices and value != part.parameters[key].default}
@@ -288,8 +288,8 @@ def test_shipped_axes_say_where_all_of_their_numbers_are_from(name: str) -> None
     assert origins_of(parsed(dump(found))) == origins_of(found)
 
 
-def test_what_a_machine_is_does_not_depend_on_what_is_said_of_it() -> None:
-    """A learned table belongs to a machine, whatever is found out later of where its numbers are from."""
+def test_the_identity_of_a_machine_does_not_depend_on_provenance() -> None:
+    """A learned table belongs to a machine, even if the origins of its numbers change later."""
     stated = parse_scenario(SCENARIO.format(more="")).base
     plain = unstated(stated.machine)
     assert "source" in dump(stated.machine) and "source" not in dump(plain)
@@ -297,7 +297,7 @@ def test_what_a_machine_is_does_not_depend_on_what_is_said_of_it() -> None:
     assert "source" not in dump(unstated(stated.controller), plain)
 
 
-def test_an_origin_is_checked_wherever_it_is_made() -> None:
+def test_an_origin_is_checked_wherever_it_is_created() -> None:
     for wrong in ({"source": "rumour"}, {"source": "fitted", "deviation": 0.0}, {"source": "fitted", "span": (2.0, 1.0)}):
         with pytest.raises(ParameterError):
             Origin(**wrong)  # type: ignore[arg-type]

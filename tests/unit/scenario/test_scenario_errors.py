@@ -1,4 +1,4 @@
-"""Every fault of a file names file, key, and what would be right."""
+"""Every error in a file names file, key and remedy."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ FAULTS = [
     ('mounted_on = "x"', 'mounted_on = "y"', "axes.y.mounted_on", "itself"),
     ('mounted_on = "x"', 'stage_mass = "-3 kg"', "axes.y.stage_mass", ">= 0 kg"),
     ('mounted_on = "x"', 'mounted_on = "x"\nstage_mass = "3 kg"', "machine", "3 kg"),
-    ('mounted_on = "x"', 'mounted_on = "x"\nalignment = 0.5', "machine", 'axes.y.alignment = 0.5: must be 0 on a "rigid-axis" plant'),
+    ('mounted_on = "x"', 'mounted_on = "x"\nalignment = 0.5', "machine", 'axes.y.alignment = 0.5: must be 0 with a "rigid-axis" plant'),
     ('mounted_on = "x"', "substeps = 0", "axes.y.substeps", "greater"),
     ('mounted_on = "x"', "substeps = 2.5", "axes.y.substeps", "whole number"),
     ('velocity = "150 mm/s"\nacceleration = "1 m/s^2"\n[axes.y]', 'travel = ["1 mm"]\n[axes.y]', "axes.x.limits.travel", "two positions"),
@@ -75,8 +75,8 @@ FAULTS = [
     ('tolerance = "20 um"', 'signals = ["positon"]', "run.signals", "'position'"),
     ('tolerance = "20 um"', "seed = -1", "run.seed", "greater"),
     ('name = "test"', "name = 3", "name", "text"),
-    ('name = "test"', 'title = "test"', "title", "there are"),
-    ('name = "test"', 'program = "part.ngc"', "", "leave one"),
+    ('name = "test"', 'title = "test"', "title", "unknown key"),
+    ('name = "test"', 'program = "part.ngc"', "", "delete one"),
     ("[run]", '[schemes."a".contour]\nname = "circle"\n[run]', "schemes.a.contour", "cannot change"),
     ("[run]", "[schemes.a.controller.couplin]\n[run]", "schemes.a.controller.couplin", "'coupling'"),
     ("[run]", '[schemes.a]\naxes.x.plant.gain = "1 kg"\n[run]', "schemes.a.axes.x.plant.gain", "converted"),
@@ -87,7 +87,7 @@ FAULTS = [
 
 
 @pytest.mark.parametrize(("before", "after", "key", "word"), FAULTS)
-def test_a_fault_is_named_with_its_file_and_key(written: Write, before: str, after: str, key: str, word: str) -> None:
+def test_an_error_names_its_file_and_key(written: Write, before: str, after: str, key: str, word: str) -> None:
     assert before in SCENARIO
     file = written(part=SCENARIO.replace(before, after, 1))
     with pytest.raises(ScenarioError) as caught:
@@ -109,30 +109,30 @@ def test_malformed_toml_names_its_line(written: Write) -> None:
 
 
 @pytest.mark.parametrize("content", [b"\xff\xfe", b"a = " + b"[" * 5000, b"a." * 5000 + b"b = 1", b"a = 1\na = 2", b"x" * 100_000, b""])
-def test_a_file_of_anything_else_is_a_scenario_error(tmp_path: Path, content: bytes) -> None:
+def test_a_file_of_another_format_is_a_scenario_error(tmp_path: Path, content: bytes) -> None:
     file = tmp_path / "odd.toml"
     file.write_bytes(content)
     with pytest.raises(ScenarioError):
         load_scenario(file)
 
 
-def test_files_that_are_not_there(tmp_path: Path) -> None:
+def test_missing_files(tmp_path: Path) -> None:
     for reader in (load_scenario, load_machine, load_axis):
         for name in (tmp_path / "no.toml", tmp_path, "builtin:no-such", "builtin:../errors", "a\x00b"):
             with pytest.raises(ScenarioError):
                 reader(name)
 
 
-def test_a_circle_of_files_is_named(written: Write) -> None:
+def test_circular_includes_are_named(written: Write) -> None:
     written(a='machine = "b.toml"', b='machine = "a.toml"')
-    with pytest.raises(ScenarioError, match=r"other: a\.toml -> b\.toml -> a\.toml"):
+    with pytest.raises(ScenarioError, match=r"other, a\.toml -> b\.toml -> a\.toml"):
         load_machine(written(a='machine = "b.toml"'))
     itself = '[machine]\nname = "m"\nservo_period = "1 ms"\naxes = ["x"]\n[axes.x]\nfile = "m.toml"\n'
-    with pytest.raises(ScenarioError, match=r"other: m\.toml -> m\.toml"):
+    with pytest.raises(ScenarioError, match=r"other, m\.toml -> m\.toml"):
         load_machine(written(m=itself))
 
 
-def test_a_fault_in_a_part_of_its_own_names_that_file(written: Write) -> None:
+def test_an_error_in_an_included_part_names_that_file(written: Write) -> None:
     written(machine=MACHINE.replace('coulomb = "0.05 full_scale"', 'coulomb = "5 N"'))
     rest = SCENARIO.replace(MACHINE, "").replace('name = "test"', 'name = "test"\nmachine = "machine.toml"')
     with pytest.raises(ScenarioError) as caught:
@@ -140,7 +140,7 @@ def test_a_fault_in_a_part_of_its_own_names_that_file(written: Write) -> None:
     assert caught.value.file.endswith("machine.toml") and caught.value.key == "axes.y.friction.coulomb"
 
 
-def test_a_wrong_kind_of_file_is_told_apart(written: Write) -> None:
+def test_a_file_of_the_wrong_kind_is_recognised(written: Write) -> None:
     controller = written(controller=CONTROLLER)
     with refuses(ScenarioError, "machine, axes$", file=controller, key="controller"):
         load_machine(controller)
@@ -178,7 +178,7 @@ def test_programs_are_checked_against_the_machine(written: Write, tmp_path: Path
         scenario_from_parts(part, machine, controller).cases()[0].reference()
 
 
-def test_letters_stand_for_axes_of_other_names() -> None:
+def test_letters_can_map_to_axes_of_other_names() -> None:
     text = 'machine = "builtin:ghaffari/a3a1"\ncontroller = "builtin:ghaffari/calibrated"\n'
     program = 'file = "builtin:programs/circle_diamond_square.ngc"'
     with pytest.raises(ScenarioError, match="letters"):

@@ -1,4 +1,4 @@
-"""Whatever a file holds, reading it gives a scenario or an error that is meant for people."""
+"""Reading any file gives a scenario or a readable error."""
 
 from __future__ import annotations
 
@@ -169,13 +169,13 @@ ODD = [
 
 
 def places(tree: dict[str, Any]) -> list[tuple[dict[str, Any], str]]:
-    """Return every entry of a tree as its table and its name."""
+    """Return every entry of a tree as table and name."""
     found = [(tree, name) for name in tree]
     return found + [place for value in tree.values() if isinstance(value, dict) for place in places(value)]
 
 
 def shaken(tree: dict[str, Any], dice: random.Random) -> dict[str, Any]:
-    """Return a copy of a tree with a few faults: values exchanged, lost, moved elsewhere, given other names."""
+    """Return a copy of a tree with a few faults: values exchanged, lost, moved or renamed."""
     tree = copy.deepcopy(tree)
     for _ in range(dice.randint(1, 3)):
         (table, name), (other, another) = dice.choice(places(tree)), dice.choice(places(tree))
@@ -240,7 +240,7 @@ def test_mutated_shipped_files_are_read_or_refused(seed: int, name: str) -> None
 
 
 def _read(reader: object, text: str, place: Path) -> None:
-    """Read text as if it were a file beside the shipped ones, without writing it there."""
+    """Read text as if its file were in the folder of the shipped ones, without writing it."""
     content = parse_tree(text, str(place))
     if reader is load_machine:
         build_machine(settle(Reader().machine_file(content)))

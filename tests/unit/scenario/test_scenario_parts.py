@@ -1,4 +1,4 @@
-"""Parts in files of their own, what is put on top of them, schemes, and what is written back."""
+"""Parts in separate files, overrides, schemes, and writing."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def test_a_reference_follows_from_a_case() -> None:
     assert replace(case, run=replace(case.run, evaluate="whole")).reference().laps == ()
 
 
-def test_a_planned_contour_keeps_to_the_limits() -> None:
+def test_a_planned_contour_respects_the_limits() -> None:
     text = SCENARIO.replace('law = "uniform"\nfrequency = "0.5 Hz"', 'feedrate = "3 m/min"')
     reference = parse_scenario(text).cases()[0].reference()
     block = reference.block(0, reference.n_sample)
@@ -66,7 +66,7 @@ def test_a_planned_contour_keeps_to_the_limits() -> None:
     assert slower.block(0, slower.n_sample).feedrate.max() == pytest.approx(0.025, rel=1e-9)
 
 
-def test_an_axis_file_serves_several_machines_and_is_changed_beside_it(written: Write) -> None:
+def test_several_machines_may_include_and_override_one_axis_file(written: Write) -> None:
     written(axis=AXIS)
     head = '[machine]\nname = "m"\nservo_period = "1 ms"\naxes = ["a", "b"]\n'
     file = written(m=head + '[axes]\na = "axis.toml"\n[axes.b]\nfile = "axis.toml"\nplant.damping = "3 1/s"\nfriction = "none"\n')
@@ -75,7 +75,7 @@ def test_an_axis_file_serves_several_machines_and_is_changed_beside_it(written: 
     assert b.plant == a.plant.replace(damping=3.0) and isinstance(b.friction, NoFriction)
 
 
-def test_names_of_files_start_at_the_file_that_names_them(tmp_path: Path) -> None:
+def test_file_names_are_relative_to_the_file_that_contains_them(tmp_path: Path) -> None:
     (tmp_path / "parts").mkdir()
     (tmp_path / "parts" / "axis.toml").write_text(AXIS)
     (tmp_path / "parts" / "m.toml").write_text('[machine]\nname = "m"\nservo_period = "1 ms"\naxes = ["x"]\n[axes]\nx = "axis.toml"\n')
@@ -83,7 +83,7 @@ def test_names_of_files_start_at_the_file_that_names_them(tmp_path: Path) -> Non
     assert load_machine(tmp_path / "top.toml").axes[0].plant.values()["gain"] == 2.0
 
 
-def test_what_all_axes_share_goes_behind_what_one_says_and_before_an_older_file(written: Write) -> None:
+def test_an_axis_overrides_the_shared_table_and_the_shared_table_an_included_file(written: Write) -> None:
     own = '[controller.axes.x.controller]\nposition_gain = "9 full_scale/mm"\n'
     file = written(c=CONTROLLER.replace("[controller.axes.y.observer]", own + "[controller.axes.y.observer]"))
     machine = load_machine(written(m=MACHINE))
@@ -95,7 +95,7 @@ def test_what_all_axes_share_goes_behind_what_one_says_and_before_an_older_file(
     assert {a.controller.values()["velocity_gain"] for a in over.axes.values()} == {100.0}
 
 
-def test_schemes_change_what_they_name_and_nothing_else() -> None:
+def test_schemes_change_only_what_they_name() -> None:
     text = (
         SCENARIO
         + """
@@ -153,7 +153,7 @@ def test_a_scheme_can_swap_a_file(written: Write) -> None:
     assert [c.controller for c in again.cases()] == [c.controller for c in scenario.cases()]
 
 
-def test_poles_are_placed_for_the_model_the_loop_sees() -> None:
+def test_poles_are_placed_for_the_model_that_the_loop_sees() -> None:
     poles = 'gains = {natural_frequency = "25 rad/s", damping = 0.7, pole = "35 rad/s"}'
     text = SCENARIO.replace('position_gain = "4 full_scale/mm"\nvelocity_gain = "0.1 full_scale*s/mm"', poles)
     found = parse_scenario(text).controller
@@ -174,7 +174,7 @@ def test_poles_are_placed_for_the_model_the_loop_sees() -> None:
     assert changed.controller.axes["x"].controller == found.axes["x"].controller.replace(position_gain=4000.0)
 
 
-def test_carried_mass_counts_when_poles_are_placed() -> None:
+def test_carried_mass_counts_in_pole_placement() -> None:
     text = (
         '[machine]\nname = "m"\nservo_period = "1 ms"\naxes = ["x", "y"]\n'
         '[axes."*".plant]\nkind = "mass-damper"\nmass = "10 kg"\nforce_constant = "20 N/A"\n'
@@ -205,7 +205,7 @@ def test_every_component_is_written_and_read_back(kind: type, written: Write) ->
     slots = {"friction", "drive", "sensor", "disturbance"} & {kind.family}
     machine = Machine("m", (Axis("x", plant, **dict.fromkeys(slots, part), substeps=8), Axis("y", plant, substeps=8)), 1e-3)
     mine = {kind.family: part} if kind.family in CONTROLLER_SLOTS else {}
-    if kind.family == "predictor":  # behind which the velocity is made of what it foresees
+    if kind.family == "predictor":  # with it the velocity must come from the predicted position
         mine["velocity"] = component("velocity", "filtered-difference")(bandwidth=800.0)
     if kind.family == "supervisor":
         mine["others"] = tuple((f"number_{i}", AxisController().controller) for i in range(1, part.n_controller))
@@ -252,7 +252,7 @@ def test_local_names_parameters_of_the_axis_controller() -> None:
 
 
 def test_a_plug_in_may_be_loaded_twice(written: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    # What is registered here must not be seen by other tests.
+    # Other tests must not see what is registered here.
     monkeypatch.setattr("contourlab.components.registry._plugins", {})
     monkeypatch.setattr("contourlab.scenario.load._loaded", set())
     plugin = tmp_path / "gentle_friction.py"
@@ -270,8 +270,8 @@ def test_a_plug_in_may_be_loaded_twice(written: Write, tmp_path: Path, monkeypat
         assert load_machine(file, plugins=[plugin]).axes[0].friction.values() == {"slope": 2.0}
 
 
-def test_the_step_of_curvature_is_a_choice() -> None:
-    """At 0 the motion stops wherever a line meets an arc, and takes longer for it."""
+def test_the_curvature_step_is_optional() -> None:
+    """At 0 the motion stops wherever a line meets an arc, and takes longer."""
 
     def duration(step: str) -> float:
         text = f"""

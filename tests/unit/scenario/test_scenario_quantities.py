@@ -1,4 +1,4 @@
-"""Values with units: read exactly, or refused with a message that says what would be right."""
+"""Values with units: read exactly, or refused with a message that names the valid forms."""
 
 from __future__ import annotations
 
@@ -42,20 +42,20 @@ def test_quantities_come_out_in_si(text: str, unit: str, si: float) -> None:
 @pytest.mark.parametrize(
     "value", ["20", "20 kg", "20 mm/s", "mm", "", "nan mm", "inf mm", "1e999 mm", "2e", "2e mm", "20 mm#", "20 mm\x00", 20, True, None, []]
 )
-def test_what_is_no_length_is_refused(value: object) -> None:
+def test_non_lengths_are_refused(value: object) -> None:
     with pytest.raises(UnitError):
         read_number(value, "m", "mm")
 
 
 @pytest.mark.parametrize("text", ["2e", "2E", "1e3e3", "2eV"])
-def test_an_exponent_that_may_be_a_unit_wants_a_space(text: str) -> None:
+def test_an_exponent_that_may_be_a_unit_needs_a_space(text: str) -> None:
     with pytest.raises(UnitError, match="space"):
         read_number(text, "J")
     assert read_number("2 eV", "J") == pytest.approx(3.204353268e-19)
 
 
 @pytest.mark.parametrize("text", ["1 (", "1 mm/", "1 €", "1 m**0", "1 mm**99999", "1 " + "m*" * 60, "1 'a'", "1 __class__"])
-def test_what_the_unit_parser_chokes_on_is_a_unit_error(text: str) -> None:
+def test_failures_of_the_unit_parser_become_unit_errors(text: str) -> None:
     with pytest.raises(UnitError):
         read_number(text, "m")
 
@@ -90,7 +90,7 @@ def test_any_text_is_a_number_or_a_unit_error(text: str, unit: str) -> None:
         ]
     ),
 )
-def test_what_is_written_reads_back_to_the_same_bits(value: float, units: tuple[str, str]) -> None:
+def test_written_values_read_back_to_the_same_bits(value: float, units: tuple[str, str]) -> None:
     assert read_number(quantity(value, *units), units[0]) == value
 
 

@@ -1,4 +1,4 @@
-"""Zero-phase tracking without coefficients: a scenario finds them for the loop."""
+"""Zero-phase tracking without coefficients: the scenario designs them for the loop."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def scenario(feedforward: str = '"zpetc"', controller: str = PID) -> Scenario:
     return parse_scenario(SCENARIO.format(feedforward=feedforward, controller=controller))
 
 
-def test_the_design_is_that_of_the_loop_with_its_delay() -> None:
+def test_the_design_uses_the_loop_with_its_delay() -> None:
     case = scenario('{kind = "zpetc", radius = 0.8}').cases()[0]
     bare = scenario('"none"').cases()[0]
     loop = sampled_loop(bare.machine.axis("x"), bare.controller.axes["x"], 1e-3)
@@ -50,7 +50,7 @@ def test_the_design_is_that_of_the_loop_with_its_delay() -> None:
     assert errors["zpetc"] < 1e-6
 
 
-def test_what_was_found_is_written_and_read_back() -> None:
+def test_designed_coefficients_survive_a_round_trip() -> None:
     first = scenario()
     again = parse_scenario(dump(first))
     assert again.controller == first.controller
@@ -69,7 +69,7 @@ def test_what_was_found_is_written_and_read_back() -> None:
         ('"zpetc"', '{kind = "pid", proportional_gain = "200 V/mm"}', "unstable"),
     ],
 )
-def test_what_cannot_be_designed_is_refused_with_its_key(feedforward: str, controller: str, message: str) -> None:
+def test_an_impossible_design_is_refused_with_its_key(feedforward: str, controller: str, message: str) -> None:
     with pytest.raises(ScenarioError, match=message) as caught:
         scenario(feedforward, controller)
     assert "controller.axes" in str(caught.value)

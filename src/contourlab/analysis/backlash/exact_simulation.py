@@ -1,6 +1,6 @@
-"""Simulation of a loop with a gap without an integrator: matrix exponentials between instants that are found to rounding.
+"""Exact simulation of a loop with a gap: matrix exponentials between mode changes, which are located to rounding.
 
-It has no tolerance to choose, so that integrators can be judged by it.
+There is no tolerance to choose: use it to check integrators.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ RUNAWAY = 1e9
 
 @dataclass(frozen=True, eq=False)
 class Span:
-    """A stretch of time in one mode: w' = M w from `start` on, for `duration`."""
+    """A span of time in one mode: w' = M w from `start`, for `duration`."""
 
     time: float
     duration: float
@@ -30,7 +30,7 @@ class Span:
     start: Array
     end: Array
     following: int | None
-    """The mode entered at its end, if it ended by itself."""
+    """The next mode; None if the span ends without a mode change."""
 
 
 def spans(flow: Flow, w: Array, mode: int, duration: float, most: int) -> Iterator[Span]:
@@ -69,7 +69,7 @@ class ExactRun:
     duration : float [s]
         Shorter than requested if the motion ran away.
     times, modes : ndarray (n_span,)
-        When each mode begins, and which: -1, 0 (gap), 1.
+        Start time and mode of each span; the mode is -1, 0 (gap) or 1.
     diverged : bool
         Whether the state ran away.
     """
@@ -126,21 +126,21 @@ def simulate_exact(
         State at 0.
     duration : float, > 0 [s]
     reference : float
-        At rest.
+        Constant.
     twist : float, optional
         Of a damped shaft that starts in the gap; relaxed by default.
     most : int
-        Changes of mode at most.
+        Largest number of mode changes.
 
     Returns
     -------
     ExactRun
-        Instants are exact to about 1e-13 of the fastest motion's time.
+        Mode changes are exact to about 1e-13 of the fastest time constant.
 
     Raises
     ------
     ParameterError
-        For more changes of mode than `most`.
+        If the mode changes more than `most` times.
     """
     x = np.asarray(start, dtype=float)
     flow = Flow(loop, reference)

@@ -1,4 +1,4 @@
-"""Limit cycles of a loop with a gap by the describing function: all solutions of 1 + N(A, w) G(j w) = 0, and their reliability.
+"""Limit cycles of a loop with a gap from the describing function: all solutions of 1 + N(A, w) G(j w) = 0, and their reliability.
 
 N is the torque's first harmonic over a sinusoidal motor-load difference. Without shaft damping it is that of a dead zone,
 N = k (1 - 2/pi (asin(h/A) + h/A sqrt(1 - (h/A)^2))). With it, contact begins where the motor meets the relaxing shaft and ends where the
@@ -34,7 +34,7 @@ def inverse_dead_zone_gain(gain: float) -> float:
 
 
 def contact_phases(amplitude: ArrayLike, damping: ArrayLike) -> tuple[Array, Array]:
-    """Return the phases (n,), (n,) between which a sinusoidal difference A sin p, p = w t, is in contact above, nan where it never is.
+    """Return the phases (n,), (n,) at which contact above begins and ends for a difference A sin p, p = w t; nan without contact.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def contact_phases(amplitude: ArrayLike, damping: ArrayLike) -> tuple[Array, Arr
     # Torque a sin p + q a cos p - 1 = 0, where it falls.
     end = math.pi - np.arcsin(1.0 / inside) - np.arctan(q)
     left = a * np.sin(end) - 1.0
-    # Half a turn before, the other side was left with the twist -left, which relaxes.
+    # Half a turn earlier the other side lost contact with the twist -left, which relaxes.
     low, high = end - math.pi, np.full_like(end, math.pi / 2.0)
     with np.errstate(over="ignore"):
         for _ in range(60):
@@ -124,8 +124,8 @@ class LimitCycle:
     harmonics : float
         Test of the filter hypothesis: higher harmonics of the difference (root of the sum of squares up to the ninth) over the amplitude.
     sensitivity : float
-        Relative change of the amplitude over a relative error of N G, in the worst phase. It is large where the loop's phase hardly turns
-        with frequency: there a few harmonics move the cycle far, or make it vanish.
+        Relative change of the amplitude over a relative error of N G, for the worst phase of the error. It is large where the loop's phase
+        hardly changes with frequency: there weak harmonics move the cycle far, or remove it.
     """
 
     amplitude: float
@@ -163,8 +163,8 @@ def predict_limit_cycles(loop: BacklashLoop) -> tuple[LimitCycle, ...]:
     Returns
     -------
     tuple of LimitCycle
-        Without shaft damping every solution: N is real, so G has to be, and the frequencies where it is are eigenvalues. With it, those on
-        amplitudes from 1 to 10^4 half-gaps, found on a grid and made exact.
+        Without shaft damping, every solution: N is real, so G must be real, which holds at frequencies that are eigenvalues. With shaft
+        damping, the solutions at amplitudes from 1 to 10^4 half-gaps, found on a grid and refined.
 
     Raises
     ------
@@ -200,7 +200,7 @@ def real_frequencies(loop: BacklashLoop) -> list[float]:
 
 
 def _polished(loop: BacklashLoop, near: Array) -> list[float]:
-    """Refine frequencies at which G is nearly real, and drop those where it is not."""
+    """Refine frequencies at which G is nearly real, and drop those where G does not cross the real axis."""
     frequencies: list[float] = []
     for w in near:
         for _ in range(30):
@@ -211,7 +211,7 @@ def _polished(loop: BacklashLoop, near: Array) -> list[float]:
             if abs(step) <= 1e-13 * w:
                 break
         around = loop.transfer(w * np.array([1.0 - 1e-3, 1.0, 1.0 + 1e-3])).imag
-        # G has to pass through the real axis there: far below all rates it is real but for rounding, everywhere.
+        # Require a crossing of the real axis: far below all rates G is real everywhere, up to rounding.
         crosses = around[0] * around[2] < 0.0 and abs(around[1]) <= 1e-3 * min(abs(around[0]), abs(around[2]))
         if crosses and not any(abs(w - other) < 1e-9 * w for other in frequencies):
             frequencies.append(float(w))
@@ -229,7 +229,7 @@ def _undamped(loop: BacklashLoop) -> list[tuple[float, float]]:
 
 
 def _damped(loop: BacklashLoop) -> list[tuple[float, float]]:
-    """Return amplitude ratio and frequency of the solutions with shaft damping: cells of a grid around which the curve turns, polished."""
+    """Return amplitude ratio and frequency of the solutions with shaft damping: grid cells that may hold a zero, refined."""
     w = _frequencies(loop)
     ratios = 1.0 + np.logspace(-6.0, math.log10(LARGEST), 500)
     gain = loop.transfer(w)
@@ -244,7 +244,7 @@ def _damped(loop: BacklashLoop) -> list[tuple[float, float]]:
 
 
 def _frequencies(loop: BacklashLoop) -> Array:
-    """Return frequencies over the range of the loop's poles, dense about those that ring."""
+    """Return frequencies over the range of the loop's poles, dense about oscillating poles."""
     poles = np.concatenate([np.linalg.eigvals(loop.gap_matrix), np.linalg.eigvals(loop.contact_matrix)])
     sizes = np.abs(poles)[np.abs(poles) > 1e-9 * np.abs(poles).max()]
     grids = [np.logspace(math.log10(sizes.min()) - 2.0, math.log10(sizes.max()) + 1.0, 600)]
@@ -257,13 +257,13 @@ def _frequencies(loop: BacklashLoop) -> Array:
 
 
 def _may_vanish(values: Array) -> Flags:
-    """Return the cells whose four corners differ in sign."""
+    """Return the cells whose four corners do not all have the same sign."""
     corners = np.stack([values[:-1, :-1], values[1:, :-1], values[:-1, 1:], values[1:, 1:]])
     return np.asarray((corners.min(axis=0) <= 0.0) & (corners.max(axis=0) >= 0.0))
 
 
 def _solved(loop: BacklashLoop, excess: float, frequency: float) -> tuple[float, float] | None:
-    """Solve 1 + N G = 0 from nearby, over the logarithms of A/h - 1 and w."""
+    """Solve 1 + N G = 0 from a start nearby, over the logarithms of A/h - 1 and w."""
     from scipy.optimize import root
 
     def balance(at: Array) -> list[float]:
@@ -287,7 +287,7 @@ def quasi_linear(loop: BacklashLoop, ratio: float, frequency: float) -> Array:
 
 
 def _cycle(loop: BacklashLoop, ratio: float, w: float) -> LimitCycle:
-    """Return a solution with its stability and its harmonics."""
+    """Return a solution with its stability, harmonics and sensitivity."""
     step = 1e-4 * (ratio - 1.0)
     growth = []
     for at in (ratio - step, ratio + step):

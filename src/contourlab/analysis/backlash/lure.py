@@ -1,4 +1,4 @@
-"""A loop with backlash as matrices: linear but for the torque, which passes a gap before a spring takes it up.
+"""A loop with backlash as matrices: linear except for the torque, which acts through a gap and a spring.
 
 ::
 
@@ -6,11 +6,11 @@
 
 with h half of the gap and dz the dead zone. With shaft damping the torque is that of Nordin, Galic & Gutman: k (theta_d -+ h) + d theta_d'
 in contact, which ends where this torque would change its sign; in the gap the twist of the shaft relaxes at the rate k/d. Units are
-neutral: angles and torques, or lengths and forces.
+angles and torques, or lengths and forces.
 
 The loop of a machine's axis joins the linear models of its components in continuous time. The hold of the servo loop and the delay of the
-drive become a rational delay of second order (Pade): half a servo period plus the drive's own. A filtered difference gets the bandwidth
-that has the delay of its sampled form. Friction, limits and quantisation are left out.
+drive become one rational delay of second order (Pade): half a servo period plus the delay of the drive. A filtered difference gets the
+bandwidth that gives it the delay of its sampled form. Friction, limits and quantisation are left out.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class BacklashLoop:
     e : ndarray (n, 3), optional
         Input of the reference, its velocity and its acceleration; zero by default.
     contact_a : ndarray (n, n), optional
-        Dynamics without torque in contact, of a scheme that switches controllers; `a` by default.
+        Dynamics without torque in contact, if the controller changes in the gap; `a` by default.
     contact_e : ndarray (n, 3), optional
         Input of the reference in contact; `e` by default.
     states : tuple of str, optional
@@ -97,7 +97,7 @@ class BacklashLoop:
 
     @property
     def reference_input(self) -> Array:
-        """`e`, zeros where none was given (n, 3)."""
+        """`e`, or zeros (n, 3)."""
         return np.zeros((self.n, N_REFERENCE)) if self.e is None else self.e
 
     def reference_input_in(self, gap: bool) -> Array:
@@ -111,7 +111,7 @@ class BacklashLoop:
 
     @property
     def torque_row(self) -> Array:
-        """Row of the torque in contact, but for the gap: T = (k c + d c a) x -+ k h (n,)."""
+        """Row of the torque in contact, T = (k c + d c a) x -+ k h, without its constant (n,)."""
         return self.stiffness * self.c + self.shaft_damping * self.rate
 
     @property
@@ -126,7 +126,7 @@ class BacklashLoop:
 
     @cached_property
     def balance(self) -> Array:
-        """Powers of 2 (n,) that the states are divided by to make `a` and the contact matrix well scaled; exact in floating point."""
+        """Powers of 2 (n,), exact in floating point: divide the states by them to scale `a` and the contact matrix well."""
         from scipy.linalg import matrix_balance
 
         sizes = np.abs(self.gap_matrix) + np.abs(self.contact_matrix)
@@ -134,12 +134,12 @@ class BacklashLoop:
         return np.asarray(scale, dtype=float)
 
     def transfer(self, frequency: ArrayLike) -> Complex:
-        """Return G(j w) = c (j w - a)^-1 b (n,), from the torque, its sign turned, to the motor-load difference, at w (n,) [rad/s].
+        """Return G(j w) = c (j w - a)^-1 b (n,), from the negative torque to the motor-load difference, at w (n,) [rad/s].
 
         Raises
         ------
         ParameterError
-            Where the controller changes with the mode: then there is no one linear part.
+            If the controller changes with the mode: there is no single linear part.
         """
         self.require_one_controller("a transfer function")
         scale, w = self.balance, np.asarray(frequency, dtype=float)
@@ -149,7 +149,7 @@ class BacklashLoop:
         return np.asarray((response[..., 0] @ c).reshape(w.shape))
 
     def require_one_controller(self, what: str) -> None:
-        """Raise ParameterError where the controller changes with the mode."""
+        """Raise `ParameterError` if the controller changes with the mode."""
         if self.contact_a is not None and not np.array_equal(self.contact_a, self.a):
             raise ParameterError("contact_a", "another matrix than a", f"left out for {what}: it needs one linear part for gap and contact")
 
@@ -170,18 +170,18 @@ class _Block:
 
 
 def axis_backlash_loop(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> BacklashLoop:
-    """Return the loop around the gap of an axis, lengths at the table and forces there.
+    """Return the loop around the gap of an axis, with lengths and forces at the table.
 
-    Under a supervisor the first controller is that of contact, the first of the others that of the gap.
+    Under a supervisor, `controller.controller` is the controller in contact, and the first of `controller.others` that in the gap.
 
     Parameters
     ----------
     axis : Axis
-        Whose plant is a two-inertia drive with backlash.
+        Its plant is a two-inertia drive with backlash.
     controller : AxisController
     servo_period : float [s], > 0
     carried_mass : float [kg]
-        What other axes put on this one.
+        Mass of the axes that this one carries.
 
     Raises
     ------
@@ -239,7 +239,7 @@ def _closed(plant: TwoInertia, controller: AxisController, law: Component, delay
         elif source in FREE:
             outside[row, FREE.index(source)] = 1.0
     a, b, c, d = (_diagonal([getattr(block.model, part) for block in blocks]) for part in "abcd")
-    # Outputs that depend on each other without delay are solved for.
+    # Solve for outputs that depend on each other without delay.
     reach = np.linalg.solve(np.eye(len(place)) - d @ inside, np.hstack([c, d @ outside]))
     n = len(a)
     names = (*PLANT_STATES, *(f"{block.name} {i + 1}" for block in blocks[1:] for i in range(len(block.model.a))))
@@ -280,7 +280,7 @@ def _linear(part: Component) -> LinearModel:
 
 
 def _split(plant: TwoInertia) -> LinearModel:
-    """Return motor and load apart, with the force of the shaft as an input."""
+    """Return motor and load as separate masses, with the force of the shaft as an input."""
     d = plant.constants()
     a = np.zeros((4, 4))
     a[0, 1] = a[2, 3] = 1.0

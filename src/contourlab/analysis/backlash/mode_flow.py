@@ -1,9 +1,8 @@
-"""The three modes of a loop with a gap (contact below, gap, contact above), each propagated exactly and left at the right instant.
+"""The three modes of a loop with a gap (contact below, gap, contact above), each propagated exactly up to its end.
 
-The state is made longer by the twist of a damped shaft in the gap and by a constant 1, so that each mode is w' = M w and a matrix
-exponential carries it over any time. The end of a mode is found on Chebyshev interpolants of its guard: a chunk of time is halved until
-its interpolant is as exact as the arithmetic, so that no crossing, nor a pair of them, is missed between two samples. The instant is then
-refined on the exponential itself.
+The state is extended by the twist of a damped shaft in the gap and by a constant 1: each mode is then w' = M w, solved by a matrix
+exponential. The end of a mode is found on a Chebyshev interpolant of its guard. A chunk of time is halved until the interpolant is exact to
+rounding, so that no crossing and no pair of crossings is missed. The instant is then refined on the exponential itself.
 """
 
 from __future__ import annotations
@@ -21,10 +20,10 @@ DEGREE = 18
 
 
 def exponentials(matrix: Array, times: ArrayLike) -> Array:
-    """Return exp(matrix t) at times t, exact also for fast rates next to slow ones.
+    """Return exp(matrix t) at times t, accurate for slow rates next to fast ones.
 
-    The usual scaling and squaring rounds a slow mode once for every unit of the fastest. Here exp(M t) - 1 is squared, so that a slow mode
-    keeps its digits. No library call spreads six by six products over threads.
+    In the usual scaling and squaring, rounding errors of a slow mode grow with the fastest rate. Here exp(M t) - 1 is squared, so that a
+    slow mode keeps its digits. No library call is used that would spread 6 x 6 products over threads.
 
     Parameters
     ----------
@@ -53,7 +52,7 @@ def exponentials(matrix: Array, times: ArrayLike) -> Array:
     for k in range(DEGREE, 1, -1):
         inner = eye + scaled @ inner / k
     less_one = scaled @ inner
-    # Overflow gives inf or nan: the caller detects a motion that diverges.
+    # Overflow gives inf or nan: the caller detects the divergence.
     with np.errstate(over="ignore", invalid="ignore"):
         for _ in range(halvings):
             less_one = 2.0 * less_one + less_one @ less_one
@@ -74,7 +73,7 @@ class Flow:
     ----------
     loop : BacklashLoop
     reference : float
-        At rest.
+        Constant.
     """
 
     def __init__(self, loop: BacklashLoop, reference: float = 0.0) -> None:
@@ -88,12 +87,12 @@ class Flow:
 
     @cached_property
     def unit(self) -> float:
-        """Length of a chunk at level 0 [s]: about the fastest motion of all modes."""
+        """Length of a chunk at level 0 [s]: 4 over the fastest rate of all modes."""
         rates = [np.abs(np.linalg.eigvals(matrix)).max() for matrix in self.matrices.values()]
         return 4.0 / max(float(max(rates)), 1e-300)
 
     def lengthened(self, x: Array, twist: float | None = None) -> tuple[Array, int]:
-        """Return state w and mode of a start x (n,), with the shaft's twist in the gap, relaxed by default."""
+        """Return extended state w and mode of a start x (n,); `twist` is that of the shaft in the gap, relaxed by default."""
         loop = self.loop
         lag = float(dead_zone(loop.c @ x, loop.half_gap))
         if self.twisted and twist is not None:
@@ -149,7 +148,7 @@ class Flow:
         return tuple((self._reach(side), side) for side in (BELOW, ABOVE))
 
     def _reach(self, side: int) -> Array:
-        """Return the row of theta_d less the shaft's twist, beyond half of the gap."""
+        """Return the row of side (theta_d - twist) - h."""
         row = side * self.difference
         if self.twisted:
             row[self.n] -= side
@@ -220,7 +219,7 @@ class Flow:
                 continue
             for place in _rises(series):
                 at = self._polish(w, mode, row, 0.5 * span * (place + 1.0), span)
-                # At its start a mode stands on its own guard: a rise there that does not last is rounding.
+                # A mode may start on its own guard: a rise there that does not last is rounding.
                 lasts = at > 1e-9 * self.unit or np.polynomial.chebyshev.chebval(min(place + 2e-3, 1.0), series) > 0.0
                 if lasts and (best is None or at < best[0]):
                     best = at, following

@@ -22,7 +22,7 @@ from contourlab.errors import ParameterError
 
 STEPS = 40
 CLOSED = 1e-10
-"""Largest gap between start and end of a closed orbit, over its size, state by state."""
+"""Largest distance between start and end of a closed orbit, over its size, state by state."""
 MOST = 4000
 SAMPLES = 2048
 
@@ -57,13 +57,13 @@ class PeriodicOrbit:
 
     @property
     def stable(self) -> bool:
-        """Whether neighbouring motions come closer."""
+        """Whether neighbouring motions converge to the orbit."""
         return bool((np.abs(self.multipliers) < 1.0).all())
 
 
 @dataclass(frozen=True, eq=False)
 class Shot:
-    """End of a motion, and its dependence on the start."""
+    """The end of a motion and its Jacobian with respect to the start."""
 
     start: Array
     end: Array
@@ -75,7 +75,7 @@ class Shot:
 
 
 class Shooter:
-    """Shots of one loop, over its own states: x, and the shaft's twist where it is damped.
+    """Shots of one loop from a state y: x, and the twist of a damped shaft.
 
     Parameters
     ----------
@@ -140,7 +140,7 @@ def close_orbit(loop: BacklashLoop, start: ArrayLike, period: float, *, twist: f
     period : float [s]
         A guess.
     twist : float
-        Of a damped shaft at the start.
+        Twist of a damped shaft at the start.
 
     Returns
     -------
@@ -175,7 +175,7 @@ def _newton(shooter: Shooter, y: Array, period: float) -> tuple[Shot, float] | N
 
 
 def _single_round(shooter: Shooter, shot: Shot, period: float) -> tuple[Shot, float]:
-    """Return one round of an orbit that closed after several."""
+    """Return one round of an orbit, if it closed after several."""
     size = _size(shot)
     for rounds in range(9, 1, -1):
         once = shooter.shot(shot.start, period / rounds)
@@ -196,14 +196,14 @@ def _step(shot: Shot, size: Array) -> tuple[Array, float]:
 
 
 def _damped(shooter: Shooter, shot: Shot, period: float, step: Array, longer: float, size: Array) -> tuple[Shot, float, bool]:
-    """Take the step, or the part of it that shrinks the gap of the orbit."""
+    """Take the step, or a part of it that reduces the distance between start and end; return whether that succeeded."""
     now = float(np.linalg.norm((shot.end - shot.start) / size))
     part = 1.0
     while part > 1e-4:
         if 0.0 < period + part * longer < math.inf:
             tried = shooter.shot(shot.start + part * step, period + part * longer)
             gap = float(np.linalg.norm((tried.end - tried.start) / size))
-            # At rounding the gap may stay as it is.
+            # At rounding level the distance may stay the same.
             if gap < now * (1.0 - 0.1 * part) or gap < CLOSED:
                 return tried, period + part * longer, True
         part *= 0.5
@@ -246,14 +246,14 @@ def _half_range(values: Array) -> float:
 
 
 KICKS = (1.5, 5.0, 30.0, 200.0)
-"""Starts of the motions that are followed: motor-load differences over half of the gap."""
+"""Initial motor-load differences of simulated motions, over half of the gap."""
 SETTLING = 60
-"""Changes of mode after which a motion is tested for returns to itself."""
+"""Mode changes after which a motion is tested for periodicity."""
 
 
 @dataclass(frozen=True, eq=False)
 class OrbitSearch:
-    """Periodic orbits that were found.
+    """Periodic orbits of a loop.
 
     Attributes
     ----------
@@ -265,14 +265,14 @@ class OrbitSearch:
 
     @property
     def stable(self) -> tuple[PeriodicOrbit, ...]:
-        """Those that a motion settles on."""
+        """The stable orbits."""
         return tuple(orbit for orbit in self.orbits if orbit.stable)
 
 
 def find_orbits(loop: BacklashLoop, *, prediction: Sequence[LimitCycle] | None = None, kicks: tuple[float, ...] = KICKS) -> OrbitSearch:
     """Return the limit cycles of a loop at rest.
 
-    Shots start from each prediction of the describing function, and from where motions settle.
+    Shooting starts from each prediction of the describing function, and from simulated motions that have settled.
 
     Parameters
     ----------
@@ -280,11 +280,11 @@ def find_orbits(loop: BacklashLoop, *, prediction: Sequence[LimitCycle] | None =
     prediction : sequence of LimitCycle, optional
         Of the describing function, if known; a loop that switches its controller has none.
     kicks : tuple of float
-        Motor-load differences, over half of the gap, from which motions are followed until they settle.
+        Initial motor-load differences, over half of the gap, of the simulated motions.
 
     Notes
     -----
-    An empty result is no proof that there is no orbit.
+    An empty result does not prove that there is no orbit.
     """
     if prediction is None and loop.contact_a is None:
         prediction = predict_limit_cycles(loop)
@@ -308,7 +308,7 @@ def _predicted_start(loop: BacklashLoop, amplitude: float, ratio: float, w: floa
 
 
 def _settled_orbit(loop: BacklashLoop, kick: float) -> PeriodicOrbit | None:
-    """Follow a motion until it is at rest, has run away, or returns to itself; then shoot from there."""
+    """Simulate a motion for at least `SETTLING` mode changes and shoot from its last contact; None if it comes to rest or runs away."""
     start = kick * loop.half_gap * loop.c / float(loop.c @ loop.c)
     duration = _first_look(loop)
     for _ in range(10):
@@ -328,13 +328,13 @@ def _settled_orbit(loop: BacklashLoop, kick: float) -> PeriodicOrbit | None:
 
 
 def _from_returns(loop: BacklashLoop, run: ExactRun, contacts: list[int]) -> PeriodicOrbit | None:
-    """Shoot from the last contact, with the time since the contact that came closest to it."""
+    """Shoot from the last contact; the period is the time since the most recent similar contact."""
     states = np.array([run.spans[i].start[: loop.n] for i in contacts])
     size = np.maximum(np.abs(states).max(axis=0), 1e-300)
     last = len(contacts) - 1
     earlier = range(max(0, last - 6), last)
     best = min(earlier, key=lambda i: (np.abs((states[i] - states[last]) / size).max() > 0.3, last - i))
-    # Half-way through a contact a start is safe from the edges of the mode.
+    # Start half-way through a contact, away from the ends of the mode.
     span = run.spans[contacts[last]]
     middle = run.flow.exponential(span.mode, 0.5 * span.duration) @ span.start
     period = float(run.times[contacts[last]] - run.times[contacts[best]])
@@ -342,7 +342,7 @@ def _from_returns(loop: BacklashLoop, run: ExactRun, contacts: list[int]) -> Per
 
 
 def _first_look(loop: BacklashLoop) -> float:
-    """Return the duration of some turns of the slowest motion that rings in contact."""
+    """Return 100 periods of the slowest oscillation in contact [s]."""
     poles = np.linalg.eigvals(loop.contact_matrix)
     ringing = poles.imag[poles.imag > 1e-6 * np.abs(poles).max()]
     slowest = float(ringing.min()) if ringing.size else float(np.abs(poles).min())
@@ -350,7 +350,7 @@ def _first_look(loop: BacklashLoop) -> float:
 
 
 def _same(orbit: PeriodicOrbit, other: PeriodicOrbit) -> bool:
-    """Whether two orbits are equal, or one is several rounds of the other."""
+    """Return whether two orbits are equal, or one is several rounds of the other."""
     rounds = orbit.period / other.period
     whole = max(round(rounds), 1) if rounds >= 1.0 else 1.0 / max(round(1.0 / rounds), 1)
     return abs(rounds / whole - 1.0) < 1e-6 and abs(orbit.amplitude / other.amplitude - 1.0) < 1e-5

@@ -1,4 +1,4 @@
-"""Counts finer than the period of corrected quadrature signals: sinusoids of higher order and their zero crossings.
+"""Interpolation of corrected quadrature signals to counts finer than a period: zero crossings of sinusoids of higher order.
 
 References
 ----------
@@ -17,7 +17,7 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError
 
 ENTRIES = 64
-"""Table entries for each order: the interpolated sinusoids have an error of 1/(8 ENTRIES^2) = 3e-5."""
+"""Table entries per order: the interpolated sinusoids have an error of 1/(8 ENTRIES^2) = 3e-5."""
 HIGHEST = 100_000
 
 
@@ -27,13 +27,13 @@ def interpolation_order(pitch: float, resolution: float) -> int:
     Parameters
     ----------
     pitch : float [m], > 0
-        Travel of one period of the signals: 4 um for a scale that gives 1 um after the usual fourfold count.
+        Travel of one period of the signals: 4 um for a scale with a resolution of 1 um after the usual fourfold count.
     resolution : float [m], > 0
 
     Raises
     ------
     ParameterError
-        If the pitch is not four times a whole number of counts; the message names the nearest resolutions that are.
+        If the pitch is not four times a whole number of resolutions; the message names the nearest valid resolutions.
 
     >>> interpolation_order(4e-6, 25e-9), interpolation_order(4e-6, 10e-9)
     (40, 100)
@@ -71,9 +71,9 @@ class Counts:
 class SinusoidTable:
     """Sinusoids of a higher order from two signals, by quadrant and ratio: no arctangent, no sine.
 
-    The smaller magnitude of the two signals over the larger is the tangent of an angle between 0 and 45 degrees; a table over it holds
-    cos(n phi) and sin(n phi) of that octant, and the number of zero crossings before it. Signs and order of the signals select the octant.
-    The amplitude cancels in the ratio.
+    The smaller magnitude of the two signals over the larger is the tangent of an angle between 0 and 45 degrees. A table over this ratio
+    holds cos(n phi) and sin(n phi) of that octant, and the number of preceding zero crossings. The octant follows from the signs of the
+    signals and from which one is larger. The amplitude cancels in the ratio.
 
     Parameters
     ----------
@@ -84,8 +84,8 @@ class SinusoidTable:
 
     Notes
     -----
-    sin(n phi) = sin(phi) U_{n-1}(cos phi) with the Chebyshev polynomials of the second kind: the signal of higher order is a function of
-    the two measured ones alone, so a table can hold it.
+    sin(n phi) = sin(phi) U_{n-1}(cos phi) with the Chebyshev polynomials of the second kind: the signal of higher order depends only on
+    the two measured signals, so a table can hold it.
     """
 
     def __init__(self, order: int, entries: int | None = None) -> None:
@@ -105,7 +105,7 @@ class SinusoidTable:
         first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
         i, part, beyond = self._place(first, second)
         cosine, sine = ((1.0 - part) * t[i] + part * t[i + 1] for t in (self._cosine, self._sine))
-        # Beyond 45 degrees phi = 90 degrees - angle; behind the axis 180 degrees - that; below it, minus that.
+        # Beyond 45 degrees, phi = 90 degrees - angle; for u1 < 0, 180 degrees - phi; for u2 < 0, -phi.
         turned_cosine, turned_sine = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[self.order % 4]
         c = np.where(beyond, turned_cosine * cosine + turned_sine * sine, cosine)
         s = np.where(beyond, turned_sine * cosine - turned_cosine * sine, sine)
@@ -117,8 +117,8 @@ class SinusoidTable:
     def in_period(self, u1: ArrayLike, u2: ArrayLike) -> Index:
         """Return the count (n,) within the period, -2 n to 2 n: round(4 n phi/(2 pi)) for phi from -pi to pi.
 
-        The table gives the count to within one. The signs of the sinusoids of higher order, whose sum and difference cross zero half-way
-        between two counts, decide.
+        The table gives the count to within one. The sum and difference of the sinusoids of higher order cross zero half-way between two
+        counts; their signs select the count.
         """
         first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
         i, _, beyond = self._place(first, second)
@@ -139,7 +139,7 @@ class SinusoidTable:
         return np.where(second < 0.0, -angle, angle)
 
     def count(self, u1: ArrayLike, u2: ArrayLike) -> Counts:
-        """Count corrected signals (n,): within the period by the table, from period to period by the shorter way round."""
+        """Count corrected signals (n,): within the period by the table, across periods by the shorter way round."""
         periods, missed = period_count(self.turns(u1, u2))
         return Counts(self.in_period(u1, u2) + 4 * self.order * periods, missed)
 
@@ -151,7 +151,7 @@ class SinusoidTable:
 
 
 def quadrant(cosine: Array, sine: Array) -> Index:
-    """Return 0 to 3: the quarter, centred on its axis, in which the sinusoids stand."""
+    """Return the quadrant of the sinusoids, 0 to 3, each centred on an axis."""
     up, right = sine + cosine > 0.0, cosine - sine > 0.0
     return np.where(up, np.where(right, 0, 1), np.where(right, 3, 2)).astype(np.int64)
 
@@ -173,9 +173,9 @@ def period_count(turns: ArrayLike) -> tuple[Index, Flags]:
 
     Notes
     -----
-    Correct while the axis moves less than half a pitch per sample. A faster axis looks like one that moves the other way. Only the moment
-    at which it becomes too fast shows: the apparent speed jumps by a whole pitch per sample. Jumps of more than half a pitch are marked. An
-    axis that is too fast from the start goes undetected.
+    Correct while the axis moves less than half a pitch per sample. A faster axis seems to move the other way. Only the sample at which it
+    becomes too fast is detected, by a jump of the apparent speed by more than half a pitch per sample. An axis that is too fast from the
+    start is not detected.
     """
     angle = np.asarray(turns, dtype=np.float64)
     step = np.diff(angle, prepend=angle[:1])

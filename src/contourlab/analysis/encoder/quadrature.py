@@ -1,6 +1,6 @@
-"""Quadrature signals as measured: their constants from an ellipse, at once or sample by sample, and the position errors they cause.
+"""Errors of quadrature signals: their constants from an ellipse, for a whole record or sample by sample, and the resulting position errors.
 
-`fit_ellipse` uses all samples of a record. `track_ellipse` runs the very step of the sensor component, tick by tick. Interpolation and
+`fit_ellipse` uses all samples of a record. `track_ellipse` runs the step of the sensor component, tick by tick. Interpolation and
 counting are in `contourlab.analysis.encoder.interpolation`.
 
 References
@@ -28,9 +28,9 @@ from contourlab.errors import ParameterError
 from contourlab.loop.simulate import jit_enabled
 
 FEWEST = 16
-"""Fewest samples of a fit, and number of sectors that each need one."""
+"""Smallest number of samples of a fit, and number of sectors that must each contain one."""
 ROUNDEST = 0.2
-"""Largest scatter (rms, over the radius) of points round a fitted ellipse."""
+"""Largest scatter (rms, over the radius) of points about a fitted ellipse."""
 SINGULAR = 1e12
 ORDERS = 8
 BLOCK = 1 << 16
@@ -38,7 +38,7 @@ BLOCK = 1 << 16
 
 @dataclass(frozen=True)
 class QuadratureConstants:
-    """Errors of two signals: u1d = u1 + p, u2d = (u2 cos al - u1 sin al)/r + q of u1 = R cos phi, u2 = R sin phi.
+    """Errors of two signals: u1d = u1 + p, u2d = (u2 cos al - u1 sin al)/r + q, for u1 = R cos phi, u2 = R sin phi.
 
     Parameters
     ----------
@@ -80,12 +80,12 @@ class QuadratureConstants:
         Raises
         ------
         ParameterError
-            If the coefficients belong to no ellipse.
+            If the coefficients do not describe an ellipse.
         """
         if not (4.0 * a * b > c * c and math.isfinite(a * b)):
             raise ParameterError("A, B, C", f"{a:g}, {b:g}, {c:g}", "those of an ellipse, 4 A B > C^2")
         ratio = math.sqrt(b / a)
-        # Not C/sqrt(4 A B): all coefficients are negative where the origin lies outside the ellipse.
+        # Not C/sqrt(4 A B): all coefficients are negative if the origin lies outside the ellipse.
         sine = c / (2.0 * a * ratio)
         scale = 1.0 / (c * c - 4.0 * a * b)
         p, q = (2.0 * b * d - e * c) * scale, (2.0 * a * e - d * c) * scale
@@ -95,7 +95,7 @@ class QuadratureConstants:
         return cls(p, q, ratio, math.asin(sine), math.sqrt(square))
 
     def coefficients(self) -> tuple[float, float, float, float, float]:
-        """Return A .. E of the ellipse on which the signals lie; they are infinite where it passes through the origin."""
+        """Return A .. E of the ellipse of the signals; they are infinite if it passes through the origin."""
         with np.errstate(divide="ignore"):
             coefficients = ellipse(self.offset_1, self.offset_2, self.ratio, math.sin(self.phase_error), np.float64(self.amplitude))
         a, b, c, d, e = (float(value) for value in coefficients)
@@ -133,7 +133,7 @@ class EllipseFit:
     ----------
     constants : QuadratureConstants
     scatter : float
-        Distance of the corrected points from their circle, rms, over the radius: noise, converter steps and harmonics.
+        Distance of the corrected points from their circle, rms over the radius: noise, converter steps and harmonics.
     """
 
     constants: QuadratureConstants
@@ -146,7 +146,7 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
     Parameters
     ----------
     u1, u2 : array_like (n,)
-        At least 16 samples from all round the ellipse.
+        At least 16 samples, from the whole ellipse.
 
     Returns
     -------
@@ -155,11 +155,11 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
     Raises
     ------
     ParameterError
-        If there are too few samples, a value is not finite, the signals do not move, or the points are no ellipse or only part of one.
+        If there are too few samples, a value is not finite, the signals do not change, or the points do not cover a whole ellipse.
 
     Notes
     -----
-    The fit is one of algebraic distances: noise of relative size sigma biases the constants by the order of sigma^2.
+    The fit minimises algebraic distances: noise of relative size sigma biases the constants by the order of sigma^2.
     """
     first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
     if first.ndim != 1 or first.shape != second.shape or first.size < FEWEST:
@@ -167,7 +167,7 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
     for name, values in (("u1", first), ("u2", second)):
         if not np.isfinite(values).all():
             raise ParameterError(name, f"not finite at sample {int(np.argmin(np.isfinite(values)))}", "finite everywhere")
-    # Centred and scaled, so that offset and unit do not spoil the equations.
+    # Centred and scaled, so that offset and unit do not affect the conditioning.
     middle = [0.5 * (float(u.min()) + float(u.max())) for u in (first, second)]
     half = [0.5 * (float(u.max()) - float(u.min())) for u in (first, second)]
     for name, size, values in zip(("u1", "u2"), half, (first, second), strict=True):
@@ -223,9 +223,9 @@ class Subdivisional:
     peak : float [m]
         Of the sum of the harmonics.
     orders : tuple of float [m]
-        Amplitudes, once a pitch, twice, and so on.
+        Amplitude of each harmonic, from once per pitch on.
     rest : float [m]
-        The rest, rms: noise, counts, slow errors of the scale beyond a straight line.
+        Rms of the remaining error: noise, counts, slow errors of the scale beyond a straight line.
     """
 
     peak: float
@@ -234,7 +234,7 @@ class Subdivisional:
 
 
 def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int = ORDERS) -> Subdivisional:
-    """Measure the error of position that repeats with every pitch.
+    """Return the error of position that repeats with every pitch.
 
     Parameters
     ----------
@@ -287,11 +287,11 @@ class Tracked:
     u1, u2 : ndarray (n,)
         Corrected, over the nominal amplitude.
     sample : ndarray of int (m,)
-        Samples at which the fit is kept.
+        Samples at which the fit is stored.
     coefficients : ndarray (m, 5)
-        A .. E there, of the signals over the nominal amplitude.
+        A .. E at these samples, of the signals over the nominal amplitude.
     amplitude : float
-        The nominal one.
+        Nominal amplitude.
     updated : ndarray of bool (n,)
         Samples that updated the fit.
     """
@@ -304,7 +304,7 @@ class Tracked:
     updated: Flags
 
     def constants(self, index: int = -1) -> QuadratureConstants:
-        """Return the constants at one of the kept samples, the last by default, in the unit of the signals."""
+        """Return the constants at one of the stored samples, the last by default, in the unit of the signals."""
         relative = QuadratureConstants.from_coefficients(*(float(value) for value in self.coefficients[index]))
         scaled = {name: getattr(relative, name) * self.amplitude for name in ("offset_1", "offset_2", "amplitude")}
         return replace(relative, **scaled)
@@ -332,20 +332,20 @@ def track_ellipse(
     u1, u2 : array_like (n,)
         Measured and finite; each sample is corrected with the fit before it.
     start : QuadratureConstants
-        Initial constants; their amplitude is the nominal one.
+        Initial constants; their amplitude is the nominal amplitude.
     forgetting : float, 0.9 to 1
-        lambda, for each update; 0.995 to 0.9995 is usual. The memory is 1/(1 - lambda) updates.
+        lambda, per update; 0.995 to 0.9995 is usual. The memory is 1/(1 - lambda) updates.
     initial_covariance : float, >= 40 (1 - lambda)
         Of each coefficient, over the squared noise. Greater values give the initial constants less weight.
     update_travel : float, > 0
-        Travel between two updates, in pitches. An axis at rest, or dithering within a pitch, causes none.
+        Travel between two updates, in pitches. An axis at rest, or oscillating within a pitch, causes no updates.
     n_kept : int, >= 2
-        Number of samples at which the coefficients are kept.
+        Largest number of samples at which the coefficients are stored.
 
     Raises
     ------
     ParameterError
-        If a number is out of its range.
+        If a parameter is out of range.
     """
     first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
     if first.ndim != 1 or first.shape != second.shape or first.size == 0:
@@ -369,13 +369,13 @@ def track_ellipse(
         log = group.run(np.column_stack([first[part], second[part]]), rows)[:, :, 0]
         out[:, part] = log[:, [0, 1, 7]].T
         kept.append(log[chosen[(chosen >= at) & (chosen < part.stop)] - at, 2:7])
-    # The place of the last update changes with each update; the first sample is one.
+    # The position of the last update changes with each update; the first sample is an update.
     updated = np.diff(out[2], prepend=np.nan) != 0.0
     return Tracked(out[0], out[1], chosen, np.concatenate(kept), size, updated)
 
 
 def _group(parameters: dict[str, float], tuning: tuple[float, float, float]) -> tuple[Group, list[int]]:
-    """Return the engine's group that runs the recursive fit, and the rows of its outputs."""
+    """Return the engine group that runs the recursive fit, and the rows of its outputs."""
     outputs = (Port("u1"), Port("u2"), Port("theta", 5), Port("used"))
     step = Step("quadrature", _track, ("amplitude", *TUNING, *DERIVED), TABLES, "", STATES, (Port("u1"), Port("u2")), outputs)
     values = {**parameters, **dict(zip(TUNING, tuning, strict=True))}

@@ -1,6 +1,6 @@
-"""Stretches of a record in which an axis moves at a constant speed, and the mean command there.
+"""Stretches of a record at constant speed, and the mean command of each.
 
-At a constant speed nothing accelerates, so the mean force is friction; over whole turns ripple averages out.
+At constant speed the mean force is friction; over whole turns ripple averages out.
 """
 
 from __future__ import annotations
@@ -14,20 +14,20 @@ from contourlab.analysis.identification.filtered_motion import require_finite, t
 from contourlab.arrays import Array, Index
 
 BATCHES = 8
-"""Parts of a stretch; the scatter of their means gives the deviation of its mean, ripple included."""
+"""Parts of a stretch; the scatter of their means gives the deviation of the mean, ripple included."""
 TURN = 0.08
-"""Share of a straight line at its end that belongs to the turn after it."""
+"""Share at the end of a straight line that may belong to the following turn."""
 CHANGED, OUTLYING = 0.003, 6.0
 """A part at an end is left out if its speed differs from the median by this share of the speed, and by this multiple of the median
 difference: for normal scatter, four standard deviations."""
 FEWEST = 40
-"""Fewest samples of a stretch."""
+"""Smallest number of samples of a stretch."""
 DROPPED = 0.25
 """Share of a stretch at its start, dropped because the axis settles."""
 TOLERANCE = 0.15
-"""Largest difference of speed between the halves of the rest, as a share of the speed."""
+"""Largest difference of speed between the halves of the remaining stretch, as a share of the speed."""
 SHORTEST = 0.2
-"""Shortest rest [s]."""
+"""Shortest remaining stretch [s]."""
 STRAIGHTNESS = 0.02
 """Without a reference: largest distance of the position from straight lines, as a share of the whole travel."""
 LEAST_TRAVEL = 4.0 * STRAIGHTNESS
@@ -47,7 +47,7 @@ class Stretch:
     command : float
         Mean.
     scatter : float
-        Standard deviation of the command within: ripple, oscillation and noise.
+        Standard deviation of the command: ripple, oscillation and noise.
     deviation : float
         Standard deviation of the mean, from the means of parts.
     unevenness : float
@@ -71,7 +71,7 @@ class Stretch:
 def constant_speed_stretches(
     period: float, position: Array, command: Array, reference: Array | None = None, source: str = ""
 ) -> list[Stretch]:
-    """Find the stretches of constant speed of a record.
+    """Return the stretches of constant speed of a record.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def constant_speed_stretches(
     position : ndarray (n,) [m]
     command : ndarray (n,)
     reference : ndarray (n,) [m], optional
-        With it the stretches are those of one reference speed, less the time to settle; without it they follow from the position.
+        If given, a stretch is a span of one reference speed, less the time to settle; otherwise it follows from the position.
     source : str
         Name of the record.
 
@@ -103,7 +103,7 @@ def constant_speed_stretches(
 
 
 def _spans_of_reference(reference: Array, shortest: int) -> list[tuple[int, int]]:
-    """Return where the reference moves evenly: where its slope over a few samples is the same on both sides."""
+    """Return the spans in which the slope of the reference over a few samples stays the same."""
     step = max(1, shortest // 8)
     slope = (reference[step:] - reference[:-step]) / step
     n = slope.size - step
@@ -116,7 +116,7 @@ def _spans_of_reference(reference: Array, shortest: int) -> list[tuple[int, int]
 
 
 def _spans_of_position(position: Array) -> list[tuple[int, int]]:
-    """Return where the position is a straight line over time: the sides of the polygon that keeps within a tolerance of it."""
+    """Return the spans in which the position is a straight line over time: sides of a polygon within a tolerance of it."""
     stride = max(1, position.size // 4000)
     places = position[::stride]
     whole = float(np.ptp(places))
@@ -139,7 +139,7 @@ def _spans_of_position(position: Array) -> list[tuple[int, int]]:
 def _without_turns(position: Array, start: int, stop: int) -> tuple[int, int]:
     """Return the span without the eighths at its ends whose speed lies outside the scatter of the others.
 
-    If an axis slows down without stopping, the corner of the polygon lies within the change, and the halves of the rest hardly show it.
+    If an axis slows down without stopping, the corner of the polygon lies within the change of speed, and comparing halves hardly shows it.
     """
     if stop - 1 - start < BATCHES:
         return start, stop
@@ -147,18 +147,18 @@ def _without_turns(position: Array, start: int, stop: int) -> tuple[int, int]:
     middle = float(np.median(speeds))
     apart = np.abs(speeds - middle)
     even = np.flatnonzero(apart <= max(CHANGED * abs(middle), OUTLYING * float(np.median(apart))))
-    first = int(even[0]) + (even[0] > 0)  # what follows a change settles
+    first = int(even[0]) + (even[0] > 0)  # after a change the axis settles
     return int(edges[first]), int(edges[even[-1] + 1]) + 1
 
 
 def _part_speeds(position: Array, start: int, stop: int) -> tuple[Index, Array]:
-    """Return the samples between which the parts of a span lie, and their speeds [m per sample]."""
+    """Return the samples at the edges of the parts of a span, and the speeds of the parts [m per sample]."""
     edges = np.linspace(start, stop - 1, BATCHES + 1).astype(np.int64)
     return edges, np.diff(position[edges]) / np.diff(edges)
 
 
 def _is_even(position: Array) -> bool:
-    """Return whether both halves have one speed, not zero."""
+    """Return whether both halves have the same speed, other than zero."""
     half = position.size // 2
     first, second = position[half] - position[0], position[2 * half - 1] - position[half - 1]
     return bool(first * second > 0.0 and abs(second - first) <= TOLERANCE * abs(first + second) / 2.0)

@@ -1,7 +1,7 @@
 """Models of a drive over frequency and their fit to a measured response: one mass with damping and delay, or two inertias and a shaft.
 
-Magnitude and phase are fitted in logarithm and radians, each point weighted by its deviation. The command is held between samples and the
-position is sampled: the model's response is summed over its aliases, so that points near half the sample frequency count too.
+The fit is on log magnitude and phase [rad], each point weighted by its deviation. The command is held between samples and the position is
+sampled: the model's response is summed over its aliases, so that points near half the sample frequency are usable too.
 
 References
 ----------
@@ -31,12 +31,12 @@ ALIASES = 4
 
 
 def linear_motor(x: Parameters, s: Complex) -> Complex:
-    """Return position over force of a mass M with damping B behind a delay."""
+    """Return position over force of a mass M with damping B and a delay."""
     return np.asarray(np.exp(-s * x.get("delay", 0.0)) / (s * (x["M"] * s + x["B"])))
 
 
 def two_inertia(x: Parameters, s: Complex, side: str = "motor") -> Complex:
-    """Return position over force of two masses with a shaft between them, at the motor's or the load's side."""
+    """Return position over force of two masses with a shaft between them, with the position of motor or load."""
     shaft = x["shaft_damping"] * s + x["stiffness"]
     load = x["load_mass"] * s * s + shaft
     # motor load - shaft^2, without the terms that cancel at low frequencies.
@@ -45,17 +45,17 @@ def two_inertia(x: Parameters, s: Complex, side: str = "motor") -> Complex:
 
 
 def load_side(x: Parameters, s: Complex) -> Complex:
-    """Return position over force at the load, by the parameters visible there: whole mass, resonance [Hz], damping ratio, damping, delay.
+    """Return position over force at the load, from parameters visible there: total mass, resonance [Hz], damping ratio, damping, delay.
 
     Notes
     -----
-    Seen from the load a drive is (1 + s d/k)/(s (M s + c)) times one resonance; how motor m and load l share the mass M is not in it. The
-    damping ratio is the resonance's own, to first order
+    Seen from the load, a drive is (1 + s d/k)/(s (M s + c)) times one resonance; the division of the mass M into motor m and load l is not
+    visible. The damping ratio of the resonance is, to first order,
 
         zeta = d/(2 w m l/M) + c l/(2 w m M),
 
-    whose shaft and motor parts cannot be separated without the share. The lead d/k is taken as 2 zeta/w, as if all were the
-    shaft's; what is the motor's lets the delay come out larger, by less than 2 zeta/w.
+    whose shaft and motor parts cannot be separated without m and l. The lead d/k is taken as 2 zeta/w, as if all damping were in the
+    shaft; damping of the motor then makes the delay too large, by less than 2 zeta/w.
     """
     w = 2.0 * math.pi * x["resonance"]
     lead = 2.0 * x["damping_ratio"] / w
@@ -64,7 +64,7 @@ def load_side(x: Parameters, s: Complex) -> Complex:
 
 
 def held_response(model: Callable[[Complex], Complex], frequency: Array, period: float) -> Complex:
-    """Return the response of a continuous model between samples: its command held, its position sampled, aliases summed.
+    """Return the sampled response of a continuous model: command held, position sampled, aliases summed.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def resonances(x: Parameters) -> tuple[float, float]:
 
 
 def damping_ratio(x: Parameters) -> float:
-    """Return the damping ratio of the resonance of two masses, by what both their shaft and the motor damp."""
+    """Return the damping ratio of the resonance of two masses, from the damping of shaft and motor."""
     motor, load, shaft, c = x["motor_mass"], x["load_mass"], x["shaft_damping"], x["damping"]
     powers = [motor * load, (motor + load) * shaft + load * c, (motor + load) * x["stiffness"] + c * shaft, c * x["stiffness"]]
     pole = max(np.roots(powers), key=lambda root: abs(root.imag))
@@ -98,11 +98,11 @@ def damping_ratio(x: Parameters) -> float:
 CLEAREST = 2e-3
 """Smallest relative deviation of a point."""
 LEAST_COHERENCE = 0.5
-"""Points below it are left out of a fit."""
+"""Coherence below which a point is left out of a fit."""
 LEAST_SURE = 0.3
-"""Relative deviation from which a sine's point is left out."""
+"""Relative deviation above which the point of a sine is left out."""
 WELL_KNOWN, USELESS = 10.0, 50.0
-"""Relative deviations [percent] from which a parameter is poorly known, and from which a model cannot be used."""
+"""Relative deviations [percent] above which a parameter is poorly known, and above which a model cannot be used."""
 EXPLAINED = 80.0
 """Fit [percent] below which a model is in doubt."""
 
@@ -114,18 +114,18 @@ class DriveFit:
     Attributes
     ----------
     found : OutputFit
-        Of M, B, delay; or of motor_mass, load_mass, stiffness, shaft_damping, damping, delay: in kg, N/m, N s/m, s where the command is a
-        force in N, otherwise in the same over newtons per command; from the load's side without the motor's mass of mass, resonance [Hz],
-        damping_ratio, damping, delay as of `load_side`.
+        Of M, B, delay; or of motor_mass, load_mass, stiffness, shaft_damping, damping, delay; or, measured at the load without a known
+        motor mass, of mass, resonance [Hz], damping_ratio, damping, delay as in `load_side`. Units are kg, N/m, N s/m and s if the command
+        is a force in N; for another command, masses, stiffness and damping are divided by newtons per command.
     frequency : ndarray (n,) [Hz]
-        Of the points that were fitted.
+        Of the fitted points.
     measured, predicted : complex ndarray (n,) [m per command]
     fit : float [percent]
         Of the complex velocity response.
     usable : bool
     findings : tuple of Finding
     given : mapping of str to float
-        Parameters that were not fitted.
+        Parameters with given values.
     """
 
     found: OutputFit
@@ -139,7 +139,7 @@ class DriveFit:
 
     @property
     def parameters(self) -> dict[str, float]:
-        """All parameters of the model by name, those given included."""
+        """All parameters of the model by name, fitted and given."""
         return {**self.given, **dict(zip(self.found.names, self.found.values.tolist(), strict=True))}
 
     def __getitem__(self, name: str) -> float:
@@ -148,7 +148,7 @@ class DriveFit:
 
     @property
     def whole_mass(self) -> float:
-        """Whole moved mass [kg, or over newtons per command]."""
+        """Total moved mass [kg, or kg over newtons per command]."""
         return sum(self.parameters.get(name, 0.0) for name in ("M", "mass", "motor_mass", "load_mass"))
 
 
@@ -161,7 +161,7 @@ class _Points:
     left_out: int
 
     def row(self, response: Complex) -> Array:
-        """Return logarithm and phase, weighted; the phase is unwrapped towards the measured one."""
+        """Return log magnitude and phase, weighted; the phase is unwrapped towards the measured phase."""
         turn = np.angle(self.response) + np.angle(response / self.response)
         return np.concatenate([np.log(np.abs(response)) * self.weight, turn * self.weight])
 
@@ -221,7 +221,7 @@ def fit_linear_motor(measured: MeasuredResponse) -> DriveFit:
     Raises
     ------
     ParameterError
-        If there are fewer than 4 points, the mass comes out below zero, or the parameters are not told apart.
+        If there are fewer than 4 points, the mass is below zero, or the parameters cannot be separated.
     """
     points = _points(measured, 4)
     return _fitted(points, linear_motor, _rigid_start(points))
@@ -239,7 +239,7 @@ def fit_two_inertia(measured: MeasuredResponse, side: str = "motor") -> DriveFit
     Raises
     ------
     ParameterError
-        If there are fewer than 8 points, a mass comes out below zero, or the parameters are not told apart.
+        If there are fewer than 8 points, a mass is below zero, or the parameters cannot be separated.
     """
     points = _points(measured, 8)
     rigid = _fitted(points, linear_motor, _rigid_start(points))
@@ -251,20 +251,20 @@ def fit_two_inertia(measured: MeasuredResponse, side: str = "motor") -> DriveFit
 
 
 def fit_load_share(measured: MeasuredResponse, whole: DriveFit, motor_mass: float) -> DriveFit:
-    """Fit load, shaft, damping and delay to a frequency response at the load, with the mass of motor and screw from elsewhere.
+    """Fit load, shaft, damping and delay to a frequency response at the load, with a known mass of motor and screw.
 
     Parameters
     ----------
     measured : MeasuredResponse
     whole : DriveFit
-        Of the same by `fit_two_inertia` from the load's side.
+        Fit of the same response by `fit_two_inertia`, with side ``"load"``.
     motor_mass : float
-        Above 0 and below the whole mass, in its unit.
+        Above 0 and below the total mass, in the same unit.
 
     Raises
     ------
     ParameterError
-        If the motor's mass is out of its range, or the parameters are not told apart.
+        If the motor mass is out of range, or the parameters cannot be separated.
     """
     if not 0.0 < motor_mass < whole["mass"]:
         bound = f"above 0 and below the whole mass that the response tells, {whole['mass']:.4g}"
@@ -276,7 +276,7 @@ def fit_load_share(measured: MeasuredResponse, whole: DriveFit, motor_mass: floa
 
 
 def _share_start(points: _Points, whole: DriveFit, motor: float) -> dict[str, Free]:
-    """Return the start of the fit with a motor of known mass: the rest of the mass, and the shaft that gives the resonance."""
+    """Return the start of the fit with a known motor mass: the remaining mass, and the shaft that gives the resonance."""
     x = whole.parameters
     load, w = x["mass"] - motor, 2.0 * math.pi * x["resonance"]
     reduced = motor * load / x["mass"]
@@ -298,7 +298,7 @@ def _late(points: _Points, delay: float) -> Free:
 
 
 def _two_inertia_start(points: _Points, side: str, delay: float) -> dict[str, Free]:
-    """Return the start of the fit: the best of a grid over resonance, share of the load and losses, each with its best mass."""
+    """Return the start of the fit: the best of a grid over resonance, load share, losses and delay, each with its best mass."""
     low, high = float(points.frequency.min()), float(points.frequency.max())
     best: dict[str, float] = {}
     least, w2 = math.inf, points.weight**2
@@ -344,7 +344,7 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
         return held_response(lambda s: model(x, s), points.frequency, points.period)
 
     output_fit = fit_output(lambda x: points.row(response(x)), points.measured, free)
-    # Points over frequency are not a record in time, and often few: colour may not lower a deviation.
+    # Points over frequency are not a record in time, and often few: do not let the robust deviations be smaller.
     output_fit = replace(output_fit, robust_deviations=np.maximum(output_fit.deviations, output_fit.robust_deviations))
     predicted = response(dict(zip(output_fit.names, output_fit.values.tolist(), strict=True)))
     fit = fit_percent(points.speed(points.response), points.speed(predicted))
@@ -368,7 +368,7 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
 
 
 def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit:
-    """Return the fit with findings on its resonance: does it lie among the points, and would one mass do?"""
+    """Return the fit with findings on its resonance: whether it lies within the measured range, and whether one mass is enough."""
     x = fit.parameters
     resonance = x["resonance"] if "resonance" in x else resonances(x)[0]
     findings, usable = list(fit.findings), fit.usable

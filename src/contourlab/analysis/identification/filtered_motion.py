@@ -18,7 +18,7 @@ from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
 
 ANTI_ALIAS_ORDER, ANTI_ALIAS_RIPPLE, ANTI_ALIAS_BAND = 8, 0.05, 0.8
-"""Chebyshev filter ahead of decimation: its order, its ripple [dB], and its edge as a share of the new Nyquist frequency."""
+"""Chebyshev filter before decimation: order, ripple [dB], and edge as a share of the new Nyquist frequency."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,21 +36,21 @@ class FilteredMotion:
 
 
 def filtered_motion(position: ArrayLike, period: float, *, cutoff: float, order: int = 4) -> FilteredMotion:
-    """Return position, velocity and acceleration behind a Butterworth low-pass that runs forwards and backwards: no lag.
+    """Return position, velocity and acceleration, filtered without lag by a Butterworth low-pass run forwards and backwards.
 
     Parameters
     ----------
     position : array_like (n,) [m]
     period : float [s], > 0
     cutoff : float [Hz], > 0
-        Below the Nyquist frequency; five times the bandwidth of the position loop is usual. Passed twice: 6 dB down there.
+        Below the Nyquist frequency; five times the bandwidth of the position loop is usual. Two passes attenuate it by 6 dB.
     order : int, >= 1
         Of one pass.
 
     Raises
     ------
     ParameterError
-        If the cut-off is not below the Nyquist frequency, the order is no order, or the record is too short for the filter.
+        If the cut-off is not below the Nyquist frequency, or the record is too short for the filter.
     """
     from scipy.signal import butter, sosfiltfilt
 
@@ -79,14 +79,14 @@ def central_difference(signal: ArrayLike, period: float) -> Array:
 
 
 def decimate(signal: ArrayLike, factor: int) -> Array:
-    """Return every `factor`-th sample of a signal behind a low-pass that runs forwards and backwards, with the phase of MATLAB's.
+    """Return every `factor`-th sample of a signal, low-pass filtered forwards and backwards, with the phase of MATLAB's ``decimate``.
 
     Parameters
     ----------
     signal : array_like (n,) or (n, k)
-        Columns are decimated alike.
+        Columns are decimated separately.
     factor : int, >= 1
-        With 1 the signal is returned as it is.
+        With 1 the signal is returned unchanged.
 
     Returns
     -------
@@ -96,7 +96,7 @@ def decimate(signal: ArrayLike, factor: int) -> Array:
     Raises
     ------
     ParameterError
-        If the factor is no factor, or the signal is too short for the filter.
+        If the signal is too short for the filter.
     """
     from scipy.signal import cheby1, sosfiltfilt
 
@@ -112,17 +112,17 @@ def decimate(signal: ArrayLike, factor: int) -> Array:
 
 
 def kept_samples(n_sample: int, factor: int) -> slice:
-    """Return which samples of a record `decimate` keeps: always its last."""
+    """Return the samples of a record that `decimate` keeps; the last is always kept."""
     left_over = factor * -(-n_sample // factor) - n_sample
     return slice(factor - left_over - 1, None, factor)
 
 
 JITTER = 1e-3
-"""Share of the period by which times may be uneven: a clock that is read rather than counted jitters by parts in a hundred thousand."""
+"""Largest unevenness of the times, as a share of the period; clocks typically jitter by 1e-5."""
 
 
 def require_finite(name: str, values: Array) -> None:
-    """Refuse a signal (n,) that is not finite throughout."""
+    """Raise `ParameterError` if a signal (n,) is not finite throughout."""
     bad = np.flatnonzero(~np.isfinite(values))
     if bad.size:
         raise ParameterError(name, f"{values[bad[0]]} at sample {bad[0]}", "finite")
@@ -141,9 +141,9 @@ def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int
     ----------
     time : array_like (n,) [s]
     signals : mapping of str to array_like (n,)
-        By the names that messages have.
+        By their names in error messages.
     shortest : int
-        Fewest samples.
+        Smallest number of samples.
 
     Raises
     ------

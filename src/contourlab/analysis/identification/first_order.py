@@ -1,12 +1,12 @@
-"""Identification of the first-order axis v' = -b v + a (u - friction - offset), from its command or from its closed loop.
+"""Identification of the first-order axis v' = -b v + a (u - friction - offset), in open or closed loop.
 
-Open loop (steps, squares, random levels): gain, damping, Coulomb friction, offset, delay and first velocity come from one output-error fit.
-The model is simulated from the command alone and compared with the measured velocity. A fit of the equation itself, with measured v and v'
-in it, biases b as soon as the velocity has noise. Measured and simulated velocity are the same difference quotient, so that the difference
-adds no lag and no bias.
+Open loop (steps, squares, random levels): one output-error fit gives gain, damping, Coulomb friction, offset, delay and initial velocity.
+The model is simulated from the command alone and compared with the measured velocity. (Fitting the equation itself to measured v and v'
+would bias b when the velocity is noisy.) Measured and simulated velocity are the same difference quotient of position, so that the
+difference adds no lag and no bias.
 
 Closed loop, behind a disturbance observer with proportional position and velocity feedback (eq 18):
-P/R = a' K_P/(s^2 + (b' + a' K_V) s + a' K_P). The reference is free of the axis' noise, so the feedback does not bias the fit.
+P/R = a' K_P/(s^2 + (b' + a' K_V) s + a' K_P). The reference is free of measurement noise, so the feedback does not bias the fit.
 
 References
 ----------
@@ -34,7 +34,7 @@ WELL_KNOWN = 10.0
 EXPLAINED = 80.0
 """Fit [percent] below which the model is in doubt."""
 LONGEST_DELAY = 0.05
-"""Longest delay that is fitted [s]."""
+"""Largest fitted delay [s]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,10 +46,11 @@ class FirstOrderFit:
     found : OutputFit
         Of a [m/s^2 per command], b [1/s] and, if fitted, friction, offset [command], delay [s] and start [m/s].
     time : ndarray (n,) [s]
-        Middle of the difference of each velocity.
+        Middle of the interval over which each velocity is differenced.
     command : ndarray (n,)
-        Mean over each difference.
+        Mean over each interval.
     smoothing : int
+        Samples of an interval.
     usable : bool
     findings : tuple of Finding
     """
@@ -72,12 +73,12 @@ class FirstOrderFit:
         return self.found.predicted
 
     def __getitem__(self, name: str) -> float:
-        """Return a parameter by name; 0 for one that was not fitted."""
+        """Return a parameter by name; 0 if it was not fitted."""
         return self.found[name] if name in self.found.names else 0.0
 
 
 def smoothing_of(position: Array) -> int:
-    """Return the samples over which to difference a position: counts and noise then are half a percent of the velocity or less."""
+    """Return the samples over which to difference a position, so that counts and noise are at most half a percent of the velocity."""
     steps = np.abs(np.diff(position))
     if not steps.any():
         raise ParameterError("position", "one place throughout", "a record in which the axis moves")
@@ -90,7 +91,7 @@ def smoothing_of(position: Array) -> int:
 
 @dataclass(frozen=True, eq=False)
 class _Blocks:
-    """A record, and the model's velocities over the same differences."""
+    """A record, and the model's velocities over the same intervals."""
 
     command: Array
     period: float
@@ -116,7 +117,7 @@ class _Blocks:
 
 
 def identify_first_order(time: ArrayLike, command: ArrayLike, position: ArrayLike, *, friction: bool = True) -> FirstOrderFit:
-    """Find gain and damping, and friction, offset and delay, of an axis from its command and position.
+    """Identify gain and damping, and friction, offset and delay, of an axis from its command and position.
 
     Parameters
     ----------
@@ -127,12 +128,13 @@ def identify_first_order(time: ArrayLike, command: ArrayLike, position: ArrayLik
     position : array_like (n,) [m]
         Measured.
     friction : bool
-        Fit Coulomb friction, and an offset: the part of the command that balances a constant force such as gravity.
+        Fit Coulomb friction, and an offset: the command that balances a constant force such as gravity.
 
     Raises
     ------
     ParameterError
-        If the record is too short, uneven, not finite or at rest, if the axis goes against its command, or parameters cannot be separated.
+        If the record is too short, uneven, not finite or at rest, if the axis moves against its command, or if parameters cannot be
+        separated.
     """
     period, (_, u, p) = even_record(time, {"command": command, "position": position})
     if not np.ptp(u) > 0.0:
@@ -184,7 +186,7 @@ def _start(blocks: _Blocks, measured: Array, with_friction: bool) -> dict[str, F
 
 
 def _fit_findings(fit: OutputFit, output: str) -> tuple[list[Finding], bool]:
-    """Return findings on a, b and the share of the output that the model explains, and whether the model is usable."""
+    """Return findings on a, b and the fit, and whether the model is usable."""
     findings, usable = [], True
     for name in ("a", "b"):
         value, deviation = fit[name], fit.deviation(name)
@@ -203,7 +205,7 @@ DAMPING_GRID, BAND_GRID = (0.3, 0.7, 1.0, 1.5, 3.0), 16
 
 
 def closed_loop_position(reference: Array, period: float, gain: float, damping: float, position_gain: float, velocity_gain: float) -> Array:
-    """Return the position of eq (18) at the samples, the reference held from each to the next; it starts at rest at the first reference.
+    """Return the position of eq (18) at the samples; the reference is held between samples, and the axis starts at rest at its first value.
 
     Parameters
     ----------
@@ -230,7 +232,7 @@ def closed_loop_position(reference: Array, period: float, gain: float, damping: 
 def identify_closed_loop(
     time: ArrayLike, reference: ArrayLike, position: ArrayLike, position_gain: float, velocity_gain: float
 ) -> FirstOrderFit:
-    """Find a' and b' of an axis from reference and position of its closed loop.
+    """Identify a' and b' of an axis from reference and position of its closed loop.
 
     Parameters
     ----------
@@ -239,14 +241,14 @@ def identify_closed_loop(
     reference, position : array_like (n,) [m]
         The axis starts at rest at the reference.
     position_gain : float [command/m], > 0
-        K_P of the loop as it ran.
+        K_P during the run.
     velocity_gain : float [command s/m], >= 0
         K_V.
 
     Returns
     -------
     FirstOrderFit
-        With a [m/s^2 per command] and b [1/s]; its `velocity` and `predicted` are positions here, its `command` is the reference.
+        With a [m/s^2 per command] and b [1/s]; here `velocity` and `predicted` are positions, and `command` is the reference.
 
     Raises
     ------

@@ -1,6 +1,6 @@
 """Motion of the first-order axis v' = -b v + a (u - friction) under a held command, exact between samples, sticking included.
 
-While the axis moves one way the motion is linear and one filter call carries it. The instant of a stop within a sample is known in closed
+While the axis moves in one direction the motion is linear: one filter call computes it. The instant of a stop within a sample has a closed
 form; from there the axis moves on, turns, or sticks until the command exceeds its friction.
 
 References
@@ -17,11 +17,11 @@ import numpy as np
 from contourlab.arrays import Array
 
 FIRST_PIECE = 64
-"""Samples of the first piece; doubled each time that it has no stop."""
+"""Samples of the first block; doubled after each block without a stop."""
 
 
 def delayed(command: Array, samples: float) -> Array:
-    """Return a held command that is late by a number of samples; for part of a sample, the mean of two held values."""
+    """Return a held command delayed by a number of samples; a fraction of a sample gives a weighted mean of two held values."""
     whole = math.floor(samples)
     part = samples - whole
     padded = np.concatenate([np.full(whole + 1, command[0]), command])
@@ -30,7 +30,7 @@ def delayed(command: Array, samples: float) -> Array:
 
 
 def _gains(damping: float, time: float) -> tuple[float, float, float]:
-    """Return the decay of a velocity, velocity per acceleration, and travel per acceleration, after a time."""
+    """Return the decay factor of a velocity, and velocity and travel per acceleration, after a time."""
     x = damping * time
     if x < 1e-3:
         gained = time * (1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0)))
@@ -53,10 +53,9 @@ def first_order_motion(
     damping : float [1/s], >= 0
         b.
     forward, backward : float
-        Friction of either direction in units of the command: the axis moves forwards from rest where u > forward, backwards where
-        u < -backward.
+        Friction in each direction, in units of the command: from rest the axis moves forwards if u > forward, backwards if u < -backward.
     start : float
-        First velocity over a.
+        Initial velocity over a.
 
     Returns
     -------
@@ -125,7 +124,7 @@ def _turned(
 
 
 def _glide(command: Array, v: Array, p: Array, k: int, last: int, held: float, gains: tuple[float, float, float]) -> None:
-    """Carry the motion from sample k to `last` in one direction."""
+    """Compute the motion in one direction from sample k to `last`, into v and p."""
     from scipy.signal import lfilter
 
     left, gained, way = gains

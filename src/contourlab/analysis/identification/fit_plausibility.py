@@ -1,4 +1,4 @@
-"""Doubts about an identified axis: impossible signs, poorly determined parameters, a residual that is not noise."""
+"""Plausibility of an identified axis: impossible signs, poorly determined parameters, a residual that is not noise."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ from contourlab.findings import Finding, finding
 WELL_KNOWN = 10.0
 """Relative deviation [percent] up to which a parameter counts as identified: the usual limit for robots (Gautier)."""
 EXCITED = 100.0
-"""Condition number, columns of length one, from which the excitation is too little."""
+"""Condition number, columns of length one, above which the excitation is too weak."""
 EXPLAINED, LEAST = 90.0, 75.0
 """Fit [percent] below which the model is in doubt, and below which the figures cannot be used.
 
-The EMPS' log leaves 4 % of its force. Of the runs of one measured table at constant speeds those with a fit of 80 % and more tell its mass
-within 8 %, at 72 % it is a fifth too large, at 51 % two thirds; the EMPS with its reference in place of its position has 69 %.
+The log of the EMPS leaves 4 % of the force unexplained. For one measured table at constant speeds, a fit of 80 % or more gives the mass
+within 8 %; at 72 % the mass is a fifth too large, at 51 % two thirds. The EMPS with its reference in place of its position has 69 %.
 """
 LIGHT, HEAVY = 1e-2, 2e4
-"""Moved masses [kg] from small stages to gantries; outside, the units are in doubt."""
+"""Moved masses [kg] from small stages to gantries; outside this range the units are in doubt."""
 IMPOSSIBLE = (1e-5, 1e6)
 """Range of possible masses [kg]."""
 COLOURED = 1.5
-"""Ratio of deviations, with and without correlation of the residual, from which the residual is coloured."""
+"""Ratio of the deviations with and without correlation of the residual, above which the residual is coloured."""
 AT_REST, RESTS = 5e-3, 0.05
-"""Share of the largest speed below which an axis is at rest, and share of rows at rest that is too many."""
+"""Share of the largest speed below which an axis is at rest, and largest share of rows at rest."""
 
 
 def check_signs(names: tuple[str, ...], values: Array, deviations: Array) -> None:
-    """Refuse a mass, or a Coulomb friction by more than two deviations, below zero.
+    """Check the signs of mass and Coulomb friction.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def check_signs(names: tuple[str, ...], values: Array, deviations: Array) -> Non
     Raises
     ------
     ParameterError
-        If there is one.
+        If the mass is not above zero, or Coulomb friction is below zero by more than two deviations.
     """
     found = dict(zip(names, values.tolist(), strict=True))
     if found["M"] <= 0.0:
@@ -63,7 +63,7 @@ def mass_findings(mass: float) -> tuple[list[Finding], bool]:
 
 
 def mean_coulomb(names: tuple[str, ...], values: Array, deviations: Array) -> tuple[float, float]:
-    """Return Coulomb friction over both directions and its deviation; one direction alone also holds the offset, as gravity."""
+    """Return the mean Coulomb friction of both directions and its deviation; that of one direction includes the offset, such as gravity."""
     places = [i for i, name in enumerate(names) if name.startswith("Fc")]
     return float(values[places].mean()), float(np.sqrt(np.sum(deviations[places] ** 2)) / len(places))
 
@@ -71,13 +71,13 @@ def mean_coulomb(names: tuple[str, ...], values: Array, deviations: Array) -> tu
 def fit_findings(
     names: tuple[str, ...], values: Array, deviations: Array, robust: Array, columns: Array, velocity: Array, fit: float, slowest: float
 ) -> tuple[tuple[Finding, ...], bool]:
-    """Return findings on the figures of inverse dynamics, and whether they can be used.
+    """Return findings on the result of inverse dynamics, and whether it can be used.
 
     Parameters
     ----------
     names : tuple of str
     values, deviations, robust : ndarray (p,)
-        Robust: deviations that allow for correlation of the residual.
+        `robust` are deviations that allow for correlation of the residual.
     columns : ndarray (n, p)
     velocity : ndarray (n,) [m/s]
     fit : float [percent]

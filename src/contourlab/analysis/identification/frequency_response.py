@@ -1,11 +1,11 @@
-"""Frequency response of an axis, position over command, from measured runs: random, periodic or swept, open loop or closed.
+"""Frequency response of an axis, position over command, from measured runs: random, periodic or swept, open or closed loop.
 
-In a closed loop noise returns in the command and draws position over command towards minus one over the controller. With the reference,
-which is free of that noise, the plant is the ratio of two cross-spectra: reference to position over reference to command. Position is
-differenced first, since an axis drifts; the difference is divided out again, exactly.
+In a closed loop noise returns in the command and biases position over command towards minus one over the controller. The reference is free
+of that noise: the plant is the ratio of two cross-spectra, reference to position over reference to command. Position is differenced first,
+since an axis drifts; the result is then divided exactly by the response of the difference.
 
 A sweep passes each frequency once, so there are no segments to average, and the ends of the record leak into every frequency. Over a few
-neighbouring lines response and leakage are smooth: one parabola for each is fitted, and the residual is the noise.
+neighbouring lines response and leakage are smooth: a parabola is fitted to each, and the residual is the noise.
 
 References
 ----------
@@ -28,18 +28,18 @@ from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
 
 SEGMENTS = 8
-"""Segments of a record, before their overlap, over which spectra are averaged."""
+"""Segments of a record, not counting overlap, over which spectra are averaged."""
 EXCITED = 1e-5
 """Share of the largest power of the excitation below which a frequency counts as not excited."""
 REPEATS = 1e-3
-"""Largest difference between periods, over the size, of an excitation that repeats."""
+"""Largest difference between the periods of a periodic excitation, over its size."""
 HANN_OVERLAP = 1.0 / 1.056
 """Independent averages per segment of Hann windows that overlap by half."""
 
 
 @dataclass(frozen=True, eq=False)
 class Measured:
-    """A run: command, position [m] and, where the loop was closed, the reference or another signal from outside; evenly sampled."""
+    """An evenly sampled run: command, position [m] and, in closed loop, the reference or another external signal."""
 
     period: float
     command: Array
@@ -66,17 +66,17 @@ class MeasuredResponse:
     ----------
     frequency : ndarray (n,) [Hz]
     response : complex ndarray (n,) [m per command]
-        Of the samples: the hold of the command is in it.
+        Between samples: it includes the hold of the command.
     deviation : ndarray (n,)
-        Standard deviation of the response's size, relative; that of the phase in rad.
+        Relative standard deviation of the magnitude; also the standard deviation of the phase [rad].
     coherence : ndarray (n,)
         Between 0 and 1: share of the motion that is linear in the excitation.
     method : str
-        In words.
+        Description.
     period : float [s]
-        Of the samples.
+        Sample period.
     distortion : ndarray (n,)
-        Of sines: harmonics of the velocity over its fundamental; not a number otherwise.
+        For sines, harmonics of the velocity over its fundamental; otherwise nan.
     findings : tuple of Finding
     """
 
@@ -96,7 +96,7 @@ class MeasuredResponse:
 
 
 def difference_gain(frequency: ArrayLike, period: float) -> Complex:
-    """Return the response of a difference over one sample at frequencies [Hz], per second."""
+    """Return the frequency response [1/s] at frequencies [Hz] of the difference over one sample divided by the period."""
     return np.asarray((1.0 - np.exp(-2j * np.pi * np.asarray(frequency) * period)) / period)
 
 
@@ -106,7 +106,7 @@ def period_of(excitation: Array) -> int | None:
     Parameters
     ----------
     excitation : ndarray (n,)
-        Free of noise, as a reference or an open-loop command is.
+        Free of noise, such as a reference or an open-loop command.
     """
     n = excitation.size
     x = excitation - excitation.mean()
@@ -125,7 +125,7 @@ def period_of(excitation: Array) -> int | None:
 
 
 def periodic_response(run: Measured, period: int) -> MeasuredResponse:
-    """Return the response to a periodic excitation, a multisine: averaged over periods, the first left out, free of leakage.
+    """Return the response to a periodic excitation (multisine), averaged over all periods but the first, free of leakage.
 
     Parameters
     ----------
@@ -155,7 +155,7 @@ def periodic_response(run: Measured, period: int) -> MeasuredResponse:
     y, u, x = y[:, kept], u[:, kept], x[:, kept]
     frequency = (np.flatnonzero(kept) + 1) / (period * run.period)
     top, below = y.mean(axis=0), u.mean(axis=0)
-    # Noise of the mean over periods, of both signals, correlated where the loop is closed.
+    # Noise of the mean over periods; in closed loop the noises of both signals are correlated.
     response = top / below
     left = (y - top) - response * (u - below)
     spread = np.sqrt(np.sum(np.abs(left) ** 2, axis=0) / max(count - 1, 1) / count / 2.0)
@@ -168,17 +168,17 @@ def periodic_response(run: Measured, period: int) -> MeasuredResponse:
 
 
 def spectral_response(runs: Sequence[Measured]) -> MeasuredResponse:
-    """Return the response from averaged spectra (Welch's method, H1), or with a signal from outside from the ratio of cross-spectra.
+    """Return the response from averaged spectra (Welch's method, H1), or with an external signal from the ratio of cross-spectra.
 
     Parameters
     ----------
     runs : sequence of Measured
-        All at one period, all with or all without a signal from outside.
+        All with the same period, all with or all without an external signal.
 
     Raises
     ------
     ParameterError
-        If the runs are not alike, or too short for their segments.
+        If the runs differ in period or signals, or are too short.
     """
     from scipy.signal import csd
 
@@ -231,17 +231,17 @@ def _coherence(cross: Complex, power: Complex, other_power: Complex) -> Array:
 
 
 FEWEST_LINES, WIDTH = 15, 0.08
-"""Lines of a window: at least so many, and so large a share of its frequency."""
+"""Smallest number of lines of a window, and width of a window as a share of its frequency."""
 SWEPT = 1e-2
-"""Share of the largest power below which the sweep did not reach a frequency."""
+"""Share of the largest power below which the sweep does not reach a frequency."""
 MIXED = 3.0
 """Largest variance over that without leakage: near its ends the spectrum of a sweep is as smooth as the leakage."""
 PARTS, APART = 8, 0.25
-"""Parts of an excitation whose mean frequencies are compared, and their spread over their mean from which it is a sweep."""
+"""Parts of an excitation whose mean frequencies are compared, and relative spread of these above which it is a sweep."""
 
 
 def is_sweep(excitation: Array) -> bool:
-    """Return whether an excitation passes from frequency to frequency, rather than holding all of them at all times."""
+    """Return whether the frequency of an excitation changes over time, rather than all frequencies being present at all times."""
     parts = np.array_split(excitation - excitation.mean(), PARTS)
     powers = [np.abs(np.fft.rfft(part * np.hanning(part.size), parts[0].size)) ** 2 for part in parts]
     means = np.array([float(np.sum(np.arange(p.size) * p) / max(float(p.sum()), 1e-300)) for p in powers])
@@ -249,7 +249,7 @@ def is_sweep(excitation: Array) -> bool:
 
 
 def swept_response(run: Measured) -> MeasuredResponse:
-    """Return the response of an axis from one run with a sweep in it.
+    """Return the response of an axis from one run with a sweep.
 
     Parameters
     ----------
@@ -287,14 +287,14 @@ def swept_response(run: Measured) -> MeasuredResponse:
 
 
 def _local(x: Complex, y: Complex, u: Complex, closed: bool) -> tuple[complex, float, float] | None:
-    """Return the response in the middle of a window, its relative deviation, and the coherence; None where leakage mixes with it."""
+    """Return the response in the middle of a window, its relative deviation, and the coherence; None if leakage cannot be separated."""
     r = np.linspace(-1.0, 1.0, x.size)
     powers = np.column_stack([np.ones_like(r), r, r**2]).astype(complex)
     size = float(np.sqrt(np.mean(np.abs(x) ** 2)))
     columns = np.column_stack([powers * (x / size)[:, None], powers])
     inverse = np.linalg.pinv(columns)
     spread = float(np.sum(np.abs(inverse[0]) ** 2))
-    if spread * x.size > MIXED * 2.25:  # 9/4 over the lines is what a parabola alone has in its middle
+    if spread * x.size > MIXED * 2.25:  # a parabola alone has 9/4 over the lines in its middle
         return None
 
     def solved(signal: Complex) -> tuple[complex, float, float]:
@@ -312,23 +312,23 @@ def _local(x: Complex, y: Complex, u: Complex, closed: bool) -> tuple[complex, f
 
 
 COHERENT = 0.5
-"""Coherence from which a point counts."""
+"""Smallest coherence of a usable point."""
 FEWEST = 4
-"""Points from which on mass and spring are told apart."""
+"""Smallest number of points that separates mass and spring."""
 WIDE, RISING = 5.0, 0.5
-"""Ratio of frequencies over which a slope is looked at, and the slope, in powers of the frequency, of what is no axis."""
+"""Smallest ratio of frequencies to test the slope, and slope, in powers of the frequency, above which the response is not an axis."""
 
 
 def response_findings(measured: MeasuredResponse) -> list[Finding]:
-    """Return reasons why a response cannot be that of an axis; none for a plausible one.
+    """Return reasons why a response cannot be that of an axis; empty for a plausible one.
 
     At low frequencies the force per velocity of an axis is B + j (M w - K/w): damping, mass, and stiffness if a spring holds it, none below
-    zero. A command or position with the wrong sign reverses the largest of them.
+    zero. A command or position with the wrong sign reverses the sign of the largest term.
 
     Parameters
     ----------
     measured : MeasuredResponse
-        Points of a coherence below one half are passed over.
+        Points with a coherence below one half are ignored.
     """
     h = measured.response
     good = (measured.coherence >= COHERENT) & np.isfinite(h) & (np.abs(h) > 0.0)
@@ -344,7 +344,7 @@ def _goes_against(f: Array, h: Complex, period: float) -> bool:
     """Return whether the largest part of the force per velocity is below zero, over the lower half of the points."""
     low = slice(None) if f.size < 2 * FEWEST else slice(f.size // 2)
     w = 2.0 * np.pi * f[low]
-    # Half a sample of the hold is no property of the axis.
+    # Remove the half-sample delay of the hold.
     force = np.exp(-0.5j * w * period) / (1j * w * h[low])
     parts = [np.ones_like(force), 1j * w] + ([-1j / w] if w.size >= FEWEST else [])
     columns = np.column_stack(parts) / np.abs(force)[:, None]

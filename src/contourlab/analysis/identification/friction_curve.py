@@ -1,8 +1,8 @@
 """A friction curve through points of constant speed: Coulomb, viscous, Stribeck, for both directions or by direction.
 
-Each point has its own deviation; all share a scatter between runs, fitted with the curve by maximum likelihood. The model with the smallest
-corrected Akaike criterion wins (the plain criterion if three or four points are too few for the correction), or a simpler one within 2 of
-it. Curves with friction below zero are rejected.
+Each point has its own deviation; all share a scatter between runs, fitted with the curve by maximum likelihood. The simplest model within 2
+of the smallest corrected Akaike criterion is chosen (the plain criterion if three or four points are too few for the correction). Curves
+with friction below zero are rejected.
 
 References
 ----------
@@ -24,20 +24,20 @@ from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
 
 FEWEST = 3
-"""Fewest points of a curve."""
+"""Smallest number of points of a curve."""
 WITHIN = 2.0
-"""Difference of AICc within which a simpler model is kept."""
+"""Difference of AICc within which a simpler model is chosen."""
 SPEEDS = 30
-"""Stribeck velocities that are tried; the best is then refined."""
+"""Stribeck velocities to try; the best is then refined."""
 WELL_KNOWN = 10.0
-"""Relative deviation [percent] from which a parameter is poorly known."""
+"""Relative deviation [percent] above which a parameter is poorly known."""
 EXPLAINED = 75.0
 """Smallest usable fit [percent] of a curve through both directions; real axes have 95 and more."""
 
 
 @dataclass(frozen=True)
 class FrictionModel:
-    """A kind of curve.
+    """A friction model.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ MODELS = (
     FrictionModel("Coulomb, viscous and Stribeck", True, True, False),
     FrictionModel("Coulomb, viscous and Stribeck by direction", True, True, True),
 )
-"""From simple to rich."""
+"""From simple to complex."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +79,7 @@ class FrictionCurve:
         Between runs, beyond the deviations of the points.
     fit : float [percent]
     criterion : float
-        AICc; infinite where the points are too few for it.
+        AICc; infinite if there are too few points for it.
     plain_criterion : float
         AIC.
     predicted : ndarray (n,)
@@ -97,7 +97,7 @@ class FrictionCurve:
     predicted: Array
 
     def __getitem__(self, name: str) -> float:
-        """Return a parameter by name; 0 for one that the model lacks."""
+        """Return a parameter by name; 0 if the model lacks it."""
         return float(self.values[self.names.index(name)]) if name in self.names else 0.0
 
     @property
@@ -107,7 +107,7 @@ class FrictionCurve:
 
     @property
     def name(self) -> str:
-        """Name of the curve; one that rises from rest has no Stribeck effect."""
+        """Name of the model, with "a rise" for "Stribeck" if friction rises from rest."""
         return self.model.name.replace("Stribeck", "a rise") if self.rises else self.model.name
 
     @property
@@ -120,7 +120,7 @@ class FrictionCurve:
         return len({drop < 0.0 for drop in self._drops}) > 1
 
     def deviation(self, name: str) -> float:
-        """Return the deviation of a parameter by name; 0 for one that the model lacks."""
+        """Return the deviation of a parameter by name; 0 if the model lacks it."""
         return float(self.deviations[self.names.index(name)]) if name in self.names else 0.0
 
     def at(self, speed: ArrayLike) -> Array:
@@ -142,14 +142,14 @@ class FrictionFit:
 
 
 def fit_friction(speed: ArrayLike, command: ArrayLike, deviation: ArrayLike) -> FrictionFit:
-    """Fit a friction curve and choose its kind.
+    """Fit all friction models and choose one.
 
     Parameters
     ----------
     speed : array_like (n,) [m/s]
         Signed.
     command : array_like (n,)
-        Mean force or command that held it.
+        Mean force or command at each speed.
     deviation : array_like (n,)
         Standard deviation of each mean.
 
@@ -201,7 +201,7 @@ def _columns(model: FrictionModel, v: Array, vs: float, offset: bool) -> tuple[l
 
 
 def _weighted(columns: Array, u: Array, s: Array, precision: float = 1e-3) -> tuple[Array, float, float]:
-    """Return parameters, scatter between points, and twice the negative log-likelihood, minimised over the scatter."""
+    """Return parameters, scatter between runs, and twice the negative log-likelihood, minimised over the scatter."""
     from scipy.optimize import minimize_scalar
 
     def solved(tau: float) -> tuple[Array, float]:
@@ -220,7 +220,7 @@ def _weighted(columns: Array, u: Array, s: Array, precision: float = 1e-3) -> tu
 
 
 def _fitted(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> FrictionCurve | None:
-    """Return a model's curve; None where there are too few points, or speeds, for it."""
+    """Return the curve of a model; None if it needs more points, speeds or directions."""
     if model.directed and not both:
         return None
     count = _columns(model, v, 1.0, both)[1].shape[1] + model.stribeck
@@ -236,7 +236,7 @@ def _fitted(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> F
         bend = (_columns(model, v, vs + step, both)[1] - _columns(model, v, vs - step, both)[1]) @ x / (2.0 * step)
         names, x, slopes = [*names, "vs"], np.append(x, vs), np.column_stack([columns, bend])
     covariance = np.linalg.pinv(slopes.T @ (slopes / (s**2 + tau**2)[:, None]))
-    k = count + 1  # the scatter counts
+    k = count + 1  # the scatter is a parameter too
     slack = v.size - k - 1
     plain = likelihood + 2.0 * k
     criterion = plain + (2.0 * k * (k + 1) / slack if slack > 0 else math.inf)
@@ -250,7 +250,7 @@ def _fitted(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> F
 
 
 def _stribeck_velocity(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> float:
-    """Return the velocity at which the curve bends, between the slowest and the fastest points."""
+    """Return the most likely Stribeck velocity between the slowest and the fastest points."""
     from scipy.optimize import minimize_scalar
 
     w = np.abs(v)
@@ -270,7 +270,7 @@ def _is_friction(curve: FrictionCurve) -> bool:
     for name in curve.names:
         if name in ("offset", "vs") or name.startswith("drop"):
             continue
-        if name.startswith("Fc") and name != "Fc":  # by direction these hold the offset as well
+        if name.startswith("Fc") and name != "Fc":  # by direction these include the offset
             continue
         if curve[name] < -2.0 * curve.deviation(name):
             return False
@@ -278,7 +278,7 @@ def _is_friction(curve: FrictionCurve) -> bool:
 
 
 def _level(curve: FrictionCurve) -> tuple[float, float]:
-    """Return Coulomb friction over both directions and its deviation; of a curve without it the viscous friction."""
+    """Return the mean Coulomb friction of both directions and its deviation; for a model without it, the viscous friction."""
     for name in ("Fc", "Fv"):
         if name in curve.names:
             return curve[name], curve.deviation(name)

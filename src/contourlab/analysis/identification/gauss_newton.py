@@ -1,4 +1,4 @@
-"""Nonlinear least squares by damped Gauss-Newton steps within bounds, many points evaluated at once, and the covariance of the result."""
+"""Nonlinear least squares by damped Gauss-Newton steps within bounds, many points at once, and the covariance of the result."""
 
 from __future__ import annotations
 
@@ -14,26 +14,26 @@ from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
 
 Residuals = Callable[[Array], Array]
-"""Points (k, p) to residuals (k, n): all points in one call; a row that is not finite is a point that failed."""
+"""Points (k, p) to residuals (k, n), all in one call; the row of a point that fails is not finite."""
 
 DAMPINGS = 10.0 ** np.arange(-3.0, 5.0)
-"""Factors on the damping that are tried side by side."""
+"""Factors on the damping, tried in parallel."""
 
 
 @dataclass(frozen=True)
 class DescentSettings:
-    """Step sizes and end of a descent.
+    """Step sizes and stopping rule of a descent.
 
     Attributes
     ----------
     difference : float
-        First central differences, over a parameter's scale.
+        First step of the central differences, over a parameter's scale.
     visible : float
-        Root mean square change of the residual by later differences. Encoder counts and sticking make the sum of squares rough: smaller
-        differences are noise.
+        Root mean square change of the residual by later steps. Encoder counts and sticking make the sum of squares rough: smaller changes
+        are noise.
     most_iterations : int
     least_gain : float
-        Relative fall of the sum of squares below which it has converged.
+        Relative fall of the sum of squares in one iteration below which the descent has converged.
     """
 
     difference: float = 5e-3
@@ -44,7 +44,7 @@ class DescentSettings:
 
 @dataclass(frozen=True, eq=False)
 class Descent:
-    """End of a descent.
+    """Result of a descent.
 
     Attributes
     ----------
@@ -53,9 +53,9 @@ class Descent:
     cost : float
         Sum of squares.
     jacobian : ndarray (n, p)
-        There.
+        At `values`.
     at_bound : ndarray (p,) of bool
-        Where the sum of squares falls further beyond a bound.
+        Parameters at a bound beyond which the sum of squares would fall further.
     iterations : int
     converged : bool
     """
@@ -86,7 +86,7 @@ def descend(
     Raises
     ------
     ParameterError
-        If a start is outside its bounds, or cannot be evaluated.
+        If the start is outside the bounds, or cannot be evaluated.
 
     References
     ----------
@@ -117,7 +117,7 @@ def descend(
         best = int(np.argmin(costs))
         if costs[best] >= cost:
             if damping > 1e6:
-                converged = True  # no step of any length goes down
+                converged = True  # no step of any length reduces the cost
             damping *= DAMPINGS[-1]
             continue
         converged = cost - costs[best] <= chosen.least_gain * cost
@@ -129,7 +129,7 @@ def descend(
 
 
 def _widths(slopes: Array, chosen: DescentSettings, size: Array) -> Array:
-    """Return differences that change the residual visibly, from a thousandth to a fifth of a parameter's scale."""
+    """Return steps that change the residual by `visible`, from a thousandth to a fifth of a parameter's scale."""
     seen = np.sqrt(np.mean(slopes**2, axis=0))
     wanted = chosen.visible / np.where(seen > 0.0, seen, np.inf)
     return np.clip(np.where(seen > 0.0, wanted, chosen.difference * size), 1e-3 * size, 0.2 * size)
@@ -156,7 +156,7 @@ def _trial(x: Array, r: Array, slopes: Array, free: Flags, low: Array, high: Arr
 
 
 def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, step: Array) -> Array:
-    """Return the slopes of the residuals (n, p) at x by central differences; one-sided at a bound and beside a point that fails.
+    """Return the slopes of the residuals (n, p) at x by central differences; one-sided at a bound and next to a point that fails.
 
     Parameters
     ----------
@@ -185,7 +185,7 @@ def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, 
 def spread_starts(
     residuals: Residuals, start: ArrayLike, lower: ArrayLike, upper: ArrayLike, count: int, candidates: int = 64, reach: float = 0.3
 ) -> Array:
-    """Return starts (count, p): the given one, and the best of candidates that fill the bounds around it evenly.
+    """Return starts (count, p): the given one, and the best of candidates spread evenly around it.
 
     Parameters
     ----------
@@ -193,9 +193,9 @@ def spread_starts(
     start, lower, upper : array_like (p,)
     count : int
     candidates : int
-        Points of a scrambled Sobol sequence, always the same one.
+        Points of a scrambled Sobol sequence with a fixed seed.
     reach : float, 0 to 1
-        Share of the distance from start to bounds that the candidates cover; in ratios for ranges above zero.
+        Share of the distance from start to bounds that the candidates cover; on a logarithmic scale for ranges above zero.
     """
     from scipy.stats import qmc
 
@@ -215,24 +215,24 @@ def spread_starts(
 
 
 UNTOLD = 1e-10
-"""Eigenvalue of the normal matrix, columns of length one, over the largest, from which down a direction counts as without effect."""
+"""Eigenvalue of the normal matrix (columns of length one) over the largest, up to which a direction counts as without effect."""
 FADED = 0.1
-"""Autocorrelation that counts as none."""
+"""Autocorrelation below which samples count as uncorrelated."""
 LONGEST = 4
-"""The longest lag is this part of a record."""
+"""Length of a record over the longest lag."""
 
 
 @dataclass(frozen=True, eq=False)
 class FitCovariance:
-    """Covariance of parameters found by least squares.
+    """Covariance of parameters from least squares.
 
     Attributes
     ----------
     deviations, white_deviations : ndarray (p,)
-        Standard deviations that allow for a residual correlated over neighbouring rows and across channels, infinite for an undetermined
-        parameter; and for a white residual.
+        Standard deviations for a residual correlated over neighbouring rows and across channels, and for a white residual; infinite for an
+        undetermined parameter.
     correlation : ndarray (p, p)
-        Of the parameters, by the shape of the problem alone.
+        Of the parameters, for a white residual.
     untold : ndarray (p,) of bool
         Parameters, or combinations of them, without effect on the residual.
     """
@@ -249,18 +249,19 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     Parameters
     ----------
     jacobians : sequence of ndarray (n_k, c_k, p)
-        Slopes of the residuals, a record each: rows in time, channels that were recorded together.
+        Slopes of the residuals of each record: rows over time, channels recorded together.
     residuals : sequence of ndarray (n_k, c_k)
-        Weighted to one size.
+        Weighted to the same size.
     floor : float
-        Root mean square part of every residual that may not show, such as half an encoder count.
+        Root mean square error that the residuals may not show, such as half an encoder count.
 
     Notes
     -----
-    (J'J)^-1 S (J'J)^-1 with S the sum of the autocovariances of J'r under a window that is flat up to the lag at which the residual has
-    forgotten itself, and falls to 0 at twice that lag. Model errors last longer than the usual number of lags, and a window that falls from
-    the start (Bartlett's) gives deviations too small by a tenth and more. A flat window may give a variance far too small, even below zero:
-    so no deviation is below that of Bartlett's window, or the white one. Several neighbouring minima are not accounted for.
+    The covariance is (J'J)^-1 S (J'J)^-1, where S is the sum of the autocovariances of J'r under a window that is flat up to the lag at
+    which the autocorrelation of the residual has faded, and falls to 0 at twice that lag. Model errors last longer than the usual number of
+    lags, and a window that falls from the start (Bartlett's) gives deviations too small by a tenth or more. A flat window may give a
+    variance far too small, even below zero: so no deviation is below that of Bartlett's window, or the white one. Several neighbouring
+    minima are not accounted for.
 
     References
     ----------
@@ -298,7 +299,7 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
 
 
 def _remembered(residual: Array) -> int:
-    """Return over how many rows a record's residual (n, c) counts as correlated."""
+    """Return the number of rows over which a record's residual (n, c) counts as correlated."""
     n = residual.shape[0]
     longest = max(n // LONGEST, 1)
     reached = max(memory(column - column.mean(), FADED, longest) for column in residual.T)

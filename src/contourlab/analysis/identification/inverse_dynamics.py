@@ -1,7 +1,7 @@
 """Identification of one rigid axis from a record of position and force: the inverse dynamic model by least squares (IDIM-LS).
 
-The force is linear in the parameters, M a + F_v v + F_c sign(v) + offset. Filtered derivatives of the measured position and one
-least-squares solution give them all, in open or closed loop. Velocity and acceleration have no lag (`filtered_motion`). Columns and force
+The force is linear in the parameters: M a + F_v v + F_c sign(v) + offset. One least-squares solution on filtered derivatives of the
+measured position gives all parameters, in open or closed loop. Velocity and acceleration have no lag (`filtered_motion`). Columns and force
 pass the same low-pass and decimation. Position noise enters the columns: without filtering it biases the mass towards zero.
 
 References
@@ -28,16 +28,16 @@ from contourlab.errors import ParameterError
 from contourlab.findings import Finding
 
 PARAMETERS = {"symmetric": ("M", "Fv", "Fc", "offset"), "asymmetric": ("M", "Fv+", "Fc+", "Fv-", "Fc-")}
-"""Parameters by friction model; in the asymmetric one the offset is part of the Coulomb forces: (Fc+ - Fc-)/2."""
+"""Parameters by friction model; in the asymmetric model the Coulomb forces include the offset, (Fc+ - Fc-)/2."""
 FEWEST_ROWS = 20
-"""Fewest samples after filter and decimation."""
+"""Smallest number of samples after filter and decimation."""
 SINGULAR = 1e6
-"""Condition number, columns of length one, from which the parameters cannot be separated."""
+"""Condition number, columns of length one, above which the parameters cannot be separated."""
 
 
 @dataclass(frozen=True)
 class InverseDynamicsSettings:
-    """How a record is filtered, and which friction is fitted.
+    """Filtering of a record, and friction model.
 
     Attributes
     ----------
@@ -52,10 +52,10 @@ class InverseDynamicsSettings:
     dropped : (int, int), >= 0
         Samples dropped at the start and at the end, where the filter settles.
     slowest : float [m/s], >= 0
-        Rows below it are left out: at rest friction equals the force, and the sign of v is noise.
+        Rows at a lower speed are left out: at rest friction equals the force, and the sign of v is noise.
     lost_degrees : int or None
-        Degrees of freedom subtracted from the rows in the residual's variance; None: the number of parameters. The figures published for
-        the EMPS use 1.
+        Degrees of freedom subtracted from the rows in the residual's variance; by default the number of parameters. The figures published
+        for the EMPS use 1.
     """
 
     friction: str = "symmetric"
@@ -92,7 +92,7 @@ class Validation:
     time, velocity : ndarray (n,) [s, m/s]
         Of the rows.
     force, predicted : ndarray (n,) [N]
-        Measured, behind the same filter, and from the model.
+        Measured (filtered as the columns), and from the model.
     residual_norm : float [N]
         Euclidean norm of their difference.
     residual_deviation : float [N]
@@ -118,24 +118,25 @@ class Validation:
 
 @dataclass(frozen=True, eq=False)
 class InverseDynamicsFit(Validation):
-    """The parameters of an axis, and how well they explain the record they come from.
+    """The parameters of an axis, and how well they explain their own record.
 
     Attributes
     ----------
     settings : InverseDynamicsSettings
     names : tuple of str
-        Of `PARAMETERS`: M [kg], Fv [N s/m], Fc [N], offset [N].
+        From `PARAMETERS`: M [kg], Fv [N s/m], Fc [N], offset [N].
     values, deviations : ndarray (p,)
-        Standard deviations hold for a residual that is white after decimation, and columns without noise.
+        Standard deviations assume a residual that is white after decimation, and columns without noise.
     relative_deviations : ndarray (p,) [percent]
     robust_deviations : ndarray (p,)
-        Standard deviations that allow for a residual correlated over neighbouring rows (Newey & West), by decimation and model errors.
+        Standard deviations for a residual correlated over neighbouring rows (Newey & West) because of decimation and model errors.
     correlation : ndarray (p, p)
-        Of the parameters, residual white.
+        Of the parameters, for a white residual.
     usable : bool
-        False if a friction is below zero or the mass is known to no better than 10 percent.
+        False if viscous or mean Coulomb friction is below zero, the mass is impossible or uncertain by more than 10 percent, or the fit is
+        below 75 percent.
     findings : tuple of Finding
-        Reasons to doubt the figures; may be empty.
+        Reasons to doubt the parameters; may be empty.
     """
 
     settings: InverseDynamicsSettings = field(default_factory=InverseDynamicsSettings)
@@ -160,7 +161,7 @@ class InverseDynamicsFit(Validation):
 def identify_inverse_dynamics(
     time: ArrayLike, position: ArrayLike, force: ArrayLike, settings: InverseDynamicsSettings | None = None
 ) -> InverseDynamicsFit:
-    """Find mass, viscous and Coulomb friction and offset of an axis from a record of its motion and its drive's force.
+    """Identify mass, viscous and Coulomb friction and offset of an axis from a record of its motion and its drive's force.
 
     Parameters
     ----------
@@ -169,7 +170,7 @@ def identify_inverse_dynamics(
     position : array_like (n,) [m]
         Measured.
     force : array_like (n,) [N]
-        Of the drive, at the table: command times drive gain. In any other unit F the parameters come in F s^2/m, F s/m and F.
+        Of the drive, at the table: command times drive gain. In another unit F, the parameters are in F s^2/m, F s/m and F.
     settings : InverseDynamicsSettings, optional
 
     Raises
@@ -212,13 +213,13 @@ def identify_inverse_dynamics(
 
 
 def cross_validate(fit: InverseDynamicsFit, time: ArrayLike, position: ArrayLike, force: ArrayLike) -> Validation:
-    """Return how well the parameters of one record explain a second one, filtered alike.
+    """Return how well the parameters of one record explain a second one, with the same filter settings.
 
     Parameters
     ----------
     fit : InverseDynamicsFit
     time, position, force
-        As of `identify_inverse_dynamics`; length and period may differ.
+        As in `identify_inverse_dynamics`; length and period may differ.
 
     Raises
     ------
@@ -251,7 +252,7 @@ def _rows(time: ArrayLike, position: ArrayLike, force: ArrayLike, settings: Inve
 
 
 def _columns(acceleration: Array, velocity: Array, friction: str) -> Array:
-    """Return the observation matrix, one column a parameter."""
+    """Return the observation matrix, with one column per parameter."""
     way = np.sign(velocity)
     if friction == "symmetric":
         return np.column_stack([acceleration, velocity, way, np.ones_like(way)])
@@ -260,7 +261,7 @@ def _columns(acceleration: Array, velocity: Array, friction: str) -> Array:
 
 
 def _check_excitation(rows: _Rows, names: tuple[str, ...]) -> None:
-    """Refuse a record without both directions, or with linearly dependent columns."""
+    """Raise `ParameterError` for a record without both directions, or with linearly dependent columns."""
     fastest = float(np.abs(rows.velocity).max())
     if fastest == 0.0:
         raise ParameterError("position", "one place throughout", "a record in which the axis moves")

@@ -1,8 +1,8 @@
 """Output-error least squares, with standard deviations that allow for a residual correlated in time.
 
-The model's output depends on the command, never on the noisy output, so measurement noise does not bias the parameters. The covariance is
-(J'J)^-1 S (J'J)^-1, with S the sum of the autocovariances of J'r under a window over the lags: Bartlett's for rows that are nearly
-independent, Parzen's (round at its top) where neighbouring samples cancel each other's error, a flat one where a model error lasts.
+The model's output depends on the command alone, so measurement noise does not bias the parameters. The covariance is
+(J'J)^-1 S (J'J)^-1, where S is the sum of the autocovariances of J'r under a window over the lags: Bartlett's for nearly independent rows,
+Parzen's (round at its top) if the errors of neighbouring samples cancel, a flat one if a model error lasts.
 
 References
 ----------
@@ -28,7 +28,7 @@ from contourlab.errors import ParameterError
 NEAR_BOUND = 1e-6
 """Share of a parameter's scale within which it counts as lying at its bound."""
 UNTOLD = 1e10
-"""Condition number of the normal equations, columns of length one, from which parameters cannot be separated."""
+"""Condition number of the normal equations, columns of length one, above which parameters cannot be separated."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class OutputFit:
     ----------
     names : tuple of str
     values, deviations, robust_deviations : ndarray (p,)
-        Deviations for a white residual, and for one correlated in time; 0 for a parameter at its bound.
+        Standard deviations for a white residual, and for a residual correlated in time; 0 for a parameter at its bound.
     correlation : ndarray (p, p)
     condition_number : float
         Of the sensitivities, columns of length one.
@@ -78,7 +78,7 @@ class OutputFit:
     def deviation(self, name: str) -> float:
         """Return the robust deviation of a parameter by name.
 
-        The noise of a differenced position is correlated: deviations for a white residual are many times too large.
+        The noise of a differenced position is correlated: deviations for a white residual would be many times too large.
         """
         return float(self.robust_deviations[self.names.index(name)])
 
@@ -174,8 +174,8 @@ def lasting_window(residual: Array) -> Array:
     Notes
     -----
     Parzen's window over four times the memory of the residual, at least 4 sqrt(n) and at most a tenth of the record. Residuals of a
-    simulated model last as long as its own motion; those of a differenced position cancel from one sample to the next, which a window with
-    a corner at its top, such as Bartlett's, misses.
+    simulated model last as long as its motion. Those of a differenced position cancel from one sample to the next: a window with a corner
+    at its top, such as Bartlett's, misses this.
     """
     n = residual.size
     until = 4 * memory(residual, max(0.05, 2.0 / math.sqrt(n)), n // 10)
@@ -183,18 +183,18 @@ def lasting_window(residual: Array) -> Array:
 
 
 def bartlett(lags: int) -> Array:
-    """Return Bartlett's window (lags + 1,): a line from 1 at no lag to 0 behind the last. Variances under it are never negative."""
+    """Return Bartlett's window (lags + 1,): a line from 1 at lag 0 to 0 after the last lag. Variances under it are never negative."""
     return np.asarray(1.0 - np.arange(lags + 1) / (lags + 1.0))
 
 
 def parzen(lags: int) -> Array:
-    """Return Parzen's window (lags + 1,): two cubics, level at no lag. Variances under it are never negative."""
+    """Return Parzen's window (lags + 1,): two cubics, with zero slope at lag 0. Variances under it are never negative."""
     x = np.arange(lags + 1) / (lags + 1.0)
     return np.asarray(np.where(x < 0.5, 1.0 - 6.0 * x**2 * (1.0 - x), 2.0 * (1.0 - x) ** 3))
 
 
 def flat_top(lags: int) -> Array:
-    """Return a window (2 lags,), lags >= 1: 1 up to `lags`, then a line to 0 at twice that. A variance under it may come out negative."""
+    """Return a window (2 lags,), lags >= 1: 1 up to `lags`, then a line to 0 at twice that. A variance under it may be negative."""
     return np.asarray(np.minimum(1.0, 2.0 - np.arange(2 * lags) / lags))
 
 
@@ -224,14 +224,14 @@ def memory(residual: Array, faded: float, longest: int) -> int:
 
 
 def long_run(rows: Array, window: Array) -> Array:
-    """Return the sum of the autocovariances (p, p) of rows, those ahead and behind, each weighted.
+    """Return the weighted sum of the autocovariances (p, p) of rows over positive and negative lags.
 
     Parameters
     ----------
     rows : ndarray (n, p)
-        Of J'r: the slopes of a sample times its residual.
+        Terms of J'r: the slopes of a sample times its residual.
     window : ndarray (k,)
-        Weight of each lag, from 0 on; lags beyond the rows count for nothing.
+        Weight of each lag, from 0 on; lags beyond the rows are ignored.
     """
     n, lags = len(rows), min(window.size, len(rows))
     size = 1 << (n + lags - 1).bit_length()
@@ -246,7 +246,7 @@ def long_run(rows: Array, window: Array) -> Array:
 
 
 def coloured_deviations(columns: Array, residual: Array, inverse: Array, window: Array) -> Array:
-    """Return standard deviations (p,) of least squares that allow for a residual correlated over neighbouring rows.
+    """Return standard deviations (p,) of least squares for a residual correlated over neighbouring rows.
 
     Parameters
     ----------
@@ -254,7 +254,7 @@ def coloured_deviations(columns: Array, residual: Array, inverse: Array, window:
         Sensitivities.
     residual : ndarray (n,)
     inverse : ndarray (p, p)
-        Of columns' columns.
+        Inverse of columns' columns.
     window : ndarray (k,)
         Weight of each lag, from 0 on.
     """

@@ -1,7 +1,7 @@
-"""Frequency response at one frequency, from a run with a sine in it: least squares with harmonics, and tests of the result.
+"""Frequency response at one frequency, from a run with a sine: least squares with harmonics, and tests of the result.
 
-A sine on top of a steady motion keeps friction from changing its sign, so the response is that of the drive. If the axis stops within the
-sine, at an end stop or sticking, it is not.
+On top of a steady motion, a sine does not reverse friction, so the response is that of the drive. It is not if the axis stops during the
+sine, at an end stop or by sticking.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ PURE = 0.03
 HARMONICS = 5
 LEAST_PERIODS = 0.9
 DISTORTED = 0.1
-"""Harmonics of the velocity over its fundamental from which a response is not linear."""
+"""Harmonics of the velocity over its fundamental above which a response is not linear."""
 STILL = 0.03
-"""Share of the stretch at rest from which a point is left out."""
+"""Share of samples at rest above which a point is left out."""
 
 
 @dataclass(frozen=True)
@@ -40,13 +40,13 @@ class SinePoint:
     deviation : float
         Relative.
     periods : float
-        That were fitted.
+        Number of fitted periods.
     distortion : float
         Harmonics of the velocity over its fundamental.
     still : float
-        Share of the stretch in which the axis stood still.
+        Share of the fitted samples at which the axis is at rest.
     coherence : float
-        Share of the velocity's power that the fundamental has.
+        Share of the fundamental in the power of the velocity.
     """
 
     frequency: float
@@ -59,12 +59,12 @@ class SinePoint:
 
 
 def sine_stretch(excitation: Array, period: float) -> tuple[int, int, float] | None:
-    """Return the samples [start, stop) in which an excitation is one sine, and its frequency [Hz]; None where there is none.
+    """Return the longest span [start, stop) of samples in which an excitation is one sine, and its frequency [Hz]; None if there is none.
 
     Parameters
     ----------
     excitation : ndarray (n,)
-        Free of noise: a reference, or an open-loop command. It rests between stretches.
+        Free of noise: a reference, or an open-loop command. It is constant between sines.
     period : float [s]
     """
     size = float(np.ptp(excitation))
@@ -108,7 +108,7 @@ def _frequency(part: Array, period: float) -> float | None:
 
 
 def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePoint:
-    """Return the response at the frequency of a sine, from the stretch in which it is on.
+    """Return the response at the frequency of a sine, from the samples `start` to `stop` in which it is on.
 
     Parameters
     ----------
@@ -119,11 +119,11 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
     Raises
     ------
     ParameterError
-        If the stretch is too short.
+        If there are too few samples.
     """
     cycle = 1.0 / (frequency * run.period)
     periods = (stop - start) / cycle
-    # With enough periods the first quarter, at least one whole period, is left to the transient.
+    # With enough periods, leave the first quarter, at least one whole period, to the transient.
     skip = round(max(1.0, math.floor(0.25 * periods)) * cycle) if periods >= 2.9 else 0
     first = start + skip
     whole = math.floor((stop - first) / cycle + 1e-6)
@@ -153,7 +153,7 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
 
 
 def _still(steps: Array) -> Flags:
-    """Return the samples of stretches of ten or more in which the axis rests, compared with the median step."""
+    """Return whether the axis is at rest at each sample: its mean step over ten samples is small beside the median step."""
     usual = float(np.median(np.abs(steps)))
     count = min(10, steps.size)
     average = np.convolve(steps, np.ones(count) / count, "same")
@@ -177,14 +177,14 @@ def _harmonics(values: Array, t: Array, w: float, most: int, trend: int) -> tupl
 
 
 def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredResponse:
-    """Return the response at the frequencies of several runs, each with a sine of its own.
+    """Return the frequency response from several runs, each with one sine.
 
     Parameters
     ----------
     runs : sequence of Measured
-        Each with a sine as command, or as the signal from outside.
+        Each with a sine as command, or as the external signal.
     names : sequence of str
-        Of the logs.
+        Names of the logs.
 
     Raises
     ------
@@ -211,7 +211,7 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
         periods.append(run.period)
     if not points:
         raise ParameterError("logs", f"{len(runs)} of them", "one with a sine in it: " + "; ".join(note.text for note in findings))
-    # The drive has one servo period; a log of every tenth sample does not change how long a command is held.
+    # The shortest period is the servo period: a log of every tenth sample does not change how long a command is held.
     period = min(periods)
     if max(periods) > 1.001 * period:
         findings.append(finding("CL542", shortest=period, longest=max(periods)))

@@ -1,11 +1,11 @@
 """Breakaway levels from slow ramps of the command: the smallest command that moves an axis at rest.
 
-Counts and noise hide the first micrometres of a motion, so the breakaway is earlier than the first motion seen. Over a window from rest to
-clear motion, a line (rest, drift, bending of bristles) plus a parabola and a cubic that start at an instant are fitted. The best instant is
-the breakaway.
+Encoder counts and noise hide the first micrometres of a motion, so the breakaway is earlier than the first visible motion. The fit over a
+window from rest to clear motion is a line (rest, drift, bending of bristles) plus a parabola and a cubic that start at an instant. The best
+instant is the breakaway.
 
-If friction drops after the breakaway, the first motion grows faster than this model. On simulated axes, bristles included, levels are then
-up to 2.5 percent high or low.
+If friction drops after the breakaway, the first motion grows faster than this model. On simulated axes, bristles included, the error of the
+level is then up to 2.5 percent.
 
 References
 ----------
@@ -30,15 +30,15 @@ from contourlab.findings import Finding, finding
 PLAINLY = 0.1
 """Share of the largest speed on a ramp at which the axis clearly moves."""
 SHORTEST = 40
-"""Fewest samples of a ramp up to there."""
+"""Smallest number of samples of a ramp up to that speed."""
 INSTANTS = 200
-"""Instants that are tried in a window before the best is refined."""
+"""Instants to try in a window before the best is refined."""
 BENT = 30.0
-"""The motion has to exceed the travel before the breakaway, the bending of bristles, by this factor."""
+"""The final fit covers a motion up to this multiple of the travel before the breakaway (the bending of bristles)."""
 UNSEEN = 0.25
-"""Deviation of the instant, as a share of the time from the breakaway to the first motion seen: the law of that motion is unknown."""
+"""Smallest deviation of the instant, as a share of the time from breakaway to first visible motion: the law of that motion is unknown."""
 NEARBY = 30.0
-"""Counts, or deviations at rest, up to which the motion is fitted in the end."""
+"""Counts, or deviations at rest, that the final fit covers at least."""
 CLEAR = 4.0
 """Counts, or deviations at rest, that a motion has to exceed."""
 
@@ -71,14 +71,14 @@ class Breakaway:
 
 
 def breakaways(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tuple[list[Breakaway], list[Finding]]:
-    """Find the breakaway on each slow ramp of a command.
+    """Return the breakaway on each slow ramp of a command.
 
     Parameters
     ----------
     time : array_like (n,) [s]
         Evenly spaced.
     command : array_like (n,)
-        Ramps from about zero up or down, any number of them, each back to about zero before the next.
+        Any number of ramps up or down from about zero; the command returns to about zero before the next.
     position : array_like (n,) [m]
 
     Returns
@@ -109,7 +109,7 @@ def breakaways(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tupl
 
 
 def _ramps(u: Array) -> list[tuple[int, int]]:
-    """Return the spans from about zero to a peak of the command's size."""
+    """Return the spans from about zero to a peak of the command's magnitude."""
     from scipy.signal import find_peaks
 
     size = np.abs(u)
@@ -127,7 +127,7 @@ def _ramps(u: Array) -> list[tuple[int, int]]:
             continue
         start = int(low[-1])
         steps = np.diff(size[start : peak + 1])
-        # A step is no ramp: no sample may bring more than a twentieth of it.
+        # Exclude steps: no sample may change by more than a twentieth of the peak.
         if peak - start >= SHORTEST and steps.max() < 0.05 * size[peak]:
             spans.append((start, int(peak)))
     return spans
@@ -153,7 +153,7 @@ def _breakaway(period: float, u: Array, p: Array, since: float) -> Breakaway | s
         return "the axis moves at its start, or the ramp is too fast: no rest before it"
     y, t = np.asarray(moved[: last + 1], dtype=float), np.asarray(period * np.arange(last + 1), dtype=float)
     instant, deviation, model = _onset(t, y, noise)
-    # The first micrometres determine the instant best: friction at speed is not in them.
+    # The first micrometres determine the instant best: friction at speed does not affect them.
     bent = float(np.interp(instant, t, y))
     near = max(NEARBY * max(noise, count), BENT * bent)
     short = min(last, int(np.argmax(y > near)) if np.any(y > near) else last)

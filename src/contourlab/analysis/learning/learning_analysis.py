@@ -1,4 +1,4 @@
-"""Does learning converge? The answer before the first trial, and rules for zero-phase learning: width, gain, passes and lead."""
+"""Convergence of learning, predicted before the first trial, and rules for zero-phase learning: width, gain, passes and lead."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class LearningDesign:
         First zero of the average: frequencies below it are learned.
     worst_frequency : float [rad/s]
     worst_factor : float
-        Largest |1 - gamma H T|. With a delay in the loop the sign is wrong at some frequencies above the first zero: without a filter that
+        Largest |1 - gamma H T|. With a delay in the loop the sign is wrong at some frequencies above the first zero. Without a filter that
         cuts them off, a factor slightly above 1 is the best possible.
     """
 
@@ -53,7 +53,7 @@ class LearningDesign:
 
 
 def first_zero(half_width: int, servo_period: float) -> float:
-    """Return the frequency [rad/s] of the first zero of H_M, 1/((2 M + 1) T_s); the Nyquist frequency for M = 0.
+    """Return the frequency [rad/s] of the first zero of H_M, 2 pi/((2 M + 1) T_s); the Nyquist frequency for M = 0.
 
     >>> round(first_zero(11, 1e-3) / (2 * math.pi), 3)
     43.478
@@ -82,7 +82,7 @@ def quarter_turn(closed: Closed, servo_period: float, lead: float = 0.0) -> floa
     if not wrong.size:
         return top
     i = int(wrong[0])
-    # With all frequencies below it: the phase of T may need unwrapping.
+    # Pass all lower frequencies as well: `closed` may unwrap the phase.
     return float(w[0] if i == 0 else brentq(lambda x: float(real(np.append(w[:i], x))[-1]), w[i - 1], w[i]))
 
 
@@ -118,7 +118,7 @@ def design_zero_phase(closed: Closed, servo_period: float) -> LearningDesign:
     Parameters
     ----------
     closed : callable
-        T = P C/(1 + P C), delay included, (n,) at frequencies (n,) [rad/s]; of several axes the one with the most lag.
+        T = P C/(1 + P C), delay included, (n,) at frequencies (n,) [rad/s]; with several axes, T of the axis with the most lag.
     servo_period : float [s], > 0
     """
     leads = _leads(closed, servo_period)
@@ -156,9 +156,9 @@ def _design(closed: Closed, servo_period: float, half_width: int, passes: int, l
 SMALL = 1e-3
 """Growth per trial that a rule accepts."""
 MOST_WIDER = 10
-"""Most times that an average is widened for a coupling."""
+"""Largest number of times that the average is widened for a coupling."""
 SHARE = 0.4
-"""Of the largest gain that converges, the part that the rule takes."""
+"""Share of the largest converging gain that the rule uses."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,11 +172,11 @@ class LearningAnalysis:
     response : FrequencyLearning
         Factors of a trial over frequency, the worst over all directions of the path.
     lifted : LiftedLearning or None
-        Over a whole trial on a given path; None without one.
+        Over a whole trial on a given path; None without a path.
     zero : float [rad/s]
         First zero of the law's average; nan for a law without one.
     design : LearningDesign or None
-        Parameters by rule, for zero-phase learning that amplifies.
+        Parameters by rule, if zero-phase learning amplifies and a rule finds any.
     """
 
     law: LearningLaw
@@ -193,12 +193,12 @@ class LearningAnalysis:
 
     @property
     def worst_factor(self) -> float:
-        """Factor per trial at that frequency, in the end."""
+        """Asymptotic factor per trial at `worst_frequency`."""
         return self.response.worst_radius[1]
 
     @property
     def converges(self) -> bool:
-        """Whether no frequency grows in the end, nor any error on the given path."""
+        """Whether no error grows over many trials, at any frequency or on the given path."""
         return self.worst_factor <= 1.0 + GROWTH and (self.lifted is None or self.lifted.radius <= 1.0 + 1e-4)
 
     @property
@@ -213,7 +213,7 @@ def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw
     Parameters
     ----------
     machine, controller
-        Limits, friction and quantisation are left out; all else is linear.
+        Limits, friction and quantisation are left out; all else must be linear.
     law : LearningLaw
         Linear in the table and the trial.
     reference : Reference, optional
@@ -239,7 +239,7 @@ def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw
 
 
 def design_for(loop: CoupledLoop, law: ZeroPhase) -> LearningDesign | None:
-    """Return zero-phase learning by rule for the axis with the most lag, wide enough for the coupling; None if there is none."""
+    """Return zero-phase learning by rule for the axis with the most lag, widened for the coupling; None if no width is enough."""
 
     def closed(w: Array) -> Complex:
         forms = [axis.form(w) for axis in loop.axes]

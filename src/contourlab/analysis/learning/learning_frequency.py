@@ -1,8 +1,8 @@
-"""Factors by which one trial multiplies what is not learned yet, over frequency.
+"""Factors by which one trial multiplies the remaining error, over frequency.
 
 For one axis and zero-phase learning the factor is 1 - gamma H T; for a law of the tracking error it is Q (1 - L G). With coupling it is a
-matrix at each frequency and direction of the path: its spectral radius says whether learning converges in the end, its largest singular
-value whether every trial improves on the last. A law enters by its answers to impulses, or by its formula if it learns through a model.
+matrix at each frequency and direction of the path: its spectral radius shows whether learning converges, its largest singular value whether
+every trial improves on the last. A law enters by its impulse responses, or by its formula if it learns through a model.
 
 References
 ----------
@@ -30,12 +30,12 @@ from contourlab.errors import ComponentError
 HEARD = ("table", "tracking_error", "contour_error", "feedback_command")
 SHORTEST, LONGEST = 1 << 9, 1 << 15
 SETTLED = 1e-7
-"""Largest part of an impulse response in the outer eighths of the record."""
+"""Largest share of an impulse response in the first and last eighth of the record."""
 
 
 @dataclass(frozen=True, eq=False)
 class LawKernels:
-    """Contribution of a law to the next table for an impulse in the middle of a long trial.
+    """Impulse responses of a law: the next table after an impulse in the middle of a long trial.
 
     Attributes
     ----------
@@ -52,14 +52,14 @@ class LawKernels:
 
     @cached_property
     def support(self) -> tuple[int, int]:
-        """First and last sample, from the impulse, that are above rounding in any kernel."""
+        """First and last sample, counted from the impulse, above rounding in any kernel."""
         size = np.max([np.abs(kernel).max(axis=(1, 2)) / max(np.abs(kernel).max(), 1e-300) for kernel in self.kernels.values()], axis=0)
         at = np.flatnonzero(size > 1e-12)
         return int(at[0]) - self.centre, int(at[-1]) - self.centre
 
     @property
     def directed(self) -> bool:
-        """Whether the law itself asks for the direction of the path."""
+        """Whether the law itself depends on the direction of the path."""
         return False
 
     def response(self, frequency: ArrayLike, across: Array) -> dict[str, Complex]:
@@ -68,7 +68,7 @@ class LawKernels:
         first, last = self.support
         sample = np.arange(first, last + 1)
         responses = {name: np.zeros((w.size, *kernel.shape[1:]), dtype=complex) for name, kernel in self.kernels.items()}
-        # In slices, so that long records at many frequencies take no more memory than short ones.
+        # In slices, to limit the memory for long records.
         for part in np.array_split(np.arange(w.size), max(1, w.size * sample.size // 2_000_000)):
             turn = np.exp(-1j * np.outer(w[part], sample * self.servo_period))
             for name, kernel in self.kernels.items():
@@ -95,16 +95,16 @@ class LawModel:
 
     @property
     def support(self) -> tuple[int, int]:
-        """As of a law without side lobes."""
+        """Zero: this law has no side lobes."""
         return 0, 0
 
     @property
     def directed(self) -> bool:
-        """Whether the law itself asks for the direction of the path."""
+        """Whether the law itself depends on the direction of the path."""
         return bool(self.law.values().get("contour_weight", 0.0))
 
     def response(self, frequency: ArrayLike, across: Array) -> dict[str, Complex]:
-        """Return the frequency responses (n, n_axis, n_axis) at frequencies (n,) [rad/s], with the projection across the path at rest."""
+        """Return the frequency responses (n, n_axis, n_axis) at frequencies (n,) [rad/s], with a constant projection across the path."""
         w = np.atleast_1d(np.asarray(frequency, dtype=float))
         eye = np.eye(len(across))
         g = _models(self.loop, self.law.target, w)
@@ -123,7 +123,7 @@ class LawModel:
 
 
 def law_model(law: LearningLaw, loop: CoupledLoop) -> LawModel | None:
-    """Return a law that learns through a model; None for any other law."""
+    """Return the formula of a law that learns through a model; None for any other law."""
     if not isinstance(law, NormOptimal | PlantInversion):
         return None
     w = np.unique(np.concatenate([np.geomspace(1e-5 * loop.nyquist, loop.nyquist, 600), np.linspace(1e-5, 1.0, 600) * loop.nyquist]))
@@ -136,7 +136,7 @@ def _models(loop: CoupledLoop, target: str, w: Array) -> Complex:
 
 
 def law_kernels(law: LearningLaw, loop: CoupledLoop) -> LawKernels:
-    """Return a law's answers to impulses on a straight path; laws without a model answer alike on any path.
+    """Return a law's impulse responses on a straight path; for a law without a model they are the same on any path.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def law_kernels(law: LearningLaw, loop: CoupledLoop) -> LawKernels:
     Raises
     ------
     ComponentError
-        If the law is not linear, or its answer to an impulse is longer than `LONGEST` samples.
+        If the law is not linear, or its impulse response is longer than `LONGEST` samples.
     """
     t, size = np.eye(len(loop.axes))[0], SHORTEST
     while True:
@@ -162,7 +162,7 @@ def law_kernels(law: LearningLaw, loop: CoupledLoop) -> LawKernels:
 
 
 def lifted_problem(law: LearningLaw, loop: CoupledLoop, tangent: Array) -> LearningProblem:
-    """Return the knowledge of a law before the first trial: tangents (n_sample, n_axis), and each axis alone."""
+    """Return the problem of a law before the first trial: tangents (n_sample, n_axis), and the impulse response of each axis alone."""
     return LearningProblem(loop.servo_period, tangent, lambda: impulse_responses(loop.axes, len(tangent), law.target))
 
 
@@ -189,7 +189,7 @@ def _settled(kernel: Array) -> bool:
 
 
 def _check_linear(law: LearningLaw, problem: LearningProblem, kernels: dict[str, Array]) -> None:
-    """The answer to impulses on all axes at once has to be the sum of the answers."""
+    """Raise `ComponentError` unless the response to impulses on all axes at once is the sum of the single responses."""
     shape = problem.tangent.shape
     rng = np.random.default_rng(1)
     given, wanted = {}, np.zeros(shape)
@@ -207,7 +207,7 @@ def _check_linear(law: LearningLaw, problem: LearningProblem, kernels: dict[str,
 def averaging(frequency: ArrayLike, servo_period: float, half_width: int, passes: int = 1, lead: float = 0.0) -> Complex:
     """Return H_M(w) of the average over 2 M + 1 samples, taken `passes` times, with a lead [s] of whole servo periods.
 
-    H_M = sin((2 M + 1) w T_s/2)/((2 M + 1) sin(w T_s/2)): 1 at w = 0, zero at multiples of 1/((2 M + 1) T_s), down to -0.217 between them.
+    H_M = sin((2 M + 1) w T_s/2)/((2 M + 1) sin(w T_s/2)): 1 at w = 0, 0 at multiples of 2 pi/((2 M + 1) T_s), down to -0.217 between them.
 
     >>> bool(abs(averaging([2 * np.pi / (23 * 1e-3)], 1e-3, 11)[0]) < 1e-15)
     True
@@ -242,7 +242,7 @@ class FrequencyLearning:
     ----------
     frequency : ndarray (n,) [rad/s]
     radius : ndarray (n,)
-        Spectral radius of the factor: growth per trial in the end.
+        Spectral radius of the factor: asymptotic growth per trial.
     norm : ndarray (n,)
         Its largest singular value: growth in one trial. Without coupling the two are equal.
     worst_radius, worst_norm : (frequency [rad/s], factor)
@@ -257,7 +257,7 @@ class FrequencyLearning:
 
 
 def frequency_learning(loop: CoupledLoop, law: LearningLaw) -> FrequencyLearning:
-    """Return the factor of a trial over frequency, for each direction of the path at rest.
+    """Return the factor of a trial over frequency, the worst over all constant directions of the path.
 
     Parameters
     ----------
@@ -353,7 +353,7 @@ def learning_grid(loop: CoupledLoop, first: int, last: int) -> Array:
 
 
 def peak(function: Callable[[Array], Array], w: Array, values: Array) -> tuple[float, float]:
-    """Return place and value of the largest value of a function of frequency, refined on ever finer grids."""
+    """Return frequency and value of the maximum of a function, refined on ever finer grids."""
     for _ in range(4):
         i = int(np.argmax(values))
         w = np.linspace(w[max(i - 1, 0)], w[min(i + 1, w.size - 1)], 17)

@@ -1,7 +1,7 @@
-"""Learning over a whole trial, with the turning normal: the operator from what is left to learn to what is left one trial later.
+"""Learning over a whole trial, with the turning normal: the operator that maps a table's deviation from its limit to the next trial's.
 
-Its largest singular value bounds how much worse one trial can make matters; its spectral radius says where trials end. Neither needs a
-matrix: the operator is the trial itself, run on tables, and its transpose.
+Its largest singular value bounds the growth of the error in one trial; its spectral radius decides convergence. Both are computed without
+a matrix, by applying the trial and its transpose to tables.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from contourlab.components.learning.law import LearningLaw, TrialRecord
 from contourlab.errors import ComponentError
 
 WIDEST = 400
-"""Longest reach of a law, in samples, whose behaviour at the ends is exact; a wider law sees zeros beyond the ends."""
+"""Longest kernel of a law [samples] that is exact at the ends of a trial; with a longer one the law sees zeros beyond the ends."""
 TOLERANCE = 1e-4
 TRIALS = 40
 LONG = 4000
-"""Entries of a table beyond which repeated trials give the radius better than Arnoldi's method."""
+"""Entries of a table above which repeated trials give the radius better than Arnoldi's method."""
 
 
 SHORT = 1000
@@ -46,7 +46,7 @@ class LiftedLearning:
         Largest singular value: below 1 every trial reduces any error; nan for a law that learns through a model, whose transpose is
         unknown.
     singular_values : ndarray (n,) or None
-        Falling; None for a table of more than `SHORT` entries.
+        In falling order; None for a table of more than `SHORT` entries.
     """
 
     radius: float
@@ -109,7 +109,7 @@ class TrialOperator:
         """Return the largest singular value by Golub and Kahan's bidiagonalisation: a close lower bound after some tens of steps."""
         u = np.random.default_rng(1).normal(size=self.shape)
         u = u / np.linalg.norm(u)
-        # Kept orthogonal to all before, or the largest value repeats.
+        # Orthogonalised against all earlier vectors, or the largest value repeats.
         lefts: list[Array] = []
         rights: list[Array] = [u]
         columns: list[tuple[float, float]] = []
@@ -146,7 +146,7 @@ class TrialOperator:
             return self.growth(start.reshape(self.shape))
 
     def growth(self, start: Array, trials: int = TRIALS) -> float:
-        """Return the mean factor of a trial over the last third of many."""
+        """Return the mean growth factor per trial over the last third of `trials`."""
         u, sizes = start, []
         for _ in range(trials):
             u = self(u)
@@ -161,7 +161,7 @@ class TrialOperator:
 
 
 def _apart(vector: Array, others: list[Array]) -> Array:
-    """Return the part of a vector at right angles to unit vectors."""
+    """Return the part of a vector that is orthogonal to unit vectors."""
     for other in others:
         vector = vector - float(np.vdot(other, vector)) * other
     return vector
@@ -181,7 +181,7 @@ class _Banded:
 
 
 def _band(law: LearningLaw, problem: Any, kernels: LawKernels, name: str) -> Any:
-    """Return the matrix of one input of a law, by combs of impulses whose answers do not overlap; None for zero."""
+    """Return the matrix of one input of a law, from combs of impulses whose responses do not overlap; None for zero."""
     from scipy.sparse import coo_matrix
 
     if not kernels.kernels[name].any():
@@ -205,7 +205,7 @@ def _band(law: LearningLaw, problem: Any, kernels: LawKernels, name: str) -> Any
 
 
 class _Wide:
-    """A law of long reach as convolutions, with zeros beyond the ends of a trial."""
+    """A law with long kernels as convolutions, with zeros beyond the ends of a trial."""
 
     def __init__(self, kernels: LawKernels, n_sample: int) -> None:
         from scipy.fft import next_fast_len, rfft

@@ -1,9 +1,9 @@
-"""The contour error with cross-coupling over that without (eq 22), its margins over all directions, and internal stability.
+"""Contour error transfer function (contour error with cross-coupling over that without, eq 22), its margins, and internal stability.
 
-A machine multiplies the contour error by 1/(1 + L), L = C_cc P_e and P_e = sum n_i^2 P_i/(1 + P_i C_i): a mean of the axes' own responses
-with weights n_i^2, the direction of the normal. Over all directions L fills, at each frequency, the convex hull of the axes' own
-C_cc P_i/(1 + P_i C_i). The distance of that polygon from -1 is the worst over all directions. With three axes and more the loop is a matrix
-whose numerical range lies in the same polygon: the distance then bounds the smallest singular value of 1 + L from below.
+Cross-coupling multiplies the contour error by 1/(1 + L), with L = C_cc P_e and P_e = sum n_i^2 P_i/(1 + P_i C_i), a mean of the axes'
+responses weighted by n_i^2 of the normal. Over all directions L fills, at each frequency, the convex hull of C_cc P_i/(1 + P_i C_i). The
+distance of that polygon from -1 is the smallest over all directions. With three or more axes the loop is a matrix whose numerical range
+lies in the same polygon: the distance then bounds the smallest singular value of 1 + L from below.
 
 References
 ----------
@@ -30,14 +30,14 @@ from contourlab.feed import Reference
 from contourlab.loop.machine import Controller, Machine
 
 LEFT_STANDING = 1e-7
-"""Distance from 1 of a pole that neither grows nor decays."""
+"""Distance from 1 within which a pole counts as a constant state."""
 TOUCHING = 1e-6
-"""Distance of the polygon from -1 that counts as none: the accuracy of the search over frequency."""
+"""Distance of the polygon from -1 that counts as zero: the accuracy of the search over frequency."""
 
 
 @dataclass(frozen=True)
 class ContourMargins:
-    """Margins of the coupling over all directions of the path, each at rest; nan for an unstable loop.
+    """Margins of the coupling over all constant directions of the path; nan for an unstable loop.
 
     A direction is a unit vector over the axes, up to the signs of its entries: the normal for cross-coupling, the tangent for a modified
     reference.
@@ -99,7 +99,7 @@ class ContourTransfer:
         return np.asarray(self.strength * self.loop.coupling(frequency)[:, None] * pushed)
 
     def loop_gain(self, frequency: ArrayLike, direction: ArrayLike) -> Complex:
-        """Return L (n,) with a direction (n_axis,), the normal of the path, at rest; for a modified reference the tangent."""
+        """Return L (n,) for a constant direction (n_axis,): the normal of the path, or the tangent for a modified reference."""
         return np.asarray(self.vertices(frequency) @ self._weights(direction))
 
     def distance(self, frequency: ArrayLike) -> Array:
@@ -134,7 +134,7 @@ class ContourTransfer:
 
     @cached_property
     def stable(self) -> bool:
-        """Whether the machine is stable with any direction at rest.
+        """Whether the machine is stable in every constant direction.
 
         If one direction is stable and no polygon contains -1, no pole can leave the unit circle on the way to any other direction.
         """
@@ -154,7 +154,7 @@ class ContourTransfer:
 
 
 def _settles(poles: Complex) -> bool:
-    """Return whether all poles lie inside the unit circle, apart from those at 1: integrals of axes and coupling share one sum."""
+    """Return whether all poles lie inside the unit circle, except poles at 1: only the sum of the axes' and coupling's integrals acts."""
     return bool(np.abs(poles[np.abs(poles - 1.0) > LEFT_STANDING]).max(initial=0.0) < 1.0)
 
 
@@ -168,7 +168,7 @@ def contour_transfer(machine: Machine, controller: Controller, *, strength: floa
     Parameters
     ----------
     machine, controller
-        Limits, friction and quantisation are left out; all else is linear.
+        Limits, friction and quantisation are left out; all else must be linear.
     strength : float, > 0
         |C|^2, squared length of the coupling gains, a factor on the loop gain: 1 for the unit normal. For Koren and Lo's variable gains,
         C = n + e/(2 rho), use their largest value, (1 + e_max/(2 rho_min))^2 for tracking errors up to e_max and curvature radii from
@@ -191,7 +191,7 @@ def contour_transfer(machine: Machine, controller: Controller, *, strength: floa
 def contour_margins(machine: Machine, controller: Controller, *, strength: float = 1.0) -> ContourMargins:
     """Return gain, phase and modulus margin of the coupling over all directions of the path; see `contour_transfer`.
 
-    Each direction is at rest; for the turning path see `internal_stability`.
+    Each direction is constant; for a turning path see `internal_stability`.
     """
     return contour_transfer(machine, controller, strength=strength).margins()
 
@@ -205,10 +205,10 @@ class InternalStability:
     axes : dict of str to bool
         Each axis alone under its own controller.
     directions : ContourMargins or None
-        The coupling with the direction of the path at rest, over all directions; None without a coupling.
+        The coupling over all constant directions of the path; None without a coupling.
     lap : float
         Largest multiplier of a small error over one lap of a closed path, with the turning normal: below 1 it decays; nan without a
-        closed path. States at rest are left out.
+        closed path. Constant states are left out.
     """
 
     axes: dict[str, bool]
@@ -217,7 +217,7 @@ class InternalStability:
 
     @property
     def stable(self) -> bool:
-        """Whether every step found stability."""
+        """Whether every step shows stability."""
         frozen = self.directions is None or self.directions.stable
         return all(self.axes.values()) and frozen and not self.lap >= 1.0
 
@@ -247,15 +247,15 @@ class InternalStability:
 def internal_stability(machine: Machine, controller: Controller, reference: Reference | None = None) -> InternalStability:
     """Return whether coupled axes are internally stable.
 
-    By the theorem of Yeh and Hsu the machine is internally stable if each axis is, and (C_cc, P_e) is for every normal. That holds for
-    normals at rest; for turning normals the product of the ticks of a lap decides.
+    By the theorem of Yeh and Hsu the machine is internally stable if each axis is stable, and the loop (C_cc, P_e) for every normal. That
+    holds for constant normals; for turning normals the product of the tick matrices of a lap decides.
 
     Parameters
     ----------
     machine, controller
-        Limits, friction and quantisation are left out; all else is linear.
+        Limits, friction and quantisation are left out; all else must be linear.
     reference : Reference, optional
-        On a closed path with whole laps; the last lap counts.
+        On a closed path with whole laps; the last lap is analysed.
 
     Raises
     ------

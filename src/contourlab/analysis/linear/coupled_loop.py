@@ -1,6 +1,6 @@
-"""Axes and their coupling for small errors around the reference, from the very steps that run.
+"""Linear model of the axes and their coupling for small errors around the reference, computed from the steps that run.
 
-Each axis is closed by its own controller. Its inputs are additions to its command (the correction of a cross-coupling, a learned table) and
+Each axis forms a closed loop with its controller. Its inputs are additions to its command (cross-coupling correction, learned table) and
 shifts of its reference. The coupling is linearised for an error in one direction.
 """
 
@@ -24,19 +24,19 @@ from contourlab.loop.machine import Controller, Machine
 from contourlab.primitives import Clock
 
 NEGLIGIBLE = 1e-13
-"""Part of the largest value at which an impulse response has decayed."""
+"""Share of its largest value below which an impulse response has decayed."""
 LOOK = 512
-"""Samples over which it has to stay that small."""
+"""Samples for which it must stay that small."""
 
 
 @dataclass(frozen=True, eq=False)
 class AxisLink:
-    """One axis closed by its controller: x(k + 1) = A x(k) + b v(k) + r m(k), with additions v to its command and m to its reference.
+    """The closed loop of one axis: x(k + 1) = A x(k) + b v(k) + r m(k), where v is added to its command and m to its reference.
 
     Attributes
     ----------
     loop : SampledLoop
-        The opened loop.
+        The open loop.
     a : ndarray (n, n)
     b, r : ndarray (n,)
         Inputs of v and m.
@@ -54,7 +54,7 @@ class AxisLink:
     command: Array
 
     def form(self, frequency: ArrayLike) -> Complex:
-        """Return position and command over added command and shift of the reference: (n, 2, 2)."""
+        """Return the responses (n, 2, 2) of position and command to an added command and a shift of the reference."""
         w = checked_frequency(frequency, self.loop.nyquist)
         response = self._form(np.exp(1j * w * self.loop.servo_period))
         response[:, 1] += self.command[-2:]
@@ -67,15 +67,15 @@ class AxisLink:
 
 @dataclass(frozen=True, eq=False)
 class CouplingModel:
-    """A coupling, linear in an error of one direction.
+    """A coupling, linearised for an error in one direction.
 
     Attributes
     ----------
     f, g, h, d : ndarray (m, m), (m,), (m,), float
-        q(k + 1) = F q + g eps, correction = h q + d eps: from the contour error, along the normal from the tool to the path, to the
-        correction along the same normal. All zero for a coupling that gives none.
+        q(k + 1) = F q + g eps, correction = h q + d eps: from the contour error eps, along the normal from the tool to the path, to the
+        correction along the same normal. All zero for a coupling without correction.
     weight : float
-        Part of the position along the path that the modified reference discards, lambda; 0 for a coupling without it.
+        lambda, the share of the position along the path that the modified reference discards; 0 without a modified reference.
     servo_period : float [s]
     """
 
@@ -99,7 +99,7 @@ class CouplingModel:
 
 @dataclass(frozen=True, eq=False)
 class LoopMatrices:
-    """One tick with the coupling cut out, over the axes' states and then the coupling's.
+    """One tick with the coupling removed; the states are those of the axes, then those of the coupling.
 
     Attributes
     ----------
@@ -107,12 +107,12 @@ class LoopMatrices:
         States of the axes.
     a : ndarray (n, n)
     pushed, referred : ndarray (n, n_axis)
-        What is added to commands, and to references.
+        Inputs added to the commands, and to the references.
     position, command : ndarray (n_axis, n)
     command_pushed, command_referred : ndarray (n_axis,)
-        Commands over what is added at the same tick.
+        Direct feedthrough of these inputs to the commands.
     coupling_in, coupling_out : ndarray (n, n_normal), (n_normal, n)
-        Contour errors to the coupling's states, and those to corrections.
+        From contour errors to the coupling's states, and from these states to corrections.
     """
 
     n_axis_state: int
@@ -150,11 +150,11 @@ class CoupledLoop:
         return float(np.pi / self.servo_period)
 
     def frequencies(self, n: int = 300) -> Array:
-        """Return frequencies (n,) [rad/s] for a picture, up to the Nyquist frequency."""
+        """Return frequencies (n,) [rad/s] for a plot, up to the Nyquist frequency."""
         return self.axes[0].loop.frequencies(n)
 
     def matrices(self, n_normal: int) -> LoopMatrices:
-        """Return one tick with the coupling cut out, for a path with some normals at each place."""
+        """Return the matrices of one tick with the coupling removed, for `n_normal` normals at each point of the path."""
         sizes = [len(axis.a) for axis in self.axes]
         n, total, m = len(sizes), sum(sizes), len(self.coupling.f) * n_normal
         a, pushed, referred = np.zeros((total + m, total + m)), np.zeros((total + m, n)), np.zeros((total + m, n))
@@ -173,7 +173,7 @@ class CoupledLoop:
         return LoopMatrices(total, a, pushed, referred, position, command, direct[:, 0], direct[:, 1], coupling_in, coupling_out)
 
     def matrix(self, normals: Array) -> Array:
-        """Return the matrix of a tick with the normals (n_axis, n_normal) at rest: the axes' states, then the coupling's."""
+        """Return the matrix of a tick for constant normals (n_axis, n_normal); the states are those of `matrices`."""
         made = self.matrices(normals.shape[1])
         a, n = made.a, made.n_axis_state
         pushed, referred, positions, in_, out = (
@@ -187,12 +187,12 @@ class CoupledLoop:
         return a
 
     def poles(self, normals: Array) -> Complex:
-        """Return the poles of the machine with the normals (n_axis, n_normal) standing still."""
+        """Return the poles of the machine for constant normals (n_axis, n_normal)."""
         return poles_of(self.matrix(normals))
 
 
 def coupled_loop(machine: Machine, controller: Controller) -> CoupledLoop:
-    """Return the machine for small errors, without friction, disturbance, quantisation, limits and feedforward.
+    """Return the linear model of a machine for small errors, without friction, disturbance, quantisation, limits and feedforward.
 
     Reactions between axes that carry each other are left out.
 
@@ -207,15 +207,15 @@ def coupled_loop(machine: Machine, controller: Controller) -> CoupledLoop:
 
 
 def axis_link(machine: Machine, controller: Controller, name: str) -> AxisLink:
-    """Return one axis of a machine, closed by its controller, without feedforward: it is no part of a loop."""
+    """Return the closed loop of one axis, without feedforward, which is not part of the loop."""
     alone = replace(controller.axes[name], feedforward=None)
     return link_of(sampled_loop(machine.axis(name), alone, machine.servo_period, machine.carried_mass(name)))
 
 
 def link_of(loop: SampledLoop) -> AxisLink:
-    """Return a sampled loop, closed, with additions to its command and reference."""
+    """Close a sampled loop; the inputs are additions to its command and reference."""
     cut, c = loop.b[:, :2], loop.c
-    # The controller's command enters the drive at the same tick, and so do additions.
+    # The controller's command and additions enter the drive at the same tick.
     inner = np.linalg.inv(np.eye(2) - c @ cut)
     closed, driven = loop.closed
     pushed, referred = cut @ inner[:, 0], driven[:, 0]
@@ -229,14 +229,14 @@ def link_of(loop: SampledLoop) -> AxisLink:
 
 
 def impulse_responses(axes: Sequence[AxisLink], n_sample: int, target: str) -> Array:
-    """Return the positions of axes, each alone, after a unit impulse at sample 0 in the addition to command or reference.
+    """Return the position of each axis alone after a unit impulse at sample 0, added to its command or reference.
 
     Parameters
     ----------
     axes : sequence of AxisLink
-        The response of an unstable axis lasts to the end.
+        The response of an unstable axis has all `n_sample` samples.
     n_sample : int
-        Longest response.
+        Largest number of samples.
     target : {"command", "reference"}
 
     Returns
@@ -255,7 +255,7 @@ def _impulse_response(axis: AxisLink, n_sample: int, target: str) -> Array:
     for k in range(1, n_sample):
         response[k] = axis.position @ state
         state = axis.a @ state
-        # Over a stretch: one sample may pass zero, and a long delay precedes any response.
+        # Check many samples: one alone may be near zero, and a long delay may precede the response.
         if k % LOOK == 0:
             last = float(np.abs(response[k - LOOK : k + 1]).max())
             largest = max(largest, last)
@@ -265,17 +265,17 @@ def _impulse_response(axis: AxisLink, n_sample: int, target: str) -> Array:
 
 
 def _live(a: Array, b: Array, c: Array) -> Index:
-    """Return the states that inputs reach and outputs see; a state that only keeps itself is none of them."""
+    """Return the states that inputs reach and outputs read, without states that only keep their value."""
     return live_states((a != 0.0) & ~np.eye(len(a), dtype=bool), (b != 0.0).any(axis=1), (c != 0.0).any(axis=0))
 
 
 def coupling_model(coupling: Component | None, servo_period: float) -> CouplingModel:
-    """Return a coupling on an error in one direction; it is the same for any number of axes with that direction at rest.
+    """Return the model of a coupling for an error in one constant direction; it does not depend on the number of axes.
 
     Parameters
     ----------
     coupling : Component or None
-        Of the family coupling; None for none.
+        Of the family coupling; None gives a model of zeros.
     servo_period : float [s], > 0
 
     Raises
@@ -294,7 +294,7 @@ def coupling_model(coupling: Component | None, servo_period: float) -> CouplingM
         raise ComponentError(f"coupling {coupling.kind} is not linear in the contour error, so it has no frequency response")
     # Rows: next states, correction across, correction along, shift across, shift along; columns: states, position across, position along.
     across, along = -matrix[:, m], matrix[:, m + 1]
-    # The form: a correction across from the error across, a shift along from the position along; all else has to be zero.
+    # Allowed: a correction across from the error across, and a shift along from the position along. All else must be zero.
     form = np.zeros(matrix.shape, dtype=bool)
     form[: m + 1, : m + 1] = form[m + 3, m + 1] = True
     form[:m, m + 1] = (matrix[:, :m] == 0.0).all(axis=0)
@@ -306,7 +306,7 @@ def coupling_model(coupling: Component | None, servo_period: float) -> CouplingM
 
 
 class _CouplingProbe:
-    """One tick of a coupling in the plane that travels along the first axis, from any state and any position of the tool."""
+    """Run one tick of a coupling in the plane, on a path along the first axis, from any state and tool position."""
 
     def __init__(self, coupling: Component, servo_period: float) -> None:
         limit = coupling.parameters.get("limit")
@@ -316,7 +316,7 @@ class _CouplingProbe:
         self.port = [name for port in self.step.states for name in [port.name] * port.rows]
         self.state_type = record(tuple(port.name for port in self.step.states))
         self.input_type = record(tuple(port.name for port in self.step.inputs))
-        # The first tick shows it the direction; the memory of that is no state of the loop.
+        # The first tick sets the direction; the state that stores it is not part of the loop.
         self.rest = np.zeros(len(self.port))
         self.rest = self._tick(self.rest, 0.0, 0.0)[: len(self.port)]
         self.own = [i for i, name in enumerate(self.port) if name != "tangent"]

@@ -1,6 +1,6 @@
-"""A machine whose controllers are divided between base and axes, for small errors: is it stable with its message links?
+"""Stability for small errors of a machine whose controllers are divided between base and axes by message links.
 
-The schedule is cut at the links: their outputs become inputs, their inputs outputs, and the rest is one linear map from tick to tick.
+The schedule is cut at the links: link outputs become inputs, link inputs become outputs, and the rest is one linear map from tick to tick.
 Message period, delay and hold enter exactly, as matrices, so that one map serves every period and delay. Links repeat after a number of
 ticks; the product over one repetition shows whether errors decay.
 """
@@ -62,14 +62,14 @@ def timing_of(link: Component | None, servo_period: float) -> LinkTiming:
 
 @dataclass(frozen=True, eq=False)
 class DividedLoop:
-    """The machine cut at its links: x(k + 1) = A x(k) + B r(k) and s(k) = C x(k) + E r(k), r being received and s sent.
+    """The machine cut at its links: x(k + 1) = A x(k) + B r(k) and s(k) = C x(k) + E r(k), with signals r received and s sent.
 
     Attributes
     ----------
     a : ndarray (n, n)
     b, c : ndarray (n, m), (m, n)
     e : ndarray (m, m)
-        Nilpotent: the reply within the tick of a message.
+        Nilpotent: the reply in the tick in which a message arrives.
     links : tuple of (str, str)
         Axis and direction, ``"down"`` or ``"up"``, of each signal that is part of the loop.
     """
@@ -81,19 +81,19 @@ class DividedLoop:
     links: tuple[tuple[str, str], ...]
 
     def growth(self, down: LinkTiming, up: LinkTiming) -> float:
-        """Return the factor per tick of the slowest decaying or fastest growing error; below 1 the machine is stable.
+        """Return the largest growth factor of an error per tick; below 1 the machine is stable.
 
         All axes have the same links.
 
         Raises
         ------
         ComponentError
-            If the two directions repeat together only after more than `LONGEST` ticks.
+            If the two directions repeat jointly only after more than `LONGEST` ticks.
         """
         return self.growth_of([down if way == "down" else up for _, way in self.links])
 
     def growth_of(self, timings: Sequence[LinkTiming]) -> float:
-        """Return the same with a timing for each of `links`."""
+        """Return the largest growth factor per tick, with a timing for each of `links`."""
         repeat = math.lcm(*(t.spacing for t in timings)) if timings else 1
         if repeat > LONGEST:
             raise ComponentError(f"the links repeat only after {repeat} ticks: choose periods with a smaller common multiple")
@@ -108,7 +108,7 @@ class DividedLoop:
         return float(np.abs(poles_of(product)).max(initial=0.0) ** (1.0 / repeat))
 
     def _tick(self, timings: Sequence[LinkTiming], fresh: tuple[bool, ...]) -> Array:
-        """Return the matrix of a tick on the states, the messages on their way signal by signal, and the last values received."""
+        """Return the matrix of a tick over the states, the messages in transit, signal by signal, and the last values received."""
         n, m = len(self.a), len(timings)
         first = np.cumsum([n, *(t.taken for t in timings)])
         held = int(first[-1])
@@ -141,7 +141,7 @@ def divided_loop(machine: Machine, controller: Controller, tangent: ArrayLike | 
     controller : Controller
         At least one axis has a link; the timing of links is ignored.
     tangent : array_like (n_axis,), optional
-        Direction of the path, at rest; by default the diagonal. It matters for coupled axes.
+        Constant direction of the path, the diagonal by default. It matters for coupled axes only.
 
     Raises
     ------
@@ -156,7 +156,7 @@ def divided_loop(machine: Machine, controller: Controller, tangent: ArrayLike | 
     t = np.ones(len(names)) if tangent is None else np.asarray(tangent, dtype=float)
     if t.shape != (len(names),) or not np.isfinite(t).all() or not t.any():
         raise ParameterError("tangent", f"{t.tolist()}", f"{len(names)} numbers, not all zero")
-    # The sine of half a turn leaves rounding, which would look nonlinear.
+    # Drop rounding, such as sin(pi), which would look nonlinear.
     t = np.where(np.abs(t) < 1e-9 * np.abs(t).max(), 0.0, t)
     path = Path([Line(tuple(np.zeros(len(names))), tuple(t / np.linalg.norm(t)))])
     axes = tuple(linear_axis(axis, machine.carried_mass(axis.name)) for axis in machine.axes)
@@ -192,7 +192,7 @@ def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
             sent.append(led(node.wires["sent"]))
         elif node.name != WATCH:
             wires = {port: led(wire) for port, wire in node.wires.items()}
-            # The place on the path does not matter: it is straight.
+            # The path is straight: the arc length does not matter.
             nodes.append(replace(node, wires={**wires, "arc_length": 0.0} if "arc_length" in wires else wires))
     externals = (*whole.externals, *(Port(f"received_{i}") for i in range(len(links))))
     whole_map = tick_map(Schedule(tuple(nodes), externals, whole.period, len(nodes)))
@@ -207,20 +207,20 @@ def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
         elif not wire.startswith("in."):  # the reference comes from outside the loop
             row = whole_map.row(wire)
             c[i], e[i] = whole_map.a[row], b[row]
-    # Signals from outside, such as the reference, are no part of the loop.
+    # External signals, such as the reference, are not part of the loop.
     kept = np.flatnonzero(c.any(axis=1) | e.any(axis=1))
     return DividedLoop(whole_map.a, b[:, kept], c[kept], e[np.ix_(kept, kept)], tuple(list(links.values())[i] for i in kept))
 
 
 def link_growth(machine: Machine, controller: Controller) -> float:
-    """Return the factor per tick of the slowest decaying or fastest growing error, with the links of the machine.
+    """Return the largest growth factor of an error per tick, with the links of the machine.
 
-    For coupled axes: the worst of a few directions of the path, along each axis and along the diagonal.
+    For coupled axes, return the largest over a few directions of the path: along each axis and along the diagonal.
 
     Raises
     ------
     ComponentError
-        If a component or link has no linear model, or the links repeat together too seldom.
+        If a component or link has no linear model, or the links repeat only after more than `LONGEST` ticks.
     """
     names, period = machine.axis_names, machine.servo_period
     directions = [*np.eye(len(names)), np.ones(len(names))] if controller.coupling is not None else [np.ones(len(names))]

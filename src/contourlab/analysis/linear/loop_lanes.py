@@ -1,8 +1,8 @@
-"""The loops of many controllers of one axis at once: what a search asks of every candidate.
+"""Sampled loops of many candidate controllers of one axis at once, for searches.
 
-`sampled_loop` takes tens of milliseconds for one loop, too long for ten thousand candidates. Here the ticks that show the linear map run in
-lanes, one variant in each. `sampled_loops` gives the loops themselves; `lane_loops` answers one question only: does the closed loop still
-hold when the command is multiplied by a factor, or turned by an angle?
+`sampled_loop` takes tens of milliseconds for one loop, too long for ten thousand candidates. Here the variants run in parallel lanes.
+`sampled_loops` returns the loops; `lane_loops` only tests whether the closed loop is stable with its command multiplied by a factor, or
+shifted in phase.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ GRID = 200
 
 
 class LaneLoops:
-    """Opened loops x(k + 1) = A x(k) + B u(k), y(k) = C x(k + 1), one for each variant; inputs and outputs are those that are cut.
+    """Open loops x(k + 1) = A x(k) + B u(k), y(k) = C x(k + 1), one for each variant, between the signals at the cuts.
 
     Attributes
     ----------
@@ -42,8 +42,8 @@ class LaneLoops:
     def radius(self, factor: complex) -> Array:
         """Return the largest magnitude of the closed loop's poles (n_variant,) with the command multiplied by a factor.
 
-        A complex factor of magnitude 1 turns the loop gain one way at positive frequencies and the other way at negative ones: the loop
-        holds if it bears both a lag and a lead of that angle.
+        A complex factor of magnitude 1 acts as a lag at positive frequencies and as a lead at negative ones, or the reverse: the loop is
+        stable only if it tolerates both.
         """
         turned = np.array([factor, 1.0]).real if np.isreal(factor) else np.array([factor, 1.0])
         b = self.b * turned
@@ -57,7 +57,7 @@ class LaneLoops:
 
 
 def margin_factors(gain: float, phase: float) -> tuple[complex, ...]:
-    """Return the factors under which a loop with these margins still holds.
+    """Return the factors under which a loop with these margins is stable.
 
     Parameters
     ----------
@@ -67,28 +67,28 @@ def margin_factors(gain: float, phase: float) -> tuple[complex, ...]:
 
     Notes
     -----
-    Only the ends of each range are tested; take the exact margins of a search's result. Factors of 1 are left out.
+    Only the ends of each range are tested: compute exact margins for the result of a search. A gain of 1 or a phase of 0 adds no factor.
     """
     turned = complex(np.exp(-1j * phase))
     return (1.0, *((gain,) if gain > 1.0 else ()), *((turned,) if phase > 0.0 else ()))
 
 
 def unstable_by(loops: LaneLoops, factors: Sequence[complex]) -> Array:
-    """Return how far (n_variant,) the largest pole over some factors lies outside the unit circle; negative where all hold."""
+    """Return how far (n_variant,) the largest pole over some factors lies outside the unit circle; negative where all are stable."""
     return np.asarray(np.max([loops.radius(factor) for factor in factors], axis=0) - 1.0)
 
 
 def lane_loops(
     axis: Axis, controller: AxisController, servo_period: float, carried_mass: float, overrides: Mapping[str, Array]
 ) -> LaneLoops:
-    """Return the opened loops of one axis under many sets of parameters.
+    """Return the open loops of one axis for many sets of parameters.
 
     Parameters
     ----------
     axis, controller, servo_period, carried_mass
-        As of `contourlab.analysis.linear.sampled_loop.sampled_loop`.
+        As in `contourlab.analysis.linear.sampled_loop.sampled_loop`.
     overrides : mapping of str to ndarray (n_variant,)
-        Values [SI] by dotted names; names without a part in the loop of this axis are ignored.
+        Values [SI] by dotted names; names outside the loop of this axis are ignored.
 
     Raises
     ------
@@ -106,7 +106,7 @@ def lane_loops(
     driven: Flags = np.asarray((b != 0.0).any(axis=(0, 2)))
     read: Flags = np.asarray(c.any(axis=0))
     kept = np.flatnonzero((moved.any(axis=1) | driven) & (moved.any(axis=0) | read))
-    # What is cut enters at the tick in which it leaves: a command that no past state moves is kept as well.
+    # A cut signal enters at the tick in which it leaves: keep a command even if no past state drives it.
     kept = kept[live_states((a[:, kept][:, :, kept] != 0.0).any(axis=0), driven[kept], read[kept])]
     return LaneLoops(a[:, kept][:, :, kept], b[:, kept], np.broadcast_to(c[:, kept], (len(a), 2, kept.size)))
 
@@ -119,9 +119,9 @@ def sampled_loops(
     Parameters
     ----------
     axis, controller, servo_period, carried_mass
-        As of `contourlab.analysis.linear.sampled_loop.sampled_loop`.
+        As in `contourlab.analysis.linear.sampled_loop.sampled_loop`.
     columns : mapping of str to ndarray (n_variant,)
-        Values [SI] by dotted names; names without a part in the loop of this axis are ignored.
+        Values [SI] by dotted names; names outside the loop of this axis are ignored.
 
     Raises
     ------
@@ -135,11 +135,11 @@ def sampled_loops(
 def _opened_lanes(
     axis: Axis, controller: AxisController, servo_period: float, columns: Mapping[str, Array], carried_mass: float
 ) -> tuple[Machine, Controller, Schedule, Array, Array]:
-    """Return the bare axis, its controller and opened schedule, and A (n_variant, n, n) and B (n_variant, n, n_external)."""
+    """Return the bare axis, its controller and open schedule, and A (n_variant, n, n) and B (n_variant, n, n_external)."""
     n = len(next(iter(columns.values()), (0.0,)))
     machine, bare = bare_axis(axis, controller, servo_period, carried_mass)
     known = parameter_names(machine, bare)
-    # The estimator of a coupling sees all axes; the loop of one axis has none.
+    # The loop of one axis has no estimator of the coupling.
     used = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name in known}
     schedule = opened_schedule(machine, bare, used)
     parts = [lane_matrices(schedule, LANES, first, jit_enabled()) for first in range(0, n if used else 1, LANES)]
@@ -150,9 +150,9 @@ def _opened_lanes(
 
 
 def rough_margins(loop: SampledLoop) -> Margins:
-    """Return margins read off a grid of frequencies, straight between its points: within a few tenths of a decibel and of a degree.
+    """Return margins by linear interpolation on a frequency grid, accurate to a few tenths of a decibel and of a degree.
 
-    Good enough to lead a search; check its result with `SampledLoop.margins`.
+    Good enough to guide a search; check its result with `SampledLoop.margins`.
     """
     if not loop.stable:
         return Margins(math.nan, math.nan, math.nan, math.nan, stable=False)

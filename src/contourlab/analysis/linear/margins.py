@@ -17,7 +17,7 @@ from contourlab.arrays import Array, Complex
 LoopGain = Callable[[Array], Complex]
 """Loop gain (n,), or loop gains (n, n_loop), at frequencies (n,) [rad/s]."""
 AROUND_A_POLE = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
-"""Frequencies about a pole, in its own widths."""
+"""Grid frequencies about a pole, in multiples of its width."""
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class Margins:
     Attributes
     ----------
     gain : float
-        Smallest factor > 1 at which the loop gain would reach -1; infinite if none in the frequency range.
+        Smallest factor > 1 at which the loop gain would reach -1; infinite if there is none in the frequency range.
     phase : float [rad]
         Smallest change of phase at a gain of 1 that would reach -1: positive for a lag, negative for a lead; infinite if the gain is
         never 1.
@@ -73,15 +73,15 @@ def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
 
 
 def _phases(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, float]]:
-    """Find where the gain is 1, and the angle from there to -1."""
-    with np.errstate(divide="ignore"):  # a loop without gain is nowhere 1
+    """Yield each frequency where the gain is 1, with the angle from there to -1."""
+    with np.errstate(divide="ignore"):  # a gain of 0 has no crossing
         size = np.log(np.abs(gain))
     for at in _zeros(lambda x: math.log(abs(_value(loop, x))), w, size):
         yield at, float(np.angle(-_value(loop, at)))
 
 
 def _factors(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, float]]:
-    """Find where the loop gain is real and negative, and the factor from there to -1."""
+    """Yield each frequency where the loop gain is real and negative, with the factor from there to -1."""
     crossings = _zeros(lambda x: _value(loop, x).imag, w, gain.imag)
     values = [(at, _value(loop, at)) for at in crossings]
     # At the Nyquist frequency a sampled loop is real: it meets the real axis without crossing it.
@@ -107,13 +107,13 @@ def nearest_approach(distance: Callable[[float], float], w: Array, values: Array
 
 
 def frequency_grid(servo_period: float, poles: Complex, n_delay: int) -> Array:
-    """Return frequencies [rad/s] up to Nyquist that no crossing of a loop gain slips through: dense over decades, delays and poles.
+    """Return frequencies [rad/s] up to Nyquist, dense enough over decades, delays and poles to miss no crossing of a loop gain.
 
     Parameters
     ----------
     servo_period : float [s]
     poles : ndarray (n_pole,) of complex
-        In the plane of z, of the open and closed loop.
+        Of the open and closed loop, in the z plane.
     n_delay : int
         Longest delay, in servo periods.
     """
@@ -125,7 +125,7 @@ def frequency_grid(servo_period: float, poles: Complex, n_delay: int) -> Array:
 
 
 def _zeros(function: Callable[[float], float], w: Array, values: Array) -> list[float]:
-    """Return the frequencies at which a function passes zero, known by its values on a grid."""
+    """Return the zero crossings of a function, bracketed by its values on a grid."""
     from scipy.optimize import brentq
 
     above = values > 0.0
@@ -138,7 +138,7 @@ def _value(loop: LoopGain, w: float) -> complex:
 
 
 SHARES = np.linspace(0.0, 1.0, 33)
-"""Places on an edge that are tried first; the worst is then refined between its neighbours."""
+"""Points on an edge to try first; the worst is then refined between its neighbours."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,7 +151,7 @@ class HullMargin:
 
     @classmethod
     def nearest(cls, value: float, frequency: float, vertices: Complex) -> HullMargin:
-        """Return the weights of the point nearest to -1 in the polygon with some vertices (n,)."""
+        """Return a margin with the weights of the point nearest to -1 in the polygon of `vertices` (n,)."""
         from scipy.optimize import nnls
 
         # A heavy weight holds the sum at 1 to rounding.
@@ -174,7 +174,7 @@ def hull_modulus(vertices: Complex) -> Array:
         for j in range(i + 1, n):
             side = to[:, j] - to[:, i]
             square = np.abs(side) ** 2
-            # The foot of -1 on the edge, held to its ends.
+            # The foot of -1 on the edge, limited to its ends.
             share = np.clip(-(to[:, i] * side.conj()).real / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
             best = np.minimum(best, np.abs(to[:, i] + share * side))
     if n > 2:
@@ -194,9 +194,9 @@ def edge_margins(loops: LoopGain, frequency: Array, pairs: Sequence[tuple[int, i
     loops : callable
         Gives the loop gains (n, n_loop) at frequencies (n,) [rad/s].
     frequency : ndarray (n,) [rad/s]
-        Where to look, rising and fine enough for each of the loops.
+        Search grid, rising and fine enough for each of the loops.
     pairs : sequence of (int, int)
-        The edges; with none there is one loop.
+        The edges; empty for one loop.
     """
     values = loops(frequency)
     n, scale = values.shape[1], float(np.abs(values).max(initial=1.0))
@@ -213,7 +213,7 @@ def edge_margins(loops: LoopGain, frequency: Array, pairs: Sequence[tuple[int, i
 
 
 def _rough(gain: Complex) -> tuple[float, float]:
-    """Return phase and gain margin of a loop from its values alone, straight between neighbours; infinite where there is none."""
+    """Return phase and gain margin of a loop by linear interpolation of its grid values; infinite where there is none."""
     size = np.log(np.maximum(np.abs(gain), 1e-300))
     phase = factor = math.inf
     crossed = np.flatnonzero((size[1:] > 0.0) != (size[:-1] > 0.0))

@@ -1,7 +1,7 @@
-"""Linear servo axes that are swapped: the cost of a state feedback on each, its optimum, and gains split into base and local ones.
+"""Linear-quadratic state feedback for swapped servo axes: cost, optimum, and gains split into base and local ones.
 
-An axis a/(s (s + b)) is fed back from the integral of its position, its position and its velocity, u = -K x. The cost of a gain is
-J = tr P, the sum of the quadratic costs from each unit initial state.
+An axis a/(s (s + b)) has feedback u = -K x of the integral of its position, its position and its velocity. The cost of K is J = tr P, the
+sum of the quadratic costs from each unit initial state.
 """
 
 from __future__ import annotations
@@ -42,14 +42,14 @@ class LqWeights:
     Attributes
     ----------
     time_unit : float [s], > 0
-        Unit of scaled time, of the order of the loop's own time, so that the states are of similar size.
+        Unit of scaled time, about the loop's time constant, so that the states are of similar size.
     integral, position, velocity : float, >= 0
     command : float, > 0
 
     Notes
     -----
-    No weights are published for these axes. These give loops of about 2 Hz, and losses like those of the technical brief for the raw
-    drives and for those behind the observer.
+    No weights are published for these axes. The defaults give loops of about 2 Hz, and losses similar to those in the technical brief, for
+    drives with and without the observer.
     """
 
     time_unit: float = 0.1
@@ -74,9 +74,9 @@ class ModularDesign:
     ----------
     method : str
     local : tuple of str
-        Of `GAINS`: those with a value for each axis.
+        Names from `GAINS` with a separate value for each axis.
     gains : ndarray (n_axis, 3)
-        K of each, base and local together.
+        K of each axis, base and local entries together.
     ratio : ndarray (n_axis,)
         J/J*; infinite for an unstable loop.
     """
@@ -126,7 +126,7 @@ def direct_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), weights
     ----------
     axes : sequence of LinearAxis
     local : sequence of str
-        Of `GAINS`.
+        Names from `GAINS`.
     weights : LqWeights, optional
 
     Notes
@@ -137,7 +137,7 @@ def direct_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), weights
     References
     ----------
     Li, Kolmanovsky & Ulsoy, "Direct optimal design for component swapping modularity in control systems", IEEE/ASME Trans. Mechatronics 18
-    (2013): the method by name; the formula is ours.
+    (2013): the idea; the formula is ours.
     """
     from scipy.optimize import minimize
 
@@ -198,7 +198,7 @@ def three_step_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), wei
     ----------
     axes : sequence of LinearAxis
     local : sequence of str
-        Of `contourlab.analysis.linear.modular_design.GAINS`.
+        Names from `GAINS`.
     weights : LqWeights, optional
 
     Notes
@@ -209,7 +209,7 @@ def three_step_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), wei
 
     References
     ----------
-    Cakmakci & Ulsoy, IEEE/ASME Trans. Mechatronics 14 (2009) 307-316: the method by name; weight and norm are ours.
+    Cakmakci & Ulsoy, IEEE/ASME Trans. Mechatronics 14 (2009) 307-316: the idea; weight and norm are ours.
     """
     weights = weights or LqWeights()
     mask = checked_local(local)
@@ -247,7 +247,7 @@ def lmi_design(axes: Sequence[LinearAxis], weights: LqWeights | None = None) -> 
     ----------
     axes : sequence of LinearAxis
     weights : LqWeights, optional
-        The time unit scales states and time; in seconds the solvers fail on gains of some 1000.
+        The time unit scales states and time; with 1 s the solvers fail on gains of about 1000.
 
     Raises
     ------
@@ -293,13 +293,13 @@ def lmi_design(axes: Sequence[LinearAxis], weights: LqWeights | None = None) -> 
 
 
 def solved(problem: Any) -> bool:
-    """Let the solver try; return whether it left a proposal, perhaps an inaccurate one."""
+    """Run the solver; return whether it found a solution, possibly an inaccurate one."""
     import warnings
 
     cvxpy = extra_module("cvxpy")
     try:
         with warnings.catch_warnings():
-            # "Solution may be inaccurate": the caller checks every proposal.
+            # "Solution may be inaccurate": the caller checks every solution.
             warnings.simplefilter("ignore")
             problem.solve(solver="CLARABEL")
     except (cvxpy.error.SolverError, ArithmeticError, ValueError):

@@ -1,8 +1,8 @@
-"""One axis under its controller as it runs from tick to tick: poles, frequency response and margins of the sampled loop.
+"""Poles, frequency response and margins of the sampled loop of one axis.
 
 The schedule of the servo loop is built for the axis alone and cut where the command enters the drive and where the observer's estimate
-enters the controller. Each cut becomes an input. Every response then follows from one linear map, with the order of the nodes, the wires
-that are one tick late, the sampled filters, the hold and the delay of the drive as in a run.
+enters the controller. Each cut becomes an input. Every response then follows from one linear map, which has the node order, one-tick
+delays, sampled filters, hold and drive delay of a run.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from contourlab.loop.template import EXTERNALS, build
 
 @dataclass(frozen=True, eq=False)
 class AxisResponse:
-    """Complex responses (n_frequency,) of one axis; of a sampled loop, from samples to samples.
+    """Complex responses (n_frequency,) of one axis; for a sampled loop, between samples.
 
     Attributes
     ----------
@@ -39,13 +39,13 @@ class AxisResponse:
     closed_loop : ndarray
         Position over reference, feedforward included.
     modified : ndarray
-        Position over modified reference alone: what acts on position and integral, without feedforward of its derivatives.
+        Position over the modified reference alone, which acts on position and integral, without feedforward of its derivatives.
     loop_gain : ndarray
         The loop opened at the drive, sign such that -1 is the critical point.
     compliance : ndarray [m per force unit]
         Position over load; in a sampled loop the load is held over the servo period.
     compensated : ndarray [m/s per command unit]
-        Velocity over the command ahead of the observer: what the position loop sees.
+        Velocity over the command before the observer's correction: the plant that the position loop sees.
     """
 
     frequency: Array
@@ -57,13 +57,13 @@ class AxisResponse:
 
 
 LONGEST = 1000
-"""Longest delay [ticks]; beyond it the poles take longer than a run."""
+"""Longest delay [ticks]; beyond it the poles take longer to compute than a run."""
 INPUTS = ("in.command", "in.disturbance_estimate", *(f"in.{name}" for name in EXTERNALS), "in.load")
 
 
 @dataclass(frozen=True, eq=False)
 class SampledLoop:
-    """The opened loop, x(k + 1) = A x(k) + B u(k), y(k) = C x(k + 1).
+    """The open loop, x(k + 1) = A x(k) + B u(k), y(k) = C x(k + 1).
 
     Attributes
     ----------
@@ -72,7 +72,7 @@ class SampledLoop:
     b : ndarray (n, 6)
         Inputs: command that enters the drive, estimate that enters the controller, reference, its velocity and acceleration, load.
     c : ndarray (2, n)
-        Outputs: the controller's command, the observer's estimate (zero without an observer). Closed, they are the first two inputs.
+        Outputs: the controller's command, the observer's estimate (zero without an observer). They close the loop at the first two inputs.
     state : ndarray (2, n)
         Position and velocity at tick k, from x(k).
     """
@@ -92,13 +92,13 @@ class SampledLoop:
     def closed(self) -> tuple[Array, Array]:
         """A (n, n) and B (n, 4) of the closed loop, whose inputs are the reference, its derivatives, and the load."""
         cut, free = self.b[:, :2], self.b[:, 2:]
-        # What leaves the controllers at a tick enters at the same tick.
+        # The outputs of the controllers enter at the same tick.
         gain = cut @ np.linalg.solve(np.eye(2) - self.c @ cut, self.c)
         return self.a + gain @ self.a, free + gain @ free
 
     @cached_property
     def poles(self) -> Complex:
-        """Poles of the closed loop in the plane of z, without memories and states that nothing reads."""
+        """Poles of the closed loop in the z plane, without states that only store a value or that nothing reads."""
         return poles_of(self.closed[0])
 
     @property
@@ -107,12 +107,12 @@ class SampledLoop:
         return bool(np.abs(self.poles).max(initial=0.0) < 1.0)
 
     def frequencies(self, n: int = 300) -> Array:
-        """Return frequencies (n,) [rad/s] for a picture: from 0.1 Hz, or from the Nyquist frequency over 10 000, up to that frequency."""
+        """Return frequencies (n,) [rad/s] for a plot, from 0.1 Hz or 1e-4 of Nyquist, the lower of the two, up to the Nyquist frequency."""
         low = min(2.0 * math.pi * 0.1, 1e-4 * self.nyquist)
         return np.minimum(np.geomspace(low, self.nyquist, n), self.nyquist)
 
     def margins(self) -> Margins:
-        """Return the margins of the loop opened at the drive, looked for up to the Nyquist frequency."""
+        """Return the margins of the loop opened at the drive, up to the Nyquist frequency."""
         return margins(self.loop_gain, self._grid(), stable=self.stable)
 
     def loop_gain(self, frequency: ArrayLike) -> Complex:
@@ -151,7 +151,7 @@ class SampledLoop:
 
     @cached_property
     def _driven(self) -> DelayForm:
-        """Position over reference, its derivatives, and load, all closed."""
+        """Closed-loop responses of position to the reference, its derivatives, and the load."""
         return DelayForm(*self.closed, self.state[:1])
 
     @cached_property
@@ -162,7 +162,7 @@ class SampledLoop:
         """Return command, estimate, position and velocity over the two cut inputs: (n, 4, 2)."""
         z = np.exp(1j * w * self.servo_period)
         response = self._cut(z)
-        # What the controllers give at tick k stands in x(k + 1).
+        # The outputs of the controllers at tick k are in x(k + 1).
         response[:, :2] *= z[:, None, None]
         return response
 
@@ -172,7 +172,7 @@ class SampledLoop:
 
 
 def checked_frequency(frequency: ArrayLike, nyquist: float) -> Array:
-    """Return frequencies (n,) [rad/s], or refuse them if one is not above 0 and up to the Nyquist frequency."""
+    """Return frequencies (n,) [rad/s]; raise `ParameterError` unless all are above 0 and up to the Nyquist frequency."""
     w = np.atleast_1d(np.asarray(frequency, dtype=float))
     if not ((w > 0.0) & (w <= nyquist * (1.0 + 1e-9))).all():
         raise ParameterError("frequency", "an array", f"> 0 and up to the Nyquist frequency, {nyquist:g}", "rad/s")
@@ -180,14 +180,14 @@ def checked_frequency(frequency: ArrayLike, nyquist: float) -> Array:
 
 
 def _gain(opened: Complex) -> Complex:
-    """The command is cut, the estimate is not."""
+    """Return the loop gain: the command is cut, the estimate is not."""
     return np.asarray(-(opened[:, 0, 0] + opened[:, 0, 1] * opened[:, 1, 0]))
 
 
 def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> SampledLoop:
     """Return the sampled loop of an axis, without friction, disturbance, quantisation and limits.
 
-    The axis is alone: no coupling by the contour, no reaction of axes that carry each other, and no link between base and axis (see
+    The axis is alone: no cross-coupling, no reaction between axes that carry each other, and no link between base and axis (see
     `contourlab.analysis.linear.divided_loop`).
 
     Parameters
@@ -196,7 +196,7 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
     controller : AxisController
     servo_period : float [s], > 0
     carried_mass : float [kg]
-        Mass of the axes on this one.
+        Mass of the axes that this one carries.
 
     Raises
     ------
@@ -208,9 +208,9 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
 
 
 def bare_axis(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> tuple[Machine, Controller]:
-    """Return a machine of one axis and its controller, without nonlinear parts; arguments as of `sampled_loop`."""
+    """Return a machine of one axis and its controller, without nonlinear parts; parameters as in `sampled_loop`."""
     ahead = controller.feedforward
-    # Feedforward is no part of the loop; if linear, it counts in the response to the reference.
+    # Feedforward is not part of the loop; if linear, it is part of the response to the reference.
     ahead = ahead if ahead is not None and ahead.linearize() is not None else None
     # Under a supervisor the loop is that of the first controller, which is for contact.
     nonlinear = dict.fromkeys(("gap_observer", "compensation", "supervisor", "link"))
@@ -219,7 +219,7 @@ def bare_axis(axis: Axis, controller: AxisController, servo_period: float, carri
 
 
 def opened_schedule(machine: Machine, controller: Controller, columns: Mapping[str, Array] | None = None) -> Schedule:
-    """Return the schedule of a bare axis, opened; with `columns`, that of variants.
+    """Return the schedule of a bare axis with its loop cut open; with `columns`, for variants.
 
     Raises
     ------
@@ -234,7 +234,7 @@ def opened_schedule(machine: Machine, controller: Controller, columns: Mapping[s
 
 
 def loop_of(machine: Machine, controller: Controller, opened: TickMap) -> SampledLoop:
-    """Return the loop of a bare axis from the map of its opened schedule."""
+    """Return the loop of a bare axis from the map of its open schedule."""
     name = machine.axis_names[0]
     c, state = np.zeros((2, len(opened.a))), np.zeros((2, len(opened.a)))
     c[0, opened.row(f"{name}.controller.command")] = 1.0
@@ -245,7 +245,7 @@ def loop_of(machine: Machine, controller: Controller, opened: TickMap) -> Sample
 
 
 def _opened(name: str, whole: Schedule) -> Schedule:
-    """Cut the command ahead of the drive and the estimate ahead of the controller, and lead in a load."""
+    """Cut the command before the drive and the estimate before the controller, and add a load input."""
     cuts = {"drive": {"command": INPUTS[0]}, "controller": {"disturbance_estimate": INPUTS[1]}, "plant": {"load": INPUTS[-1]}}
     nodes = []
     for node in whole.nodes:

@@ -1,7 +1,7 @@
-"""The servo loop as one linear map from tick to tick, taken from the very steps that are simulated.
+"""The servo loop as one linear map from tick to tick, computed from the steps that run.
 
-Each state is moved by one unit in turn, and one tick runs. For linear components this gives the exact matrix of the sampled system, hold
-and delay included. Its eigenvalues are the poles of what runs, not of a continuous idealisation.
+Each state in turn is set to one, and one tick runs. For linear components this gives the exact matrix of the sampled system, hold and delay
+included. Its eigenvalues are the poles of the sampled loop, not of a continuous approximation.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class TickMap:
 
 
 class _Probe:
-    """One tick of `width` variants, run from any state under any inputs."""
+    """Run one tick of `width` variants from any state and inputs."""
 
     def __init__(self, schedule: Schedule, width: int = 1, first: int = 0, jit: bool = False) -> None:
         self.group = make_group(schedule, width, slice(first, first + width), jit)
@@ -63,7 +63,7 @@ class _Probe:
             start += len(part)
         self.group.tick = 0
         self.group.run(inputs[None, :], [])
-        # A ring is written round and round: rolled back by one, it reads the same at every tick.
+        # Roll ring buffers back by one, so that every tick reads the same entries.
         for ring in self.group.rings:
             ring[:] = np.roll(ring, -1, axis=0)
         return np.concatenate(self.parts)
@@ -71,7 +71,7 @@ class _Probe:
     def state_matrix(self) -> Array:
         """Return A (n, n, width)."""
         none, untouched = np.zeros(self.n_input), np.zeros_like(self.at_rest)
-        # Externals are written afresh at every tick: their rows leave nothing behind.
+        # Externals are overwritten at every tick: their old values have no effect.
         first = self.size - len(self.group.signals)
         externals = range(first, first + self.n_input)
         return np.stack([untouched if i in externals else self(unit, none) for i, unit in enumerate(np.eye(self.size))], axis=1)
@@ -87,7 +87,7 @@ class _Probe:
         return a, b
 
     def _check_linear(self, a: Array, b: Array) -> None:
-        """Two random points: a step that is not linear does not agree with A x + B u at both by chance."""
+        """Raise `ComponentError` unless the tick agrees with A x + B u at two random points."""
         rng = np.random.default_rng(1)
         for _ in range(2):
             x, u = rng.normal(size=self.size), rng.normal(size=self.n_input)
@@ -111,13 +111,13 @@ def tick_matrix(schedule: Schedule) -> Array:
     Parameters
     ----------
     schedule : Schedule
-        Linear steps, each run at every tick; constants that a step adds are taken out.
+        Linear steps, each run at every tick; constants that a step adds are subtracted.
     """
     return np.ascontiguousarray(_Probe(schedule).state_matrix()[:, :, 0])
 
 
 def tick_map(schedule: Schedule) -> TickMap:
-    """Return the map of states and externals to the next tick.
+    """Return the map from states and externals to the next tick.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ def tick_map(schedule: Schedule) -> TickMap:
 
 
 def lane_matrices(schedule: Schedule, width: int, first: int, jit: bool) -> tuple[Array, Array]:
-    """Return A (width, n, n) and B (width, n, n_external) of the variants from `first` on, probed side by side.
+    """Return A (width, n, n) and B (width, n, n_external) of the variants from `first` on, computed together.
 
     Raises
     ------
@@ -148,30 +148,31 @@ def lane_matrices(schedule: Schedule, width: int, first: int, jit: bool) -> tupl
 def spectral_radius(schedule: Schedule) -> float:
     """Return the largest magnitude of the poles of the sampled loop: below 1 it is stable.
 
-    Memories (a start position, what the watch noted) and sums that nothing reads (an integral without a gain) do not count.
+    States that only store a value (a start position, values of the watch) and sums that nothing reads (an integral without a gain) do not
+    count.
     """
     return float(np.abs(poles_of(tick_matrix(schedule))).max(initial=0.0))
 
 
 def poles_of(matrix: Array) -> Complex:
-    """Return the eigenvalues of a tick matrix that are part of the loop; some of those at zero, which end at once, are left out."""
+    """Return the eigenvalues of a tick matrix that belong to the loop; some eigenvalues at zero are left out."""
     moved = matrix != np.eye(len(matrix))
     kept = np.flatnonzero(moved.any(axis=1) & moved.any(axis=0))
     part = matrix[np.ix_(kept, kept)]
-    # States outside the loop add zeros only; without them fewer zeros stand in chains, where rounding grows.
+    # States outside the loop only add eigenvalues at zero, whose chains amplify rounding.
     live = live_states(part != 0.0)
     return np.asarray(np.linalg.eigvals(part[np.ix_(live, live)]), dtype=complex)
 
 
 def live_states(links: Flags, driven: Flags | bool = False, read: Flags | bool = False) -> Index:
-    """Return the states that something moves and something reads.
+    """Return the states that a state or input drives, and that a state or output reads.
 
     Parameters
     ----------
     links : ndarray (n, n) of bool
-        Whether the column's state moves the row's.
+        Whether the column's state drives the row's state.
     driven, read : ndarray (n,) of bool, optional
-        Whether an input moves a state, and whether an output reads it.
+        Whether an input drives a state, and whether an output reads it.
     """
     kept = np.arange(len(links))
     driven, read = np.broadcast_to(driven, len(links)), np.broadcast_to(read, len(links))
@@ -226,7 +227,7 @@ def _read(a: Array, c: Array) -> Index:
 
 
 def _chains(a: Array, b: Array) -> tuple[Index, Index]:
-    """Return for each state the one that it copies, and how many ticks late; itself and 0 for all others."""
+    """Return for each state the state that it copies and the delay in ticks; itself and 0 if it is not a copy."""
     n = len(a)
     before = np.argmax(a != 0.0, axis=1)
     passes = ((a != 0.0).sum(axis=1) == 1) & (a[np.arange(n), before] == 1.0) & ~b.any(axis=1)
@@ -235,14 +236,14 @@ def _chains(a: Array, b: Array) -> tuple[Index, Index]:
         at, ticks = i, 0
         while passes[at] and ticks < n:
             at, ticks = int(before[at]), ticks + 1
-        # A ring that copies only itself has no head: it stays.
+        # A closed ring of copies has no head: keep its states.
         if ticks < n:
             root[i], lag[i] = at, ticks
     return root, lag
 
 
 def _terms(rows: Array, place: Index, lag: Index, n: int) -> _Terms:
-    """Sort columns by their lag: rows x = sum of term_d z^-d x_heads."""
+    """Group columns by their lag: rows x = sum of term_d z^-d x_heads."""
     terms = []
     for ticks in np.unique(lag):
         term = np.zeros((len(rows), n))

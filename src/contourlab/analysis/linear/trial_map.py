@@ -1,6 +1,6 @@
 """A whole trial as a linear map, with the turning normal: forwards, transposed, and its monodromy matrix.
 
-The samples are cut into stretches that run side by side, first from rest, then from their true start. The transition matrix of each stretch
+The samples are cut into segments that run in parallel, first from rest, then from their true start. The transition matrix of each segment
 is computed once. A trial of 30 000 samples costs a few hundred small matrix products.
 """
 
@@ -106,7 +106,7 @@ class TrialMap:
 
     @cached_property
     def _passages(self) -> Array:
-        """Transition matrices of the stretches: (n_stretch, n, n)."""
+        """Transition matrices of the segments: (n_segment, n, n)."""
         n, count = len(self._made.a), self._frames.shape[1]
         state = np.tile(np.eye(n), (count, 1))
         none = np.zeros((count * n, self.n_axis))
@@ -158,7 +158,7 @@ class TrialMap:
         return self._cut(whole)
 
     def _cut(self, values: Array) -> Array:
-        """Return values as (sample of a stretch, stretch, ...)."""
+        """Return values as (sample of a segment, segment, ...)."""
         return np.ascontiguousarray(values.reshape(-1, self.length, *values.shape[1:]).swapaxes(0, 1))
 
     def _joined(self, values: Array) -> Array:

@@ -1,11 +1,11 @@
-"""Zero-phase-error tracking: the filter that leads a reference through the inverse of a closed loop.
+"""Zero-phase-error tracking: a filter that passes the reference through an inverse of the closed loop.
 
 The response of position to the reference is z^-d B(z^-1)/A(z^-1). B is split into B+, whose zeros can be cancelled, and B-, whose zeros
 lie outside the unit circle, or so near to it on the left that cancelling them would make the command ring. Then
 
     F(z) = A(z^-1) B-(z) z^d / (B+(z^-1) B-(1)^2)
 
-gives the position F(z) G(z) = B-(z) B-(z^-1)/B-(1)^2 over the reference: real at all frequencies, so without phase, and 1 at rest.
+gives position over reference F(z) G(z) = B-(z) B-(z^-1)/B-(1)^2, which is real at all frequencies, so without phase, and 1 at rest.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def zpetc_design(loop: SampledLoop, *, radius: float = 0.9) -> ZPETC:
     ------
     ComponentError
         If the loop is unstable, feeds derivatives of the reference forward, does not reach the reference at rest, has more zeros to cancel
-        than the component takes, or the relative error of its polynomials exceeds `RESIDUAL`.
+        than the component allows, or the relative error of its polynomials exceeds `RESIDUAL`.
     """
     if not loop.stable:
         raise ComponentError("the loop is unstable: no zero-phase filter can be made for it")
@@ -124,7 +124,7 @@ def _numerator(values: Complex, angle: Array, n: int) -> tuple[int, Array]:
 
     Its degree is far below n: the coefficients of high powers measure the rounding.
     """
-    # The points lie half a step off those of the transform: each power is turned by its own angle.
+    # The points are half a step off those of the transform: rotate each power to correct this.
     powers = np.real(np.exp(1j * angle[0] * np.arange(n)) * np.fft.ifft(np.concatenate([values, values[::-1].conj()])))
     largest = np.abs(powers).max()
     floor = max(10.0 * np.abs(powers[n // 2 :]).max(), 1e-13 * largest)

@@ -13,7 +13,7 @@ from contourlab.cli.output import silence
 
 def canon(
     file: Part,
-    as_json: Annotated[bool, typer.Option("--json", help='Print one JSON document, {"moves": [...]}, alone on standard output.')] = False,
+    as_json: Annotated[bool, typer.Option("--json", help='Print only one JSON document on standard output, {"moves": [...]}.')] = False,
     dialect: Dialect = "linuxcnc",
     block_delete: BlockDelete = False,
     tools: ToolTable = None,

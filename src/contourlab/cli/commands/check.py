@@ -17,8 +17,8 @@ def check(
     machine: Annotated[
         str | None,
         typer.Option(
-            help="Machine for cycle time and travel: a file, or the name of a shipped one. By default builtin:xyz; leaving its travel "
-            "is then no fault.",
+            help="Machine for cycle time and travel: a file, or the name of a shipped one. By default builtin:xyz; "
+            "moves beyond its travel are then not faults.",
             show_default=False,
         ),
     ] = None,

@@ -8,19 +8,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import (
-    Json,
-    Out,
-    Plots,
-    Plugins,
-    ScenarioFile,
-    Schemes,
-    Signals,
-    Trials,
-    WithInterval,
-    listed,
-    options_of,
-)
+from contourlab.cli.options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, WithInterval, listed, options_of
 from contourlab.cli.output import conclude
 
 
@@ -46,7 +34,7 @@ def compare(
         for_scenario = {"--schemes": schemes, "--trials": trials, "--signals": signals, "--interval": interval, "--plugin": plugin}
         for option, value in for_scenario.items():
             if value is not None:
-                raise typer.BadParameter("is for a scenario: leave it out where runs from files are compared", param_hint=option)
+                raise typer.BadParameter("applies to a scenario only: omit it when you compare runs from files", param_hint=option)
         runs = [str(file), *others]
         outcome = compare_runs(runs, out, plots=tuple(plots or ()), command=shlex.join(["contourlab", "compare", *runs]))
         return conclude(outcome, as_json)

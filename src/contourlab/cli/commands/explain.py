@@ -20,8 +20,9 @@ def explain(
     from contourlab.report.table import Column, Table, page_width, paragraphs
 
     entries = catalogue()
+    code = f"CL{code}" if code is not None and code.isdigit() else code
     if code is not None and code.upper() not in entries:
-        raise ParameterError("CODE", repr(code), "one of those that `contourlab explain` lists")
+        raise ParameterError("CODE", repr(code), "a code that `contourlab explain` lists")
     shown = list(entries.values()) if code is None else [entries[code.upper()]]
     if as_json:
         emit_json(shown)

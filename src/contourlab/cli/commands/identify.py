@@ -18,10 +18,10 @@ def identify(
     model: Annotated[str, typer.Option(help=MODEL)] = "rigid",
     axis: Annotated[str | None, typer.Option(help="The axis, if the log has several.", show_default=False)] = None,
     gain: Annotated[
-        str | None, typer.Option(help='Force per command, as "35 N/V", if the log has no force.', show_default=False)
+        str | None, typer.Option(help='Force per command, e.g. "35 N/V", if the log has no force.', show_default=False)
     ] = None,
     full_scale: Annotated[
-        str | None, typer.Option(help='Full scale of the command, as "10 V", if the force is unknown.', show_default=False)
+        str | None, typer.Option(help='Full scale of the command, e.g. "10 V", if the force is unknown.', show_default=False)
     ] = None,
     column: ColumnTexts = None,
     columns: ColumnFile = None,
@@ -29,21 +29,21 @@ def identify(
     period: SamplePeriod = None,
     cutoff: Annotated[str, typer.Option(help="rigid: cut-off of the low-pass, five times the loop's bandwidth.")] = "100 Hz",
     slowest: Annotated[
-        str | None, typer.Option(help='rigid: drop samples below this speed, as "1 mm/s".', show_default=False)
+        str | None, typer.Option(help='rigid: drop samples below this speed, e.g. "1 mm/s".', show_default=False)
     ] = None,
     decimation: Annotated[int, typer.Option(help="rigid: use every N-th sample.")] = 10,
     validation: Annotated[Path | None, typer.Option(help="rigid: a second log for validation.", show_default=False)] = None,
-    position_gain: Annotated[str | None, typer.Option(help='closed-loop: K_P, as "4 full_scale/mm".', show_default=False)] = None,
+    position_gain: Annotated[str | None, typer.Option(help='closed-loop: K_P, e.g. "4 full_scale/mm".', show_default=False)] = None,
     velocity_gain: Annotated[
-        str | None, typer.Option(help='closed-loop: K_V, as "0.1 full_scale*s/mm".', show_default=False)
+        str | None, typer.Option(help='closed-loop: K_V, e.g. "0.1 full_scale*s/mm".', show_default=False)
     ] = None,
     lead: Annotated[
         str | None,
-        typer.Option(help='Travel per turn, as "10 mm": converts torques to forces; two-inertia needs it.', show_default=False),
+        typer.Option(help='Travel per turn, e.g. "10 mm": converts torques to forces; two-inertia needs it.', show_default=False),
     ] = None,
     motor_inertia: Annotated[
         str | None,
-        typer.Option(help='two-inertia at the load: inertia of motor and screw, as "2 kg*cm^2"; for an axis file.', show_default=False),
+        typer.Option(help='two-inertia at the load: inertia of motor and screw, e.g. "2 kg*cm^2"; for an axis file.', show_default=False),
     ] = None,
     side: Annotated[str, typer.Option(help="two-inertia: where the position is measured, motor or load.")] = "motor",
     out: Annotated[Path | None, typer.Option(help="The axis file to write.", show_default=False)] = None,

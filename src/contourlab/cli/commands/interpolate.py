@@ -16,7 +16,7 @@ def interpolate(
     pitch: Annotated[str, typer.Option(help="Travel of one period of the signals.")] = "20um",
     resolution: Annotated[str, typer.Option(help="Travel of a count: the pitch divided by four times a whole number.")] = "25nm",
     columns: Annotated[
-        str | None, typer.Option(help="The two signals by name or number, the cosine first, as u1,u2.", show_default=False)
+        str | None, typer.Option(help="The two signals by name or number, the cosine first, e.g. u1,u2.", show_default=False)
     ] = None,
     reference: Annotated[
         str | None, typer.Option(help="Column with the true position; by default the one named reference.", show_default=False)

@@ -7,19 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import (
-    Json,
-    Out,
-    Plots,
-    Plugins,
-    ScenarioFile,
-    Schemes,
-    Signals,
-    Trials,
-    WithInterval,
-    listed,
-    options_of,
-)
+from contourlab.cli.options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, WithInterval, listed, options_of
 from contourlab.cli.output import conclude
 
 

@@ -15,18 +15,20 @@ def link(
     file: ScenarioFile,
     schemes: Schemes = None,
     division: Annotated[
-        str | None, typer.Option(help="What moves into the axis: drive, observer or controller; with commas.", show_default=False)
+        str | None, typer.Option(help="What moves into the axis, with commas: drive, observer, controller.", show_default=False)
     ] = None,
     ways: Annotated[str | None, typer.Option(help="Messages in both directions or in one: both or one.", show_default=False)] = None,
     vary: Annotated[
-        str | None, typer.Option(help="What to vary: message-period, delay, jitter, loss; by default all.", show_default=False)
+        str | None, typer.Option(help="What to vary, with commas: message-period, delay, jitter, loss; by default all.", show_default=False)
     ] = None,
-    axes: Annotated[str | None, typer.Option(help="Axes whose controllers are divided; by default all.", show_default=False)] = None,
+    axes: Annotated[
+        str | None, typer.Option(help="Axes whose controllers are divided, with commas; by default all.", show_default=False)
+    ] = None,
     figure: Annotated[str, typer.Option(help="Figure of the contour error: rms, max or integral.")] = "rms",
     within: Annotated[
         str | None, typer.Option(help="Allowed error above that of the undivided loop; by default 10 %.", show_default=False)
     ] = None,
-    tolerance: Annotated[str | None, typer.Option(help='Largest allowed error instead, as "15 um".', show_default=False)] = None,
+    tolerance: Annotated[str | None, typer.Option(help='Largest allowed error instead, e.g. "15 um".', show_default=False)] = None,
     message_period: Annotated[
         str | None, typer.Option(help="Message period while another quantity varies; by default the servo period.")
     ] = None,

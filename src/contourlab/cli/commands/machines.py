@@ -20,9 +20,9 @@ FOOT = (
 
 
 def machines(
-    name: Annotated[str | None, typer.Argument(metavar="NAME", help="A shipped file, as ghaffari/a3a1.", show_default=False)] = None,
+    name: Annotated[str | None, typer.Argument(metavar="NAME", help="A shipped file, e.g. ghaffari/a3a1.", show_default=False)] = None,
     copy: Annotated[
-        Path | None, typer.Option(help="Copy it into this folder, with the files that it names.", metavar="FOLDER", show_default=False)
+        Path | None, typer.Option(help="Copy it, and the files that it names, into this folder.", metavar="FOLDER", show_default=False)
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Overwrite existing files.")] = False,
     as_json: Json = False,
@@ -57,7 +57,7 @@ def machines(
 def _list(files: list[Shipped]) -> None:
     from contourlab.report.table import Column, Table, paragraphs
 
-    names, prose = ("what", "name", "axes"), ("what it is", "sources of its numbers")
+    names, prose = ("kind", "name", "axes"), ("description", "sources")
     table = Table([*(Column(head, left=True) for head in names), *(Column(head, prose=True) for head in prose)])
     for file in files:
         table.add(file.kind, file.name, ", ".join(file.axes), file.about, "; ".join(file.references))

@@ -14,21 +14,21 @@ from contourlab.cli.output import conclude
 
 def measure(
     log: Annotated[
-        Path, typer.Argument(metavar="LOG", help="A log: .mat, .csv, .parquet, .xml, .nc, text of a scope.", show_default=False)
+        Path, typer.Argument(metavar="LOG", help="A log: .mat, .csv, .parquet, .xml, .nc, or text from a scope.", show_default=False)
     ],
     reference: Annotated[
         str | None, typer.Option(help="Columns of the reference, separated by commas, or a part program.", show_default=False)
     ] = None,
     shift: Annotated[
         str | None,
-        typer.Option(help='Zero of the part in the log: "fit", or lengths as "10 mm, 5 mm".', show_default=False),
+        typer.Option(help='Zero of the part in the log: "fit", or lengths, e.g. "10 mm, 5 mm".', show_default=False),
     ] = None,
     column: ColumnTexts = None,
     columns: ColumnFile = None,
     format: LogFormat = None,  # noqa: A002
     period: SamplePeriod = None,
-    axes: Annotated[str | None, typer.Option(help="Axes of the contour, as x,y; by default all.", show_default=False)] = None,
-    tolerance: Annotated[str | None, typer.Option(help='Largest contour error that passes, as "25 um".', show_default=False)] = None,
+    axes: Annotated[str | None, typer.Option(help="Axes of the contour, e.g. x,y; by default all.", show_default=False)] = None,
+    tolerance: Annotated[str | None, typer.Option(help='Largest contour error that passes, e.g. "25 um".', show_default=False)] = None,
     out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,

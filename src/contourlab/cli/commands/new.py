@@ -53,7 +53,7 @@ def read_answers(file: Path) -> dict[str, str]:
     Raises
     ------
     ScenarioError
-        If the file cannot be read, or a value is no answer.
+        If the file cannot be read, or a value is not an answer.
     """
     import tomllib
 
@@ -62,7 +62,7 @@ def read_answers(file: Path) -> dict[str, str]:
     except OSError as error:
         raise ScenarioError(f"cannot be read: {error.strerror or error}", file=file) from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ScenarioError(f"is no TOML: {error}", file=file) from error
+        raise ScenarioError(f"is not valid TOML: {error}", file=file) from error
     return dict(_flat(content, "", file))
 
 
@@ -77,7 +77,7 @@ def _flat(content: Mapping[str, Any], prefix: str, file: Path) -> list[tuple[str
         elif isinstance(value, str | int | float) and not isinstance(value, bool):
             answers.append((key, str(value)))
         else:
-            raise ScenarioError(f"{value!r} is no answer: write text, or a number with its unit", file=file, key=key)
+            raise ScenarioError(f"{value!r} is not an answer: write text, or a number with its unit", file=file, key=key)
     return answers
 
 
@@ -93,7 +93,7 @@ def _asked() -> dict[str, str]:
 
 
 def _ask_all(asked: Sequence[Question], answers: dict[str, str]) -> None:
-    """Ask each question until the answer is valid; answers through a pipe have one try."""
+    """Ask each question until the answer is valid; through a pipe, once."""
     from contourlab.features.machines.new_machine import axis_names, read_answer
 
     for question in asked:
@@ -122,4 +122,4 @@ def _ask(question: Question) -> str:
     except EOFError:
         if sys.stdin.isatty():
             raise KeyboardInterrupt from None
-        raise ScenarioError("the answers end before this question", file="standard input", key=question.key) from None
+        raise ScenarioError("the input ends before this question: answer it too", file="standard input", key=question.key) from None

@@ -20,17 +20,18 @@ def refine(
         typer.Option(help='Parameter to refine: "axes.*.plant.damping" or "NAME=50 N..200 N"; repeatable.', show_default=False),
     ],
     also: Annotated[
-        list[str] | None, typer.Option(help="Scenario of the next log: the same machine under another controller.", show_default=False)
+        list[str] | None,
+        typer.Option(help="Scenario of the next log, with the same machine and another controller; repeatable.", show_default=False),
     ] = None,
     column: ColumnTexts = None,
     columns: ColumnFile = None,
     format: LogFormat = None,  # noqa: A002
     period: SamplePeriod = None,
     window: Annotated[
-        list[str] | None, typer.Option(help='Times to fit, as "0.8 s..1.6 s"; once for all logs, or for each.', show_default=False)
+        list[str] | None, typer.Option(help='Times to fit, e.g. "0.8 s..1.6 s"; once for all logs, or for each.', show_default=False)
     ] = None,
-    validation: Annotated[Path | None, typer.Option(help="Log that is not fitted, under the first scenario.", show_default=False)] = None,
-    starts: Annotated[int, typer.Option(help="Descents, from the scenario's values and from points around them.")] = 3,
+    validation: Annotated[Path | None, typer.Option(help="Log for validation, under the first scenario.", show_default=False)] = None,
+    starts: Annotated[int, typer.Option(help="Number of searches, from the scenario's values and from points around them.")] = 3,
     plugin: Plugins = None,
     machine: Annotated[
         Path | None,

@@ -17,14 +17,14 @@ def run(
     ],
     machine: Annotated[str | None, typer.Option(help="Machine: a file, or the name of a shipped one.")] = None,
     controller: Annotated[str | None, typer.Option(help="Controller: a file, or the name of a shipped one.")] = None,
-    tolerance: Annotated[str | None, typer.Option(help='Largest part error that passes, as "25 um"; a scenario has its own.')] = None,
+    tolerance: Annotated[str | None, typer.Option(help='Largest part error that passes, e.g. "25 um"; a scenario has its own.')] = None,
     fit: Annotated[bool, typer.Option("--fit", help="Scale and move a part program into the machine's travel.")] = False,
     block_delete: Annotated[bool, typer.Option("--block-delete", help="Skip lines of a part program that begin with /.")] = False,
     tools: Annotated[Path | None, typer.Option(help="LinuxCNC tool table, for G43 in a part program.", show_default=False)] = None,
     no_require_end: Annotated[
-        bool, typer.Option("--no-require-end", help="A part program without M2, M30 or % ends with its last line.")
+        bool, typer.Option("--no-require-end", help="Accept a part program without M2, M30 or %: its last line ends it.")
     ] = False,
-    dialect: Annotated[str | None, typer.Option(help="Of a part program: linuxcnc (the default), or grbl.")] = None,
+    dialect: Annotated[str | None, typer.Option(help="Dialect of a part program: linuxcnc (the default), or grbl.")] = None,
     out: Out = Path("results"),
     as_json: Json = False,
     check: Annotated[bool, typer.Option("--check", help="Read and check everything, simulate nothing.")] = False,

@@ -21,6 +21,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.machines.command import Shipped
     from contourlab.features.measure.summary import MeasuredSummary
     from contourlab.features.refine.command import Refinement
+    from contourlab.features.run.demo import Demo
     from contourlab.features.run.summary import Summary
     from contourlab.features.sensitivity.command import Sensitivity
     from contourlab.features.swap.result import SwapResult
@@ -35,7 +36,7 @@ def results() -> dict[str, Any]:
         "check": Checked,
         "compare": Summary | MeasuredSummary,
         "components": tuple[ComponentDescription, ...],
-        "demo": Summary,
+        "demo": Demo,
         "explain": tuple[Entry, ...],
         "identify": Identified,
         "interpolate": Interpolated,

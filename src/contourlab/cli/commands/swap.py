@@ -28,7 +28,7 @@ def swap(
     file: ScenarioFile,
     axis: Annotated[list[str], typer.Option(help="Axis to swap; repeat for more axes, each with its --with.", show_default=False)],
     others: Annotated[
-        list[str], typer.Option("--with", help="Files of the modules that may take its place, separated by commas.", show_default=False)
+        list[str], typer.Option("--with", help="Files of the modules that may replace it, separated by commas.", show_default=False)
     ],
     scheme: Annotated[str | None, typer.Option(help="Scheme of the scenario; by default its base.", show_default=False)] = None,
     objective: Annotated[
@@ -43,7 +43,7 @@ def swap(
     local: Annotated[
         list[str] | None,
         typer.Option(
-            help="Test these local parameters, separated by commas, without a search for them; repeat for more sets.", show_default=False
+            help="Test this set of local parameters, separated by commas, without a search; repeat for more sets.", show_default=False
         ),
     ] = None,
     exhaustive: Annotated[
@@ -65,11 +65,11 @@ def swap(
     region: Annotated[
         list[str] | None,
         typer.Option(
-            help="Range of a machine parameter for the coverage, as axes.x.plant.gain=LOW..HIGH; repeatable.", show_default=False
+            help="Range of a machine parameter for the coverage, e.g. axes.x.plant.gain=LOW..HIGH; repeatable.", show_default=False
         ),
     ] = None,
     tolerance: Annotated[
-        str | None, typer.Option(help='J that is good enough in the region, as "5 um*s"; by default a loss.', show_default=False)
+        str | None, typer.Option(help='Largest J accepted in the region, e.g. "5 um*s"; by default the loss decides.', show_default=False)
     ] = None,
     places: Annotated[
         int | None, typer.Option(help="Points of the region at which to search J*, a power of 2; by default 8.", show_default=False)
@@ -103,9 +103,9 @@ def swap(
     from contourlab.features.swap.command import SwapOptions, swap_scenario
 
     if len(axis) != len(others):
-        raise ParameterError("--axis", f"{len(axis)} of them", f"as many as --with: {len(others)}")
+        raise ParameterError("--axis", f"{len(axis)} given", f"given as often as --with, {len(others)}")
     if len(set(axis)) != len(axis):
-        raise ParameterError("--axis", ", ".join(axis), "given once for each axis, all its files under one --with")
+        raise ParameterError("--axis", ", ".join(axis), "given once for each axis, with all files of the axis in one --with")
     network = {"message_period": message_period, "delay": delay, "jitter": jitter, "loss": loss}
     options = SwapOptions(
         objective=objective,

@@ -14,9 +14,11 @@ from contourlab.cli.output import emit_json, say, wants_progress
 def tune(
     file: Annotated[str, typer.Argument(metavar="SCENARIO", help="A scenario (.toml), or a part program.", show_default=False)],
     scheme: Annotated[str | None, typer.Option(help="Scheme of the scenario; by default the scenario itself.", show_default=False)] = None,
-    machine: Annotated[str | None, typer.Option(help="Of a part program: file, or name of a shipped one.", show_default=False)] = None,
-    controller: Annotated[str | None, typer.Option(help="Of a part program: file, or name of a shipped one.", show_default=False)] = None,
-    tolerance: Annotated[str | None, typer.Option(help='Largest part error of a part program, as "25 um".', show_default=False)] = None,
+    machine: Annotated[str | None, typer.Option(help="Machine of a part program: a file, or a shipped name.", show_default=False)] = None,
+    controller: Annotated[
+        str | None, typer.Option(help="Controller of a part program: a file, or a shipped name.", show_default=False)
+    ] = None,
+    tolerance: Annotated[str | None, typer.Option(help='Largest part error of a part program, e.g. "25 um".', show_default=False)] = None,
     method: Annotated[str, typer.Option(help="sequential, global, or both.")] = "sequential",
     start: Annotated[str, typer.Option(help="scenario, or placed: poles as fast as the margins allow.")] = "scenario",
     objective: Annotated[str, typer.Option(help="integral, max, rms, tracking, energy; or a sum, integral=1,energy=0.1.")] = "integral",

@@ -1,1 +1,1 @@
-"""Backlash compensation: what is added to the reference or the command where the axis reverses."""
+"""Backlash compensation: additions to the reference or the command at reversals."""

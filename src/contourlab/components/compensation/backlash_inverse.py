@@ -1,4 +1,4 @@
-"""The inverse of backlash, with a given gap or one that it learns."""
+"""The inverse of backlash, with a given or a learned gap."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, fabs, maximum, minimum, select
 
-JUMP_VELOCITY = param(default=0.01, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="of the shift over the gap")
-DEAD_BAND = param(default=1e-6, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side pushed is held")
-LOAD_TIME_CONSTANT = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="load mass over viscous friction; 0: friction rules")
+JUMP_VELOCITY = param(default=0.01, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of the shift across the gap")
+DEAD_BAND = param(default=1e-6, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the pushed side is kept")
+LOAD_TIME_CONSTANT = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="load mass over viscous friction; 0: friction dominates")
 INITIAL_DIRECTION = param(default=0.0, minimum=-1.0, maximum=1.0, whole=True, doc="first side pushed: 1 forwards, -1 backwards, 0 unknown")
 
 
 class BacklashInverse(Component):
     """Shift of the reference by half the gap in the direction of motion: +b/2 forwards, -b/2 backwards, b the total gap.
 
-    Use it on an axis whose motor side is positioned: the load is half the gap behind the motor on the side pushed, so that r + b/2 or
+    Use it with position feedback from the motor side: the load is half the gap behind the motor on the pushed side, so that r + b/2 or
     r - b/2 at the motor puts the load at r. With feedback from the load side the gap would count twice.
 
     The shift keeps its sign at standstill. At a reversal it moves to the other side with `jump_velocity`, because no motor follows a jump:
@@ -29,15 +29,15 @@ class BacklashInverse(Component):
     moves, or at once if `initial_direction` gives the side of the load.
 
     The reference decides which side is pushed: the speed v + T a, T = `load_time_constant`, has the sign of the force c v + m a on a load
-    of mass m and viscous friction c, with T = m/c. The default T = 0 is for friction that outweighs inertia. Within `dead_band` the side
-    is held, so that noise at standstill has no effect.
+    of mass m and viscous friction c, with T = m/c. The default T = 0 is for friction that outweighs inertia. Within `dead_band` the side is
+    kept, so that noise at standstill has no effect.
 
     An observed gap replaces `backlash_gap` as soon as it is above zero.
 
     References
     ----------
-    G. Tao & P. V. Kokotovic, "Adaptive control of systems with backlash", Automatica 29(2), 1993, 323-335: the backlash inverse, here of
-    slope 1 and with its jump led over a ramp.
+    G. Tao & P. V. Kokotovic, "Adaptive control of systems with backlash", Automatica 29(2), 1993, 323-335: the backlash inverse, here with
+    slope 1 and a ramp in place of the jump.
     """
 
     family = "compensation"
@@ -48,7 +48,7 @@ class BacklashInverse(Component):
     inputs = (Port("reference_velocity"), Port("reference_acceleration"), Port("gap_estimate"))
     outputs = (Port("reference_shift"),)
 
-    backlash_gap: float = param(unit="m", minimum=0.0, maximum=0.1, display="um", doc="total free travel between motor and load, b")
+    backlash_gap: float = param(unit="m", minimum=0.0, maximum=0.1, display="um", doc="total gap between motor and load, b")
     jump_velocity: float = JUMP_VELOCITY
     dead_band: float = DEAD_BAND
     load_time_constant: float = LOAD_TIME_CONSTANT
@@ -65,35 +65,35 @@ class BacklashInverse(Component):
 
 
 COUNTED = 1.25
-"""Up to this times the largest gap the motor's way is counted, so that noise and small turns within the rest do not end a contact."""
+"""The motor's travel counts up to this times the largest gap, so that noise and small reversals within the excess do not end a contact."""
 
 
 class AdaptiveBacklashInverse(Component):
-    """Shift of the reference by half the gap in the direction of motion, as `backlash-inverse` gives it, with a gap that is learnt.
+    """Shift of the reference by half the gap in the direction of motion, as `backlash-inverse`, with a learned gap.
 
-    Where the motor pushes the load forwards, motor less load is c_r; backwards it is c_l; the gap is c_r - c_l, and what the two scales are
-    apart drops out. With the regressor phi = (1, 0) or (0, 1) of the side that is pushed and e = (motor - load) - phi.(c_r, c_l), the law
-    is the normalised gradient
+    Motor minus load position is c_r while the motor pushes the load forwards, and c_l while it pushes backwards. The gap is c_r - c_l; an
+    offset between the two scales cancels. With the regressor phi = (1, 0) or (0, 1) of the pushed side and e = (motor - load) - phi.(c_r,
+    c_l), the law is the normalised gradient
 
         (c_r, c_l) <- (c_r, c_l) + (1 - exp(-dt/T)) phi d(e)/(phi.phi),   then projected onto 0 <= c_r - c_l <= largest_gap,
 
-    with the dead zone d(e) = e - clip(e, -d0, d0), T the `adaptation_time` and phi.phi = 1. Each side closes in on its measured value as
-    exp(-t/T) during learning, to within d0, so that the gap ends within 2 d0 of its limit. It starts from
-    `backlash_gap`. Readings at rest, noise and drift within d0 change nothing.
+    with the dead zone d(e) = e - clip(e, -d0, d0), T the `adaptation_time` and phi.phi = 1. While learning, each side converges to its
+    measured value as exp(-t/T), to within d0; the gap thus to within 2 d0. It starts from `backlash_gap`. Readings at rest, and noise and
+    drift within d0, change nothing.
 
-    It learns only where contact is sure: the reference faster than `learning_velocity`, the motor driven by more than the largest gap
-    since it last turned, on the side that the reference pushes, and all this for `settling_time` already. What is learnt is lost motion at
-    speed: the gap, and twice the force on the load over the stiffness behind the motor. With T above the time of a stroke that is the mean
-    force, the friction; with less the braking at its end counts most.
+    It learns only in certain contact. For `settling_time` the reference must be faster than `learning_velocity`, and the motor must have
+    moved more than the largest gap since its last reversal, towards the side that the reference pushes. It learns lost motion at speed: the
+    gap plus twice the force on the load over the stiffness between them. With T longer than a stroke this is the mean force, the friction;
+    with a shorter T braking at the end of the stroke dominates.
 
-    The side pushed is that of `backlash-inverse`: give `load_time_constant` for a load with more inertia than friction, or it learns while
+    The pushed side is that of `backlash-inverse`. For a load with more inertia than friction set `load_time_constant`, or it learns while
     the load runs ahead of the motor.
 
     References
     ----------
     G. Tao & P. V. Kokotovic, "Adaptive control of systems with backlash", Automatica 29(2), 1993, 323-335: adaptive inverse with the
     crossings c_r and c_l as parameters, gradient law with normalisation, dead zone and projection; here with the error of the measured load
-    position instead of that of a plant's output.
+    position instead of a plant's output.
     """
 
     family = "compensation"
@@ -116,14 +116,14 @@ class AdaptiveBacklashInverse(Component):
     outputs = (Port("reference_shift"),)
     derived = ("weight",)
 
-    backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, maximum=0.1, display="um", doc="initial total free travel, b")
-    largest_gap: float = param(unit="m", minimum=0.0, exclusive=True, maximum=0.1, display="um", doc="what the gap cannot exceed")
+    backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, maximum=0.1, display="um", doc="initial total gap, b")
+    largest_gap: float = param(unit="m", minimum=0.0, exclusive=True, maximum=0.1, display="um", doc="upper bound of the gap")
     adaptation_time: float = param(default=0.5, unit="s", minimum=0.0, exclusive=True, doc="time in which an error falls to 1/e, T")
-    dead_zone: float = param(default=1e-7, unit="m", minimum=0.0, display="um", doc="error that teaches nothing, d0: a count of the scales")
+    dead_zone: float = param(default=1e-7, unit="m", minimum=0.0, display="um", doc="error that is ignored, d0: a count of the scales")
     learning_velocity: float = param(
-        default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of the reference below which nothing is learnt"
+        default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="reference speed below which nothing is learned"
     )
-    settling_time: float = param(default=0.02, unit="s", minimum=0.0, display="ms", doc="how long contact has to be sure first")
+    settling_time: float = param(default=0.02, unit="s", minimum=0.0, display="ms", doc="time of certain contact before it learns")
     jump_velocity: float = JUMP_VELOCITY
     dead_band: float = DEAD_BAND
     load_time_constant: float = LOAD_TIME_CONSTANT
@@ -147,7 +147,7 @@ class AdaptiveBacklashInverse(Component):
         moved = x.begun * (motor - x.motor)
         rise, fall = clip(x.rise + moved, 0.0, most), clip(x.fall - moved, 0.0, most)
         slowest = minimum(fabs(speed), fabs(inp.reference_velocity))
-        # The three conditions as numbers that are positive where they hold, so that the least of them says whether all do.
+        # Each condition is a number that is positive if it holds; the least of them decides.
         gone = select(side > 0.0, rise, fall) - par.largest_gap
         sure = minimum(minimum(gone, slowest - par.learning_velocity), inp.reference_velocity * side)
         unsure_at = select(sure > 0.0, x.unsure_at, clock.t)
@@ -160,8 +160,8 @@ class AdaptiveBacklashInverse(Component):
 
 
 def learnt(par: Any, x: Any, apart: float, side: float, learning: float) -> tuple[float, float, float]:
-    """Return c_r, c_l and whether they are known, after a tick in which motor less load is `apart`."""
-    # The first contact gives what the two scales are apart: one side as it is read, the other by the gap to begin with.
+    """Return c_r, c_l and whether they are known, after a tick; `apart` is motor minus load position."""
+    # The first contact sets the pushed side to the reading, the other side by the initial gap.
     first = learning * (1.0 - x.known)
     right = select(first > 0.0, apart + select(side > 0.0, 0.0, par.backlash_gap), x.right)
     left = select(first > 0.0, apart - select(side > 0.0, par.backlash_gap, 0.0), x.left)
@@ -169,6 +169,6 @@ def learnt(par: Any, x: Any, apart: float, side: float, learning: float) -> tupl
     rate = learning * par.weight
     right += rate * select(side > 0.0, of_right - clip(of_right, -par.dead_zone, par.dead_zone), 0.0)
     left += rate * select(side < 0.0, of_left - clip(of_left, -par.dead_zone, par.dead_zone), 0.0)
-    # The nearest pair inside the bounds.
+    # Projection onto the bounds.
     beyond = 0.5 * (right - left - clip(right - left, 0.0, par.largest_gap))
     return right - beyond, left + beyond, maximum(x.known, learning)

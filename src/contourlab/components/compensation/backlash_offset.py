@@ -1,4 +1,4 @@
-"""Backlash compensation as numerical controls have it: an offset of the command that changes over at a reversal."""
+"""Backlash compensation of numerical controls: a position offset that changes sign at a reversal."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from contourlab.engine.step import Port
 
 
 def offset_after(par: Any, x: Any, side: float, clock: Any) -> tuple[float, float]:
-    """Return offset and its speed one tick on, on the way to half the gap on a side."""
+    """Return offset and its speed after one tick towards half the gap on `side`."""
     rise = par.backlash_acceleration * clock.dt
     return limited_ramp(x.offset, x.offset_speed, 0.5 * par.backlash_gap * side, par.backlash_velocity, rise, clock.dt)
 
 
 class BacklashOffset(Component):
-    """Offset of +b/2 or -b/2 on the commanded position by its direction, led over with limits of velocity and acceleration.
+    """Offset of +b/2 or -b/2 on the commanded position by its direction, changed with limited velocity and acceleration.
 
-    The command is what has the direction: its sign changes where the velocity of the reference does, standstill passed over, and nothing is
-    measured. Before the first motion the offset is nil, as after a control is switched on. From one side to the other it takes
-    b/v + v/a where the velocity v is reached (b >= v^2/a), else 2 sqrt(b/a), to within a servo period or two.
+    The direction is the sign of the reference velocity; standstill keeps it, and nothing is measured. Before the first motion the offset is
+    zero, as after switch-on. The change from one side to the other takes b/v + v/a if the velocity v is reached (b >= v^2/a), else
+    2 sqrt(b/a), to within one or two servo periods.
 
-    LinuxCNC gives the offset half of the axis' own limits, so that the other half is left for the motion itself.
+    LinuxCNC gives the offset half of the axis limits and leaves the other half for the motion.
 
     References
     ----------
@@ -38,10 +38,10 @@ class BacklashOffset(Component):
     inputs = (Port("reference_velocity"),)
     outputs = (Port("reference_shift"),)
 
-    backlash_gap: float = param(unit="m", minimum=0.0, maximum=0.1, display="um", doc="total free travel between motor and load, b")
+    backlash_gap: float = param(unit="m", minimum=0.0, maximum=0.1, display="um", doc="total gap between motor and load, b")
     backlash_velocity: float = param(default=0.01, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="top speed of the offset")
     backlash_acceleration: float = param(default=2.0, unit="m/s^2", minimum=0.0, exclusive=True, doc="top acceleration of the offset, a")
-    reversal_velocity: float = param(default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side is held")
+    reversal_velocity: float = param(default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side is kept")
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

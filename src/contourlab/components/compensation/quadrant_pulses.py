@@ -19,10 +19,10 @@ SHAPES = ("rectangle", "decay")
 
 
 def slopes(par: Any) -> tuple[Any, ...]:
-    """Return the slope of the characteristic below a_1, that from a_2 to a_3, and where the latter begins."""
+    """Return the slopes of the characteristic below a_1 and from a_2 to a_3, and the start of the latter."""
     first, second, third = (np.asarray(a, dtype=float) for a in (par.acceleration_1, par.acceleration_2, par.acceleration_3))
     rise = np.where(first > 0.0, 1.0 / np.where(first > 0.0, first, 1.0), 0.0)
-    # Without an end there is no fall; between equal ends there is no line.
+    # An infinite a_3 gives no fall, equal a_2 and a_3 no line.
     line = np.isfinite(third) & (third > second)
     knee = np.where(line, second, 0.0)
     fall = np.where(line, (par.fast_ratio - 1.0) / (np.where(line, third, 1.0) - knee), 0.0)
@@ -30,22 +30,22 @@ def slopes(par: Any) -> tuple[Any, ...]:
 
 
 def check_characteristic(part: Any) -> None:
-    """Refuse a characteristic whose accelerations do not rise.
+    """Raise unless the accelerations of a characteristic ascend.
 
     Raises
     ------
     ParameterError
-        Naming the acceleration that is below the one before it.
+        With the acceleration that is below the one before it.
     """
     if math.isinf(part.acceleration_2) and not math.isinf(part.acceleration_3):
-        raise ParameterError("acceleration_2", "not given", "given where acceleration_3 is", "m/s^2")
+        raise ParameterError("acceleration_2", "not given", "given together with acceleration_3", "m/s^2")
     for low, high in (("acceleration_1", "acceleration_2"), ("acceleration_2", "acceleration_3")):
         if not getattr(part, low) <= getattr(part, high):
             raise ParameterError(high, f"{getattr(part, high):g}", f">= {low}, {getattr(part, low):g}", "m/s^2")
 
 
 def strength(par: Any, acceleration: float) -> float:
-    """Return the factor on all pulses for the acceleration at the reversal: the characteristic of four ranges."""
+    """Return the factor on all pulses for the acceleration at the reversal, by the characteristic."""
     a = fabs(acceleration)
     slow = select(a < par.acceleration_1, a * par.rise, 1.0)
     fast = select(a >= par.acceleration_3, par.fast_ratio, 1.0 + par.fall * (a - par.knee))
@@ -53,28 +53,28 @@ def strength(par: Any, acceleration: float) -> float:
 
 
 def rectangle(since: float, width: float, slack: float) -> float:
-    """Return 1 from 0 to `width`, else 0; both moments may be early by `slack`."""
+    """Return 1 from 0 to `width`, else 0; both edges may be early by `slack`."""
     return select(since >= -slack, select(since < width - slack, 1.0, 0.0), 0.0)
 
 
 def decay(since: float, width: float, slack: float) -> float:
-    """Return exp(-t/width) from 0 on, which may be early by `slack`; nothing before."""
+    """Return exp(-t/width) from 0 on, else 0; the start may be early by `slack`."""
     return select(since >= -slack, exp(-clip(since / width, 0.0, 1000.0)), 0.0)
 
 
 def pulse_states(par: Any, x: Any, side: float, acceleration: float, clock: Any) -> tuple[float, float]:
-    """Return when the last reversal was and how strong its pulses are; the strength is 0 as long as there was none."""
+    """Return time and pulse strength of the last reversal; the strength is 0 before the first one."""
     turned = x.side * side < 0.0
     return select(turned, clock.t, x.reversed_at), select(turned, strength(par, acceleration), x.strength)
 
 
 @cache
 def pulses_of(shape: str) -> Any:
-    """Return ``pulses(par, side, reversed_at, strength, clock) -> (command, shift)`` of a word of `SHAPES`."""
+    """Return ``pulses(par, side, reversed_at, strength, clock) -> (command, shift)`` for a shape of `SHAPES`."""
     form = {"rectangle": rectangle, "decay": decay}[shape]
 
     def pulses(par: Any, side: float, reversed_at: float, strength: float, clock: Any) -> tuple[float, float]:
-        # A moment that is a whole number of ticks but for rounding is met.
+        # The slack keeps rounding from moving an edge by a tick.
         since, slack = clock.t - reversed_at, 1e-6 * clock.dt
         first = form(since - par.first_delay, par.first_width, slack)
         second = form(since - par.second_delay, par.second_width, slack)
@@ -85,17 +85,17 @@ def pulses_of(shape: str) -> Any:
 
 
 class QuadrantPulses(Component):
-    """Pulses in the new direction of motion after each reversal of the reference, to get over static friction and lost motion.
+    """Pulses in the new direction of motion after each reversal of the reference, to overcome static friction and lost motion.
 
-    Stage 1 begins `first_delay` after the reversal and turns the friction of the motor's side over; stage 2 begins `second_delay` after the
-    reversal, for that of the machine behind the gap. With ``shape = "rectangle"`` a stage lasts its width; with ``"decay"`` it begins at
-    its amplitude and decays with its width as time constant. `position_pulse` puts stage 1 on the reference too: in a cascade with the
-    position gain K_v that is a pulse of velocity K_v times as large.
+    Stage 1 begins `first_delay` after the reversal, for friction on the motor side; stage 2 begins `second_delay` after the reversal, for
+    friction of the machine beyond the gap. With ``shape = "rectangle"`` a stage lasts its width; with ``"decay"`` it begins at its
+    amplitude and decays with its width as time constant. `position_pulse` also adds stage 1 to the reference: in a cascade with position
+    gain K_v this is a velocity pulse K_v times as large.
 
-    All amplitudes are multiplied by a factor of the acceleration |a| with which the axis reverses (v^2/r at the quadrants of a circle):
-    |a|/a_1 below a_1, 1 from a_1 to a_2, on a straight line to `fast_ratio` at a_3, and `fast_ratio` beyond. The defaults switch this off.
+    A factor multiplies all amplitudes. It depends on the acceleration |a| at the reversal (v^2/r at the quadrants of a circle): |a|/a_1
+    below a_1, 1 from a_1 to a_2, linear to `fast_ratio` at a_3, and `fast_ratio` beyond. By default it is 1.
 
-    The first motion is no reversal; standstill in between is passed over. A new reversal cuts the pulses of the last one off.
+    The first motion is not a reversal; standstill in between is ignored. A new reversal ends the pulses of the last one.
 
     References
     ----------
@@ -125,19 +125,19 @@ class QuadrantPulses(Component):
     outputs = (Port("reference_shift"), Port("command"))
     derived = ("rise", "fall", "knee")
 
-    first_amplitude: float = param(unit="{command}", minimum=-1e6, maximum=1e6, doc="of stage 1; positive pushes in the new direction")
+    first_amplitude: float = param(unit="{command}", minimum=-1e6, maximum=1e6, doc="amplitude of stage 1; positive: new direction")
     first_width: float = param(default=0.02, unit="s", minimum=0.0, exclusive=True, display="ms", doc="length or time constant of stage 1")
-    first_delay: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="from the reversal to stage 1")
-    second_amplitude: float = param(default=0.0, unit="{command}", minimum=-1e6, maximum=1e6, doc="of stage 2; positive: the new direction")
+    first_delay: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="delay from reversal to stage 1")
+    second_amplitude: float = param(default=0.0, unit="{command}", minimum=-1e6, maximum=1e6, doc="of stage 2; positive: new direction")
     second_width: float = param(default=0.02, unit="s", minimum=0.0, exclusive=True, display="ms", doc="length or time constant of stage 2")
-    second_delay: float = param(default=0.02, unit="s", minimum=0.0, display="ms", doc="from the reversal to stage 2")
+    second_delay: float = param(default=0.02, unit="s", minimum=0.0, display="ms", doc="delay from reversal to stage 2")
     position_pulse: float = param(default=0.0, unit="m", minimum=-0.01, maximum=0.01, display="um", doc="size of stage 1 on the reference")
     acceleration_1: float = param(default=0.0, unit="m/s^2", minimum=0.0, doc="acceleration up to which pulses grow, a_1")
-    acceleration_2: float = param(default=math.inf, unit="m/s^2", minimum=0.0, doc="acceleration up to which they stay, a_2")
-    acceleration_3: float = param(default=math.inf, unit="m/s^2", minimum=0.0, doc="acceleration from which they are `fast_ratio`, a_3")
-    fast_ratio: float = param(default=1.0, minimum=0.0, maximum=10.0, doc="size of pulses beyond a_3 over that from a_1 to a_2")
-    reversal_velocity: float = param(default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side is held")
-    shape: str = text_param(default="rectangle", choices=SHAPES, doc="whether a stage lasts its width or decays with it")
+    acceleration_2: float = param(default=math.inf, unit="m/s^2", minimum=0.0, doc="acceleration up to which pulses stay constant, a_2")
+    acceleration_3: float = param(default=math.inf, unit="m/s^2", minimum=0.0, doc="acceleration from which factor is `fast_ratio`, a_3")
+    fast_ratio: float = param(default=1.0, minimum=0.0, maximum=10.0, doc="pulse factor beyond a_3")
+    reversal_velocity: float = param(default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side is kept")
+    shape: str = text_param(default="rectangle", choices=SHAPES, doc="a stage lasts its width, or decays with it")
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
@@ -163,11 +163,11 @@ def _quadrant_pulses_step(shape: str) -> Any:
     return step
 
 
-class CncBacklash(Component):
+class CncBacklash(QuadrantPulses):
     """Backlash offset and two-stage quadrant pulses on one reversal of the command.
 
-    Shift and command are those of `backlash-offset` and `quadrant-pulses` with the same parameters, the shifts added up: an axis has one
-    slot for its compensation, and a control has both. The gap is made good by the offset, what friction does behind it by the pulses.
+    An axis has one slot for compensation, but a control has both. Parameters are those of `backlash-offset` and `quadrant-pulses`; the
+    shifts are added. The offset compensates the gap, the pulses the friction beyond it.
 
     References
     ----------
@@ -179,17 +179,7 @@ class CncBacklash(Component):
     reference = "numerical controls: backlash offset with quadrant error compensation"
     example = {**QuadrantPulses.example, **BacklashOffset.example}
     parameters = {**BacklashOffset.parameters, **QuadrantPulses.parameters}
-    states = (*QuadrantPulses.states, Port("offset"), Port("offset_speed"))
-    inputs = QuadrantPulses.inputs
-    outputs = QuadrantPulses.outputs
-    derived = QuadrantPulses.derived
-
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
-        check_characteristic(self)
-
-    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        return slopes(par)
+    states = (*QuadrantPulses.states, Port("offset"), Port("offset_speed"))  # type: ignore[assignment]
 
     def step_function(self) -> Any:
         return _cnc_backlash_step(str(self.values()["shape"]))

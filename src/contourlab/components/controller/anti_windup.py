@@ -1,4 +1,4 @@
-"""Anti-windup: what the integral of a controller does while the drive limits its command."""
+"""Anti-windup: treatment of the integral while the drive limits the command."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from contourlab.primitives import select
 ANTI_WINDUP = ("hold", "back-calculation", "none")
 """Values of the parameter `anti_windup`.
 
-"hold" stops the integral while the drive takes less than the command and the integral would ask for more. "back-calculation" feeds the
+"hold" stops the integral while the drive accepts less than the command and the integral would grow further. "back-calculation" feeds the
 excess back into the integral with the time constant `tracking_time` (Astrom & Hagglund, "Advanced PID Control", 2006, section 3.5), so that
-the integral is right when the limit is left. "none" lets it run on.
+the integral is right when the limit is left. "none" lets it continue.
 """
 
 TRACKING_TIME = param(default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t")
@@ -25,7 +25,7 @@ TRACKING_TIME = param(default=0.01, unit="s", minimum=0.0, exclusive=True, displ
 def integral_rise(kind: str) -> Any:
     """Return the rule ``rise(wanted, beyond, recovery)`` of an `ANTI_WINDUP` kind.
 
-    `wanted` is the rise of the integral in this tick without a limit, `beyond` the part of the last command that the drive did not take,
+    `wanted` is the rise of the integral in this tick without a limit, `beyond` the part of the last command that the drive did not accept,
     both in command units; `recovery` is the share of `beyond` fed back in a tick.
     """
 

@@ -1,4 +1,4 @@
-"""Cascades of a position and a velocity loop, as servo drives have them."""
+"""Cascades of a position and a velocity loop, as in servo drives."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from contourlab.primitives import clip
 
 @cache
 def cascade_step(anti_windup: str, over_load: bool = False) -> Any:
-    """Return the step of a cascade; `over_load` is that of `load-side-cascade`: position of the load, velocity of the motor, damping."""
+    """Return the step of a cascade; `over_load` selects `load-side-cascade`: load position, motor velocity, damping."""
     rise = integral_rise(anti_windup)
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -38,12 +38,12 @@ def cascade_step(anti_windup: str, over_load: bool = False) -> Any:
 
 
 class Cascade(Component):
-    """P-PI cascade: a proportional position loop that asks a PI velocity loop for a velocity.
+    """P-PI cascade: a proportional position loop around a PI velocity loop.
 
-    v_c = K_v (r - p) + w r_v, u = K (1 + 1/(T_i s)) (v_c - v) + k_a r_a + u_ff - d_hat, held within `command_limit`. Without velocity
+    v_c = K_v (r - p) + w r_v, u = K (1 + 1/(T_i s)) (v_c - v) + k_a r_a + u_ff - d_hat, limited to `command_limit`. Without velocity
     feedforward the axis lags by v/K_v at the speed v; with w = 1 and k_a the inverse of the model's acceleration per command, an axis
-    without damping follows its reference. The integral is kept in command units and summed by backward Euler; at a limit it is treated as
-    `contourlab.components.controller.anti_windup` says.
+    without damping follows its reference. The integral is in command units, by backward Euler; for limits see
+    `contourlab.components.controller.anti_windup`.
 
     References
     ----------
@@ -65,21 +65,21 @@ class Cascade(Component):
         "acceleration_feedforward": 0.5,
         "command_limit": 300.0,
     }
-    without_effect = ("tracking_time",)  # in the example, whose integral is held
+    without_effect = ("tracking_time",)  # the example holds the integral
     states = (Port("integral"), Port("last_command"))
     inputs: ClassVar[tuple[Port, ...]] = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
     outputs = (Port("command"),)
     derived = ("integral_rate", "recovery")
 
-    position_gain: float = param(unit="1/s", minimum=0.0, doc="velocity asked for per position error, K_v")
-    velocity_gain: float = param(unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="of the velocity loop, K")
-    integral_time: float = param(default=math.inf, unit="s", minimum=0.0, exclusive=True, display="ms", doc="of the velocity loop, T_i")
-    velocity_feedforward: float = param(default=1.0, minimum=0.0, maximum=2.0, doc="part of the reference's velocity asked for, w")
+    position_gain: float = param(unit="1/s", minimum=0.0, doc="velocity per position error, K_v")
+    velocity_gain: float = param(unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="gain of the velocity loop, K")
+    integral_time: float = param(default=math.inf, unit="s", minimum=0.0, exclusive=True, display="ms", doc="integral time, T_i")
+    velocity_feedforward: float = param(default=1.0, minimum=0.0, maximum=2.0, doc="part of the reference velocity fed forward, w")
     acceleration_feedforward: float = param(
-        default=0.0, unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="per reference acceleration, k_a"
+        default=0.0, unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="command per reference acceleration, k_a"
     )
     command_limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command (peak current)")
-    anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does at a limit")
+    anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="action of the integral at a limit")
     tracking_time: float = TRACKING_TIME
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
@@ -89,8 +89,8 @@ class Cascade(Component):
         return cascade_step(self.anti_windup, self.over_load)
 
     wishes = {
-        "bandwidth": param(unit="rad/s", minimum=0.0, exclusive=True, doc="of the velocity loop"),
-        "damping": param(default=1.0, minimum=0.0, exclusive=True, doc="of the velocity loop"),
+        "bandwidth": param(unit="rad/s", minimum=0.0, exclusive=True, doc="bandwidth of the velocity loop"),
+        "damping": param(default=1.0, minimum=0.0, exclusive=True, doc="damping ratio of the velocity loop"),
         "position_gain": param(default=math.inf, unit="1/s", minimum=0.0, exclusive=True, doc="K_v; a fifth of the bandwidth by default"),
     }
 
@@ -116,12 +116,12 @@ class Cascade(Component):
         model_damping : float [1/s], >= 0
             b, below 2 zeta w.
         position_gain : float [1/s], > 0
-            K_v; a fifth of the bandwidth where it is not given, far enough below that the loops hardly touch.
+            K_v; by default a fifth of the bandwidth, so that the loops hardly interact.
 
         Raises
         ------
         ParameterError
-            If an argument is out of range, or the axis is damped more than the poles asked for.
+            If an argument is out of range, or the axis has more damping than the desired poles.
 
         Notes
         -----
@@ -163,9 +163,9 @@ class Cascade(Component):
 class LoadSideCascade(Cascade):
     """P-PI cascade over the load: v_c = K_v (r - p_l) + w r_v, u = PI(v_c - v_m) - k_d (v_m - v_l) + k_a r_a + u_ff - d_hat.
 
-    The position loop closes over the load, so that the table reaches its reference despite backlash; the velocity loop over the
-    motor. Closed over a gap such a loop hunts: the position loop has to be slow enough, and k_d, which acts as a damper between motor and
-    load, takes the swing out of the shaft. Gains are worked out as those of `Cascade`.
+    The position loop uses the load position, so that the table reaches its reference despite backlash; the velocity loop uses the motor.
+    Such a loop over a gap can hunt: keep the position loop slow. k_d acts as a damper between motor and load and damps oscillations of the
+    shaft. `tune` works as for `Cascade`.
 
     References
     ----------
@@ -182,5 +182,5 @@ class LoadSideCascade(Cascade):
     inputs = (*REFERENCE, *ports("load_position", "motor_velocity", "load_velocity", "disturbance_estimate", "feedforward", "accepted"))
 
     damping_gain: float = param(
-        default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="on the velocity of the motor against the load, k_d"
+        default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="gain on motor minus load velocity, k_d"
     )

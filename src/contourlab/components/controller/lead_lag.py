@@ -33,8 +33,8 @@ def _make(anti_windup: str) -> Any:
 class LeadLag(Component):
     """Lead-lag-integral control of the position error: u = K (a s + 1)/(b s + 1) (s + k_i)/s e + u_ff - d_hat, discretised by Tustin.
 
-    A lead for a > b, a lag for a < b. Both factors are kept apart, so that the integral can wait at a limit of the drive
-    (`contourlab.components.controller.anti_windup`) while the lead goes on.
+    A lead for a > b, a lag for a < b. The factors are separate, so that the integral can stop at a limit of the drive
+    (`contourlab.components.controller.anti_windup`) while the lead continues.
 
     References
     ----------
@@ -47,17 +47,17 @@ class LeadLag(Component):
     calibrated = ("gain", "lead_time", "lag_time", "integral_rate")
     reference = "Franklin, Powell & Emami-Naeini, section 6.7"
     example = {"gain": 800.0, "lead_time": 0.02, "lag_time": 0.002, "integral_rate": 12.0}
-    without_effect = ("tracking_time",)  # in the example, whose integral is held
+    without_effect = ("tracking_time",)  # the example holds the integral
     states = (Port("previous_error"), Port("lead"), Port("integral"), Port("last_command"))
     inputs = (Port("reference"), Port("position"), Port("disturbance_estimate"), Port("feedforward"), Port("accepted"))
     outputs = (Port("command"),)
     derived = ("keep", "now", "before", "half_rate", "recovery")
 
-    gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="K")
+    gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="gain, K")
     lead_time: float = param(unit="s", minimum=0.0, display="ms", doc="time constant of the numerator, a")
     lag_time: float = param(unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the denominator, b")
     integral_rate: float = param(default=0.0, unit="rad/s", minimum=0.0, doc="corner below which the integral acts, k_i")
-    anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does while the drive saturates")
+    anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="action of the integral while the drive saturates")
     tracking_time: float = TRACKING_TIME
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
@@ -70,9 +70,9 @@ class LeadLag(Component):
 
     wishes = {
         "phase_margin": param(unit="rad", minimum=0.0, exclusive=True, maximum=math.pi / 2.0, display="deg", doc="of the whole loop"),
-        "crossover": param(unit="rad/s", minimum=0.0, exclusive=True, doc="where the loop gain is 1"),
+        "crossover": param(unit="rad/s", minimum=0.0, exclusive=True, doc="frequency where the loop gain is 1"),
         "integral_rate": param(default=math.inf, unit="rad/s", minimum=0.0, doc="k_i; a tenth of the crossover by default"),
-        "delay": param(default=0.0, unit="s", minimum=0.0, display="ms", doc="all that the loop is late by, half a servo period included"),
+        "delay": param(default=0.0, unit="s", minimum=0.0, display="ms", doc="total delay of the loop, half a servo period included"),
     }
 
     @staticmethod
@@ -92,7 +92,7 @@ class LeadLag(Component):
         delay: float = 0.0,
         integral_counted: bool = True,
     ) -> dict[str, float]:
-        """Return the parameters that give a rigid axis a/(s (s + b)) a phase margin at a crossover, the lead's maximum lying there.
+        """Return the parameters that give a rigid axis a/(s (s + b)) a phase margin at the crossover, where the lead has its maximum.
 
         Parameters
         ----------
@@ -103,17 +103,17 @@ class LeadLag(Component):
         model_damping : float [1/s], >= 0
             b.
         integral_rate : float [rad/s], >= 0
-            k_i; a tenth of the crossover where it is not given.
+            k_i; by default a tenth of the crossover.
         delay : float [s], >= 0
-            All that the loop is late by; half a servo period for the hold is part of it.
+            Total delay of the loop, including half a servo period for the hold.
         integral_counted : bool
-            Whether the lead makes up for the lag of the integral, so that the margin is that of the whole loop. Left out, as the course
-            does it, the loop has atan(k_i/w_c) less: 5.7 degrees with a tenth.
+            Whether the lead compensates the lag of the integral, so that the margin is that of the whole loop. If not, as in the course,
+            the loop has atan(k_i/w_c) less: 5.7 degrees with a tenth.
 
         Raises
         ------
         ParameterError
-            If an argument is out of range, or the lead would have to turn the phase by less than 0 or by 90 degrees or more.
+            If an argument is out of range, or the lead would need a phase below 0 or of 90 degrees or more.
 
         >>> made = LeadLag.design(math.radians(60.0), 100.0, 2.0)
         >>> round(made["lead_time"] * made["lag_time"] * 100.0**2, 9)
@@ -135,7 +135,7 @@ class LeadLag(Component):
         turn = phase_margin - math.pi + lag - (cmath.phase(integral) if integral_counted else 0.0)
         if not 0.0 <= turn < math.pi / 2.0:
             turned, asked = math.degrees(turn), math.degrees(phase_margin)
-            raise ParameterError("phase_margin", f"{asked:g}", f"in reach of a lead of 0 to 90 degrees, not {turned:.1f}", "degrees")
+            raise ParameterError("phase_margin", f"{asked:g}", f"within reach of a lead of 0 to 90; this one needs {turned:.1f}", "degrees")
         root = math.sqrt((1.0 + math.sin(turn)) / (1.0 - math.sin(turn)))
         lead, below = root / crossover, 1.0 / (root * crossover)
         magnitude = abs(model_gain / (s * (s + model_damping)) * (lead * s + 1.0) / (below * s + 1.0))

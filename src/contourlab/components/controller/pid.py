@@ -24,7 +24,7 @@ def _make(anti_windup: str, on_error: bool) -> Any:
         integral = x.integral + rise(clock.dt * par.integral_gain * error, x.last_command - inp.accepted, par.recovery)
         seen = error if on_error else -inp.position
         slope = x.slope + par.weight * ((seen - x.previous) / clock.dt - x.slope)
-        # Positions count from the start, so that a weight other than 1 asks for nothing at rest.
+        # Positions count from the start, so that a weight other than 1 gives no command at rest.
         weighed = par.reference_weight * (inp.reference - x.start) - (inp.position - x.start)
         law = par.proportional_gain * weighed + integral + par.derivative_gain * slope
         command = law + inp.feedforward - inp.disturbance_estimate
@@ -36,13 +36,13 @@ def _make(anti_windup: str, on_error: bool) -> Any:
 class PID(Component):
     """Parallel PID on the position error: u = K_P (b r - p) + K_I int e + K_D s N/(s + N) e_d + u_ff - d_hat, e = r - p.
 
-    The derivative is filtered with the bandwidth N and acts on the error (e_d = e), or on the measurement alone (e_d = -p), so that a jump
-    of the reference does not kick. With the weight b below 1 the proportional part sees less of the reference: the zeros of the response to
-    the reference move, the poles stay (two degrees of freedom). Positions in it count from the start, so that an axis at rest is asked for
-    nothing at any position. The integral is kept in command units and summed by backward Euler, as the derivative.
+    The derivative is filtered with the bandwidth N. It acts on the error (e_d = e), or on the measurement alone (e_d = -p), so that a jump
+    of the reference gives no kick. A weight b below 1 reduces the reference in the proportional part: the zeros of the response to the
+    reference move, the poles stay (two degrees of freedom). Positions there count from the start, so that an axis at rest has no command at
+    any position. The integral is in command units; integral and derivative use backward Euler.
 
-    A command that meets `command_limit`, or a limit of the drive, stops the integral or is led back into it, so that the limit is left
-    without a bump; see `contourlab.components.controller.anti_windup`.
+    At `command_limit`, or at a limit of the drive, the integral stops or is corrected, so that the limit is left without a bump; see
+    `contourlab.components.controller.anti_windup`.
 
     References
     ----------
@@ -62,7 +62,7 @@ class PID(Component):
         "reference_weight": 0.7,
         "command_limit": 400.0,
     }
-    without_effect = ("tracking_time",)  # in the example, whose integral is held
+    without_effect = ("tracking_time",)  # the example holds the integral
     states = (Port("integral"), Port("previous"), Port("slope"), Port("start"), Port("last_command"))
     inputs = (Port("reference"), Port("position"), Port("disturbance_estimate"), Port("feedforward"), Port("accepted"))
     outputs = (Port("command"),)
@@ -71,10 +71,10 @@ class PID(Component):
     proportional_gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="K_P")
     integral_gain: float = param(default=0.0, unit="{command}/m/s", minimum=0.0, display="{command}/mm/s", doc="K_I")
     derivative_gain: float = param(default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="K_D")
-    derivative_bandwidth: float = param(default=1000.0, unit="rad/s", minimum=0.0, exclusive=True, doc="of the derivative's filter, N")
+    derivative_bandwidth: float = param(default=1000.0, unit="rad/s", minimum=0.0, exclusive=True, doc="of the derivative filter, N")
     derivative_on: str = text_param(default="error", choices=("error", "measurement"), doc="what is differentiated")
-    reference_weight: float = param(default=1.0, minimum=0.0, maximum=2.0, doc="of the reference in the proportional part, b")
-    command_limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command it gives")
+    reference_weight: float = param(default=1.0, minimum=0.0, maximum=2.0, doc="weight of the reference in the proportional part, b")
+    command_limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command")
     anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does at a limit")
     tracking_time: float = TRACKING_TIME
 
@@ -88,7 +88,7 @@ class PID(Component):
         return {"start": position, "previous": 0.0 if self.derivative_on == "error" else -position}, {}
 
     def linearize(self) -> LinearModel:
-        """Return the model of a start at zero, away from the limits."""
+        """Return the model for a start at position 0, away from the limits."""
         n, d = self.derivative_bandwidth, self.derivative_gain
         ahead = 1.0 if self.derivative_on == "error" else 0.0
         # K_D s N/(s + N) = K_D N - K_D N^2/(s + N)

@@ -43,7 +43,7 @@ class PositionController(Component):
     r' would feed the measured position back. With the ideal axis a'/(s (s + b')) the position follows the reference exactly.
 
     ``structure = "ipv"``: u = K_P K_I int (r' - p) - K_P p - K_V v + u_ff - d_hat with p counted from the start, which has the closed loop
-    of eq (16) and no feedforward of the reference. u_ff is what the port ``feedforward`` brings from elsewhere, in either structure.
+    of eq (16) and no feedforward of the reference. In either structure u_ff is the input ``feedforward``.
 
     ``anti_windup = "hold"`` stops the integral while the drive saturates and the error would drive it further.
 
@@ -73,22 +73,22 @@ class PositionController(Component):
         minimum=0.0,
         exclusive=True,
         display="mm/s^2/{command}",
-        doc="of the feedforward model, a'; inf: none",
+        doc="gain of the feedforward model, a'; inf: none",
     )
-    model_damping: float = param(default=0.0, unit="1/s", minimum=0.0, doc="decay of the model's velocity, b'")
-    structure: str = text_param(default="feedforward", choices=("feedforward", "ipv"), doc="eq (15), or the form of eq (16)")
-    anti_windup: str = text_param(default="hold", choices=("hold", "none"), doc="what the integral does while the drive saturates")
+    model_damping: float = param(default=0.0, unit="1/s", minimum=0.0, doc="decay rate of the velocity of the feedforward model, b'")
+    structure: str = text_param(default="feedforward", choices=("feedforward", "ipv"), doc="structure of eq (15) or of eq (16)")
+    anti_windup: str = text_param(default="hold", choices=("hold", "none"), doc="action of the integral while the drive saturates")
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
-        # Without its integral this structure never looks at the reference.
+        # Without its integral this structure ignores the reference.
         if self.structure == "ipv" and self.integral_gain == 0.0 and self.position_gain > 0.0:
-            raise ParameterError("integral_gain", "0", '> 0 with structure = "ipv", which moves by its integral only', "1/s")
+            raise ParameterError("integral_gain", "0", '> 0 with structure = "ipv", which acts only through its integral', "1/s")
 
     wishes = {
-        "natural_frequency": param(unit="rad/s", minimum=0.0, exclusive=True, doc="of two poles"),
-        "damping": param(minimum=0.0, exclusive=True, doc="of these"),
-        "pole": param(unit="rad/s", minimum=0.0, exclusive=True, doc="a third, real one"),
+        "natural_frequency": param(unit="rad/s", minimum=0.0, exclusive=True, doc="natural frequency of two poles"),
+        "damping": param(minimum=0.0, exclusive=True, doc="damping ratio of these two poles"),
+        "pole": param(unit="rad/s", minimum=0.0, exclusive=True, doc="a third, real pole"),
     }
 
     @staticmethod
@@ -119,7 +119,7 @@ class PositionController(Component):
         Raises
         ------
         ParameterError
-            If an argument is not positive, or the velocity gain came out negative: the axis is damped more than the poles asked for.
+            If an argument is not positive, or the velocity gain would be negative: the axis has more damping than the desired poles.
 
         >>> gains = PositionController.place(25.0, 0.7, 35.0, 0.873, 19.7)
         >>> round(gains["velocity_gain"] / 1000, 4), round(gains["position_gain"] / 1000, 3), round(gains["integral_gain"], 2)

@@ -34,13 +34,13 @@ class SpeedPID(Component):
 
     With eq (8), K_P = 2 zeta/(G T_a w_n), K_I = 1/(G T_a), K_D = 1/(G T_a w_n^2), acting on the *speed* error, whose integral is the
     position error e: u = K_I e + K_P e' + K_D e'' + u_ff - d_hat. Then L = 1/(T_a s), the closed loop is 1/(1 + T_a s), and at the speed v
-    the axis lags by v T_a. e' takes the velocity of the reference and the one that the controller sees; e'' the acceleration of the
-    reference and the difference of that velocity, behind a first-order filter of `acceleration_bandwidth` (backward Euler). The cancelling
-    is exact without that filter, and off by the order of 1/(T_a bandwidth) with it. A transport delay tau in the loop wants T_a of four
-    times tau or more, or a predictor. There is no integral that could wind up.
+    the axis lags by v T_a. e' is the reference velocity minus the velocity that the controller sees. e'' is the reference acceleration
+    minus the difference of that velocity, through a first-order filter of `acceleration_bandwidth` (backward Euler). The cancellation is
+    exact without that filter, and off by the order of 1/(T_a bandwidth) with it. With a transport delay tau in the loop choose T_a of at
+    least 4 tau, or use a predictor. No integral can wind up.
 
     ``structure = "position"`` is eq (8) read as a PID on the *position* error, u = K_P e + K_I int e + K_D e': L = 1/(T_a s^2), two poles
-    on the imaginary axis. It is there to show why it is not used.
+    on the imaginary axis. It is included to show why it is not used.
 
     References
     ----------
@@ -61,11 +61,9 @@ class SpeedPID(Component):
     dc_gain: float = param(unit="m/s/{command}", minimum=0.0, exclusive=True, display="mm/s/{command}", doc="steady speed per command, G")
     damping_ratio: float = param(minimum=0.0, doc="zeta of the plant")
     natural_frequency: float = param(unit="rad/s", minimum=0.0, exclusive=True, doc="w_n of the plant")
-    time_constant: float = param(unit="s", minimum=0.0, exclusive=True, display="ms", doc="of the closed loop, T_a")
-    acceleration_bandwidth: float = param(
-        default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="of the differenced velocity's filter; inf: no filter"
-    )
-    structure: str = text_param(default="speed", choices=("speed", "position"), doc="the error that the PID acts on")
+    time_constant: float = param(unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the closed loop, T_a")
+    acceleration_bandwidth: float = param(default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="acceleration filter; inf: none")
+    structure: str = text_param(default="speed", choices=("speed", "position"), doc="error that the PID acts on")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         rate = 1.0 / (par.dc_gain * par.time_constant)
@@ -76,7 +74,7 @@ class SpeedPID(Component):
         return _make(self.structure == "speed")
 
     def linearize(self) -> LinearModel | None:
-        """Return the linear model; None for an infinite bandwidth, since a derivative of the velocity without a filter has no states."""
+        """Return the linear model; None on the speed error without a filter: the bare derivative has no state-space model."""
         par, w = self.constants(), self.acceleration_bandwidth
         kp, ki, kd = par.proportional, par.integral, par.derivative
         names = tuple(port.name for port in self.inputs)

@@ -41,29 +41,29 @@ def _make(anti_windup: str, follows: bool) -> Any:
 
 
 def _coefficients(poles: Sequence[complex], order: int) -> list[float]:
-    """Return c_1 ... of s^m + c_1 s^(m-1) + ..., padded to order + 1 of them: the last is zero where no integral is placed."""
+    """Return c_1 ... of s^m + c_1 s^(m-1) + ..., padded to order + 1 values: the last is zero without an integral."""
     n = len(poles)
     if n not in (order, order + 1):
-        raise ParameterError("poles", f"{n} of them", f"{order}, or {order + 1} with the integral")
+        raise ParameterError("poles", f"a list of {n}", f"a list of {order}, or of {order + 1} with the integral")
     found = np.poly(np.asarray(poles, dtype=complex))
     if not np.isfinite(found).all() or np.abs(found.imag).max() > 1e-9 * np.abs(found).max():
-        raise ParameterError("poles", "a list", "finite, and complex ones in conjugate pairs", "rad/s")
+        raise ParameterError("poles", "a list", "finite, with complex poles in conjugate pairs", "rad/s")
     if max(complex(pole).real for pole in poles) >= 0.0:
         raise ParameterError("poles", "a list", "with negative real parts", "rad/s")
     return [*found.real[1:].tolist(), *([0.0] if n == order else [])]
 
 
 class StateFeedback(Component):
-    """Feedback of position, velocity and, where the model has it as a state, acceleration, with an integral of the position error.
+    """Feedback of position, velocity and acceleration (for a second-order model), with an integral of the position error.
 
     ``following = "model"``: u = K_I int (r - p) + k_1 (r - p) + k_2 (r_v - v) + k_3 (r_a - a) + f_1 r_v + f_2 r_a + f_3 r_j + u_ff - d_hat.
-    With the inverse of the model in f the reference is followed and the poles shape what is left. ``following = "position"``: the reference
-    enters with its position alone, u = K_I int (r - p) + k_1 (r - p) - k_2 v - k_3 a, so that the closed loop has no zeros but that of the
-    integral, and lags; this is the pole-placement controller of text books.
+    With the inverse of the model in f the axis follows the reference, and the poles shape the remaining error. ``following = "position"``
+    uses only the position of the reference: u = K_I int (r - p) + k_1 (r - p) - k_2 v - k_3 a, so that the closed loop has no zeros except
+    that of the integral, and lags. This is the pole-placement controller of textbooks.
 
-    a is the difference of the velocity that the controller sees behind a first-order filter of `acceleration_bandwidth` (backward Euler),
-    and the jerk r_j the difference of the reference's acceleration. The filter is no part of the placing: keep it well above the poles.
-    `place_rigid` and `place_second_order` give all gains for a model.
+    a is the difference of the velocity that the controller sees, through a first-order filter of `acceleration_bandwidth` (backward Euler).
+    The jerk r_j is the difference of the reference's acceleration. Pole placement ignores the filter: keep its bandwidth well above the
+    poles. `place_rigid` and `place_second_order` return all gains for a model.
 
     References
     ----------
@@ -86,23 +86,21 @@ class StateFeedback(Component):
         "jerk_feedforward": 0.002,
         "acceleration_bandwidth": 900.0,
     }
-    without_effect = ("tracking_time",)  # in the example, whose integral is held
+    without_effect = ("tracking_time",)  # the example holds the integral
     states = (Port("integral"), Port("previous_velocity"), Port("acceleration"), Port("previous_reference"), Port("last_command"))
     inputs = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
     outputs = (Port("command"),)
     derived = ("weight", "recovery")
 
     position_gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="k_1")
-    velocity_gain: float = param(default=0.0, unit="{command}*s/m", display="{command}*s/mm", doc="k_2; negative takes damping away")
+    velocity_gain: float = param(default=0.0, unit="{command}*s/m", display="{command}*s/mm", doc="k_2; negative removes damping")
     acceleration_gain: float = param(default=0.0, unit="{command}*s^2/m", display="{command}*s^2/mm", doc="k_3; 0 for a rigid model")
     integral_gain: float = param(default=0.0, unit="{command}/m/s", minimum=0.0, display="{command}/mm/s", doc="K_I")
     velocity_feedforward: float = param(default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="f_1")
     acceleration_feedforward: float = param(default=0.0, unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="f_2")
     jerk_feedforward: float = param(default=0.0, unit="{command}*s^3/m", minimum=0.0, display="{command}*s^3/mm", doc="f_3")
-    acceleration_bandwidth: float = param(
-        default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="of the differenced velocity's filter; inf: no filter"
-    )
-    following: str = text_param(default="model", choices=("model", "position"), doc="what of the reference is followed")
+    acceleration_bandwidth: float = param(default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="acceleration filter; inf: none")
+    following: str = text_param(default="model", choices=("model", "position"), doc="the reference with derivatives, or position alone")
     anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does while the drive saturates")
     tracking_time: float = TRACKING_TIME
     unbounded = ("velocity_gain", "acceleration_gain")
@@ -114,9 +112,9 @@ class StateFeedback(Component):
         return _make(self.anti_windup, self.following == "model")
 
     wishes = {
-        "natural_frequency": param(unit="rad/s", minimum=0.0, exclusive=True, doc="of two poles"),
-        "damping": param(default=0.7, minimum=0.0, exclusive=True, doc="of these"),
-        "pole": param(default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="a third, real one, for the integral; inf for none"),
+        "natural_frequency": param(unit="rad/s", minimum=0.0, exclusive=True, doc="natural frequency of two poles"),
+        "damping": param(default=0.7, minimum=0.0, exclusive=True, doc="damping ratio of these two poles"),
+        "pole": param(default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="a third, real pole for the integral; inf: none"),
     }
 
     @staticmethod
@@ -133,7 +131,7 @@ class StateFeedback(Component):
         Parameters
         ----------
         poles : sequence of complex (2,) or (3,) [rad/s]
-            With negative real parts, complex ones in conjugate pairs; three of them place an integral as well.
+            With negative real parts, complex ones in conjugate pairs; a third pole adds an integral.
         model_gain : float [m/s^2 per command], > 0
             a.
         model_damping : float [1/s], >= 0
@@ -163,7 +161,7 @@ class StateFeedback(Component):
         Parameters
         ----------
         poles : sequence of complex (3,) or (4,) [rad/s]
-            With negative real parts, complex ones in conjugate pairs; four of them place an integral as well.
+            With negative real parts, complex ones in conjugate pairs; a fourth pole adds an integral.
         dc_gain : float [m/s per command], > 0
             G.
         damping_ratio : float, >= 0
@@ -189,7 +187,7 @@ class StateFeedback(Component):
         }
 
     def linearize(self) -> LinearModel | None:
-        """Return the model away from the limits, or None where it differentiates without a filter: the jerk, or an infinite bandwidth."""
+        """Return the model away from the limits; None if it differentiates without a filter: jerk feedforward, or an infinite bandwidth."""
         follows = 1.0 if self.following == "model" else 0.0
         if follows * self.jerk_feedforward or (self.acceleration_gain and self.acceleration_bandwidth == math.inf):
             return None

@@ -1,7 +1,7 @@
-"""Controllers for the contact zone and the gap of a drive with backlash: they lead the motor to the flank that it has to press on.
+"""Controllers for the contact zone and the gap of a drive with backlash: they move the motor to the flank that it must press on.
 
-All compare the motor's position with a target, the reference or the load, shifted by half of the backlash gap towards the flank to press
-on. Laws are in angles of the motor: 2 pi/l times the lengths at the table.
+All compare the motor's position with a target (reference or load) shifted by half the backlash gap towards that flank. Laws are in angles
+of the motor: 2 pi/l times the lengths at the table.
 """
 
 from __future__ import annotations
@@ -75,9 +75,9 @@ class ZoneLaw(Component):
     load against the driving flank) or acceleration (where inertia does). Where it is zero, the last flank holds. With
     ``direction = "none"`` the law ignores the gap.
 
-    In print the half gap also appears in the rate term of types I and II, where it has the wrong dimension: ``reading = "literal"``. It
-    stands for the derivative of the shifted target, which is zero except at its jumps, and is left out otherwise. A gap observer's estimate
-    takes precedence over `backlash_gap`.
+    The printed types I and II also have the half gap in the rate term, where it has the wrong dimension: ``reading = "literal"``. It stands
+    for the derivative of the shifted target, which is zero except at its jumps; by default it is left out. A gap observer's estimate takes
+    precedence over `backlash_gap`.
 
     References
     ----------
@@ -92,9 +92,9 @@ class ZoneLaw(Component):
     outputs = (Port("command"),)
     derived: ClassVar[tuple[str, ...]] = ("turn",)
 
-    motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of the acceleration feedforward, J_m")
+    motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="motor inertia of the feedforward, J_m")
     lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
-    backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="total free travel, 2 beta")
+    backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="total gap, 2 beta")
     direction: str = text_param(default="difference", choices=tuple(DIRECTIONS), doc="what chooses the flank")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
@@ -104,7 +104,7 @@ class ZoneLaw(Component):
         return zone_step(self)
 
     def linearize(self) -> LinearModel | None:
-        """Return the model of a law that knows no gap; with one it is not linear."""
+        """Return the model of a law without the gap and with the reference as target; other laws are not linear."""
         if self.direction != "none" or getattr(self, "target", "reference") == "load":
             return None
         turn, scale = 2.0 * math.pi / self.lead, self.motor_inertia if self.per_inertia else 1.0
@@ -122,14 +122,14 @@ class ZoneLaw(Component):
 def zone_step(
     law: ZoneLaw, *, follows_load: bool = False, rise: Callable[..., float] | None = None, to_flank: bool = False
 ) -> Callable[..., Any]:
-    """Return the step of a law; `rise` is how its integral is summed up, if it has one, `to_flank` whether that knows the half gap."""
+    """Return the step of a law; `rise` is the rule of its integral, if any; `to_flank` adds the half gap to the integral."""
     return _zone_law_step(follows_load, law.per_inertia, law.values().get("reading") == "literal", law.direction, rise, to_flank)
 
 
 READING = text_param(
     default="corrected",
     choices=("corrected", "literal"),
-    doc="literal: with the half gap in the rate term too",
+    doc="literal: the rate term contains the half gap too",
     source="Shahin, ElMaraghy & ElBeheiry, eqs 10, 12, 14 and 15",
 )
 
@@ -140,8 +140,8 @@ class InertiaGains(ZoneLaw):
     per_inertia = True
 
     reading: str = READING
-    rate_gain: float = param(unit="1/s", minimum=0.0, doc="on the motor's rate")
-    position_gain: float = param(unit="1/s^2", minimum=0.0, doc="on the motor's angle")
+    rate_gain: float = param(unit="1/s", minimum=0.0, doc="gain on the motor's rate error")
+    position_gain: float = param(unit="1/s^2", minimum=0.0, doc="gain on the motor's angle error")
 
 
 class TorqueGains(ZoneLaw):
@@ -151,13 +151,13 @@ class TorqueGains(ZoneLaw):
     s^2 + 2 zeta w s + w^2, times s + p with the integral.
     """
 
-    rate_gain: float = param(unit="N*m*s/rad", minimum=0.0, doc="on the motor's rate")
-    position_gain: float = param(unit="N*m/rad", minimum=0.0, doc="on the motor's angle")
+    rate_gain: float = param(unit="N*m*s/rad", minimum=0.0, doc="gain on the motor's rate error")
+    position_gain: float = param(unit="N*m/rad", minimum=0.0, doc="gain on the motor's angle error")
 
     wishes: ClassVar[dict[str, Any]] = {
-        "inertia": param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of what the motor is to move"),
-        "natural_frequency": param(unit="rad/s", minimum=0.0, exclusive=True, doc="of two poles, w"),
-        "damping": param(default=0.7, minimum=0.0, exclusive=True, doc="of these, zeta"),
+        "inertia": param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="inertia that the motor moves"),
+        "natural_frequency": param(unit="rad/s", minimum=0.0, exclusive=True, doc="natural frequency of two poles, w"),
+        "damping": param(default=0.7, minimum=0.0, exclusive=True, doc="damping ratio of these two poles, zeta"),
     }
 
     @staticmethod
@@ -175,25 +175,25 @@ class TypeTwo(TorqueGains):
 class Integral(TorqueGains):
     """Laws of type III: with an integral.
 
-    In print it integrates the motor's distance from the reference: in the long run it leads the motor there, off the flank, and the load
-    stays half a gap behind. With ``integral_of = "flank"`` it integrates the distance from the shifted target.
+    The printed law integrates the motor's distance from the reference: in the long run it moves the motor to the reference, off the flank,
+    and the load stays half a gap behind. With ``integral_of = "flank"`` it integrates the distance from the shifted target.
     """
 
     derived: ClassVar[tuple[str, ...]] = ("turn", "recovery")
 
-    integral_gain: float = param(unit="N*m/rad/s", minimum=0.0, doc="on the integral of the motor's distance")
+    integral_gain: float = param(unit="N*m/rad/s", minimum=0.0, doc="gain on the integral of the motor's distance")
     integral_of: str = text_param(
         default="reference",
         choices=("reference", "flank"),
-        doc="from what the summed distance is counted",
+        doc="zero of the integrated distance",
         source="Shahin, ElMaraghy & ElBeheiry, eqs 13 and 16",
     )
-    anti_windup: str = text_param(default="back-calculation", choices=ANTI_WINDUP, doc="what the integral does at a limit, or not active")
+    anti_windup: str = text_param(default="back-calculation", choices=ANTI_WINDUP, doc="what the integral does at a limit, or if inactive")
     tracking_time: float = TRACKING_TIME
 
     wishes: ClassVar[dict[str, Any]] = {
         **TorqueGains.wishes,
-        "pole": param(unit="rad/s", minimum=0.0, exclusive=True, doc="a third, real one, for the integral, p"),
+        "pole": param(unit="rad/s", minimum=0.0, exclusive=True, doc="a third, real pole for the integral, p"),
     }
 
     @staticmethod
@@ -250,17 +250,17 @@ class ContactZone3(Integral):
 
 
 class GapZone1(InertiaGains):
-    """u = J_m (a_l - K_4 (w_m - w_l) - K_5 (theta_m - theta_l -+ beta)): the motor goes to a flank of the load, wherever that is.
+    """u = J_m (a_l - K_4 (w_m - w_l) - K_5 (theta_m - theta_l -+ beta)): the motor goes to a flank of the load.
 
-    The printed law does not contain the reference: a load without friction is left to itself in the gap and the axis runs away. With
-    `target` "reference" the reference takes the place of the load.
+    The printed law does not contain the reference: in the gap a load without friction is uncontrolled and the axis runs away. With
+    ``target = "reference"`` the reference replaces the load.
     """
 
     kind = "gap-zone-1"
     reference = "Shahin, ElMaraghy & ElBeheiry, eq 14"
     example = {**_TYPE_1, "target": "load"}
 
-    target: str = text_param(default="reference", choices=("reference", "load"), doc="what the motor follows; in print, the load")
+    target: str = text_param(default="reference", choices=("reference", "load"), doc="what the motor follows; the paper prints the load")
 
     def step_function(self) -> Any:
         return zone_step(self, follows_load=self.target == "load")
@@ -269,7 +269,7 @@ class GapZone1(InertiaGains):
 class GapZone2(TypeTwo):
     """u = J_m r_a - K_4' (w_m - r_v) - K_5' (theta_m - r -+ beta): the motor follows the reference through the gap.
 
-    With the gains of the contact zone it is the law of the contact zone.
+    With the same gains it equals the contact-zone law of this type.
     """
 
     kind = "gap-zone-2"
@@ -280,7 +280,7 @@ class GapZone2(TypeTwo):
 class GapZone3(Integral):
     """u = J_m r_a - K_4' (w_m - r_v) - K_5' (theta_m - r -+ beta) - K_6 int (theta_m - r): type II with an integral.
 
-    With the gains of the contact zone it is the law of the contact zone.
+    With the same gains it equals the contact-zone law of this type.
     """
 
     kind = "gap-zone-3"

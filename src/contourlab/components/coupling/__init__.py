@@ -1,1 +1,1 @@
-"""Couplings: what is done with the contour error that an estimator finds."""
+"""Couplings: feedback of the estimated contour error."""

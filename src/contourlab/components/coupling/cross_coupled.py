@@ -12,14 +12,14 @@ from contourlab.engine.step import Port
 from contourlab.primitives import add, dot, lincomb, maximum, minimum, scale, select, sqrt, sub
 
 REVERSAL = 1e-6
-"""1 + t0.t1 below which the path turns back on itself and no least rotation is defined."""
+"""1 + t0.t1 below which the path turns back on itself: the least rotation is undefined."""
 
 
 def turning(last: Any, tangent: Any) -> Any:
-    """Return h of the least rotation from one unit tangent to the next: v -> v - (t1.v) h for a vector v at right angles to t0.
+    """Return h of the least rotation from unit tangent t0 to t1: v -> v - (t1.v) h for a vector v normal to t0.
 
-    h = (t0 + t1)/(1 + t0.t1). Where the path turns back on itself h = t1: what is normal to it stays as it is. It does so too where
-    there is no last tangent yet (a vector of zeros).
+    h = (t0 + t1)/(1 + t0.t1). Where the path turns back on itself, and without a last tangent (a vector of zeros), h = t1: vectors normal
+    to t1 stay unchanged.
 
     References
     ----------
@@ -32,22 +32,22 @@ def turning(last: Any, tangent: Any) -> Any:
 
 
 def carried(vector: Any, tangent: Any, turn: Any) -> Any:
-    """Return a vector that was normal to the last tangent, turned by the rotation that `turning` gave; it is normal to the new one."""
+    """Return a vector normal to the last tangent, rotated by `turn` of `turning`: it is normal to the new tangent."""
     return lincomb(1.0, vector, -dot(tangent, vector), turn)
 
 
 class CrossCoupled(Component):
-    """The contour-error vector through C_cc(s) = K (1 + k_i/s + T_d s/(1 + T_f s)), added to the axes' commands: any number of axes.
+    """PID control of the contour-error vector, C_cc(s) = K (1 + k_i/s + T_d s/(1 + T_f s)), added to the axes' commands.
 
-    In the plane it is u = n C_cc(eps), eps the error along the normal n: the states are the scalar controller's times the normal of the
-    day. In space the normal plane has more than one direction and no direction of its own; there the states are vectors in it, carried
-    along by parallel transport (the least rotation from each tangent to the next), which in the plane is the scalar form itself. Where
-    the path turns back on itself, within 1.4 mrad, they stay as they are in space. P and PI control by zeros for the rest.
+    In the plane it is u = n C_cc(eps), eps the error along the normal n. In space the normal plane has more than one direction, so the
+    states are vectors in it. Parallel transport (the least rotation from each tangent to the next) carries them along the path; in the
+    plane this is the scalar form. Where the path turns back on itself, within 1.4 mrad, the vectors keep their direction in space. Any
+    number of axes. Zero gains give P and PI control.
 
     With an estimator whose error vector is eps times the gain vector C (koren-lo), K alone gives C K eps.
 
-    The integral holds while the output is at its limit, or drives have not accepted the last commands in full, and the error would drive
-    it further. All axes are taken to have commands of the same unit.
+    The integral stops if the error would drive it further while the output is at its limit, or while drives have not accepted the last
+    commands in full. All axes must have the same command unit.
 
     References
     ----------
@@ -65,14 +65,14 @@ class CrossCoupled(Component):
     outputs = (Port("correction", -1),)
     derived = ("integral_step", "filter_weight", "derivative_rate")
 
-    gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="K: correction for a contour error")
-    integral_rate: float = param(default=0.0, unit="1/s", minimum=0.0, doc="k_i: one over the integral time; 0 for no integral")
-    derivative_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="T_d; 0 for no derivative")
-    derivative_filter: float = param(default=1e-3, unit="s", minimum=0.0, exclusive=True, display="ms", doc="T_f: derivative's low-pass")
+    gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="correction per contour error, K")
+    integral_rate: float = param(default=0.0, unit="1/s", minimum=0.0, doc="one over the integral time, k_i; 0: no integral")
+    derivative_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="derivative time, T_d; 0: no derivative")
+    derivative_filter: float = param(default=1e-3, unit="s", minimum=0.0, exclusive=True, display="ms", doc="derivative's low-pass, T_f")
     limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest length of the correction")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        # Backward Euler: the slope of a ramp comes out as it is.
+        # Backward Euler: exact for the slope of a ramp.
         window = par.derivative_filter + dt
         return par.integral_rate * dt, dt / window, par.derivative_time / window
 
@@ -99,8 +99,8 @@ class CrossCoupled(Component):
         Returns
         -------
         LinearModel
-            From ``contour_error`` [m], along the normal from the tool to the path, to ``correction`` [command] along the same normal; with
-            no state that has no part in it.
+            From ``contour_error`` [m], along the normal from the tool to the path, to ``correction`` [command] along the same normal;
+            without unused states.
 
         >>> CrossCoupled(gain=2.0).linear_controller().d
         array([[2.]])

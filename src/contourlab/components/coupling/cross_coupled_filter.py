@@ -12,21 +12,22 @@ from contourlab.components.contract import Component, LinearModel, param
 from contourlab.components.coupling.cross_coupled import carried, turning
 from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
+from contourlab.native.generated import generated
 from contourlab.primitives import add, lincomb, scale
 
 HIGHEST_ORDER = 4
 LEAN = 1e-6
-"""How far right of the imaginary axis a pole may come out, over the largest one: the digits of a repeated pole on the axis."""
+"""Largest real part of a pole over the largest magnitude: rounding of a repeated pole on the imaginary axis."""
 
 
 class CrossCoupledFilter(Component):
-    """The contour-error vector through any proper C_cc(s) = K num(s)/den(s) up to the fourth order, added to the axes' commands.
+    """Any proper linear control of the contour-error vector, C_cc(s) = K num(s)/den(s) up to fourth order, added to the axes' commands.
 
-    Each integrator of the controller is sampled by the trapezoidal rule (Tustin), in the form of nested integrators, whose coefficients
-    are those of num and den themselves: no digits are lost at a short period, as they are in powers of 1/z. The states are vectors
-    in the normal plane and are carried along the path as those of cross-coupled; in the plane that is u = n C_cc(eps).
+    The controller is a chain of nested integrators, each sampled by the trapezoidal rule (Tustin). Its coefficients are those of num and
+    den, so that a short period loses no digits, as powers of 1/z would. The states are vectors in the normal plane, carried along the path
+    as in `cross-coupled`; in the plane this is u = n C_cc(eps).
 
-    With C_cc = kappa C_fb and alike axes, the contour error is that without coupling over 1 + kappa T.
+    With C_cc = kappa C_fb and identical axes, the coupling divides the contour error by 1 + kappa T.
 
     References
     ----------
@@ -43,9 +44,9 @@ class CrossCoupledFilter(Component):
     outputs = (Port("correction", -1),)
     derived = ("half", "direct", *(f"{name}_{i}" for name in ("share", "inflow", "back") for i in range(1, HIGHEST_ORDER + 1)))
 
-    gain: float = param(default=1.0, unit="{command}/m", minimum=0.0, display="{command}/mm", doc="K, which multiplies num/den")
+    gain: float = param(default=1.0, unit="{command}/m", minimum=0.0, display="{command}/mm", doc="K, factor of num/den")
     numerator: tuple[float, ...] = param(vector=True, doc="num(s) in falling powers of s, s in rad/s")
-    denominator: tuple[float, ...] = param(vector=True, doc="den(s) in falling powers of s, s in rad/s; no root right of the axis")
+    denominator: tuple[float, ...] = param(vector=True, doc="den(s) in falling powers of s, s in rad/s; no root in the right half plane")
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
@@ -53,19 +54,19 @@ class CrossCoupledFilter(Component):
         if not den:
             raise ParameterError(f"{self.kind}.denominator", list(self.denominator), "a list with a number other than 0")
         if len(num) > len(den):
-            bound = f"of an order up to that of the denominator, {len(den) - 1}: an improper controller looks ahead"
+            bound = f"of at most the order of the denominator, {len(den) - 1}: an improper controller looks ahead"
             raise ParameterError(f"{self.kind}.numerator", list(self.numerator), bound)
         if len(den) - 1 > HIGHEST_ORDER:
-            raise ParameterError(f"{self.kind}.denominator", list(self.denominator), f"of an order up to {HIGHEST_ORDER}")
+            raise ParameterError(f"{self.kind}.denominator", list(self.denominator), f"of at most order {HIGHEST_ORDER}")
         b, a = self._monic()
         if not np.isfinite([*b, *a]).all():
             raise ParameterError(f"{self.kind}.denominator", list(self.denominator), "a list whose first number is not nearly 0")
         roots = np.roots(a)
         if min(a) < 0.0 or (roots.size and roots.real.max() > LEAN * np.abs(roots).max()):
-            raise ParameterError(f"{self.kind}.denominator", list(self.denominator), "without a root right of the imaginary axis")
+            raise ParameterError(f"{self.kind}.denominator", list(self.denominator), "without roots right of the imaginary axis")
 
     def _monic(self) -> tuple[list[float], list[float]]:
-        """Return num, filled up to the order of den, and den, both over the first number of den."""
+        """Return num, padded to the order of den, and den, both over the leading coefficient of den."""
         num, den = _stripped(self.numerator), _stripped(self.denominator)
         filled = [0.0] * (len(den) - len(num)) + num
         with np.errstate(over="ignore"):
@@ -79,7 +80,7 @@ class CrossCoupledFilter(Component):
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         b, a = self._monic()
         h, n = 0.5 * dt, self.order
-        # The trapezoidal rule makes the output depend on itself at once: solved here, once.
+        # The trapezoidal rule makes an algebraic loop of the output: solved here, once.
         inverse = 1.0 / math.fsum(h**i * a[i] for i in range(n + 1))
         direct = inverse * math.fsum(h**i * b[i] for i in range(n + 1))
         unused = [0.0] * (HIGHEST_ORDER - n)
@@ -104,7 +105,7 @@ class CrossCoupledFilter(Component):
         """
         b, a = np.array(self._monic()[0]), np.array(self._monic()[1])
         n = self.order
-        # Chain of integrators with the output fed back: the form of the step.
+        # Chain of integrators with output feedback: the form of the step.
         matrix = np.diag(np.ones(max(n - 1, 0)), 1)[:n, :n]
         matrix[:, :1] -= a[1:, None]
         c = self.gain * np.eye(1, n)
@@ -132,5 +133,4 @@ def _make(order: int) -> Any:
     after = ", ".join(["tangent", *(f"n{i}" for i in names)])
     lines.append(f"return ({after},), (scale(par.gain, y),)")
     scope: dict[str, Any] = {"__name__": __name__, "turning": turning, "carried": carried, "add": add, "lincomb": lincomb, "scale": scale}
-    exec("def step(par, x, inp, clock):\n" + "".join(f"    {line}\n" for line in lines), scope)
-    return scope["step"]
+    return generated("def step(par, x, inp, clock):\n" + "".join(f"    {line}\n" for line in lines), scope, "step")

@@ -20,10 +20,10 @@ class _Modified(Component):
 
 
 class ModifiedReference(_Modified):
-    """r' = (1 - lambda) r(theta) + lambda r(theta_hat): the axes follow a point between the leading one and the nearest one.
+    """r' = (1 - lambda) r(theta) + lambda r(theta_hat): the axes follow a point between reference and foot point.
 
     Since r' - p = (1 - lambda)(r - p) + lambda (r(theta_hat) - p), the error across the path keeps its gain and the error along it is
-    weighted by 1 - lambda: contouring comes before keeping up. Raise lambda together with the gains; on its own it makes the tool lag.
+    weighted by 1 - lambda: contouring has priority over progress. Raise lambda together with the gains; alone it makes the tool lag.
 
     References
     ----------
@@ -41,8 +41,8 @@ class ModifiedReference(_Modified):
 class ModifiedError(_Modified):
     """e' = (1 - lambda)(r - p) + lambda e_n, with e_n the contour-error vector, in place of each axis' own error.
 
-    It is the modified reference with the projection on the normal in place of the vector to the foot point: the two are the same as far as
-    the estimator has converged. It is handed to the axes as the reference p + e'.
+    It is the modified reference with the projection on the normal in place of the vector to the foot point: the two are equal once the
+    estimator has converged. The axes receive it as the reference p + e'.
 
     References
     ----------

@@ -24,7 +24,7 @@ class Disturbance(Component):
 
 
 class ConstantLoad(Disturbance):
-    """A force that is there from a given time on: gravity on a vertical axis, a steady cutting force."""
+    """A constant force from a given time on: gravity on a vertical axis, a steady cutting force."""
 
     kind = "constant"
     reference = "constant load from a given time"
@@ -76,8 +76,8 @@ def _table_step(over_time: bool, repeat: bool) -> Any:
 class TableLoad(Disturbance):
     """A force given at evenly spaced times or positions, linear between them: measured cutting forces, force ripple, cogging.
 
-    With `beyond = "hold"` the first and last values hold outside the table; with ``"repeat"`` the table repeats, its last point being the
-    first of the next turn.
+    With ``beyond = "hold"`` the first and last values hold outside the table. With ``"repeat"`` the table repeats; its last point is the
+    first of the next period.
     """
 
     kind = "table"
@@ -95,20 +95,27 @@ class TableLoad(Disturbance):
     tables = ("values_table",)
     derived = ("origin", "inverse_step", "intervals")
 
-    over: str = text_param(default="time", choices=("time", "position"), doc="what the table is over")
-    beyond: str = text_param(default="hold", choices=("hold", "repeat"), doc="what holds outside the table")
+    over: str = text_param(default="time", choices=("time", "position"), doc="abscissa of the table")
+    beyond: str = text_param(default="hold", choices=("hold", "repeat"), doc="behaviour outside the table")
     start_time: float = param(default=0.0, unit="s", doc="time of the first value")
-    time_step: float = param(default=math.inf, unit="s", minimum=0.0, exclusive=True, doc="time between two values; wanted over time")
+    time_step: float = param(default=math.inf, unit="s", minimum=0.0, exclusive=True, doc="time between two values; required over time")
     start_position: float = param(default=0.0, unit="m", display="mm", doc="position of the first value")
-    position_step: float = param(default=math.inf, unit="m", minimum=0.0, exclusive=True, display="mm", doc="distance between values")
-    forces: tuple[float, ...] = param(unit="{force}", vector=True, doc="the forces; at least two")
+    position_step: float = param(
+        default=math.inf,
+        unit="m",
+        minimum=0.0,
+        exclusive=True,
+        display="mm",
+        doc='distance between two values; required with over = "position"',
+    )
+    forces: tuple[float, ...] = param(unit="{force}", vector=True, doc="forces, at least two")
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
         if len(self.forces) < 2:
             raise ParameterError("forces", f"{list(self.forces)}", "a list of at least two numbers", "force")
         if getattr(self, f"{self.over}_step") == math.inf:
-            raise ParameterError(f"{self.over}_step", "not given", f'> 0, and given with over = "{self.over}"')
+            raise ParameterError(f"{self.over}_step", "not given", f'given with over = "{self.over}", > 0')
 
     def step_function(self) -> Any:
         return _table_step(self.over == "time", self.beyond == "repeat")

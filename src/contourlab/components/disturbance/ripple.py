@@ -23,10 +23,10 @@ def next_noise(last: float, rms: float, keep: float, stream: float, k: float) ->
 
 
 class LowPassedNoise(Disturbance):
-    """Normal noise behind a low-pass of first order: E[F(t) F(t + T)] = rms^2 exp(-w |T|) at the ticks, held between them.
+    """Normal noise through a first-order low-pass: E[F(t) F(t + T)] = rms^2 exp(-w |T|) at the ticks, held between them.
 
-    It has its rms at any servo period and from the first tick on. Other axes, seeds and trials give other noise: it is the non-repeatable
-    disturbance of learning, beside which all other disturbances repeat. Where both act, "force-ripple" takes noise along.
+    The rms holds at any servo period and from the first tick on. Noise differs between axes, seeds and trials: for learning it is the
+    non-repeatable disturbance; all others repeat. If ripple acts too, use "force-ripple", which includes this noise.
 
     References
     ----------
@@ -75,8 +75,8 @@ def _force_ripple_step(n: int) -> Any:
 class ForceRipple(Disturbance):
     """Ripple of a motor's force over its magnets' pitch: F = sum of a_k sin(2 pi k p/P + phi_k), k = 1 ... n, and noise.
 
-    The ripple is the same in every trial, as the reluctance of iron and the unevenness of magnets are. Noise, where its rms is given, is
-    that of "low-passed-noise": other in every trial.
+    The ripple, from reluctance and uneven magnets, is the same in every trial. The noise is that of "low-passed-noise" and differs in every
+    trial.
 
     References
     ----------
@@ -101,9 +101,9 @@ class ForceRipple(Disturbance):
     tables = ("in_phase", "quadrature")
 
     pitch: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel after which the ripple repeats, P")
-    amplitudes: tuple[float, ...] = param(unit="{force}", minimum=0.0, vector=True, doc="of the harmonics, the fundamental first, a_k")
-    phases: tuple[float, ...] = param(unit="rad", vector=True, doc="of the harmonics at position 0, phi_k; as many")
-    noise: float = param(default=0.0, unit="{force}", minimum=0.0, doc="root mean square of the noise beside the ripple")
+    amplitudes: tuple[float, ...] = param(unit="{force}", minimum=0.0, vector=True, doc="amplitudes of the harmonics, lowest first, a_k")
+    phases: tuple[float, ...] = param(unit="rad", vector=True, doc="phases of the harmonics at position 0, phi_k")
+    noise: float = param(default=0.0, unit="{force}", minimum=0.0, doc="root mean square of the noise")
     noise_bandwidth: float = param(default=100.0, unit="rad/s", minimum=0.0, exclusive=True, doc="corner of the noise's low-pass")
     stream: float = NOISE_STREAM
 
@@ -123,15 +123,12 @@ class ForceRipple(Disturbance):
         return {"in_phase": amplitude * np.cos(phase), "quadrature": amplitude * np.sin(phase)}
 
 
-_TURN = 2.0 * math.pi
-
-
 class ScrewRipple(Disturbance):
     """Force over a turn of the screw: F = F_0 + a_1 sin(w p) + b_1 cos(w p) + a_n sin(n w p) + b_n cos(n w p), w = 2 pi/l.
 
-    F_0 is gravity, or half of what friction differs by between the two directions. Once a turn a screw that is bent or set askew grips
-    harder; n times a turn a motor cogs. Every part is a number of its own, sines and cosines rather than amplitude and phase, so that a fit
-    is linear in them and a batch can vary them; a ripple with many harmonics is "force-ripple".
+    F_0 is gravity, or half the difference of friction between the two directions. A bent or misaligned screw causes the first harmonic,
+    motor cogging the n-th. Each sine and cosine amplitude is a parameter, so that a fit is linear in them and a batch can vary them. For
+    many harmonics use "force-ripple".
     """
 
     kind = "screw-ripple"
@@ -141,12 +138,12 @@ class ScrewRipple(Disturbance):
     derived = ("inverse_lead",)
 
     lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn, l")
-    offset: float = param(default=0.0, unit="{force}", doc="force at every place, F_0")
-    sine: float = param(default=0.0, unit="{force}", doc="once a turn, a_1")
-    cosine: float = param(default=0.0, unit="{force}", doc="once a turn, b_1")
-    order: float = param(default=2.0, minimum=1.0, maximum=1000.0, whole=True, doc="how often a turn the second term repeats, n")
-    order_sine: float = param(default=0.0, unit="{force}", doc="n times a turn, a_n")
-    order_cosine: float = param(default=0.0, unit="{force}", doc="n times a turn, b_n")
+    offset: float = param(default=0.0, unit="{force}", doc="constant part, F_0")
+    sine: float = param(default=0.0, unit="{force}", doc="sine, once a turn, a_1")
+    cosine: float = param(default=0.0, unit="{force}", doc="cosine, once a turn, b_1")
+    order: float = param(default=2.0, minimum=1.0, maximum=1000.0, whole=True, doc="periods of the second term per turn, n")
+    order_sine: float = param(default=0.0, unit="{force}", doc="sine, n times a turn, a_n")
+    order_cosine: float = param(default=0.0, unit="{force}", doc="cosine, n times a turn, b_n")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return (1.0 / par.lead,)

@@ -34,11 +34,11 @@ class Saturation(Component):
 
 
 class DelayedSaturation(Component):
-    """Amplifier with a limit, whose command arrives late by any length of time.
+    """Amplifier with a command limit and a transport delay of any length.
 
-    The delay is n whole servo periods and a fraction f of one; the value between two ticks is the mean weighted by f, which is exact for
-    the average that a held command has over the period. ``accepted`` is the command behind the limit, before it is late: an integral that
-    waits for the limit must not take the delay for one.
+    The delay is n servo periods and a fraction f of one. The applied command is the mean of two neighbouring commands weighted by f, which
+    is exactly the average of the delayed held command over the period. ``accepted`` is the command after the limit and before the delay, so
+    that anti-windup does not take the delay for a limit.
     """
 
     family = "drive"
@@ -55,7 +55,7 @@ class DelayedSaturation(Component):
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         periods = par.delay / dt
-        # A delay that is whole but for rounding is taken as whole.
+        # Rounding must not make a whole delay a fraction.
         whole = np.floor(periods + 1e-9)
         return whole, np.maximum(periods - whole, 0.0)
 

@@ -1,4 +1,4 @@
-"""Estimators without memory: they see the path at the reference's own place only."""
+"""Estimators without memory: they use the path at the reference only."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from contourlab.primitives import add, copysign, dot, lincomb, maximum, scale, s
 
 
 class LocalEstimator(Component):
-    """An estimator without memory: it sees point, tangent and curvature of the path at the reference, nothing else.
+    """Base of estimators without memory: they use only point, tangent and curvature of the path at the reference.
 
-    A law is a function `nearest`; the base makes the step of it.
+    A subclass defines `nearest`; this class turns it into a step.
 
     Class attributes
     ----------------
     fewest_axes, most_axes : int
-        For how many axes it is valid.
+        Numbers of axes for which it is valid.
     """
 
     family = "estimator"
@@ -38,7 +38,7 @@ class LocalEstimator(Component):
         """Raise ParameterError unless the estimator is valid for this number of axes."""
         if not self.fewest_axes <= n_axis <= self.most_axes:
             number = f"{self.fewest_axes}" if self.fewest_axes == self.most_axes else f"{self.fewest_axes} or more"
-            bound = f"used with {number}; tangent, taylor and newton take any"
+            bound = f"used with {number}; tangent, taylor and newton take any number"
             raise ParameterError("controller.estimator", f"{self.kind} for {n_axis} axes", bound)
 
     @staticmethod
@@ -54,7 +54,7 @@ class LocalEstimator(Component):
         return local_step(type(self).nearest, evaluate, n_axis)
 
     def path_step(self, view: PathView, n_axis: int) -> Step:
-        """Return the step on a given path; raise ParameterError if it is not valid for so many axes."""
+        """Return the step on a given path; raise ParameterError if it is not valid for this number of axes."""
         self.check_axes(n_axis)
         states, inputs, outputs = self.ports(n_axis)
         parameters = (*self.numeric(), *self.derived, *view.parameters)
@@ -77,9 +77,9 @@ def local_step(nearest: Callable[..., Any], evaluate: Callable[..., Any], n_axis
 
 @cache
 def frame_of(evaluate: Callable[..., Any]) -> Any:
-    """Return a function of `par` and arc length that gives the path's point, unit tangent and curvature vector [1/m] there.
+    """Return ``frame(par, s)``, which gives point, unit tangent and curvature vector [1/m] of the path at arc length s.
 
-    The curvature vector points to the centre of curvature and has the length 1/rho; a path's parameter need not be its arc length.
+    The curvature vector points to the centre of curvature and has length 1/rho. The path's parameter need not be its arc length.
     """
 
     def frame(par: Any, s: float) -> Any:
@@ -94,9 +94,9 @@ def frame_of(evaluate: Callable[..., Any]) -> Any:
 
 @cache
 def sided(n_axis: int) -> Any:
-    """Return a function of unit tangent and error vector (from the tool to the path) that gives the signed error.
+    """Return ``signed(tangent, error)``: the contour error from unit tangent and error vector (tool to path).
 
-    In the plane it is positive when the tool is to the left of the direction of travel; elsewhere it is the vector's length.
+    In the plane it is positive if the tool is to the left of the direction of travel; otherwise it is the vector's length.
     """
 
     def in_the_plane(tangent: Any, error: Any) -> Any:
@@ -109,10 +109,10 @@ def sided(n_axis: int) -> Any:
 
 
 class Tangent(LocalEstimator):
-    """Distance to the tangent at the reference: the tracking error without its part along the path, (I - t t')(r - p), for any axes.
+    """Distance to the tangent at the reference: the tracking error without its part along the path, (I - t t')(r - p).
 
-    Exact on lines. Behind the reference by a lag L the path has left its tangent by L^2/(2 rho), which is its leading error: use it where
-    the lag is small, or where only its direction matters. Its foot is the tool's projection on the tangent.
+    Exact on lines. With a lag L the leading error is L^2/(2 rho): use it where the lag is small, or where only the direction matters. The
+    foot point is the tool's projection on the tangent. Any number of axes.
 
     References
     ----------
@@ -132,11 +132,11 @@ class Tangent(LocalEstimator):
 
 
 class Taylor(LocalEstimator):
-    """Second-order Taylor expansion: the parabola r + a t + a^2 k/2 at the tool's own abscissa a = t.(p - r), for any number of axes.
+    """Second-order Taylor expansion of the path, the parabola r + a t + a^2 k/2, at the tool's abscissa a = t.(p - r).
 
-    The vector from the tool to the parabola at that abscissa is projected on the parabola's normal there, as a foot point's would be: left
-    as it is it would be too long by eps L^2/(2 rho^2), eps the contour error. No equation is solved. Exact on lines; the leading error
-    behind by a lag L is L^3 k'/6 - L^4/(8 rho^3), k' the change of curvature with arc length.
+    The vector from the tool to the parabola is projected on the parabola's normal. Without the projection it would be eps L^2/(2 rho^2) too
+    long, eps the contour error. No equation is solved. Exact on lines. With a lag L the leading error is L^3 k'/6 - L^4/(8 rho^3), k' the
+    change of curvature with arc length. Any number of axes.
 
     References
     ----------
@@ -158,23 +158,24 @@ class Taylor(LocalEstimator):
 
 
 STRAIGHT = 1e-12
-"""Curvature [1/m] below which the direction to the centre is not asked for: over a metre such an arc strays 0.5 pm from its tangent."""
+"""Curvature [1/m] below which the direction to the centre is not needed: over a metre such an arc leaves its tangent by 0.5 pm."""
 CENTRE = 1e-9
-"""Distance from the centre over the radius below which no place of the circle is nearest."""
+"""Distance from the centre, over the radius, below which no point of the circle is nearest."""
 
 
 class OsculatingCircle(LocalEstimator):
-    """Distance to the osculating circle at the reference, exactly, for any number of axes.
+    """Exact distance to the osculating circle at the reference.
 
-    In the circle's plane with p - r = a t + b c (c towards the centre, k = 1/rho): q = sqrt(1 - 2 k b + k^2 (a^2 + b^2)) is the distance
-    from the centre over the radius, and the way to the circle is (q - 1)/k = (k (a^2 + b^2) - 2 b)/(q + 1), which has no difference of
-    large numbers and holds for k = 0, where the circle is its tangent; no branch is needed. What lies off the plane is added. Exact on
-    lines and circles; else the leading error is L^3 k'/6 behind by a lag L, k' the change of curvature with arc length, and in space the
-    torsion's L^3 k tau/6 off the plane.
+    In the plane of the circle, p - r = a t + b c with c towards the centre and k = 1/rho. The distance from the centre over the radius is
+    q = sqrt(1 - 2 k b + k^2 (a^2 + b^2)). The distance to the circle, (q - 1)/k = (k (a^2 + b^2) - 2 b)/(q + 1), has no cancellation and
+    holds for k = 0, where the circle is its tangent; no branch is needed. The part off the plane is added.
+
+    Exact on lines and circles. Elsewhere, with a lag L, the leading error is L^3 k'/6, k' the change of curvature with arc length; in space
+    torsion adds L^3 k tau/6 off the plane. Any number of axes.
 
     References
     ----------
-    The distance whose expansion Koren & Lo 1991 use; exact here, and in space.
+    Koren & Lo 1991 use an expansion of this distance; here it is exact, and extended to space.
     """
 
     kind = "osculating-circle"
@@ -189,7 +190,7 @@ class OsculatingCircle(LocalEstimator):
         inward = dot(away, bend)
         b = inward / maximum(k, STRAIGHT)
         square = a * a + b * b
-        # h/(1 + q) is the way to the circle, outwards positive; all that would be divided by the curvature is multiplied out.
+        # h/(1 + q) is the distance to the circle, positive outwards; divisions by the curvature are multiplied out.
         h = k * square - 2.0 * b
         start = 1.0 - inward
         q = sqrt(start * start + k * k * a * a)
@@ -210,14 +211,14 @@ class KorenLo(LocalEstimator):
     """Contour error of a plane path by variable gains: eps = -C_x e_x + C_y e_y, C_x = sin th - e_x/(2 rho), C_y = cos th + e_y/(2 rho).
 
     With e = r - p, the left normal n and the curvature k = 1/rho (positive where the path turns left), the gains are the vector
-    C = (-C_x, C_y) = n + k e/2, and eps = C.e: the distance to the osculating circle without its term -eps^2/(2 rho). The leading error is
-    therefore eps^2/(2 rho), and L^3 k'/6 behind by a lag L, k' the change of curvature with arc length. Exact on lines; on circles to
-    second order in the error itself. Two axes.
+    C = (-C_x, C_y) = n + k e/2, and eps = C.e: the distance to the osculating circle without its term -eps^2/(2 rho). The leading errors
+    are therefore eps^2/(2 rho) and, with a lag L, L^3 k'/6, k' the change of curvature with arc length. Exact on lines; on circles to
+    second order in the error. Two axes.
 
-    The error vector handed on is eps C, so that a coupling with a gain k gives k eps C, Koren and Lo's correction (-C_x k eps, C_y k eps)
-    to the last digit. Its length is |eps| |C|, and |C| is 1 + O(e/rho): states of a dynamic coupling carry this factor inside rather than
-    outside of them. The `tangent` is at right angles to C: that of the place halfway to the foot. The contour error estimate is -eps, since
-    the sign here is positive to the left of the direction of travel.
+    The output error vector is eps C: a coupling with gain k gives k eps C, exactly Koren and Lo's correction (-C_x k eps, C_y k eps). Its
+    length is |eps| |C| with |C| = 1 + O(e/rho); the states of a dynamic coupling contain this factor. Output `tangent` is normal to C: the
+    tangent halfway to the foot point. The contour error estimate is -eps, because its sign is positive to the left of the direction of
+    travel.
 
     References
     ----------
@@ -256,8 +257,8 @@ def _koren_lo_step(evaluate: Callable[..., Any]) -> Any:
 class ConstantGain(LocalEstimator):
     """Distance to a line of fixed direction through the reference: in the plane eps = -e_x sin th + e_y cos th with constant gains.
 
-    The path's own direction is not asked for, except for which way it is travelled. It is exact on lines of this direction, and what is
-    left of it on others, L sin(angle between them), is what a variable gain is for. Any number of axes: (I - d d')(r - p).
+    Of the path it uses only the sense of travel. Exact on lines of this direction; on other lines the error is L sin(angle between them),
+    which a variable gain avoids. For any number of axes: (I - d d')(r - p).
 
     References
     ----------
@@ -270,21 +271,21 @@ class ConstantGain(LocalEstimator):
     unbounded = ("direction",)
     derived = ("turn_cosine", "turn_sine")
 
-    direction: tuple[float, ...] = param(vector=True, doc="direction of the line, one number an axis; of any length but zero")
+    direction: tuple[float, ...] = param(vector=True, doc="direction of the line, one number per axis; any length but zero")
     angle: float = param(
         default=0.0,
         unit="rad",
         minimum=-2.0 * math.pi,
         maximum=2.0 * math.pi,
         display="deg",
-        doc="turns the direction counter-clockwise; two axes only",
+        doc="angle by which to turn the direction counter-clockwise; two axes only",
     )
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
         length = math.hypot(*self.direction)
         if not (length > 0.0 and math.isfinite(length)):
-            raise ParameterError(f"{self.kind}.direction", list(self.direction), "a vector that has a direction")
+            raise ParameterError(f"{self.kind}.direction", list(self.direction), "a finite vector, not all 0")
         if self.angle != 0.0 and len(self.direction) != 2:
             raise ParameterError(f"{self.kind}.angle", f"{self.angle:g}", f"0 with a direction of {len(self.direction)} axes", "rad")
 

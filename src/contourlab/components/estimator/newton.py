@@ -12,17 +12,17 @@ from contourlab.primitives import clip, dot, lincomb, maximum, scale, select, sq
 
 
 class Newton(Component):
-    """Foot point on the path by Newton steps on |r(s) - p|^2/2, from the foot point of the tick before.
+    """Foot point on the path by Newton steps on |r(s) - p|^2/2, warm-started from the last tick.
 
-    Each iteration is s -= g/max(h, |r'|^2/10), g = r'.(r - p), h = |r'|^2 + r''.(r - p); s stays within the window around the reference, on
-    both sides: a tool that overshoots is ahead of its reference. What is returned is the projection of the error on the normal at s: its
-    error is of second order in that of s, where the distance to r(s) would be of first order.
+    Each iteration is s -= g/max(h, |r'|^2/10), g = r'.(r - p), h = |r'|^2 + r''.(r - p); s stays within `window` on both sides of the
+    reference: a tool that overshoots is ahead of it. The result is the projection of the error on the normal at s. Its error is of second
+    order in the error of s; that of the distance to r(s) would be of first order.
 
-    With ``start = "both"`` the iteration also starts from the reference's own place and the nearer result is taken: beyond a corner the
-    warm start alone may stay on the side it came from.
+    With ``start = "both"`` the iteration also starts at the reference, and the nearer result counts: after a corner the warm start alone
+    may stay on the old side.
 
-    From a lag L on a curvature radius rho the foot error after one iteration is L^3/(3 rho^2); it squares with each further one. Valid for
-    errors that are small beside the radius: from beyond the centre of curvature the nearest point is another one.
+    With a lag L and a radius of curvature rho, the foot point error after one iteration is L^3/(3 rho^2); each further iteration squares
+    it. Valid for errors small against the radius: beyond the centre of curvature another point is nearest.
 
     References
     ----------
@@ -39,13 +39,13 @@ class Newton(Component):
 
     window: float = param(default=5e-3, unit="m", minimum=0.0, exclusive=True, display="mm", doc="search range around the reference")
     iterations: float = param(default=2.0, minimum=1.0, maximum=8.0, whole=True, structural=True, doc="Newton steps per tick")
-    start: str = text_param(default="both", choices=("both", "warm"), doc="from where the iteration starts")
+    start: str = text_param(default="both", choices=("both", "warm"), doc="warm: from the last foot point; both: also from the reference")
 
     def path_step(self, view: PathView, n_axis: int) -> Step:
         """Return the step on a given path."""
         states, inputs, outputs = self.ports(n_axis)
         parameters = (*self.numeric(), *view.parameters)
-        # On an open path, which a table says of itself, no foot point lies beyond the ends.
+        # The view of a table gives `path_wrap`; it is 0 for an open path, where no foot point lies beyond the ends.
         ends = view.parameters.get("path_wrap") == 0.0
         function = _make(view.evaluate, n_axis, int(self.iterations), self.start == "both", ends)
         return Step("estimator/newton", function, parameters, tuple(view.tables), "", states, inputs, outputs)

@@ -1,1 +1,1 @@
-"""What is added to the reference or the command of an axis, from the reference alone."""
+"""Feedforward: additions to an axis' reference or command, from the reference alone."""

@@ -1,4 +1,4 @@
-"""Feedforward from a model of the axis: its inertia, its friction."""
+"""Feedforward of inertia and friction."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from contourlab.primitives import exp, tanh
 class InverseDynamics(Component):
     """Command that a rigid axis needs to follow the reference: u = k_v r_v + k_a r_a.
 
-    For v' = a u - b v that is k_a = 1/a, k_v = b/a; for m v' = K_f u - c v it is k_a = m/K_f, k_v = c/K_f. It is for controllers that have
-    no feedforward of their own.
+    For v' = a u - b v that is k_a = 1/a, k_v = b/a; for m v' = K_f u - c v it is k_a = m/K_f, k_v = c/K_f. Use it with controllers without
+    their own feedforward.
 
     References
     ----------
@@ -30,7 +30,9 @@ class InverseDynamics(Component):
     inputs = (Port("reference_velocity"), Port("reference_acceleration"))
     outputs = (Port("command"),)
 
-    velocity_gain: float = param(default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="per reference speed, k_v")
+    velocity_gain: float = param(
+        default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="command per reference velocity, k_v"
+    )
     acceleration_gain: float = param(unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="per reference acceleration, k_a")
 
     @staticmethod
@@ -44,11 +46,11 @@ class InverseDynamics(Component):
 
 
 class FrictionFeedforward(Component):
-    """Command against friction: u = [(F_c + (F_s - F_c) exp(-(v/v_s)^2)) tanh(v/v_e) + c v]/K_f, v the velocity of the reference.
+    """Friction compensation: u = [(F_c + (F_s - F_c) exp(-(v/v_s)^2)) tanh(v/v_e) + c v]/K_f, v the reference velocity.
 
-    The change of sign is spread over the velocity v_e: too small a one makes the command jump at a reversal before the axis has turned, too
-    large a one comes late. With v_e of the speed that the reference reaches within the time by which the axis lags, both are met halfway.
-    `force_constant` turns forces into commands, so that the numbers of an identified friction can be taken as they are.
+    The change of sign is spread over v_e. If v_e is too small, the command jumps at a reversal before the axis has turned; if it is too
+    large, the command comes late. A good compromise is the speed that the reference reaches within the lag time of the axis.
+    `force_constant` converts forces to commands, so that identified friction parameters can be used unchanged.
 
     References
     ----------
@@ -73,11 +75,11 @@ class FrictionFeedforward(Component):
     derived = ("inverse_stribeck", "inverse_smoothing", "inverse_constant")
 
     coulomb: float = param(unit="{force}", minimum=0.0, doc="friction at speed, F_c")
-    breakaway: float = param(unit="{force}", minimum=0.0, doc="friction near rest, F_s; as F_c for none of Stribeck's effect")
+    breakaway: float = param(unit="{force}", minimum=0.0, doc="friction near rest, F_s; F_c: no Stribeck effect")
     stribeck_velocity: float = param(default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="of the fall to F_c, v_s")
     viscous: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
     smoothing_velocity: float = param(
-        default=1e-4, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed over which the command changes its sign, v_e"
+        default=1e-4, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed scale on which the command changes its sign, v_e"
     )
     force_constant: float = param(default=1.0, unit="{force}/{command}", minimum=0.0, exclusive=True, doc="force per command, K_f")
 

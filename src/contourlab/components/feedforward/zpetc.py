@@ -1,4 +1,4 @@
-"""Zero-phase-error tracking: the reference led through an inverse of the closed loop, with a look ahead."""
+"""Zero-phase-error tracking: the reference filtered by an inverse of the closed loop, with look-ahead."""
 
 from __future__ import annotations
 
@@ -13,18 +13,17 @@ from contourlab.errors import ParameterError
 from contourlab.primitives import clip, delayed, dot, lookup
 
 MAX_ORDER = 8
-"""Highest order of the denominator: how many zeros of a closed loop can be cancelled."""
+"""Highest order of the denominator: the most closed-loop zeros that can be cancelled."""
 
 
 class ZPETC(Component):
     """Shift of the reference by F(z) r - r, F(z) = z^L (n_0 + n_1 z^-1 + ...)/(d_0 + d_1 z^-1 + ...), from the reference L ticks ahead.
 
-    The coefficients are ready made: `contourlab.analysis.zpetc_design` finds them for a closed loop, so that position over reference has no
-    phase at any frequency. What is computed is the shift itself, from differences to the reference of now: F is 1 at rest, so that the
-    large coefficients of opposite sign cost no digits at rest.
+    `contourlab.analysis.linear.zpetc.zpetc_design` computes the coefficients for a closed loop, so that position over reference has zero
+    phase at all frequencies. The step computes the shift from differences to the current reference: F is 1 at rest, so large coefficients
+    of opposite sign lose no digits at rest.
 
-    A filter that looks L ticks ahead and as far back knows all it needs only after as many ticks; until then the shift is zero, and over as
-    many again it is faded in.
+    The shift is zero until the window of the filter is filled, and is then faded in over as many ticks.
 
     References
     ----------
@@ -45,21 +44,21 @@ class ZPETC(Component):
 
     numerator: tuple[float, ...] = param(vector=True, doc="n_0, n_1 ... of the reference ahead, in falling powers of z")
     denominator: tuple[float, ...] = param(vector=True, doc="d_0, d_1 ..., with zeros inside the unit circle; (1,) for none")
-    lead: float = param(minimum=0.0, maximum=1000.0, whole=True, structural=True, doc="servo periods that are looked ahead, L")
+    lead: float = param(minimum=0.0, maximum=1000.0, whole=True, structural=True, doc="look-ahead in servo periods, L")
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
         n, d = np.array(self.numerator), np.array(self.denominator)
         if d.size > MAX_ORDER + 1:
-            raise ParameterError("denominator", f"of order {d.size - 1}", f"of order {MAX_ORDER} at most")
+            raise ParameterError("denominator", f"of order {d.size - 1}", f"of order {MAX_ORDER} or less")
         if d[0] == 0.0 or np.abs(np.roots(d)).max(initial=0.0) >= 1.0:
             raise ParameterError("denominator", f"{list(self.denominator)}", "with d_0 not 0 and all zeros inside the unit circle")
         if not abs(n.sum() - d.sum()) <= 1e-6 * abs(d.sum()):
-            raise ParameterError("numerator", f"a list of sum {n.sum():.9g}", f"of the denominator's sum, {d.sum():.9g}: F is 1 at rest")
+            raise ParameterError("numerator", f"a list with sum {n.sum():.9g}", f"one with sum {d.sum():.9g}, as the denominator has")
 
     @property
     def taps(self) -> Array:
-        """What acts on the reference L ticks ahead, L - 1 ahead, ... to give the shift: numerator less denominator, over d_0."""
+        """Weights of the shift on the reference L, L - 1, ... ticks ahead: numerator minus the denominator delayed by L, over d_0."""
         lead = int(self.lead)
         found = np.zeros(max(len(self.numerator), lead + len(self.denominator)))
         found[: len(self.numerator)] += self.numerator

@@ -1,1 +1,1 @@
-"""Frictions: what resists the motion of a plant."""
+"""Friction laws of plants."""

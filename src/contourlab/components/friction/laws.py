@@ -1,4 +1,4 @@
-"""Friction laws: what resists the motion of a plant. How each law is integrated: `contourlab.components.mechanics.core`."""
+"""Friction laws of plants; `contourlab.components.mechanics.core` integrates them."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from contourlab.components.contract import Component, param
 from contourlab.engine.step import Port
 from contourlab.primitives import exp, maximum, tanh
 
-STRIBECK_VELOCITY = param(default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of the fall to F_c, v_s")
+STRIBECK_VELOCITY = param(default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed scale of the fall to F_c, v_s")
 VISCOUS = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
 
 
 class NoFriction(Component):
-    """A guide without friction besides the plant's own damping."""
+    """No friction besides the plant's own damping."""
 
     family = "friction"
     kind = "none"
@@ -45,7 +45,7 @@ class Coulomb(Component):
     reference = "Armstrong-Helouvry, Dupont & Canudas de Wit 1994"
 
     coulomb: float = param(unit="{force}", minimum=0.0, doc="sliding friction at speed, F_c")
-    breakaway: float = param(default=0.0, unit="{force}", minimum=0.0, doc="friction at rest, F_s; taken as F_c where it is smaller")
+    breakaway: float = param(default=0.0, unit="{force}", minimum=0.0, doc="friction at rest, F_s; at least F_c")
     stribeck_velocity: float = STRIBECK_VELOCITY
     viscous: float = VISCOUS
 
@@ -118,7 +118,7 @@ class SmoothCoulomb(Component):
     breakaway: float = param(unit="{force}", minimum=0.0, doc="friction near rest, F_s")
     stribeck_velocity: float = STRIBECK_VELOCITY
     smoothing_velocity: float = param(
-        default=1e-5, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed over which friction changes its sign, v_e"
+        default=1e-5, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed scale on which friction changes its sign, v_e"
     )
     viscous: float = VISCOUS
 
@@ -160,8 +160,8 @@ class LuGre(Component):
     coulomb: float = param(unit="{force}", minimum=0.0, exclusive=True, doc="sliding friction at speed, F_c")
     breakaway: float = param(unit="{force}", minimum=0.0, exclusive=True, doc="largest friction at vanishing speed, F_s")
     stribeck_velocity: float = STRIBECK_VELOCITY
-    stiffness: float = param(unit="{force}/m", minimum=0.0, exclusive=True, doc="of the bristles, s0")
-    bristle_damping: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="of the bristles, s1")
+    stiffness: float = param(unit="{force}/m", minimum=0.0, exclusive=True, doc="bristle stiffness, s0")
+    bristle_damping: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="bristle damping, s1")
     viscous: float = VISCOUS
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:

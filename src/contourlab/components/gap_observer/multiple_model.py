@@ -122,35 +122,35 @@ class MultipleModel(Component):
         "substeps": 1.0,
     }
 
-    motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of motor and coupling, J_m")
+    motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="inertia of motor and coupling, J_m")
     load_inertia: float = param(
-        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="of the load at the shaft, J_l; in addition to `mass`"
+        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="inertia of the load at the shaft, J_l, without `mass`"
     )
-    mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="of the table with everything on it")
+    mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass of the table and everything on it")
     lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
-    stiffness: float = param(unit="N*m/rad", minimum=0.0, exclusive=True, doc="of shaft, coupling and nut, k_s")
-    shaft_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="of the same, d_s")
-    motor_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous, on the motor's side, c_m")
-    load_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous, on the load's side, c_l")
+    stiffness: float = param(unit="N*m/rad", minimum=0.0, exclusive=True, doc="stiffness of shaft, coupling and nut, k_s")
+    shaft_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="damping of shaft, coupling and nut, d_s")
+    motor_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous damping on the motor side, c_m")
+    load_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous damping on the load side, c_l")
     coulomb: float = param(default=0.0, unit="N", minimum=0.0, doc="Coulomb friction of the guides")
     motor_coulomb: float = param(default=0.0, unit="N", minimum=0.0, doc="Coulomb friction of the motor, at the table")
     torque_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="torque per commanded torque, g")
-    uncertainty: float = param(
-        default=0.03, minimum=1e-4, maximum=0.15, doc="relative standard deviation of torque, load inertia and friction"
+    uncertainty: float = param(default=0.03, minimum=1e-4, maximum=0.15, doc="relative deviation of torque, load inertia and friction")
+    resolution: float = param(default=0.125e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="encoder resolution at the table")
+    unmodelled_force: float = param(
+        default=1.0, unit="N", minimum=0.0, exclusive=True, doc="standard deviation of the unmodelled force over 1 ms, on each side"
     )
-    resolution: float = param(default=0.125e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="of the encoder, at the table")
-    unmodelled_force: float = param(default=1.0, unit="N", minimum=0.0, exclusive=True, doc="standard deviation over 1 ms, either side")
     smallest_gap: float = param(default=5e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="smallest initial gap")
     largest_gap: float = param(default=150e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="largest initial gap")
-    tolerance: float = param(default=0.25, minimum=0.0, maximum=1.0, exclusive=True, doc="relative error of the gap in `confidence`")
-    memory: float = param(default=60.0, unit="s", minimum=0.0, exclusive=True, doc="time over which knowledge fades")
+    tolerance: float = param(default=0.25, minimum=0.0, maximum=1.0, exclusive=True, doc="relative gap error that `confidence` refers to")
+    memory: float = param(default=60.0, unit="s", minimum=0.0, exclusive=True, doc="time constant of forgetting")
     hypotheses: float = param(default=32.0, minimum=2.0, maximum=64.0, whole=True, structural=True, doc="number of filters")
     substeps: float = param(default=2.0, minimum=1.0, maximum=32.0, whole=True, structural=True, doc="integration steps per servo period")
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
         if not self.load_inertia + self.mass > 0.0:
-            raise ParameterError("load_inertia", "0", "> 0, or a mass given", "kg*m^2")
+            raise ParameterError("load_inertia", "0", "> 0 unless a mass is given", "kg*m^2")
         if not self.largest_gap > self.smallest_gap:
             raise ParameterError("largest_gap", f"{self.largest_gap:g}", f"> smallest_gap = {self.smallest_gap:g}", "m")
 

@@ -1,1 +1,1 @@
-"""What one trial teaches the next: laws that turn the record of a trial into the table that the next one adds."""
+"""Learning laws: from the record of a trial to the table that the next trial adds."""

@@ -1,4 +1,4 @@
-"""Laws that learn from the tracking error, or from what the feedback had to give."""
+"""Laws that learn from the tracking error or the feedback command."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from contourlab.errors import ParameterError
 
 
 class FilteredLaw(LearningLaw):
-    """u <- Q (u + what the law adds), Q a Butterworth low-pass run forwards and backwards."""
+    """Base of laws with a Q-filter: u <- Q (u + addition), Q a Butterworth low-pass run forwards and backwards."""
 
     bandwidth: float = param(default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="w_q of the Q-filter; inf: no filter")
-    order: float = param(default=2.0, minimum=1.0, maximum=8.0, whole=True, doc="of the Butterworth filter that is run both ways")
+    order: float = param(default=2.0, minimum=1.0, maximum=8.0, whole=True, doc="of the Butterworth filter")
 
     def passed(self, signal: Array, servo_period: float) -> Array:
         return q_filter(signal, self.bandwidth, int(self.order), servo_period)
 
 
 class ErrorLaw(FilteredLaw):
-    """A law that adds gains times errors of `lead` later."""
+    """Base of laws that add gains times the errors `lead` later."""
 
-    lead: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="by which the errors are advanced, in whole servo periods")
+    lead: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="advance of the errors, in whole servo periods")
     stiffness: float = param(
         default=math.inf,
         unit="{command}/m",
@@ -40,11 +40,10 @@ class ErrorLaw(FilteredLaw):
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
         if self.target == "reference" and math.isinf(self.stiffness):
-            raise ParameterError("stiffness", "not given", 'given with target = "reference": the gains, commands for an error, are over it')
+            raise ParameterError("stiffness", "not given", 'given with target = "reference", because the gains are divided by it')
 
     def addition(self, trial: TrialRecord, problem: LearningProblem) -> Array:
-        """Return what is learned from a trial (n_sample, n_axis) [command unit], lead and filter left out."""
-        # What tells one law from another.
+        """Return the addition from a trial (n_sample, n_axis) [command unit], before lead and filter."""
         raise NotImplementedError
 
     def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
@@ -56,9 +55,9 @@ class ErrorLaw(FilteredLaw):
 class PType(ErrorLaw):
     """u <- Q (u + L e(k + lead)): the tracking error times a gain.
 
-    With G from what is learned to the position, a trial multiplies the deviation from the limit by Q (1 - L G): it converges steadily if
-    the magnitude of this is below 1 at all frequencies. Without Q there is a frequency beyond which |1 - L G| > 1, where the phase of G
-    passes -90 degrees; the Q-filter is to lie below it.
+    With G from the learned table to the position, a trial multiplies the deviation from the limit by Q (1 - L G): convergence is monotonic
+    if its magnitude is below 1 at all frequencies. Without Q, |1 - L G| > 1 beyond the frequency where the phase of G passes -90 degrees;
+    set the Q-filter below it.
 
     References
     ----------
@@ -69,7 +68,7 @@ class PType(ErrorLaw):
     example = {"gain": 30.0, "bandwidth": 120.0, "lead": 2e-3, "stiffness": 50.0}
     reference = "Bristow, Tharayil & Alleyne 2006"
 
-    gain: float = param(unit="{command}/m", minimum=0.0, exclusive=True, display="{command}/mm", doc="L: command for an error")
+    gain: float = param(unit="{command}/m", minimum=0.0, exclusive=True, display="{command}/mm", doc="command per error, L")
 
     def addition(self, trial: TrialRecord, problem: LearningProblem) -> Array:
         return self.gain * trial.tracking_error
@@ -78,7 +77,7 @@ class PType(ErrorLaw):
 class PDType(ErrorLaw):
     """u <- Q (u + L_p e + L_d e'): the tracking error and its derivative, by central differences.
 
-    The derivative turns the phase of the loop forwards, so that more of it can be learned than by P-type; in other respects as there.
+    The derivative adds phase lead, so that it can learn up to higher frequencies than P-type. The rest is as for P-type.
 
     References
     ----------
@@ -89,8 +88,8 @@ class PDType(ErrorLaw):
     example = {"gain": 30.0, "derivative_gain": 0.5, "bandwidth": 120.0, "lead": 1e-3, "stiffness": 50.0}
     reference = "Bristow, Tharayil & Alleyne 2006"
 
-    gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="L_p: command for an error")
-    derivative_gain: float = param(unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="L_d: command for an error's rate")
+    gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="command per error, L_p")
+    derivative_gain: float = param(unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="command per error rate, L_d")
 
     def addition(self, trial: TrialRecord, problem: LearningProblem) -> Array:
         error = trial.tracking_error
@@ -102,9 +101,9 @@ class PDType(ErrorLaw):
 class CrossCoupledLearning(ErrorLaw):
     """u <- Q (u + L e + L_c eps): the tracking error e and the contour error eps, the vector from the tool to the path.
 
-    In the plane eps = (-C_x, C_y) eps with the coupling gains of the contour, u_x <- Q (u_x + L_x e_x - C_x L_c eps) and
-    u_y <- Q (u_y + L_y e_y + C_y L_c eps); as a vector it is the same in any number of axes. Across the path both gains act, along it only
-    L: with matched axes the deviation across the path shrinks by Q (1 - (L + L_c) G) from trial to trial.
+    In the plane eps = (-C_x, C_y) eps with the coupling gains of the contour, u_x <- Q (u_x + L_x e_x - C_x L_c eps) and u_y <- Q
+    (u_y + L_y e_y + C_y L_c eps); the vector form holds for any number of axes. Across the path both gains act, along it only L: with
+    matched axes each trial multiplies the deviation across the path by Q (1 - (L + L_c) G).
 
     References
     ----------
@@ -116,8 +115,8 @@ class CrossCoupledLearning(ErrorLaw):
     example = {"gain": 20.0, "contour_gain": 30.0, "bandwidth": 120.0, "lead": 1e-3, "stiffness": 50.0}
     reference = "Barton & Alleyne 2008"
 
-    gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="L: command for a tracking error")
-    contour_gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="L_c: command for a contour error")
+    gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="command per tracking error, L")
+    contour_gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="command per contour error, L_c")
 
     @property
     def needs_contour_error(self) -> bool:
@@ -125,22 +124,22 @@ class CrossCoupledLearning(ErrorLaw):
 
     def addition(self, trial: TrialRecord, problem: LearningProblem) -> Array:
         contour = trial.contour_error
-        assert contour is not None  # asked for above
+        assert contour is not None  # see needs_contour_error
         return self.gain * trial.tracking_error + self.contour_gain * contour
 
 
 class ZeroPhase(LearningLaw):
-    """What the feedback had to give, averaged over 2 M + 1 samples, is given beforehand: u_ff <- u_ff + gamma H_M u_fb (eq 9).
+    """Add the feedback command, averaged over 2 M + 1 samples, to the feedforward: u_ff <- u_ff + gamma H_M u_fb (eq 9).
 
-    With ``target = "reference"`` it is the tracking error that is averaged. In either case, with T the closed loop from what is learned to
-    what is averaged, a trial multiplies the deviation from the limit by 1 - gamma H_M T, with its lead: learning converges where the
-    magnitude is below 1 at all frequencies. H_M is negative beyond its first zero, at 1/((2 M + 1) T_s): there a single average slowly
-    amplifies wherever Re T > 0; ``passes = 2`` squares it. Choose M so that the first zero lies below the frequency at which the phase of
-    T is -90 degrees, or give a `lead` for the delay of the loop.
+    With ``target = "reference"`` the tracking error is averaged instead. Let T be the closed loop from the learned table to the averaged
+    signal, advanced by `lead`. A trial multiplies the deviation from the limit by 1 - gamma H_M T: learning converges if its magnitude is
+    below 1 at all frequencies. H_M is negative beyond its first zero, at 1/((2 M + 1) T_s): there a single average slowly amplifies where
+    Re T > 0; ``passes = 2`` squares it. Choose M so that the first zero lies below the frequency at which the phase of T is -90 degrees, or
+    give a `lead` for the delay of the loop.
 
-    The command counts as far as the drive accepted it, so that the table of a saturating trial stays within reach of the drive. Beyond its
-    ends the feedback goes on as its own mirror image. With a predictor the loop follows a position ahead of the measured one, and so does
-    the table: take a law of the tracking error there.
+    Only the command that the drive accepted counts, so that the table of a saturating trial stays within reach of the drive. At its ends
+    the feedback is continued by its mirror image. With a predictor the loop follows a position ahead of the measured one, and so does the
+    table: use a law of the tracking error there.
 
     References
     ----------
@@ -156,8 +155,8 @@ class ZeroPhase(LearningLaw):
     half_width: float = param(
         default=11.0, minimum=0.0, maximum=1e6, whole=True, doc="M: mean over 2 M + 1 samples", source="Gecer Ulu et al., section 3.1"
     )
-    passes: float = param(default=1.0, minimum=1.0, maximum=2.0, whole=True, doc="how often the average is taken")
-    lead: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="by which the feedback is advanced, in whole servo periods")
+    passes: float = param(default=1.0, minimum=1.0, maximum=2.0, whole=True, doc="number of averagings")
+    lead: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="advance of the feedback, in whole servo periods")
 
     def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
         signal = trial.feedback_command if self.target == "command" else trial.tracking_error

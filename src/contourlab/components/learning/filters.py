@@ -1,9 +1,8 @@
-"""Filters without phase, over whole trials.
+"""Zero-phase filters over whole trials.
 
-Beyond its ends a trial goes on as its own mirror image, d c b a | a b c d | d c b a. A filter then is a symmetric matrix whose
-eigenvalues are its response at the frequencies of the record: it keeps a constant, and where the response is at most 1 it makes nothing
-larger. Other continuations, by an odd image or by the last value, let the samples at the ends through unfiltered: there learning goes
-astray that converges everywhere else.
+At its ends a trial is continued by its mirror image, d c b a | a b c d | d c b a. A filter is then a symmetric matrix whose eigenvalues are
+its response at the frequencies of the record: it keeps a constant, and where the response is at most 1 it amplifies nothing. Other
+continuations (odd image, last value) pass the end samples unfiltered: learning can diverge there although it converges elsewhere.
 """
 
 from __future__ import annotations
@@ -37,7 +36,7 @@ def moving_average(signal: Array, half_width: int, passes: int = 1) -> Array:
 
 
 def advanced(signal: Array, samples: int) -> Array:
-    """Return x(k + samples); zero where that is beyond the end, so that nothing is learned from what is not known."""
+    """Return x(k + samples); zero beyond the end, so that nothing is learned from unknown samples."""
     if not samples:
         return signal
     later = np.zeros_like(signal)
@@ -56,19 +55,19 @@ def q_response(frequency: ArrayLike, bandwidth: float, order: float, servo_perio
 
 
 def q_filter(signal: Array, bandwidth: float, order: int, servo_period: float) -> Array:
-    """Return a signal behind a Butterworth low-pass run forwards and backwards, 1/(1 + (tan(w T_s/2)/tan(w_q T_s/2))^(2 order)).
+    """Return a signal after a Butterworth low-pass run forwards and backwards, 1/(1 + (tan(w T_s/2)/tan(w_q T_s/2))^(2 order)).
 
     Parameters
     ----------
     signal : ndarray (n_sample, n_axis)
     bandwidth : float [rad/s], > 0
-        w_q, where half of the amplitude is left; from the Nyquist frequency on there is no filter.
+        w_q, where the gain is 1/2; no filter from the Nyquist frequency on.
     order : int, >= 1
     servo_period : float [s]
 
     Notes
     -----
-    That is the magnitude of the sampled filter, squared; for w far below the Nyquist frequency 1/(1 + (w/w_q)^(2 order)).
+    The gain is the squared magnitude of the sampled filter; for w far below the Nyquist frequency 1/(1 + (w/w_q)^(2 order)).
     """
     if bandwidth * servo_period >= math.pi:
         return signal
@@ -76,5 +75,5 @@ def q_filter(signal: Array, bandwidth: float, order: int, servo_period: float) -
 
     n = len(signal)
     gain = q_response(np.pi * np.arange(n) / (n * servo_period), bandwidth, order, servo_period)
-    # The cosines are what a mirror image at both ends leaves of the frequencies: the filter is this product, without any padding.
+    # Mirror images at both ends leave only cosines: the filter is this product, without padding.
     return np.asarray(idct(dct(np.ascontiguousarray(signal.T)) * gain).T)

@@ -1,4 +1,4 @@
-"""What all learning laws have in common: the record of a trial, what is known of the machine, and the form of a law."""
+"""Base of the learning laws: record of a trial, model of the machine, and interface of a law."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from contourlab.components.contract import Component, text_param
 
 @dataclass(frozen=True, eq=False)
 class TrialRecord:
-    """What a real controller knows of a trial when it is over.
+    """Record of a trial, as a real controller has it.
 
     Attributes
     ----------
     tracking_error : ndarray (n_sample, n_axis) [m]
-        Reference less measured position.
+        Reference minus measured position.
     feedback_command : ndarray (n_sample, n_axis) [command unit]
-        What the controllers and the coupling gave because of errors: the command that the drive accepted, less what was learned before,
-        less what is known beforehand (feedforward of the reference).
+        Command of controllers and coupling due to errors: the command that the drive accepted, minus the learned table, minus the
+        feedforward of the reference.
     excess : ndarray (n_sample, n_axis) [command unit]
-        What of the command lay beyond the drive's limit; zero where it did not saturate.
+        Part of the command beyond the drive's limit; zero where it did not saturate.
     contour_error : ndarray (n_sample, n_axis) [m] or None
-        Vector from the tool, as measured, to the path; only for laws that ask for it (`LearningLaw.needs_contour_error`).
+        Vector from the measured tool position to the path; only for laws with `LearningLaw.needs_contour_error`.
     """
 
     tracking_error: Array
@@ -39,7 +39,7 @@ class TrialRecord:
 class InputModel:
     """Linear model of each axis from the learned input to the measured position: convolution with an impulse response, by FFT.
 
-    Nothing wraps around: what is fed and what comes out are as long as a trial, and zero before it.
+    Nothing wraps around: input and output have the length of a trial and are zero before it.
 
     Parameters
     ----------
@@ -56,10 +56,10 @@ class InputModel:
         self.response: Complex = rfft(self.impulse, self.length, axis=0)
 
     def through(self, signal: Array, response: Complex | Array) -> Array:
-        """Return what a frequency response (as long as `response`) makes of a signal (n_sample, n_axis)."""
+        """Return a signal (n_sample, n_axis) filtered by a frequency response (as long as `self.response`)."""
         from scipy.fft import irfft, rfft
 
-        # Along memory: the transforms of a signal that lies sample by sample would jump from axis to axis.
+        # Contiguous columns: in sample order each transform would stride over the axes.
         columns = np.ascontiguousarray(signal.T)
         return np.asarray(irfft(rfft(columns, self.length) * response.T, self.length)[:, : self.n_sample].T)
 
@@ -74,15 +74,15 @@ class InputModel:
 
 @dataclass(frozen=True, eq=False)
 class LearningProblem:
-    """What is known before the first trial.
+    """Data known before the first trial.
 
     Attributes
     ----------
     servo_period : float [s]
     tangent : ndarray (n_sample, n_axis)
-        Direction of the path, of length 1, at the place of the reference.
+        Unit tangent of the path at the reference.
     impulses : callable
-        Gives the impulse responses (m, n_axis) from the learned input to the position; called only by laws that use a model.
+        Returns the impulse responses (m, n_axis) from the learned input to the position; called only by laws that use a model.
     """
 
     servo_period: float
@@ -91,7 +91,7 @@ class LearningProblem:
 
     @cached_property
     def model(self) -> InputModel:
-        """The model of the axes, worked out once."""
+        """Model of the axes, computed once."""
         return InputModel(self.impulses(), len(self.tangent))
 
     def across(self, vectors: Array) -> Array:
@@ -100,18 +100,18 @@ class LearningProblem:
 
 
 class LearningLaw(Component):
-    """Base of all laws: a law says what the next table is, this class keeps a saturated trial from winding it up.
+    """Base of all laws: a law computes the next table; this class prevents wind-up.
 
-    Where the drive saturated, the table does not move further in the direction in which it did.
+    Where the drive saturated, the table does not move further in that direction.
     """
 
     family: ClassVar[str] = "learning"
 
-    target: str = text_param(default="command", choices=("command", "reference"), doc="the table adds to the command or to the reference")
+    target: str = text_param(default="command", choices=("command", "reference"), doc="what the table is added to")
 
     @property
     def needs_contour_error(self) -> bool:
-        """Whether it wants `TrialRecord.contour_error`."""
+        """Whether the law needs `TrialRecord.contour_error`."""
         return False
 
     def update(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
@@ -120,7 +120,7 @@ class LearningLaw(Component):
         Parameters
         ----------
         table : ndarray (n_sample, n_axis) [command unit, or m for the reference]
-            What the trial ran with.
+            The table of the trial.
         trial : TrialRecord
         problem : LearningProblem
 
@@ -135,10 +135,9 @@ class LearningLaw(Component):
         return np.asarray(np.where(trial.excess * (wanted - table) > 0.0, table, wanted))
 
     def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
-        """Return the next table as the law has it; arguments and result as of `update`."""
-        # What tells one law from another.
+        """Return the next table without protection against wind-up; arguments and result as in `update`."""
         raise NotImplementedError
 
     def passed(self, signal: Array, servo_period: float) -> Array:
-        """Return what the law's own filter lets through of a signal (n_sample, n_axis): all, where it has none."""
+        """Return a signal (n_sample, n_axis) after the filter of the law, if it has one."""
         return signal

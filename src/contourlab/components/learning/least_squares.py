@@ -1,4 +1,4 @@
-"""Laws that solve the least-squares problem of a whole trial, without a matrix."""
+"""Laws that solve a least-squares problem over a whole trial, matrix-free."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from contourlab.components.learning.law import InputModel, LearningLaw, Learning
 
 
 class Equation(NamedTuple):
-    """(G' Q G + S + R) d = b and what its solution takes."""
+    """The equation (G' Q G + S + R) d = b and its preconditioner."""
 
     problem: LearningProblem
     model: InputModel
@@ -25,12 +25,12 @@ class Equation(NamedTuple):
 
     @classmethod
     def of(cls, problem: LearningProblem, tracking: float, contour: float, on_input: float, on_change: float) -> Equation:
-        """Return the equation; the last two weights are in parts of max |G|^2 of each axis."""
+        """Return the equation; the last two weights are relative to max |G|^2 of each axis."""
         model = problem.model
         square = np.abs(model.response) ** 2
         largest = square.max(axis=0)
         held = (on_input * largest, on_change * largest)
-        # As if the path went its own way on the average: the part of each axis that lies across it.
+        # Mean part of each axis across the path, in place of its changing direction.
         across = 1.0 - (problem.tangent**2).mean(axis=0)
         inverse = 1.0 / ((tracking + contour * across) * square + held[0] + held[1])
         return cls(problem, model, tracking, contour, *held, inverse)
@@ -44,7 +44,7 @@ class Equation(NamedTuple):
         return through + (self.on_input + self.on_change) * change
 
     def solved(self, right: Array, tolerance: float, iterations: int) -> Array:
-        """Return d by preconditioned conjugate gradients, from zero, up to a residual of `tolerance` times the right-hand side."""
+        """Return d by preconditioned conjugate gradients, from zero, to a residual of `tolerance` times the right-hand side."""
         found, left = np.zeros_like(right), right.copy()
         enough = tolerance**2 * _dot(right, right)
         direction, product = np.zeros_like(right), 1.0
@@ -62,20 +62,19 @@ class Equation(NamedTuple):
 
 
 def _dot(one: Array, other: Array) -> float:
-    # Not by the threads of a matrix library: these sums are short, and waiting for a second thread costs more than both do alone.
+    # Not by a matrix library: these sums are short, and its threads cost more than they save.
     return float((one * other).sum())
 
 
 class NormOptimal(LearningLaw):
-    """The next table is the one that makes the weighted sum of the next trial's errors, of the input and of its change least.
+    """The next table minimises a weighted sum of the predicted errors, the input and its change.
 
     J = |e|^2 q + |eps|^2 q_c + |u|^2 s + |u - u_before|^2 r, e = e_before - G (u - u_before), eps = Gamma e = e - t (t.e) across the path.
-    The minimum solves (G' Q G + S + R) d = G' Q e - S u_before for the change d, Q = q + Gamma' q_c Gamma: with S = 0 the errors fall
-    from trial to trial, and where G can cause them they fall to zero; the larger r, the more slowly, and the less does noise enter.
+    The minimum solves (G' Q G + S + R) d = G' Q e - S u_before for the change d, Q = q + Gamma' q_c Gamma: with S = 0 the errors fall from
+    trial to trial, to zero where G can cause them. A larger r slows learning and reduces the effect of noise.
 
-    The weights are bare numbers: q and q_c for the errors, s and r in parts of max |G|^2 of each axis. The equation is solved by conjugate
-    gradients, G by FFT, with the spectrum of each axis as preconditioner: memory and time grow with the number of samples, not with its
-    square.
+    The weights have no unit: q and q_c for the errors, s and r relative to max |G|^2 of each axis. Conjugate gradients solve the equation,
+    with G by FFT and the spectrum of each axis as preconditioner: memory and time grow with the number of samples, not with its square.
 
     References
     ----------
@@ -92,15 +91,15 @@ class NormOptimal(LearningLaw):
         "tolerance": 1e-4,
         "iterations": 7,
     }
-    without_effect = ("target",)  # which the model takes care of
+    without_effect = ("target",)  # the model contains the target
     reference = "Barton & Alleyne 2011"
 
-    tracking_weight: float = param(default=1.0, minimum=0.0, maximum=1e6, doc="q, of the tracking error of each axis")
-    contour_weight: float = param(default=0.0, minimum=0.0, maximum=1e6, doc="q_c, of the error across the path")
-    input_weight: float = param(default=0.0, minimum=0.0, maximum=1e6, doc="s, of the table, over max |G|^2")
-    change_weight: float = param(default=0.01, minimum=1e-9, maximum=1e6, doc="r, of its change in a trial, over max |G|^2")
-    tolerance: float = param(default=1e-6, minimum=1e-14, maximum=0.5, doc="residual over right-hand side at which the equation is solved")
-    iterations: float = param(default=200.0, minimum=1.0, maximum=1e5, whole=True, doc="most steps of the conjugate gradients")
+    tracking_weight: float = param(default=1.0, minimum=0.0, maximum=1e6, doc="weight of each axis' tracking error, q")
+    contour_weight: float = param(default=0.0, minimum=0.0, maximum=1e6, doc="weight of the error across the path, q_c")
+    input_weight: float = param(default=0.0, minimum=0.0, maximum=1e6, doc="weight of the table over max |G|^2, s")
+    change_weight: float = param(default=0.01, minimum=1e-9, maximum=1e6, doc="weight of its change over max |G|^2, r")
+    tolerance: float = param(default=1e-6, minimum=1e-14, maximum=0.5, doc="residual over right-hand side at which the solver stops")
+    iterations: float = param(default=200.0, minimum=1.0, maximum=1e5, whole=True, doc="most conjugate-gradient steps")
 
     def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
         weights = (self.tracking_weight, self.contour_weight, self.input_weight, self.change_weight)
@@ -110,18 +109,18 @@ class NormOptimal(LearningLaw):
 
 
 TOLERANCE, ITERATIONS = 1e-6, 20
-"""Between the ends of a trial the first step is exact; the others see to the ends."""
+"""The first step is exact between the ends of a trial; the others correct the ends."""
 
 
 class PlantInversion(FilteredLaw):
-    """u <- Q (u + alpha (G' G + rho max |G|^2)^-1 G' e): the inverse of the model G, held back where G is small.
+    """u <- Q (u + alpha (G' G + rho max |G|^2)^-1 G' e): the inverse of the model G, regularised where G is small.
 
     With the true plant G_0 a trial multiplies the deviation from the limit by Q (1 - alpha |G|^2/(|G|^2 + rho max |G|^2) G_0/G): with an
-    exact model one trial takes away all but 1 - alpha where G is large. It diverges where the model's phase is off by more than 90 degrees:
-    there Q has to be small. G is that of each axis alone, without coupling and without what is not linear.
+    exact model one trial leaves 1 - alpha of the deviation where G is large. It diverges where the model's phase is off by more than
+    90 degrees: Q must be small there. G is the linear model of each axis alone, without coupling.
 
-    It is the inverse on the trial, which ends: the inverse by frequencies alone would take the last samples, whose effect is not seen any
-    more, further with every trial.
+    The inverse is that over the finite trial. An inverse by frequency alone would increase the last samples with every trial, because their
+    effect lies beyond the end.
 
     References
     ----------
@@ -130,11 +129,11 @@ class PlantInversion(FilteredLaw):
 
     kind = "plant-inversion"
     example = {"gain": 0.7, "regularisation": 1e-4, "bandwidth": 200.0}
-    without_effect = ("target",)  # which the model takes care of
+    without_effect = ("target",)  # the model contains the target
     reference = "Bristow, Tharayil & Alleyne 2006"
 
-    gain: float = param(default=1.0, minimum=0.0, maximum=2.0, exclusive=True, doc="alpha")
-    regularisation: float = param(default=1e-6, minimum=0.0, maximum=1.0, exclusive=True, doc="rho: relative |G|^2 of the smallest inverse")
+    gain: float = param(default=1.0, minimum=0.0, maximum=2.0, exclusive=True, doc="gain, alpha")
+    regularisation: float = param(default=1e-6, minimum=0.0, maximum=1.0, exclusive=True, doc="rho, relative to max |G|^2")
 
     def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
         equation = Equation.of(problem, 1.0, 0.0, 0.0, self.regularisation)

@@ -1,4 +1,4 @@
-"""A link of periodic messages that take time, take unequal time, and get lost."""
+"""A link of periodic messages with delay, jitter and loss."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from contourlab.engine.step import Port
 from contourlab.primitives import delayed, floor, minimum, select, uniform
 
 NEARLY = 1e-9
-"""Ticks by which rounding may take a whole number of them for more."""
+"""Rounding tolerance of whole numbers of ticks."""
 
 
 @cache
 def _make(extrapolate: bool) -> Any:
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         newest, value, slope = x.newest, x.value, x.slope
-        # Of the messages that may arrive at this tick, the newest first: older ones than are held are of no use.
+        # Messages that may arrive at this tick, newest first, down to the one held.
         number = floor((clock.k - par.soonest) / par.spacing)
         while number > newest and number * par.spacing >= clock.k - par.latest:
             sent_at = number * par.spacing
             taken = -floor(NEARLY - par.delay_ticks - par.jitter_ticks * uniform(par.stream, number, 0.0))
-            # A draw lies between 0 and 1 and is neither: a loss of 0 loses none, one of 1 all.
+            # Draws lie strictly between 0 and 1: a loss of 0 loses none, a loss of 1 all.
             there = select(sent_at + taken <= clock.k, uniform(par.stream, number, 1.0), 0.0)
             if there > par.loss:
                 fresh = delayed(par.ring, clock, clock.k - sent_at)
@@ -44,17 +44,16 @@ def _make(extrapolate: bool) -> Any:
 
 
 class Network(Component):
-    """Signals sampled into messages, one each `message_period`, that arrive after `delay` and up to `jitter` more, or never.
+    """Signals sampled into messages, one per `message_period`, that arrive after `delay` plus up to `jitter`, or never.
 
-    A message carries what stood on the wire at the tick at which it was sent, and that tick as its time stamp. It is seen at the first
-    tick at which it has arrived: times are rounded up to servo periods, the message period too. Of messages that have overtaken each other
-    the one with the newest stamp counts; an older one that comes in later is passed over. Between messages, and where they are lost, the
-    last value is held; with ``between = "extrapolate"`` the line through the last two messages is followed from the stamp to now, but for
-    no longer than `horizon`, so that it makes good the delay as well as the loss.
+    A message carries the value of the signal at the tick of sending, and that tick as its time stamp. It counts from the first tick at
+    which it has arrived: times are rounded up to servo periods, the message period too. If messages overtake each other, the newest stamp
+    counts; older messages are ignored. Between messages, and after losses, the last value is held. With ``between = "extrapolate"`` the
+    line through the last two messages is followed from the stamp to now, for at most `horizon`; this compensates delay as well as loss.
 
-    Jitter is uniform, independent from message to message, and so is loss. Both follow from the number of the message and the stream
-    alone: all signals of one axis in one direction travel in the same message and share its fate, and the same seed gives the same run.
-    With a message at each servo period, no delay, jitter or loss, the other side sees the signal as it is.
+    Jitter is uniform. Jitter and loss are independent from message to message. Both depend only on message number and stream: all signals
+    of one axis in one direction share a message, and the same seed gives the same run. With a message per servo period and no delay, jitter
+    or loss, the receiver sees the signal unchanged.
 
     References
     ----------
@@ -81,10 +80,10 @@ class Network(Component):
     derived = ("spacing", "soonest", "latest", "delay_ticks", "jitter_ticks", "horizon_ticks")
     ring = "sent"
 
-    message_period: float = param(default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="between messages; 0: servo period")
+    message_period: float = param(default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="0: the servo period")
     delay: float = param(default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="least time from sending to arrival")
     jitter: float = param(default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="largest extra delay; uniform from 0")
-    loss: float = param(default=0.0, minimum=0.0, maximum=1.0, doc="part of the messages that never arrive")
+    loss: float = param(default=0.0, minimum=0.0, maximum=1.0, doc="fraction of messages that never arrive")
     between: str = text_param(default="hold", choices=("hold", "extrapolate"), doc="value used until the next message arrives")
     horizon: float = param(default=0.02, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="longest extrapolation")
     stream: float = NOISE_STREAM

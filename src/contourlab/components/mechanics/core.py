@@ -24,6 +24,7 @@ from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.lagged_mechanics import lagged_bristle, lagged_smooth, lagged_sticking
 from contourlab.engine.step import Port, Step, record
 from contourlab.errors import ComponentError
+from contourlab.native.generated import generated
 from contourlab.primitives import fabs, select
 
 MOTOR_FRICTION, LOAD_FRICTION = "motor_friction_", "load_friction_"
@@ -54,13 +55,13 @@ def link(plant: Component, friction: Component, motor_friction: Component | None
         return _two_sided(plant, friction, motor_friction or NoFriction())
     shared = sorted({*plant.numeric(), *plant.derived} & {*friction.numeric(), *friction.derived})
     if shared:
-        raise ComponentError(f"plant {plant.kind} and friction {friction.kind} both have a parameter {shared[0]!r}")
+        raise ComponentError(f"plant {plant.kind} and friction {friction.kind} both have a parameter {shared[0]!r}: rename one")
     makers: dict[str, Callable[..., Any]] = {"smooth": _smooth, "sticking": _sticking, "bristle": _bristle}
     if any(port.name == "force" for port in plant.states):
         makers = {"smooth": lagged_smooth, "sticking": lagged_sticking, "bristle": lagged_bristle}
     law = getattr(friction, "law", "")
     if law not in makers:
-        raise ComponentError(f"friction {friction.kind}: law {law!r} is none of {', '.join(makers)}")
+        raise ComponentError(f"friction {friction.kind}: law {law!r} is not one of {', '.join(makers)}")
     parameters = (*plant.numeric(), *plant.derived, *friction.numeric(), *friction.derived)
     states = (*plant.states, *friction.states)
     kinds: tuple[Any, Any] = (type(plant), type(friction))
@@ -86,8 +87,8 @@ def _view(prefix: str, names: tuple[str, ...]) -> Callable[..., Any]:
     if not names:
         return lambda par: par
     scope: dict[str, Any] = {"__name__": __name__, "View": record(names)}
-    exec(f"def view(par):\n    return View({', '.join(f'par.{prefix}{name}' for name in names)})\n", scope)
-    view: Callable[..., Any] = scope["view"]
+    source = f"def view(par):\n    return View({', '.join(f'par.{prefix}{name}' for name in names)})\n"
+    view: Callable[..., Any] = generated(source, scope, "view")
     return view
 
 

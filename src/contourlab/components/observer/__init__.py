@@ -1,1 +1,1 @@
-"""Observers: estimates of what disturbs an axis."""
+"""Observers: estimate the disturbance on an axis."""

@@ -12,16 +12,16 @@ from contourlab.engine.step import Port
 
 
 class DisturbanceObserver(Component):
-    """Estimate of all that acts on an axis besides its model, subtracted from the command.
+    """Estimate of everything that acts on an axis besides its model; it is subtracted from the command.
 
-    d_hat = w_d/(s + w_d) [ (s w_z/(s + w_z) + b_hat) v / a_hat - u ], u being the command that reached the plant. With
-    u = u_c - d_hat the loop from u_c to v has the steady gain a_hat/b_hat for any plant, and no steady response to a disturbance;
-    it is stable for all positive parameters in continuous time. Choose b << w_d << w_z; the servo period and any delay limit w_d.
+    d_hat = w_d/(s + w_d) [ (s w_z/(s + w_z) + b_hat) v / a_hat - u ], u the command that reached the plant. With u = u_c - d_hat the loop
+    from u_c to v has the steady gain a_hat/b_hat for any plant, and no steady response to a disturbance; it is stable for all positive
+    parameters in continuous time. Choose b << w_d << w_z; the servo period and any delay limit w_d.
 
     References
     ----------
-    Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", eqs (6)-(13); the realisation is the one that
-    gives (10)-(13) exactly.
+    Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", eqs (6)-(13); realised so that (10)-(13) hold
+    exactly.
     """
 
     family = "observer"
@@ -34,9 +34,9 @@ class DisturbanceObserver(Component):
     outputs = (Port("disturbance_estimate"),)
     derived = ("velocity_weight", "estimate_weight", "inverse_gain")
 
-    bandwidth: float = param(default=200.0, unit="rad/s", minimum=0.0, exclusive=True, doc="of the estimate, w_d")
-    filter_bandwidth: float = param(default=2000.0, unit="rad/s", minimum=0.0, exclusive=True, doc="of the differentiated velocity, w_z")
-    model_gain: float = param(unit="m/s^2/{command}", minimum=0.0, exclusive=True, display="mm/s^2/{command}", doc="per command, a_hat")
+    bandwidth: float = param(default=200.0, unit="rad/s", minimum=0.0, exclusive=True, doc="bandwidth of the estimate, w_d")
+    filter_bandwidth: float = param(default=2000.0, unit="rad/s", minimum=0.0, exclusive=True, doc="of the velocity's derivative, w_z")
+    model_gain: float = param(unit="m/s^2/{command}", minimum=0.0, exclusive=True, display="mm/s^2/{command}", doc="of the model, a_hat")
     model_damping: float = param(default=0.0, unit="1/s", minimum=0.0, doc="decay of the model's velocity, b_hat")
     discretisation: str = text_param(default="backward-euler", choices=RULES, doc="how the two low-passes are sampled")
 

@@ -1,4 +1,4 @@
-"""A ball-screw axis by its catalogue data: motor, screw and table."""
+"""A ball-screw axis from catalogue data: motor, screw and table."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ class BallScrew(SingleMass):
     command_unit = "A"
     derived = ("mobility_value", "decay_value", "force_constant_value")
 
-    mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="mass of table and what is fixed to it")
-    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
+    mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="mass of the table and everything fixed to it")
+    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="additional mass on the axis")
     inertia: float = param(unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="inertia of rotor, coupling and screw, J")
     lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
     torque_constant: float = param(unit="N*m/A", minimum=0.0, exclusive=True, doc="torque of the motor per command, K_t")
-    efficiency: float = param(default=0.95, minimum=0.0, maximum=1.0, exclusive=True, doc="of the screw, eta; 0.9 to 0.95 if ground")
+    efficiency: float = param(default=0.95, minimum=0.0, maximum=1.0, exclusive=True, doc="of the screw, eta; ground: 0.9 to 0.95")
     damping: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous damping seen at the table, c")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:

@@ -1,4 +1,4 @@
-"""Plants whose drive's force lags behind its command."""
+"""Plants whose drive force lags the command."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from contourlab.engine.step import Port
 
 
 class LaggedMass(SingleMass):
-    """A mass behind a lag of first order on which its motion acts back: v' = m (f + load - friction) - d v, f' = r (g u - f) - b v.
+    """A mass driven through a first-order lag, with back-action of its velocity: v' = m (f + load - friction) - d v, f' = r (g u - f) - b
+    v.
 
-    m is the mobility, d the decay, r the rate of the lag, g the force per command at rest, b the back-action; f is in force units. A plant
-    of this family gives the five as `rates`; its linear part is integrated exactly for any of them, so that r may be far above one over the
-    servo period.
+    m is the mobility, d the decay, r the rate of the lag, g the force per command at rest, b the back-action; f is in force units. A
+    subclass returns the five as `rates`. The linear part is integrated exactly, so that r may be far above one over the servo period.
     """
 
     states = (Port("position"), Port("velocity"), Port("force"))
@@ -33,7 +33,6 @@ class LaggedMass(SingleMass):
 
     def rates(self, par: Any) -> tuple[Any, Any, Any, Any, Any]:
         """Return m [m/s^2 per force], d [1/s], r [1/s], g [force per command] and b [force/m]: numbers or arrays (n_variant,)."""
-        # What tells one drive from another.
         raise NotImplementedError
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
@@ -44,18 +43,18 @@ class LaggedMass(SingleMass):
 
     @staticmethod
     def drive_force(par: Any, command: float) -> float:
-        """Return the force that a steady command gives at rest."""
+        """Return the force at rest for a steady command."""
         return par.gain_value * command  # type: ignore[no-any-return]
 
     def fewest_substeps(self, dt: float) -> tuple[int, str]:
         m, d, r, _, b = self.rates(self)
-        # Its linear part is exact up to so many of its shortest time constants in a step.
+        # The linear part is exact up to STIFFEST of its shortest time constants per step.
         wanted = math.ceil(float((d + r + np.sqrt(m * b)) * dt) / STIFFEST)
-        words = f"a {self.kind} whose time constants are so far below the servo period; or take a plant without them, such as mass-damper"
+        words = f"a {self.kind} whose time constants are so far below the servo period; or use a plant without them, such as mass-damper"
         return max(1, wanted), words
 
     def rigid_model(self) -> tuple[float, float]:
-        """Return gain and damping of v' = a u - b v with the same steady velocity, b being one over the sum of the time constants."""
+        """Return gain a and damping b of v' = a u - b v with the same steady velocity; 1/b is the sum of the time constants."""
         m, d, r, g, b = (float(number) for number in self.rates(self))
         return m * r * g / (d + r), (d * r + m * b) / (d + r)
 
@@ -69,10 +68,9 @@ class LaggedMass(SingleMass):
 class LinearMotor(LaggedMass):
     """Voltage-driven linear motor: K_amp e = R i + L i' + K_b v, (m + m_c) v' = K_f i - b v + load - friction.
 
-    The command is the voltage in front of the amplifier, and the third state the motor's force K_f i. Position over command is eq (3),
-    K_amp K_f/(s (L m s^2 + (R m + b L) s + R b + K_b K_f)). The ripple of its force over position is a disturbance ("force-ripple"), a
-    transport delay and the amplifier's limit belong to the drive ("delayed-saturation"). Where current is controlled inside the amplifier,
-    or inductance does not matter, take "mass-damper".
+    The command is the input voltage e of the amplifier; the third state is the motor force K_f i. Position over command is eq (3),
+    K_amp K_f/(s (L m s^2 + (R m + b L) s + R b + K_b K_f)). Force ripple is a disturbance ("force-ripple"); transport delay and amplifier
+    limit belong to the drive ("delayed-saturation"). If the amplifier controls the current, or inductance is negligible, use "mass-damper".
 
     References
     ----------
@@ -94,13 +92,13 @@ class LinearMotor(LaggedMass):
     }
     command_unit = "V"
 
-    resistance: float = param(unit="ohm", minimum=0.0, exclusive=True, doc="of the winding, R", source="Gecer Ulu et al., eq 1")
+    resistance: float = param(unit="ohm", minimum=0.0, exclusive=True, doc="winding resistance, R", source="Gecer Ulu et al., eq 1")
     inductance: float = param(unit="H", minimum=0.0, exclusive=True, display="mH", doc="of the winding, L", source="Gecer Ulu et al., eq 1")
     back_emf: float = param(unit="V*s/m", minimum=0.0, doc="voltage induced per speed, K_BEMF", source="Gecer Ulu et al., eq 1")
     force_constant: float = param(unit="N/A", minimum=0.0, exclusive=True, doc="force per current, K_f", source="Gecer Ulu et al., eq 2")
-    mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="sliding mass of the axis itself, m", source="Gecer Ulu et al., eq 2")
-    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
-    viscous_friction: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="of the guide, b", source="Gecer Ulu et al., eq 2")
+    mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="moving mass of the axis itself, m", source="Gecer Ulu et al., eq 2")
+    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="additional mass on the axis")
+    viscous_friction: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="friction of the guide, b", source="Gecer Ulu et al., eq 2")
     amplifier_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="volts per command, K_amp", source="Gecer Ulu et al., eq 1")
 
     def rates(self, par: Any) -> tuple[Any, Any, Any, Any, Any]:
@@ -110,15 +108,14 @@ class LinearMotor(LaggedMass):
 
 
 class SecondOrderIntegrator(LaggedMass):
-    """Axis of P(s) = G wn^2/(s (s^2 + 2 zeta wn s + wn^2)), as an identification gives it; any damping ratio.
+    """Identified axis P(s) = G wn^2/(s (s^2 + 2 zeta wn s + wn^2)), with any damping ratio.
 
-    It is the linear motor of eq (3) without viscous friction, in other letters, so that the third state is a force that lags with the rate
-    2 zeta wn. Forces are in units of the command: a steady load of L is balanced by the command L. The transport delay of eq (4) belongs to
-    the drive, as in ``drive = {kind = "delayed-saturation", delay = "15 ms"}``.
+    It is the linear motor of eq (3) without viscous friction, in other parameters: the third state is a force that lags with the rate
+    2 zeta wn. Forces are in command units: the command L balances a steady load L. The transport delay of eq (4) belongs to the drive, as
+    in ``drive = {kind = "delayed-saturation", delay = "15 ms"}``.
 
-    If its moved mass is given, it carries axes mounted on it: mobility goes with mass/(mass + carried_mass), rate and
-    back-action stay, as they do for the motor. Without a mass (infinity) no other mass changes it: its response is taken to have been
-    measured with all that is carried.
+    With a finite `mass`, carried axes slow it down: mobility is proportional to mass/(mass + carried_mass); rate and back-action stay, as
+    for the motor. With an infinite `mass` (the default) carried mass has no effect: the response is assumed to include everything carried.
 
     References
     ----------
@@ -140,10 +137,10 @@ class SecondOrderIntegrator(LaggedMass):
         doc="steady velocity per command, G_DC",
         source="Gecer Ulu et al., eq 4",
     )
-    damping_ratio: float = param(minimum=0.0, exclusive=True, doc="of the velocity's response, zeta", source="Gecer Ulu et al., eq 4")
+    damping_ratio: float = param(minimum=0.0, exclusive=True, doc="of the velocity response, zeta", source="Gecer Ulu et al., eq 4")
     natural_frequency: float = param(unit="rad/s", minimum=0.0, exclusive=True, doc="of velocity, omega_n", source="Gecer Ulu et al., eq 4")
-    mass: float = param(default=math.inf, unit="kg", minimum=0.0, exclusive=True, doc="moved mass when identified; inf: not known")
-    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that came onto the axis since; acts beside a known `mass`")
+    mass: float = param(default=math.inf, unit="kg", minimum=0.0, exclusive=True, doc="moving mass when identified; inf: unknown")
+    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass added since; acts only with a known `mass`")
 
     @property
     def knows_mass(self) -> bool:

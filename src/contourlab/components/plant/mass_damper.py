@@ -11,9 +11,8 @@ from contourlab.components.plant.plant import SingleMass
 class MassDamper(SingleMass):
     """Mass with viscous damping, pushed by a current-controlled motor: m v' = K_f i - c v + load - friction.
 
-    `carried_mass` is the mass on the axis (other axes of the machine, a work piece); a machine adds the axes mounted on this one.
-    Between axes that move along each other all of the mass counts as moving in a straight line; where much of it only turns, take
-    "ball-screw", which tells the two apart.
+    `carried_mass` is the mass on the axis: a work piece, other axes. A machine adds the axes mounted on this one. All of `mass` counts as
+    linear motion when another axis carries this one; if much of it is rotary inertia, use "ball-screw", which separates the two.
     """
 
     kind = "mass-damper"
@@ -22,8 +21,8 @@ class MassDamper(SingleMass):
     command_unit = "A"
     derived = ("mobility_value", "decay_value")
 
-    mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="moved mass of the axis; rotating parts as J (2 pi / lead)^2")
-    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
+    mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="moving mass of the axis; rotating parts as J (2 pi / lead)^2")
+    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="additional mass on the axis")
     damping: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous damping of guides, screw and motor")
     force_constant: float = param(unit="N/A", minimum=0.0, exclusive=True, doc="force of the drive per command")
 

@@ -1,4 +1,4 @@
-"""Plants: what the servo loop asks of what a drive moves, and the plant of one mass."""
+"""Base classes of plants and of single-mass plants."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from contourlab.engine.step import Port
 
 
 class Plant(Component):
-    """What a drive moves: one mass, or several behind each other.
+    """Base of plants: one mass, or several in series.
 
     Attributes
     ----------
@@ -20,7 +20,7 @@ class Plant(Component):
     two_sided : bool
         Whether motor and load can differ in position: then it has outputs ``motor_position`` and ``motor_velocity``.
     rest_depends : tuple of str
-        Parameters that decide where its states are at rest.
+        Parameters that determine the states at rest.
     """
 
     family = "plant"
@@ -31,40 +31,38 @@ class Plant(Component):
 
     @staticmethod
     def moved_mass(par: Any) -> Any:
-        """Return the mass that moves in a straight line [kg], without what only turns: numbers or arrays (n_variant,)."""
+        """Return the mass in linear motion [kg], without rotary inertia: numbers or arrays (n_variant,)."""
         return par.mass + par.carried_mass
 
     def rigid_model(self) -> tuple[float, float]:
-        """Return gain a [m/s^2 per command] and damping b [1/s] of v' = a u - b v, as slow motions see the plant."""
-        # What tells one plant from another.
+        """Return gain a [m/s^2 per command] and damping b [1/s] of v' = a u - b v, the plant for slow motions."""
         raise NotImplementedError
 
     @property
     def knows_mass(self) -> bool:
-        """Whether it can be given more mass; else it is known by its response only."""
+        """Whether mass can be added; if not, only the response is known."""
         return "carried_mass" in self.parameters
 
     def loaded(self, mass: float) -> Any:
-        """Return the plant with more mass [kg] on it; one that is known by its response only stays as it is."""
+        """Return the plant with `mass` [kg] added; unchanged if only its response is known."""
         if not mass or not self.knows_mass:
             return self
         return self.replace(carried_mass=self.values()["carried_mass"] + mass)
 
     def fewest_substeps(self, dt: float) -> tuple[int, str]:
-        """Return in how many sub-steps at least it is to be integrated over the time dt [s], and what for, in words."""
+        """Return the least number of sub-steps over the time dt [s], and the reason in words."""
         return 1, ""
 
     def mobilities(self) -> tuple[float, ...]:
         """Return the acceleration per force [m/s^2 per force unit] where a friction acts: at the load, and at the motor if it has one."""
-        # What tells one plant from another.
         raise NotImplementedError
 
 
 class SingleMass(Plant):
     """A mass with viscous damping, pushed by a drive: v' = mobility (drive force + load - friction) - decay v.
 
-    A plant of this family derives ``mobility_value`` and ``decay_value``, or overrides `mobility` and `decay`, and gives `drive_force`; one
-    that knows its masses has `mass` and `carried_mass`. `contourlab.components.mechanics.core` integrates it with a friction.
+    A subclass derives ``mobility_value`` and ``decay_value``, or overrides `mobility` and `decay`, and defines `drive_force`. If its mass
+    is known it has `mass` and `carried_mass`. `contourlab.components.mechanics.core` integrates it with a friction.
     """
 
     states: ClassVar[tuple[Port, ...]] = (Port("position"), Port("velocity"))

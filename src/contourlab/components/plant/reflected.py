@@ -1,4 +1,4 @@
-"""What a screw or a pinion makes of a mass, and of an inertia."""
+"""Mass and inertia reflected through a screw or a pinion."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from contourlab.errors import ParameterError
 
 
 def reflected_inertia(mass: float, lead: float) -> float:
-    """Return the inertia that a mass counts at a shaft, m (l/2 pi)^2.
+    """Return the inertia of a mass reflected to a shaft, m (l/2 pi)^2.
 
     Parameters
     ----------
     mass : float [kg], >= 0
     lead : float [m], > 0
-        Travel per turn of the shaft; of a rack, the circumference of its pinion.
+        Travel per turn of the shaft; for a rack, the circumference of its pinion.
 
     Returns
     -------
@@ -34,7 +34,7 @@ def reflected_inertia(mass: float, lead: float) -> float:
 
 
 def reflected_mass(inertia: float, lead: float) -> float:
-    """Return the mass that an inertia counts at the table, J (2 pi/l)^2.
+    """Return the mass of an inertia reflected to the table, J (2 pi/l)^2.
 
     Parameters
     ----------

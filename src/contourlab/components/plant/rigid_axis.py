@@ -1,4 +1,4 @@
-"""A servo axis known by its velocity response: gain and damping, as an identification gives them."""
+"""A servo axis with an identified velocity response: gain and damping."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from contourlab.components.plant.plant import SingleMass
 
 
 class RigidAxis(SingleMass):
-    """Rigid axis behind a normalised drive: p' = v, v' = -b v + a (u + d).
+    """Rigid axis with a normalised drive: p' = v, v' = -b v + a (u + d).
 
-    The command u and the disturbance d, friction included, are in parts of the drive's full scale. The steady velocity per command is a/b,
+    The command u and the disturbance d, friction included, are fractions of the drive's full scale. The steady velocity per command is a/b,
     the time constant 1/b. Valid below the first resonance of the drive train.
 
     References

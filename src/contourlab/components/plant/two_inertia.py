@@ -1,4 +1,4 @@
-"""A feed drive as motor and load behind each other, with a shaft and backlash between them."""
+"""A two-inertia feed drive: motor and load, joined by a shaft with backlash."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from contourlab.errors import ComponentError, ParameterError
 from contourlab.primitives import clip, floor, lookup, select
 
 COARSEST = 0.5
-"""Radians of the shaft's oscillation in a sub-step: fourth order damps it by 1e-4 in each at that."""
+"""Largest phase of the shaft's oscillation in a sub-step [rad]; there the fourth-order method damps it by 1e-4 per sub-step."""
 
 CONTACT_MODEL = text_param(
     default="physical", choices=("physical", "dead-zone"), doc="how a damped shaft leaves a flank", source="Nordin, Galic & Gutman 1997"
@@ -28,14 +28,14 @@ CONTACT_MODEL = text_param(
 class TwoInertia(Plant):
     """Two-inertia feed drive: J_m w_m' + c_m w_m = g u - T, J_l w_l' + c_l w_l = T; the table moves by the lead in a turn.
 
-    T = k_s theta_s + d_s theta_s' is what the shaft transmits, theta_s its twist behind the free travel. All states are lengths at the
-    table; an angle of the motor is 2 pi/l times its length there, an inertia (2 pi/l)^2 times as much mass. The free travel in all, between
-    the two flanks, is `backlash_gap` + l/(2 pi) `backlash_angle`; it may vary with the table's place by `gap_profile`. Loads and frictions
-    act at the table, forces on the motor are counted there too.
+    The shaft transmits T = k_s theta_s + d_s theta_s', theta_s its twist beyond the gap. All states are lengths at the table: an angle of
+    the motor is 2 pi/l times its length, a mass (2 pi/l)^2 times its inertia. The total gap between the two flanks is
+    `backlash_gap` + l/(2 pi) `backlash_angle`; `gap_profile` varies it along the table. Loads, frictions and forces on the motor are given
+    at the table.
 
-    The contact is integrated as `two_mass_mechanics` says, with bristles as `two_mass_bristle` beside it; in the gap
-    with a twist that decays in the physical model, and with a damped shaft that also pulls in the dead-zone model. The position that a path
-    asks for is the load's; lost motion is the free travel and what guide friction twists the shaft by, 2 F_c/k_s.
+    `two_mass_mechanics` integrates the contact; `two_mass_bristle` does with bristle friction. In the physical model the twist decays in
+    the gap; in the dead-zone model a damped shaft can also pull. The path refers to the load's position. Lost motion is the gap plus the
+    twist due to guide friction, 2 F_c/k_s.
 
     References
     ----------
@@ -81,28 +81,26 @@ class TwoInertia(Plant):
         "profile_start": -0.01,
         "profile_step": 0.5,
     }
-    without_effect = ("start_in_gap",)  # it is where a run starts
-    motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of all that turns with the motor, J_m")
+    without_effect = ("start_in_gap",)  # it sets the initial state
+    motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="inertia on the motor shaft, J_m")
     load_inertia: float = param(
-        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="of the load at the shaft, J_l; `mass` comes on top"
+        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="load inertia at the shaft, without `mass`, J_l"
     )
-    mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="of the table, beside load_inertia: it counts (l/2 pi)^2 of it")
-    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
+    mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass of the table; adds (l/2 pi)^2 of it to load_inertia")
+    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="additional mass on the axis")
     lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
-    stiffness: float = param(unit="N*m/rad", minimum=0.0, exclusive=True, doc="of shaft, coupling and nut, k_s")
-    shaft_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="of the same, d_s")
-    motor_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous, on the motor's side, c_m")
-    load_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous, on the load's side, as the shaft sees it, c_l")
-    torque_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="torque that comes per torque that was asked for, g")
-    backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="free travel in all, as a length at the table")
-    backlash_angle: float = param(default=0.0, unit="rad", minimum=0.0, doc="free travel of the coupling, as an angle of the motor")
-    start_in_gap: float = param(default=0.0, minimum=-1.0, maximum=1.0, doc="initial place in the gap; 1: the flank that drives forwards")
+    stiffness: float = param(unit="N*m/rad", minimum=0.0, exclusive=True, doc="stiffness of shaft, coupling and nut, k_s")
+    shaft_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="damping of shaft, coupling and nut, d_s")
+    motor_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous damping on the motor side, c_m")
+    load_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous damping on the load side, at the shaft, c_l")
+    torque_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="actual over commanded torque, g")
+    backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="total gap, as a length at the table")
+    backlash_angle: float = param(default=0.0, unit="rad", minimum=0.0, doc="gap of the coupling, as a motor angle")
+    start_in_gap: float = param(default=0.0, minimum=-1.0, maximum=1.0, doc="initial position in the gap; 1: flank that drives forwards")
     contact_model: str = CONTACT_MODEL
-    gap_profile: tuple[float, ...] = param(
-        default=(1.0,), vector=True, minimum=0.0, doc="relative free travel at even places; (1,): constant"
-    )
-    profile_start: float = param(default=0.0, unit="m", display="mm", doc="place of the first value of gap_profile; the ends hold beyond")
-    profile_step: float = param(default=1.0, unit="m", minimum=0.0, exclusive=True, display="mm", doc="between values of gap_profile")
+    gap_profile: tuple[float, ...] = param(default=(1.0,), vector=True, minimum=0.0, doc="relative gap at even positions; (1,): constant")
+    profile_start: float = param(default=0.0, unit="m", display="mm", doc="position of the first value of gap_profile; ends hold beyond")
+    profile_step: float = param(default=1.0, unit="m", minimum=0.0, exclusive=True, display="mm", doc="spacing of gap_profile")
     unbounded = ("profile_start",)
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
@@ -131,34 +129,34 @@ class TwoInertia(Plant):
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
         if not self.load_inertia + self.mass + self.carried_mass > 0.0:
-            raise ParameterError("load_inertia", "0", "> 0, or a mass given", "kg*m^2")
+            raise ParameterError("load_inertia", "0", "> 0 unless a mass is given", "kg*m^2")
 
     def table_values(self) -> dict[str, Array]:
         return {"profile": np.array(self.gap_profile)}
 
     def gap_function(self) -> Any:
-        """Return ``gap(par, position)``: half of the free travel at the load's position, and its slope."""
+        """Return ``gap(par, position)``: half the gap at the load's position, and its slope."""
         return _varying(len(self.gap_profile)) if len(self.gap_profile) > 1 else _even
 
     def joined(self, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Any:
         laws = {motor.law, load.law}
         if laws > {"bristle"} and laws != {"bristle", "smooth"}:
-            # A body that is held and one whose bristles bend would have to be solved for together at every stop.
+            # A held body and one with bending bristles would need a joint solution at every stop.
             raise ComponentError(
-                f"a {self.kind} does not join a friction of bristles on one side with one of law {(laws - {'bristle'}).pop()!r} on the "
-                f"other: motor {motor.kind}, load {load.kind}; give both bristles, or the other a smooth friction or none"
+                f"a {self.kind} cannot combine a bristle friction with one of law {(laws - {'bristle'}).pop()!r} (motor {motor.kind}, load "
+                f"{load.kind}): use bristles on both sides, or a smooth friction or none on the other side"
             )
         join = two_mass_bristle_step if "bristle" in laws else two_mass_step
         return join(self.gap_function(), self.contact_model == "physical", motor, load, motor_view, load_view)
 
     def gap_at(self, position: float) -> float:
-        """Return the total free travel [m] with the load at `position` [m]."""
+        """Return the total gap [m] with the load at `position` [m]."""
         places = self.profile_start + self.profile_step * np.arange(len(self.gap_profile))
         return self._whole_gap * float(np.interp(position, places, self.gap_profile))
 
     @property
     def widest_gap(self) -> float:
-        """Free travel in all [m] where it is widest."""
+        """Largest total gap [m]."""
         return self._whole_gap * float(np.max(self.gap_profile))
 
     @property
@@ -178,7 +176,7 @@ class TwoInertia(Plant):
         return self.replace(backlash_gap=0.0, backlash_angle=0.0)
 
     def linearize(self) -> LinearModel:
-        """Return the model of the contact: the drive without its gap."""
+        """Return the model in contact: the drive without its gap."""
         d = self.constants()
         k, c, motor, load = d.stiffness_value, d.damper_value, d.motor_mobility, d.load_mobility
         a = np.array(

@@ -1,1 +1,1 @@
-"""Where an axis will be once a delay has passed."""
+"""Predictors: the position of an axis after a transport delay."""

@@ -14,21 +14,21 @@ from contourlab.primitives import delayed
 
 
 class SmithPredictor(Component):
-    """The measured position and what the commands on their way will add to it, so that the loop is controlled as if it had no delay.
+    """Measured position plus the effect of the commands still in the delay, so that the controller sees a loop without delay.
 
-    The model is G w^2/(s (s^2 + 2 zeta w s + w^2)) e^(-s tau), held commands integrated exactly. What is added is the model's position
-    without the delay less that with it; both follow from the same commands, so that one set of states, driven by the command less the late
-    command, holds the difference. Its integral is the sum of the commands on their way, taken anew at each tick: nothing drifts, and a tick
-    costs about a nanosecond for each servo period of the delay. The delay may be any fraction of periods; the command between two ticks is
-    the mean that `delayed-saturation` gives.
+    The model is G w^2/(s (s^2 + 2 zeta w s + w^2)) e^(-s tau), integrated exactly for held commands. The predictor adds the model's
+    position without delay minus that with delay. One set of states, driven by the command minus the delayed command, holds this difference.
+    Its integral is the sum of the commands in the delay, taken anew at each tick: nothing drifts, and a tick costs about a nanosecond per
+    servo period of delay. The delay may be any fraction of periods; as in `delayed-saturation`, a fraction gives a weighted mean of two
+    commands.
 
-    With the model and the delay of the axis the loop has the poles of the loop without delay, besides those of the model's own velocity.
-    It wants the command ahead of the delay, behind the limit. A controller that uses a velocity has to take it from the predicted position
-    ("filtered-difference"): the true velocity knows nothing of the commands on their way.
+    If model and delay match the axis, the loop has the poles of the loop without delay, plus those of the model's velocity. Input
+    ``applied`` must be the command after the limit and before the delay. A controller with velocity feedback must derive it from the
+    predicted position ("filtered-difference"): the true velocity does not contain the commands in the delay.
 
-    On an axis that integrates, a steady load or friction held up by the command u is taken for a motion to come: the axis settles
-    G tau u away from its reference, with any integral in the controller (Astrom, Hang & Lim 1994). A disturbance observer or
-    friction feedforward does not help, since their part of the command passes through the drive as well; learning does.
+    On an integrating axis the predictor takes the command u that balances a steady load or friction for future motion: the axis settles at
+    a distance of G tau u from its reference, even with an integral in the controller (Astrom, Hang & Lim 1994). A disturbance observer or
+    friction feedforward does not help, since their command also passes through the drive; learning does.
 
     References
     ----------
@@ -48,13 +48,13 @@ class SmithPredictor(Component):
     ring = "applied"
 
     dc_gain: float = param(unit="m/s/{command}", minimum=0.0, exclusive=True, display="mm/s/{command}", doc="steady speed per command, G")
-    damping_ratio: float = param(minimum=0.0, doc="zeta")
-    natural_frequency: float = param(unit="rad/s", minimum=0.0, exclusive=True, doc="w")
+    damping_ratio: float = param(minimum=0.0, doc="damping ratio, zeta")
+    natural_frequency: float = param(unit="rad/s", minimum=0.0, exclusive=True, doc="natural frequency, w")
     delay: float = param(unit="s", minimum=0.0, maximum=10.0, display="ms", doc="time from command to effect, tau")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         periods = par.delay / dt
-        # As the drive takes it: a delay that is whole but for rounding is whole.
+        # As in the drive: rounding must not make a whole delay a fraction.
         whole = np.floor(periods + 1e-9)
         w, rate = par.natural_frequency, 2.0 * par.damping_ratio * par.natural_frequency
         phi = propagator(0.0 * rate, rate, w * w, dt, doublings_for(float(np.max((rate + w) * dt))))

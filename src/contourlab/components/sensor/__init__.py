@@ -1,1 +1,1 @@
-"""Sensors: what the controller sees of an axis' position."""
+"""Sensors: the measured position of an axis."""

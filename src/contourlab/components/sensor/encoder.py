@@ -12,7 +12,7 @@ from contourlab.primitives import normal, rint
 class Encoder(Component):
     """Position in whole counts: q = r round((p + noise)/r), r the resolution after interpolation.
 
-    Noise is normal, white, and the same whenever the same seed is run.
+    Noise is normal and white; the same seed gives the same noise.
     """
 
     family = "sensor"
@@ -23,7 +23,7 @@ class Encoder(Component):
     outputs = (Port("position"),)
 
     resolution: float = param(unit="m", minimum=0.0, exclusive=True, display="um", doc="travel per count, interpolation included")
-    noise: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="standard deviation of the signal before it is counted")
+    noise: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="standard deviation before quantisation")
     stream: float = NOISE_STREAM
 
     @staticmethod

@@ -114,15 +114,15 @@ class QuadratureEncoder(Component):
     tables = quadrature.TABLES
 
     pitch: float = param(unit="m", minimum=0.0, exclusive=True, display="um", doc="travel of one period of the signals")
-    resolution: float = param(unit="m", minimum=0.0, exclusive=True, display="nm", doc="travel per count; the pitch over 4 n, n whole")
+    resolution: float = param(unit="m", minimum=0.0, exclusive=True, display="nm", doc="travel per count: pitch / (4 n), n whole")
     amplitude: float = param(default=0.5, unit="V", minimum=0.0, exclusive=True, doc="amplitude of the first signal, a")
     offset_1: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the first signal, p")
     offset_2: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the second signal, q")
-    amplitude_ratio: float = param(default=1.0, minimum=0.1, maximum=10.0, doc="amplitude of the first signal over the second, r")
-    phase_error: float = param(default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="of the second signal, al")
-    third_harmonic: float = param(default=0.0, minimum=-0.3, maximum=0.3, doc="amplitude of the third harmonic over that of the first")
-    noise: float = param(default=0.0, unit="V", minimum=0.0, display="mV", doc="standard deviation of each signal, white")
-    bits: float = param(default=0.0, minimum=0.0, maximum=32.0, whole=True, doc="of the analogue-to-digital converter; 0 for none")
+    amplitude_ratio: float = param(default=1.0, minimum=0.1, maximum=10.0, doc="amplitude of signal 1 over that of signal 2, r")
+    phase_error: float = param(default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="phase error of signal 2, al")
+    third_harmonic: float = param(default=0.0, minimum=-0.3, maximum=0.3, doc="amplitude of the third harmonic relative to the first")
+    noise: float = param(default=0.0, unit="V", minimum=0.0, display="mV", doc="standard deviation of the white noise of each signal")
+    bits: float = param(default=0.0, minimum=0.0, maximum=32.0, whole=True, doc="bits of the analogue-to-digital converter; 0: none")
     converter_range: float = param(default=1.0, unit="V", minimum=0.0, exclusive=True, doc="largest signal of the converter, either sign")
     counting: str = text_param(default="hardware", choices=("hardware", "sampled"), doc="where whole periods are counted")
     correction: str = text_param(default="adaptive", choices=("none", "fixed", "adaptive"), doc="correction of the errors")
@@ -131,7 +131,9 @@ class QuadratureEncoder(Component):
     known_ratio: float = param(default=1.0, minimum=0.2, maximum=5.0, doc="known part of the amplitude ratio")
     known_phase_error: float = param(default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="known part of the phase error")
     forgetting: float = param(default=0.998, minimum=0.9, maximum=1.0, doc="forgetting factor lambda, per update")
-    initial_covariance: float = param(default=10.0, minimum=0.0, exclusive=True, maximum=1e6, doc="of a coefficient over squared noise")
+    initial_covariance: float = param(
+        default=10.0, minimum=0.0, exclusive=True, maximum=1e6, doc="initial covariance of a coefficient, divided by the squared noise"
+    )
     update_travel: float = param(default=1.0 / 32.0, minimum=1e-4, maximum=10.0, doc="travel between updates of the fit, in pitches")
     stream: float = NOISE_STREAM
 
@@ -140,10 +142,10 @@ class QuadratureEncoder(Component):
         order = self.pitch / (4.0 * self.resolution)
         if not 0.75 <= order <= MOST_COUNTS or abs(order - round(order)) > 1e-6:
             shown = f"{self.resolution:g}"
-            raise ParameterError("resolution", shown, f"the pitch, {self.pitch:g} m, over four times a whole number")
+            raise ParameterError("resolution", shown, f"the pitch, {self.pitch:g} m, divided by four times a whole number")
         least = quadrature.LEAST_COVARIANCE * (1.0 - self.forgetting)
         if self.correction == "adaptive" and self.initial_covariance < least:
-            raise ParameterError("initial_covariance", f"{self.initial_covariance:g}", f">= {least:g} with this forgetting")
+            raise ParameterError("initial_covariance", f"{self.initial_covariance:g}", f">= {least:g} with this forgetting factor")
         inside = max(abs(self.known_offset_1), abs(self.known_offset_2)) <= quadrature.FURTHEST * self.amplitude
         start = self.block(1.0) if inside else {}
         if not (inside and all(quadrature.LEAST <= start[name] <= 1.0 / quadrature.LEAST for name in quadrature.DERIVED[:2])):

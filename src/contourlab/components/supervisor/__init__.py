@@ -1,1 +1,1 @@
-"""Supervisors: which of an axis' controllers is active."""
+"""Supervisors: choose the active controller of an axis."""

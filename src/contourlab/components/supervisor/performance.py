@@ -1,4 +1,4 @@
-"""Supervision by what is measured of the axis' performance."""
+"""Supervision by a measured error."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def _make(measure: str, thresholds: tuple[float, ...], falling: bool, averaged: 
         seen = sqrt(square) if averaged else fabs(now)
         level, rank = 0.0, count - x.active if falling else x.active
         for i in range(len(thresholds)):
-            # A threshold that has been passed has to be undercut by the hysteresis, and the other way round.
+            # Hysteresis lowers the thresholds below the active rank and raises the others.
             edge = thresholds[i] + select(rank > float(i), -par.hysteresis, par.hysteresis)
             level = level + select(seen > edge, 1.0, 0.0)
         wanted = count - level if falling else level
@@ -50,13 +50,13 @@ def _make(measure: str, thresholds: tuple[float, ...], falling: bool, averaged: 
 
 
 class Performance(Supervisor):
-    """The size of a measured error chooses the active controller: each threshold that it passes switches to the next one.
+    """Choose the active controller by the size of a measured error: each threshold passed selects the next controller.
 
-    ``measure = "motor-load-difference"`` is the one of the paper: with half of the free travel as the only threshold and
-    ``order = "falling"``, the axis' ``controller`` is active in contact and the first of ``others`` in the gap. "tracking-error" and
-    "load-error" are the reference minus the position that the controller sees, or minus the load's. With `averaging_time` the measure is a
-    root mean square over about that time. `hysteresis` widens each threshold in both directions; after a switch the next one waits for
-    `dwell_time`.
+    ``measure = "motor-load-difference"`` is that of the paper: with half the backlash gap as the only threshold and ``order = "falling"``,
+    the axis' ``controller`` is active in contact and the first of ``others`` in the gap. "tracking-error" is the reference minus the
+    position that the controller sees, "load-error" the reference minus the load position. `averaging_time` makes the measure a root mean
+    square over about that time. `hysteresis` widens each threshold in both directions. The next switch comes after `dwell_time` at the
+    earliest.
 
     References
     ----------
@@ -80,15 +80,15 @@ class Performance(Supervisor):
     derived = ("weight",)
 
     measure: str = text_param(default="motor-load-difference", choices=tuple(MEASURES), doc="what is monitored")
-    thresholds: tuple[float, ...] = param(unit="m", vector=True, minimum=0.0, display="um", doc="of the measure's magnitude, rising")
-    order: str = text_param(default="falling", choices=("falling", "rising"), doc="falling: the last controller has the smallest measure")
-    hysteresis: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="by how much a threshold has to be passed")
-    averaging_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="of a root mean square; 0 for the magnitude itself")
+    thresholds: tuple[float, ...] = param(unit="m", vector=True, minimum=0.0, display="um", doc="of the measure's magnitude, ascending")
+    order: str = text_param(default="falling", choices=("falling", "rising"), doc="falling: the last controller is for small measures")
+    hysteresis: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="margin by which a threshold must be passed")
+    averaging_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="of the root mean square; 0: magnitude itself")
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
         if list(self.thresholds) != sorted(set(self.thresholds)):
-            raise ParameterError("thresholds", f"{list(self.thresholds)} m", "rising")
+            raise ParameterError("thresholds", f"{list(self.thresholds)} m", "increasing")
         if not self.hysteresis < self.thresholds[0]:
             raise ParameterError("hysteresis", f"{self.hysteresis:g}", f"< {self.thresholds[0]:g}, the first threshold", "m")
 
@@ -101,5 +101,5 @@ class Performance(Supervisor):
 
     @property
     def n_controller(self) -> int:
-        """How many controllers it chooses from."""
+        """Number of controllers to choose from."""
         return len(self.thresholds) + 1

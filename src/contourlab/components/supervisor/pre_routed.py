@@ -1,4 +1,4 @@
-"""Supervision by the place in the program."""
+"""Supervision by the position in the program."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from contourlab.primitives import lookup, select
 
 
 class PreRouted(Supervisor):
-    """The active controller is laid down beforehand for each part of the motion: number n_i from the arc length s_i, or the line l_i, on.
+    """Assign a controller to each part of the motion in advance: number n_i from arc length s_i, or from program line l_i, onwards.
 
-    Arc lengths are those of the planned path from its start. By lines it is the last of them that does not come after the line of the
-    program that is being carried out; before the first one it is the axis' ``controller``. A subroutine is at its own lines.
+    Arc length is that of the planned path from its start. With ``by = "line"`` the last l_i at or before the current program line counts; a
+    subroutine counts by its own lines. Before the first entry the axis' ``controller`` is active.
 
     References
     ----------
@@ -29,24 +29,24 @@ class PreRouted(Supervisor):
 
     kind = "pre-routed"
     reference = "Shahin, ElMaraghy & ElBeheiry, supervisory control"
-    reasons: ClassVar[tuple[str, ...]] = ("the program has come to a place that is laid down for it",)
+    reasons: ClassVar[tuple[str, ...]] = ("the program reached a switching place",)
     example = {"by": "arc-length", "places": (0.0, 0.3, 0.9), "lines": (0.0, 1.0, 2.0), "numbers": (1.0, 0.0, 2.0), "dwell_time": 3e-3}
-    without_effect = (*Supervisor.without_effect, "lines")  # in the example, which goes by arc length
+    without_effect = (*Supervisor.without_effect, "lines")  # the example uses arc length
     inputs = (Port("arc_length"), Port("source_line"))
     tables = ("routes",)
 
-    by: str = text_param(default="arc-length", choices=("arc-length", "line"), doc="what the route is laid down along")
-    places: tuple[float, ...] = param(default=(0.0,), unit="m", vector=True, minimum=0.0, display="mm", doc="rising arc lengths, s_i")
-    lines: tuple[float, ...] = param(default=(0.0,), vector=True, minimum=0.0, whole=True, doc="lines of the program, rising, l_i")
-    numbers: tuple[float, ...] = param(vector=True, minimum=0.0, whole=True, doc="number of the controller from there on, n_i")
+    by: str = text_param(default="arc-length", choices=("arc-length", "line"), doc="what selects the controller")
+    places: tuple[float, ...] = param(default=(0.0,), unit="m", vector=True, minimum=0.0, display="mm", doc="ascending arc lengths, s_i")
+    lines: tuple[float, ...] = param(default=(0.0,), vector=True, minimum=0.0, whole=True, doc="ascending program lines, l_i")
+    numbers: tuple[float, ...] = param(vector=True, minimum=0.0, whole=True, doc="controller number from there on, n_i")
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
         name = "lines" if self.by == "line" else "places"
         if list(self._route) != sorted(set(self._route)):
-            raise ParameterError(name, f"{list(self._route)}", "rising")
+            raise ParameterError(name, f"{list(self._route)}", "increasing")
         if len(self.numbers) != len(self._route):
-            raise ParameterError("numbers", f"{len(self.numbers)} of them", f"{len(self._route)}, one for each of the {name}")
+            raise ParameterError("numbers", f"a list of {len(self.numbers)}", f"a list of {len(self._route)}, one for each of the {name}")
 
     @property
     def _route(self) -> tuple[float, ...]:
@@ -60,7 +60,7 @@ class PreRouted(Supervisor):
 
     @property
     def n_controller(self) -> int:
-        """How many controllers it chooses from."""
+        """Number of controllers to choose from."""
         return int(max(self.numbers)) + 1
 
 

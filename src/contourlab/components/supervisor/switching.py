@@ -1,4 +1,4 @@
-"""The base of supervisors, which switch between controllers, and the one that follows a gap observer."""
+"""Base of the supervisors, and the supervisor that follows a gap observer."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ STEADY = 0.0
 
 
 class Supervisor(Component):
-    """Base of the supervisors: the number of the controller that is active, and why it was made so.
+    """Base of the supervisors, which switch between controllers.
 
-    Output ``active`` is 0 for the axis' ``controller`` and 1, 2 ... for those of ``others``; ``reason`` is `STEADY`, or at the tick of a
-    switch the number of one of `reasons`, counted from 1.
+    Output ``active`` is 0 for the axis' ``controller`` and 1, 2 ... for those of ``others``. Output ``reason`` is `STEADY`; at the tick of
+    a switch it is the number of an entry of `reasons`, counted from 1.
 
     Attributes
     ----------
     reasons : tuple of str
-        In words; ``{name}`` becomes the controller that takes over.
+        Reasons in words; ``{name}`` becomes the name of the new controller.
     """
 
     family = "supervisor"
@@ -29,23 +29,22 @@ class Supervisor(Component):
     states: ClassVar[tuple[Port, ...]] = (Port("active"), Port("since"))
     outputs = (Port("active"), Port("reason"))
 
-    handover_time: float = param(default=5e-3, unit="s", minimum=0.0, display="ms", doc="time constant of a hand-over; 0: a jump")
+    handover_time: float = param(default=5e-3, unit="s", minimum=0.0, display="ms", doc="time constant of a handover; 0: a jump")
     dwell_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="shortest time from one switch to the next")
-    without_effect: ClassVar[tuple[str, ...]] = ("handover_time",)  # it acts where commands are handed over
+    without_effect: ClassVar[tuple[str, ...]] = ("handover_time",)  # it acts on the hand-over, not in the step
 
 
 def settled(active: float, since: float, wanted: float, reason: float, dwell_time: float, dt: float) -> tuple[Any, Any]:
-    """Return the states and outputs of a supervisor that wants a controller for a reason, `since` a time after its last switch."""
+    """Return next states and outputs of a supervisor: it switches to `wanted` if `dwell_time` has passed `since` the last switch."""
     switches = select(wanted == active, 0.0, select(since >= dwell_time, 1.0, 0.0)) > 0.5
     now = select(switches, wanted, active)
     return (now, select(switches, 0.0, since) + dt), (now, select(switches, reason, STEADY))
 
 
 class EstimatorBased(Supervisor):
-    """The first of ``others`` is active while the gap observer sees the motor in the gap, the axis' ``controller`` in contact.
+    """Follow the gap observer: the first of ``others`` is active in the gap, the axis' ``controller`` in contact.
 
-    Where the observer is less sure than `confidence`, the ``controller`` is kept active: what holds in contact also holds, if less well, in
-    the gap.
+    Below `confidence` the ``controller`` is active: a contact controller also works in the gap, if less well.
 
     References
     ----------
@@ -54,11 +53,11 @@ class EstimatorBased(Supervisor):
 
     kind = "estimator-based"
     reference = "Shahin, ElMaraghy & ElBeheiry, supervisory control"
-    reasons: ClassVar[tuple[str, ...]] = ("the observer sees the gap", "the observer sees contact", "the observer is not sure enough")
+    reasons: ClassVar[tuple[str, ...]] = ("the observer sees the gap", "the observer sees contact", "the observer is not certain enough")
     example = {"confidence": 0.3, "dwell_time": 3e-3}
     inputs = (Port("gap_state"), Port("confidence"))
 
-    confidence: float = param(default=0.5, minimum=0.0, maximum=1.0, doc="of the observer, below which the controller for contact is kept")
+    confidence: float = param(default=0.5, minimum=0.0, maximum=1.0, doc="observer confidence below which the contact controller is active")
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -69,5 +68,5 @@ class EstimatorBased(Supervisor):
 
     @property
     def n_controller(self) -> int:
-        """How many controllers it chooses from."""
+        """Number of controllers to choose from."""
         return 2

@@ -1,1 +1,1 @@
-"""Velocity from what the sensor gives."""
+"""The velocity that the controller sees."""

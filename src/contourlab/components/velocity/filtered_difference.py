@@ -12,7 +12,7 @@ from contourlab.engine.step import Port
 
 
 class FilteredDifference(Component):
-    """First difference of the measured position behind a first-order low-pass: V = s w/(s + w) P."""
+    """First difference of the measured position through a first-order low-pass: V = s w/(s + w) P."""
 
     family = "velocity"
     kind = "filtered-difference"
@@ -45,9 +45,9 @@ class FilteredDifference(Component):
 
 
 class TwoTapDifference(Component):
-    """Backward difference of the mean of two neighbouring positions: v_k = (q_k - q_(k-2))/(2 T), a whole tick behind.
+    """Backward difference of the mean of two neighbouring positions: v_k = (q_k - q_(k-2))/(2 T), one tick late.
 
-    The mean takes out what alternates from tick to tick; there is nothing to set.
+    The mean removes errors that alternate from tick to tick.
 
     References
     ----------

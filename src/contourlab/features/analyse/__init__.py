@@ -1,1 +1,1 @@
-"""How far are the loops from instability, and does learning converge?"""
+"""Stability margins of the loops, and convergence of learning."""

@@ -1,4 +1,4 @@
-"""``contourlab analyse``: stability of loops, coupling and learning before anything runs."""
+"""``contourlab analyse``: stability of loops, coupling and learning, without a simulation."""
 
 from __future__ import annotations
 
@@ -28,26 +28,25 @@ from contourlab.features.learn.foretold import learning_findings
 from contourlab.features.run.command import file_names
 from contourlab.features.run.margin_words import decibel, degrees, gain_words, phase_words
 from contourlab.features.run.outcome import coupling_findings
-from contourlab.figures import NONE, number
+from contourlab.figures import NONE, listing, number
 from contourlab.findings import Finding, finding
 from contourlab.report.charts import Chart, Curve, Level, Panel
 from contourlab.report.style import scheme_style
 from contourlab.report.table import Column, Table, paragraphs
 
 if TYPE_CHECKING:
-    from contourlab.report.charts import Chart
     from contourlab.scenario import Case
 
 NOTHING = 1e-6
-"""Least share of an error that a trial has to remove, or nothing is learned."""
+"""Smallest share of an error that a trial must remove; with less, nothing is learned."""
 SLOW = 1e-3
-"""Growth per trial that takes a thousand trials to show."""
+"""Largest growth per trial that is accepted: it needs about a thousand trials to show."""
 _HIDDEN = {"json": False}
 
 
 @dataclass(frozen=True)
 class Coupling:
-    """The coupling: stable or not, over all directions of the path, and the factor of an error per lap (nan without laps)."""
+    """The coupling: stability and margins over all directions of the path, and the factor of an error per lap (nan without laps)."""
 
     stable: bool
     lap: float
@@ -56,7 +55,7 @@ class Coupling:
 
 @dataclass(frozen=True)
 class Learning:
-    """Learning: the largest factor of a trial, at a frequency [Hz], and radius and norm of a whole trial on the path (None without)."""
+    """Learning: largest factor per trial and its frequency [Hz]; radius and norm of a whole trial on the path (None if not analysed)."""
 
     converges: bool
     monotone: bool
@@ -68,12 +67,12 @@ class Learning:
 
 @dataclass(frozen=True, eq=False)
 class SchemeAnalysis:
-    """The analysis of one scheme; an entry is None where there is nothing of the kind, or no linear model.
+    """The analysis of one scheme; an entry is None if the scheme has no such part, or no linear model.
 
     Attributes
     ----------
     good : bool
-        Whether all loops are stable and learning, if any, converges.
+        Whether all loops are stable and learning, if any, converges or grows negligibly slowly.
     margins : mapping of str to Margins
         By axis.
     link_growth : float or None
@@ -92,7 +91,7 @@ class SchemeAnalysis:
 
 @dataclass(frozen=True)
 class Analysis:
-    """What the command prints: the analysis of each scheme, and the pictures that were written."""
+    """The result of the command: the analysis of each scheme, and the pictures written."""
 
     name: str
     schemes: Mapping[str, SchemeAnalysis]
@@ -107,7 +106,9 @@ class Analysis:
     def text(self) -> str:
         """The result for the terminal."""
         parts = [text for name, scheme in self.schemes.items() for text in (_table(name, scheme), paragraphs(map(str, scheme.findings)))]
-        return "\n\n".join(filter(None, [*parts, "\n".join(map(str, self.files))]))
+        bad = [name for name, scheme in self.schemes.items() if not scheme.good]
+        verdict = f"FAIL: {listing(bad)}. A loop is unstable, or learning diverges." if bad else "PASS"
+        return "\n\n".join(filter(None, [*parts, verdict, "\n".join(map(str, self.files))]))
 
 
 def analyse_scenario(
@@ -119,14 +120,14 @@ def analyse_scenario(
     out: str | Path = "results",
     whole: bool = False,
 ) -> Analysis:
-    """Analyse the schemes of a scenario: margins of each axis, of the coupling in all directions of the path, convergence of learning.
+    """Analyse the schemes of a scenario: margins of each axis, margins of the coupling in all path directions, convergence of learning.
 
     Parameters
     ----------
     file : str or Path
         A scenario.
     schemes : sequence of str
-        As in `contourlab.features.run.schemes.compare_schemes`.
+        See `contourlab.features.run.schemes.compare_schemes`.
     plugins : sequence of str or Path
         Python files with components.
     plots : sequence of str
@@ -134,7 +135,7 @@ def analyse_scenario(
     out : str or Path
         Folder of the pictures.
     whole : bool
-        Whether to analyse laps and trials on the path as a whole too, which takes up to minutes.
+        Whether to analyse also whole laps and trials on the path, which takes up to minutes.
     """
     from contourlab.features.run.schemes import loaded
 
@@ -198,12 +199,12 @@ def _learning(analysis: LearningAnalysis) -> Learning:
 
 
 def _idle(learning: LearningAnalysis) -> bool:
-    """Tell whether no frequency gets smaller."""
+    """Return whether the error falls at no frequency."""
     return bool(learning.response.radius.min() >= 1.0 - NOTHING)
 
 
 def _slow(learning: LearningAnalysis) -> bool:
-    """Tell whether growth takes more trials to show than anyone runs."""
+    """Return whether growth is too slow to show in a realistic number of trials."""
     whole = 0.0 if learning.lifted is None else learning.lifted.radius
     return max(learning.worst_factor, whole) <= 1.0 + SLOW
 
@@ -235,7 +236,7 @@ def _learning_findings(learning: LearningAnalysis | None) -> Iterator[Finding]:
 
 
 def _table(name: str, scheme: SchemeAnalysis) -> str:
-    """Return the margins of loops and coupling."""
+    """Return the table of margins of loops and coupling."""
     table = Table([Column("loop", left=True), *map(Column, ("gain margin", "phase margin", "at [Hz]", "modulus margin"))], name)
     for axis, margins in scheme.margins.items():
         crossover, modulus = (number(margins.crossover / (2.0 * math.pi)), number(margins.modulus)) if margins.stable else (NONE, NONE)
@@ -250,8 +251,7 @@ def _table(name: str, scheme: SchemeAnalysis) -> str:
 
 
 def _charts(schemes: Mapping[str, SchemeAnalysis]) -> list[Chart]:
-    """Return the pictures of each coupling, and of learning of all schemes together."""
-    from contourlab.features.analyse.command import contour_transfer_charts
+    """Return the charts of each coupling, and those of learning for all schemes together."""
     from contourlab.report.learning_pictures import learning_charts, singular_value_chart
 
     charts: list[Chart] = []
@@ -266,7 +266,7 @@ def _charts(schemes: Mapping[str, SchemeAnalysis]) -> list[Chart]:
     return [*charts, *(learning_charts(learning) if learning else ()), *([singular_value_chart(short)] if short else ())]
 
 
-FAR = 3.0  # beyond this a loop gain is told by its direction, not its size
+FAR = 3.0  # loop gains larger than this are not drawn
 
 
 def contour_transfer_charts(transfer: ContourTransfer, points: int = 600) -> tuple[Chart, ...]:
@@ -276,7 +276,7 @@ def contour_transfer_charts(transfer: ContourTransfer, points: int = 600) -> tup
     ----------
     transfer : ContourTransfer
     points : int
-        Frequencies of a curve.
+        Number of frequencies of a curve.
     """
     w = transfer.loop.frequencies(points)
     margins, names = transfer.margins(), transfer.loop.names
@@ -292,32 +292,32 @@ def contour_transfer_charts(transfer: ContourTransfer, points: int = 600) -> tup
     said = f"smallest distance from −1: {margins.modulus:.3g}" if margins.stable else "unstable"
     hertz = w / (2.0 * np.pi)
     magnitude = tuple(Curve(hertz, 20.0 * np.log10(np.abs(1.0 / (1.0 + gain))), *look) for gain, look in zip(gains, looks, strict=True))
-    distance = Curve(hertz, np.minimum(transfer.distance(w), FAR), "worst of all directions", "#1d2733")
+    distance = Curve(hertz, np.minimum(transfer.distance(w), FAR), "worst direction", "#1d2733")
     levels = (Level(margins.modulus, f"modulus margin {margins.modulus:.3g}"),) if margins.stable else ()
     kind = "tangent" if transfer.along else "normal"
     return (
         Chart(
             "coupling-nyquist",
             "Loop gain of the coupling",
-            f"Each curve has the {kind} at rest in one direction; {said}.",
+            f"Each curve is for one fixed direction of the {kind}; {said}.",
             (Panel("real part", "imaginary part", (*nyquist, marked)),),
         ),
         Chart(
             "coupling-modulus",
             "Distance of the loop gain from −1",
-            f"The least over all directions of the {kind}, drawn up to {FAR:g}.",
+            f"Smallest over all directions of the {kind}, drawn up to {FAR:g}.",
             (Panel("frequency [Hz]", "distance from −1", (distance,), levels, log_x=True),),
         ),
         Chart(
             "coupling-error",
-            "Error with coupling over error without",
-            "Below 0 dB the coupling makes the contour error smaller.",
-            (Panel("frequency [Hz]", "magnitude [dB]", magnitude, (Level(0.0, "no gain"),), log_x=True),),
+            "Error with coupling / error without coupling",
+            "Below 0 dB the coupling reduces the contour error.",
+            (Panel("frequency [Hz]", "magnitude [dB]", magnitude, (Level(0.0, "no effect"),), log_x=True),),
         ),
     )
 
 
 def _near(gain: Complex) -> tuple[Array, Array]:
-    """Return real and imaginary part, with a gap where the curve is far off."""
+    """Return real and imaginary part, with a gap where the gain exceeds `FAR`."""
     far = np.abs(gain) > FAR
     return np.where(far, np.nan, gain.real), np.where(far, np.nan, gain.imag)

@@ -1,1 +1,1 @@
-"""How large is the backlash of each axis, and which compensation is best?"""
+"""The backlash of each axis, and the best compensation."""

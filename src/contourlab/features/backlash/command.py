@@ -12,12 +12,12 @@ from contourlab.figures import NONE, figure, number
 from contourlab.report.table import Column, Table, paragraphs
 
 FEW = 0.05
-"""Largest ratio of servo period to limit-cycle period for which a continuous loop stands for the sampled one."""
+"""Largest ratio of servo period to limit-cycle period at which a continuous loop approximates the sampled one."""
 
 
 @dataclass(frozen=True)
 class BacklashOutcome:
-    """What the command prints: the study of each scheme."""
+    """The result of the command: the study of each scheme."""
 
     name: str
     schemes: Mapping[str, BacklashStudy]
@@ -50,7 +50,7 @@ def backlash_scenario(
     ComponentError
         If no axis has backlash.
     DivergenceError
-        If a run without a change diverges.
+        If a run of an unchanged scheme diverges.
     """
     from contourlab.features.run.schemes import loaded
 
@@ -71,7 +71,7 @@ def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:
     heads = ("gap in file [um]", "lost motion [um]", "motor and load: lost motion [um]", "motor alone: gap [um]", "confidence")
     gaps = Table([Column("axis", left=True), *map(Column, heads)], name)
     if study.on_circle is not None:
-        gaps.columns = [*gaps.columns, Column("on the circle, under control [um]")]
+        gaps.columns = [*gaps.columns, Column("on the circle, controlled [um]")]
     on_circle = {} if study.on_circle is None else dict(zip(study.on_circle.axes, study.on_circle.backlash, strict=True))
     cycles = Table([Column("axis", left=True), Column("limit cycle", left=True), Column("frequency [Hz]"), Column("amplitude [um]")])
     for axis, gap in study.axes.items():
@@ -104,7 +104,7 @@ def _plus_minus(value: float, deviation: float) -> str:
 
 
 def _kind(kind: str, cycle: Cycle, period: float) -> str:
-    """Name a limit cycle, with what limits the accuracy of the prediction."""
+    """Name a limit cycle; add the reasons for a limited accuracy of the prediction."""
     notes = [cycle.validity.partition(":")[0]] if cycle.validity else []
     if cycle.frequency * period > FEW:
         notes.append(f"period {figure(1.0 / (cycle.frequency * period), digits=2)} servo periods")

@@ -13,13 +13,13 @@ from contourlab.loop import Axis
 STRIBECK = 0.2
 """Share of breakaway minus Coulomb friction that acts as unmodelled force."""
 UNCERTAINTY = 0.1
-"""Of torque, inertia and friction, as the observer assumes: no machine file is better."""
+"""Relative uncertainty of torque, inertia and friction that the observer assumes: no machine file is more accurate."""
 
 
 def observer_of(axis: Axis, servo_period: float, carried_mass: float = 0.0) -> MultipleModel:
-    """Return the gap observer of an axis with a two-inertia plant, with the drive's values from the machine file.
+    """Return the gap observer of an axis with a two-inertia plant; the drive's values come from the machine file.
 
-    A breakaway above Coulomb friction and a disturbance, which its model lacks, become an unmodelled force.
+    The observer's model has no breakaway friction above Coulomb friction and no disturbance: both count as unmodelled force.
     """
     plant = axis.plant.loaded(carried_mass)
     known = {name: value for name, value in plant.values().items() if name in MultipleModel.parameters}
@@ -30,7 +30,7 @@ def observer_of(axis: Axis, servo_period: float, carried_mass: float = 0.0) -> M
         known["resolution"] = axis.motor_sensor.values()["resolution"]
     known |= {"unmodelled_force": _unmodelled(axis), "uncertainty": UNCERTAINTY}
     known["largest_gap"] = max(MultipleModel.parameters["largest_gap"].default, 5.0 * plant.widest_gap)
-    # Hypotheses at most 15 % apart; only two counts, because each count is compiled on its own.
+    # Hypotheses at most 15 % apart. Only two possible numbers, because each is compiled separately.
     known["hypotheses"] = 32.0 if known["largest_gap"] < 4e-4 else 64.0
     known["load_damping"] += float(axis.friction.values().get("viscous", 0.0)) * (plant.lead / (2.0 * math.pi)) ** 2
     values = plant.constants()
@@ -46,7 +46,7 @@ def _unmodelled(axis: Axis) -> float:
 
 
 def _largest_force(disturbance: Component) -> float:
-    """Return the largest of the forces [N] that a disturbance is described by."""
+    """Return the largest force [N] among the parameters of a disturbance."""
     kinds, values = disturbance.parameters, disturbance.values()
     forces = [values[name] for name, kind in kinds.items() if kind.unit == "{force}" and name in values]
     return max((float(np.abs(np.ravel(force)).max(initial=0.0)) for force in forces), default=0.0)

@@ -1,4 +1,4 @@
-"""Backlash of a machine's axes: how large it looks, which limit cycles it causes, and which compensation helps most."""
+"""Backlash of a machine's axes: its estimated size, its limit cycles, and the best compensation."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ from contourlab.units import from_si, to_si
 SIGNALS = ("reference", "arc_length", "axis_position", "axis_velocity", "tool_position", "motor_position", "applied_command")
 OBSERVED = ("gap_estimate", "gap_deviation", "gap_confidence")
 WORTH = 0.02
-"""Share of the error that a compensation has to remove to be recommended."""
+"""Smallest share of the error that a recommended compensation must remove."""
 
 
 @dataclass(frozen=True)
 class FromPair:
-    """Lost motion from the positions of motor and load, its standard deviation, and the free travel in it [m] (nan if unknown)."""
+    """Lost motion from the positions of motor and load, its standard deviation, and its free travel [m] (nan if unknown)."""
 
     lost_motion: float
     deviation: float
@@ -53,7 +53,7 @@ class FromMotor:
 
 @dataclass(frozen=True)
 class Cycle:
-    """A limit cycle: frequency [Hz], amplitude [m], stability; and how far to trust a describing function (empty for an exact one)."""
+    """A limit cycle: frequency [Hz], amplitude [m], stability, and validity of the describing function (empty for an exact cycle)."""
 
     frequency: float
     amplitude: float
@@ -70,7 +70,7 @@ class AxisGap:
     backlash_gap : float [m]
         Free travel in the machine file, averaged over the reversals of the axis.
     lost_motion : float [m]
-        Free travel and the wind-up by friction on either side.
+        Free travel plus the wind-up by friction in both directions.
     from_motor_and_load : FromPair or None
     from_motor_alone : FromMotor or None
     describing_function : tuple of Cycle or None
@@ -78,7 +78,7 @@ class AxisGap:
     limit_cycles : tuple of Cycle or None
         Exact, without friction.
     feedback : str
-        Of the position loop.
+        Feedback of the position loop.
     """
 
     backlash_gap: float
@@ -91,13 +91,13 @@ class AxisGap:
 
     @property
     def estimate(self) -> float:
-        """Lost motion to compensate [m]: as measured on motor and load, else the machine file's."""
+        """Lost motion to compensate [m]: measured on motor and load if possible, else from the machine file."""
         return self.lost_motion if self.from_motor_and_load is None else max(self.from_motor_and_load.lost_motion, 0.0)
 
 
 @dataclass(frozen=True)
 class Trial:
-    """A compensation that was tried, by axis, and its part error [m]; None where the loop diverged. The first trial has none."""
+    """A compensation tried, by axis, and its part error [m] (None if the loop diverged). The first trial has no compensation."""
 
     name: str
     part_error_rms: float | None
@@ -113,10 +113,10 @@ class BacklashStudy:
     ----------
     axes : mapping of str to AxisGap
     on_circle : CircleBacklash or None
-        What the controller leaves, on the first circle of the path.
+        Remaining backlash on the first circle of the path, under control.
     trials : tuple of Trial
     recommended : str
-        Trial with the smallest rms of the part error; the first unless another is better by `WORTH`.
+        Trial with the smallest rms part error; the first trial unless another is better by `WORTH`.
     toml : str or None
         The recommended compensation for the scenario.
     findings : tuple of Finding
@@ -145,22 +145,22 @@ def backlash_study(
     Parameters
     ----------
     name : str
-        Of the case.
+        Name of the case.
     machine, controller, reference
-        As of `contourlab.loop.simulate`.
+        See `contourlab.loop.simulate`.
     seed : int
-        Of all noise.
+        Seed of all noise.
     stage : callable, optional
         Called with the name of each stage.
     progress : callable, optional
-        Called with samples done and samples in all.
+        Called with the number of samples done and in all.
 
     Raises
     ------
     ComponentError
-        If no axis has backlash.
+        If no axis with a two-inertia plant has backlash.
     DivergenceError
-        If the run without a change diverges.
+        If the run without a compensation diverges.
     """
     begin = stage or (lambda title: None)
 
@@ -172,16 +172,16 @@ def backlash_study(
     chains = [axis for axis in machine.axes if axis.plant.two_sided and not isinstance(axis.plant, TwoInertia)]
     if not loose:
         others = sorted({axis.plant.kind for axis in chains})
-        why = f": this study knows two-inertia drives, not {', '.join(others)}" if others else ""
+        why = f": this study supports two-inertia drives only, not {', '.join(others)}" if others else ""
         raise ComponentError(f"{machine.name} has no axis with backlash{why}")
-    begin(f"simulating {name} with observers of its gaps")
+    begin(f"simulating {name} with gap observers")
     watched, refused = _watched(machine, controller, loose)
     observed = any(loop.gap_observer is not None for loop in watched.axes.values())
     result = run(watched, OBSERVED if observed else ())
     findings = [finding("CL380", place=f"axis {axis}") for axis in refused]
     axes = {}
     for axis in loose:
-        begin(f"looking for limit cycles of axis {axis.name}")
+        begin(f"finding limit cycles of axis {axis.name}")
         seen = observed and axis.name not in refused
         axes[axis.name] = _axis_gap(machine, controller, axis, result, seen, findings)
     judged = judge(result, reference)
@@ -199,7 +199,7 @@ def backlash_study(
 
 
 def _on_circles(judged: Result, reference: Reference, machine: Machine) -> CircleBacklash | None:
-    """Return the backlash on the first circle of the path, from both senses where it is run in both; None without a circle."""
+    """Return the backlash on the first circle of the path, from both directions if it is run in both; None without a circle."""
     runs = circles_of(judged, reference)
     alike = [run for run in runs if abs(run.radius - runs[0].radius) < 1e-9] if runs else []
     senses = {run.clockwise: run for run in reversed(alike)}
@@ -220,7 +220,7 @@ def _tried(name: str, parts: Mapping[str, Component], run: Callable[[], Result],
 
 
 def _watched(machine: Machine, controller: Controller, loose: list[Axis]) -> tuple[Controller, list[str]]:
-    """Add a gap observer to each loose axis that has none, without changing the run; return also the axes where it would."""
+    """Add a gap observer to each axis with backlash that has none; skip and return the axes where it would change the run."""
     changed = dict(controller.axes)
     refused = []
     for axis in loose:
@@ -236,7 +236,7 @@ def _watched(machine: Machine, controller: Controller, loose: list[Axis]) -> tup
 
 
 def _uses_load(loop: AxisController) -> bool:
-    """Tell whether a part of the loop reads the load or the gap, which an observer would replace."""
+    """Return whether a part of the loop reads the load or the gap, which an observer would replace."""
     parts = [*loop.controllers.values(), loop.supervisor, loop.compensation]
     ports = {port.name for part in parts if part is not None for port in part.inputs}
     return bool(ports & {"load_position", "load_velocity", "gap_estimate"})
@@ -279,7 +279,7 @@ def _friction_of(axis: Axis, plant: TwoInertia, velocity: Array) -> tuple[float,
 
 
 def _gap_where_it_turns(plant: TwoInertia, velocity: Array, position: Array) -> float:
-    """Return the free travel [m] of the machine file, averaged over the reversals; the widest where the axis never reverses."""
+    """Return the free travel [m] in the machine file, averaged over the reversals; the widest gap if the axis never reverses."""
     forward = velocity[velocity != 0.0] > 0.0
     turns = position[velocity != 0.0][1:][forward[1:] != forward[:-1]]
     return float(np.mean([plant.gap_at(float(place)) for place in turns])) if turns.size else plant.widest_gap
@@ -290,7 +290,7 @@ def _cycle(cycle: LimitCycle | PeriodicOrbit, validity: str = "") -> Cycle:
 
 
 def _candidates(machine: Machine, axes: Mapping[str, AxisGap]) -> Iterator[tuple[str, dict[str, Component]]]:
-    """Yield compensations for the axes whose position loop closes over the motor."""
+    """Yield compensations for the axes with motor feedback of the position loop."""
     loose = {axis: gap for axis, gap in axes.items() if gap.feedback == "motor" and gap.estimate > 0.0}
     if loose:
         parts = {axis: offset_of(machine.axis(axis), gap.estimate) for axis, gap in loose.items()}
@@ -326,7 +326,7 @@ def _toml(parts: Mapping[str, Component], machine: Machine) -> str:
 
 
 def _rounded(part: Component, units: tuple[str, str]) -> Component:
-    """Return a component with values of three digits in display units."""
+    """Return a component with values rounded to three digits in display units."""
     rounded = {}
     for name, parameter in ((name, known.for_plant(*units)) for name, known in type(part).parameters.items()):
         value = getattr(part, name)

@@ -1,1 +1,1 @@
-"""Is a part program sound, and what does it move?"""
+"""Is a part program free of faults, and which moves does it make?"""

@@ -14,7 +14,7 @@ _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "nurbs", Dwell
 _CONTROLS = {None: "exact_path", "exact_path": "exact_path", "exact_stop": "exact_stop", "blend": "continuous"}
 _PLANES: dict[Plane, str] = {"XY": "XY", "YZ": "YZ", "ZX": "XZ"}
 IN_MEMORY = 16_000_000
-"""Characters of output held in memory; more go to a temporary file until the whole program is read."""
+"""Characters of output to hold in memory; a longer output goes to a temporary file until the whole program is read."""
 
 
 class CanonDwell(TypedDict):
@@ -24,7 +24,7 @@ class CanonDwell(TypedDict):
     ----------
     seconds : float
     line : int
-        Of the program.
+        Line of the program.
     """
 
     kind: Literal["dwell"]
@@ -41,13 +41,13 @@ class CanonMove(TypedDict):
     abc : (float, float, float)
         Always 0: there are no rotary axes.
     feed : float [mm/min]
-        A traverse lists the feed in force, which it does not use.
+        Feed in force; a traverse does not use it.
     line : int
-        Of the program.
+        Line of the program.
     blend_tol : float or None [mm]
         Null in exact path and exact stop; 0 for G64 without P.
     tlo : (float, float, float) [mm]
-        Tool offset, not in the positions.
+        Tool offset; not included in the positions.
     """
 
     kind: Literal["traverse", "feed", "arc", "nurbs"]
@@ -98,7 +98,7 @@ def _shown(point: Point, tool: Point) -> list[float]:
 
 
 def _mm(length: float) -> float:
-    # Twelve digits are more than any control prints, and 0.1 + 0.2 does not show.
+    # Twelve digits are more than any control prints, and hide rounding such as 0.1 + 0.2.
     return float(f"{length * 1e3:.12g}") + 0.0
 
 
@@ -109,7 +109,7 @@ def canonical(move: Move, feedrate: float) -> dict[str, Any]:
     ----------
     move : Move
     feedrate : float [m/s]
-        In force; listed for traverses, which do not use it.
+        Feedrate in force; listed for traverses, which do not use it.
 
     Returns
     -------
@@ -145,7 +145,7 @@ def canonical_moves(reader: Reader) -> Iterator[dict[str, Any]]:
     """Yield the moves of a reader with the fields of `canonical`."""
     state = reader.state
     for move in reader.moves():
-        state.events.clear()  # unused here, and there may be one on every line
+        state.events.clear()  # unused here; there may be one per line
         per_turn = state.speed / 60.0 if state.feed_mode == "per_turn" else 1.0
         yield canonical(move, state.feedrate * per_turn)
 
@@ -160,7 +160,7 @@ def write_canon(file: str | Path, out: TextIO, *, as_json: bool, reading: Readin
     as_json : bool
         One JSON document, ``{"moves": [...]}``, in place of one line per move.
     reading : Reading, optional
-        By default a program need not say where it ends.
+        By default a program needs no end word.
 
     Returns
     -------

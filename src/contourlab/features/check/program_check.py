@@ -15,15 +15,15 @@ from contourlab.report.table import paragraphs
 
 DEFAULT_MACHINE = "builtin:xyz"
 MOST_FEEDS = 12
-"""Most feedrates that are printed one by one."""
+"""Largest number of feedrates to print one by one."""
 TRAVEL_ROUNDING = 1e-9
-"""[m]"""
+"""Rounding [m] that does not count as leaving the travel."""
 _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "spline", Dwell: "dwell"}
 
 
 @dataclass(frozen=True)
 class Message:
-    """A fault, or a notice of the reader; line and column are 0 where there is none."""
+    """A fault, or a notice of the reader; line and column are 0 if unknown."""
 
     message: str
     line: int = 0
@@ -44,17 +44,17 @@ class Checked:
     ----------
     program : str
     problems, notices : tuple of Message
-        Faults, and where the reader was lenient.
+        Faults, and places where the reader was lenient.
     n_line : int
     moves : dict of str to int
-        By kind.
+        Number of moves by kind.
     feeds_mm_per_min, spindle_speeds : tuple of float
     tools : tuple of int
     findings : tuple of Finding
     length : dict of str to float [m]
-        Of feed and rapid moves; None without moves, as all below.
+        Length of feed and rapid moves. Without moves, this and all below is empty or None.
     box : dict of str to (float, float) [m]
-        By axis.
+        Extent by axis.
     cycle_time, dwell, feed_time_without_acceleration : float [s]
     machine : dict of str to str
         Name and file.
@@ -78,7 +78,7 @@ class Checked:
 
     @property
     def faults(self) -> int:
-        """How many faults there are."""
+        """Number of faults."""
         return len(self.problems) + sum(found.entry.severity == "error" for found in self.findings)
 
     @property
@@ -87,8 +87,8 @@ class Checked:
         lines = [message.text(self.program) for message in self.problems]
         lines += [message.text(self.program, "note: ") for message in self.notices]
         lines += [paragraphs(map(str, self.findings))] if self.findings else []
-        lines.append(f"{self.faults} fault{'s' * (self.faults > 1)}" if self.faults else "no fault found")
-        return "\n".join([*lines, *(f"{name:<12}{value}" for name, value in self._rows())])
+        lines.append(f"{self.faults} fault{'s' * (self.faults > 1)}" if self.faults else "no fault in the program")
+        return "\n".join([*lines, paragraphs([f"{name:<12}{value}" for name, value in self._rows()], indent=" " * 12)])
 
     def _rows(self) -> list[tuple[str, str]]:
         rows = [("lines", f"{self.n_line}"), ("moves", ", ".join(f"{n} {kind}" for kind, n in self.moves.items()) or "none")]
@@ -97,7 +97,7 @@ class Checked:
         if self.cycle_time is not None and self.feed_time_without_acceleration is not None:
             rows.append(("path", f"{self.length['feed'] * 1e3:.6g} mm feed, {self.length['rapid'] * 1e3:.6g} mm rapid"))
             ideal = _duration(self.feed_time_without_acceleration)
-            detail = f"dwells {self.dwell:.3g} s; feed moves alone at their feedrates {ideal}"
+            detail = f"dwells {self.dwell:.3g} s; feed moves without acceleration {ideal}"
             rows.append(("cycle time", f"{_duration(self.cycle_time)} on {self.machine['name']} ({detail})"))
         feeds = self.feeds_mm_per_min
         shown = [f"{feed:g}" for feed in feeds] if len(feeds) <= MOST_FEEDS else [f"{len(feeds)} from {feeds[0]:g} to {feeds[-1]:g}"]
@@ -116,10 +116,10 @@ def check_program(file: str | Path, machine: str | Path | None = None, *, readin
     ----------
     file : str or Path
     machine : str or Path, optional
-        File, or name of a shipped machine: its limits give the cycle time, and leaving its travel is a fault. By default a shipped one,
-        whose travel is only compared.
+        File, or name of a shipped machine. Its limits give the cycle time; leaving its travel is a fault. By default `DEFAULT_MACHINE`;
+        leaving its travel is no fault.
     reading : Reading, optional
-        By default a program need not say where it ends.
+        By default a program needs no end word.
 
     Raises
     ------
@@ -153,7 +153,7 @@ def _tools(program: Program) -> tuple[int, ...]:
 
 
 def _with_motion(checked: Checked, program: Program, chosen: str | Path | None) -> Checked:
-    """Add lengths, box, cycle time, and whether the path leaves the machine's travel."""
+    """Add lengths, box, cycle time, and findings if the path leaves the machine's travel."""
     from contourlab.feed import blended, route_from_program
     from contourlab.feed.planner import plan_profile
     from contourlab.geometry.box import box

@@ -1,1 +1,1 @@
-"""What can a machine and its controller be made of?"""
+"""Which components can a machine and its controller have?"""

@@ -1,4 +1,4 @@
-"""Components: their descriptions as JSON and as tables, in the units of files."""
+"""Descriptions of components as JSON and as tables, in the units of files."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from contourlab.report.table import Column, Table, paragraphs
 from contourlab.units import from_si
 
 STAND_IN = ("full_scale", "full_scale")
-"""Units in place of ``{command}`` and ``{force}`` while a number is converted; they cancel."""
+"""Units that replace ``{command}`` and ``{force}`` while a value is converted; they cancel."""
 
 
 @dataclass(frozen=True)
 class ComponentDescription:
-    """A component; numbers in SI.
+    """A component; values in SI.
 
     Attributes
     ----------
     family, kind : str
-        As in files: ``plant/rigid-axis``.
+        Names as in files: ``plant/rigid-axis``.
     doc : str
-        What it is.
+        Description.
     reference : str
         Paper and equations.
     states, inputs, outputs : tuple of str
     parameters : tuple of Parameter
     gains : tuple of Parameter
-        What pole placement and the like compute the parameters from.
+        Specifications from which the parameters can be computed, for example by pole placement.
     """
 
     family: str
@@ -46,12 +46,12 @@ class ComponentDescription:
 
 
 def chosen(name: str | None, known: list[type[Component]]) -> list[type[Component]]:
-    """Return the components of a family, a kind or both (``plant/rigid-axis``); all without a name.
+    """Return the components of a family, a kind or both (``plant/rigid-axis``); without a name all.
 
     Raises
     ------
     ComponentError
-        If there is none.
+        If there is no such component.
     """
     if name is None:
         return known
@@ -85,7 +85,7 @@ def _summary(kind: type[Component]) -> str:
 
 def overview(kinds: Sequence[type[Component]]) -> Table:
     """Return one row for each component."""
-    prose = (Column(head, prose=True) for head in ("what it is", "parameters", "reference"))
+    prose = (Column(head, prose=True) for head in ("description", "parameters", "reference"))
     table = Table([Column("family", left=True), Column("kind", left=True), *prose])
     for kind in kinds:
         table.add(kind.family, kind.kind, _summary(kind), ", ".join(kind.parameters), kind.reference)
@@ -108,12 +108,12 @@ def _parameter_table(head: str, parameters: Mapping[str, Parameter]) -> Table:
 
 
 def _unit(parameter: Parameter) -> str:
-    """Return the unit of files, with words for units that depend on the plant."""
+    """Return the unit used in files, with words for units that depend on the plant."""
     return parameter.display.replace("{command}", "command").replace("{force}", "force")
 
 
 def _shown(parameter: Parameter, value: float) -> str:
-    """Return an SI number in the unit of files."""
+    """Return an SI value in the unit of files."""
     if parameter.unit == parameter.display or value == 0.0 or not math.isfinite(value):
         return f"{value:g}"
     return f"{from_si(value, parameter.for_plant(*STAND_IN).display):g}"

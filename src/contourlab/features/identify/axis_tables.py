@@ -1,7 +1,7 @@
 """Tables of an axis file: plant, friction, drive, sensor, and limits from the motion in the logs.
 
-A plan may ask for the largest velocity and the largest acceleration at once. Mass, damping, friction and constant force together must then
-take less than the drive's limit, with a reserve for the controller, or the axis cannot follow its own plans.
+A plan may use the largest velocity and the largest acceleration at once. The drive must then overcome mass, damping, friction and constant
+force and keep a reserve for the controller. Otherwise the axis cannot follow its own plans.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ from contourlab.features.identify.result import Row, Tables, assumed
 from contourlab.features.measure.plausibility import fastest
 
 OriginOf = Callable[..., Origin]
-"""From the name of a number, such as "plant.mass", and a note to its origin."""
+"""Returns the origin of a parameter from its name, such as "plant.mass", and a note."""
 ROOM = 0.2
-"""Share by which limits exceed the largest in the log: at the limit itself no plan would reach what the log reached."""
+"""Share by which limits exceed the largest value in the log. Without it, no plan would reach the motion of the log."""
 RESERVE = 0.1
 """Share of the drive's limit that plans leave to the controller."""
 MOST_ROOM = 0.5
-"""Largest share by which an assumed limit of the drive exceeds the largest command in the logs."""
+"""Largest share by which an assumed drive limit exceeds the largest command in the logs."""
 PLANNED, REACTED = 0.005, 0.05
-"""Times [s] over which accelerations are taken: of a reference, and of a position alone, whose fast part is the controller's reaction."""
+"""Intervals [s] for accelerations: of a reference, and of a position alone, whose fast part is the controller's reaction."""
 TWO_INERTIAS = {
     "motor_inertia": ("motor_mass", "kg*m^2"),
     "load_inertia": ("load_mass", "kg*m^2"),
@@ -35,7 +35,7 @@ TWO_INERTIAS = {
     "shaft_damping": ("shaft_damping", "N*m*s/rad"),
     "motor_damping": ("damping", "N*m*s/rad"),
 }
-"""Numbers of a plant of two inertias: the fitted parameter, and the unit."""
+"""Parameters of a two-inertia plant: name in the fit, and unit."""
 
 
 @dataclass(frozen=True)
@@ -47,13 +47,13 @@ class Forces:
     unit : str
         ``"N"`` or ``"full_scale"``.
     one : float [unit of the command]
-        Size of one such unit.
+        Size of one unit.
     largest : float [unit of the command]
-        In the logs.
+        Largest command in the logs.
     constant : float [N/A]
         Force per command as given; one unit of the logged command counts as one ampere.
     note : str
-        What is assumed of full scale; may be empty.
+        Assumption about full scale; may be empty.
     """
 
     unit: str
@@ -64,7 +64,7 @@ class Forces:
 
 
 def forces_of(records: Sequence[AxisRecord]) -> Forces:
-    """Return how to count forces: in the unit of the command, or in shares of its largest if that is neither newtons nor shares already.
+    """Return how to count forces: in newtons, or in shares of full scale; by default full scale is the largest command.
 
     Raises
     ------
@@ -82,7 +82,7 @@ def forces_of(records: Sequence[AxisRecord]) -> Forces:
 
 
 def plant_numbers(forces: Forces, a: float, b: float) -> dict[str, float]:
-    """Return the numbers of the plant v' = -b v + a u by their names in an axis file, in SI.
+    """Return the parameters of the plant v' = -b v + a u by their names in an axis file, in SI.
 
     Parameters
     ----------
@@ -119,9 +119,9 @@ def rigid_tables(
     held : float [command]
         Friction and constant force.
     delay : float [s]
-        Of the drive.
+        Delay of the drive.
     friction : Tables, optional
-        Of friction and disturbance.
+        Tables of friction and disturbance.
     peak : Peak, optional
         Largest acceleration; see `motion_limits`.
     """
@@ -132,7 +132,7 @@ def rigid_tables(
             "kind": ("mass-damper", "", None),
             "mass": (x["plant.mass"], "kg", origin("plant.mass")),
             "damping": (x["plant.damping"], "N*s/m", origin("plant.damping")),
-            "force_constant": (forces.constant, "N/A", assumed("as given; a command counts as so many amperes")),
+            "force_constant": (forces.constant, "N/A", assumed("as given; one unit of the command counts as one ampere")),
         }
         top: Row = (limits.command / forces.constant, "A", limits.origin)
     else:
@@ -155,7 +155,7 @@ def friction_tables(coulomb: float, force: float, unit: str, origin: OriginOf) -
 
 
 def two_inertia_numbers(lead: float, x: Mapping[str, float]) -> dict[str, float]:
-    """Return the numbers of two inertias by their names in an axis file, in SI, from masses along the axis."""
+    """Return the parameters of two inertias by their names in an axis file, in SI, from masses along the axis."""
     arm = lead / (2.0 * math.pi)
     return {f"plant.{name}": arm**2 * x[key] for name, (key, _) in TWO_INERTIAS.items()} | {"drive.delay": x["delay"]}
 
@@ -171,7 +171,7 @@ def two_inertia_tables(
     lead : float [m]
         Travel per turn.
     x, given : mapping of str to float
-        All parameters, and those that were given rather than fitted.
+        All parameters, and those that are given instead of fitted.
     origin : callable
     limits : MotionLimits
     """
@@ -179,7 +179,7 @@ def two_inertia_tables(
     plant: dict[str, Row] = {"kind": ("two-inertia", "", None), "lead": (lead, "m", assumed("as given"))}
     for name, (key, unit) in TWO_INERTIAS.items():
         plant[name] = (values[f"plant.{name}"], unit, assumed("as given") if key in given else origin(f"plant.{name}"))
-    plant["torque_gain"] = (1.0, "", assumed("the command is counted as torque, force times lead over 2 pi"))
+    plant["torque_gain"] = (1.0, "", assumed("the command counts as a torque: force times lead over 2 pi"))
     drive = _drive_table((limits.command * (lead / (2.0 * math.pi)), "N*m", limits.origin), x["delay"], origin)
     return {"plant": plant, "drive": drive, "limits": limits.table, **_sensor_table(records)}
 
@@ -202,7 +202,7 @@ def _sensor_table(records: Sequence[AxisRecord]) -> Tables:
 
 @dataclass(frozen=True)
 class Effort:
-    """Command that the motion of an axis takes.
+    """Command that the motion of an axis needs.
 
     Attributes
     ----------
@@ -219,14 +219,17 @@ class Effort:
     held: float = 0.0
 
     def drive(self, velocity: float, acceleration: float) -> float:
-        """Return the limit of the drive [command]: what both at once take, within what may be assumed of it; or full scale."""
+        """Return the drive limit [command].
+
+        Full scale, or for forces the command for both at once with `RESERVE`, between `ROOM` and `MOST_ROOM` above the largest command.
+        """
         if self.forces.unit != "N":
             return self.forces.one
         taken = (self.held + (acceleration + self.b * velocity) / self.a) / (1.0 - RESERVE)
         return min(max(taken, (1.0 + ROOM) * self.forces.largest), (1.0 + MOST_ROOM) * self.forces.largest)
 
     def share(self, velocity: float, acceleration: float) -> float:
-        """Return the share of both at once that the drive can give, at most 1."""
+        """Return the share of velocity and acceleration that the drive can give at once, at most 1."""
         limit = self.drive(velocity, acceleration)
         left = max((1.0 - RESERVE) * limit - self.held, RESERVE * limit)
         taken = (acceleration + self.b * velocity) / self.a
@@ -248,11 +251,11 @@ class MotionLimits:
     Attributes
     ----------
     table : dict of str to Row
-        Of velocity, acceleration and jerk.
+        Limits of velocity, acceleration and jerk.
     command : float [command]
-        Of the drive.
+        Limit of the drive.
     origin : Origin
-        Of `command`.
+        Origin of `command`.
     """
 
     table: dict[str, Row]
@@ -269,13 +272,14 @@ def motion_limits(records: Sequence[AxisRecord], effort: Effort, acceleration: P
         Of one axis.
     effort : Effort
     acceleration : Peak, optional
-        The largest in the records; by default that of the reference, or else of the position.
+        Largest acceleration in the records; by default from reference and position.
 
     Notes
     -----
-    Velocity, acceleration and command are 20 % above the largest in the logs. If velocity and acceleration at once take more command than
-    that less a tenth for the controller, the drive's limit rises, up to half above the largest command in the logs; full scale stays full
-    scale. If that is not enough, each of the two is first limited to what the drive gives alone, then both are lowered by the same share.
+    The limits of velocity, acceleration and command are 20 % above the largest values in the logs. Velocity and acceleration at once must
+    leave a tenth of the drive's limit to the controller. If they do not, the drive's limit rises to at most half above the largest command
+    in the logs; full scale does not rise. If that is not enough, each is first limited to what the drive gives for it alone, then both are
+    lowered by the same share.
     """
     source = reference_name(records)
     peak = acceleration or max((_largest_acceleration(record) for record in records), key=lambda peak: peak.value)
@@ -287,19 +291,20 @@ def motion_limits(records: Sequence[AxisRecord], effort: Effort, acceleration: P
     def origin(value: float, largest: float, note: str, why: str) -> Origin:
         return Origin("assumed", reference=source, note=_limit_note(value, largest, note, why))
 
-    less = "the drive's limit gives no more of velocity and acceleration at once"
+    less = "the drive cannot give more velocity and acceleration at once"
     rows = (("velocity", share * velocity, top, "m/s", ""), ("acceleration", share * gain, peak.value, "m/s^2", peak.note))
     table: dict[str, Row] = {name: (value, unit, origin(value, largest, note, less)) for name, value, largest, unit, note in rows}
     table["jerk"] = (100.0 * share * gain, "m/s^3", assumed("the acceleration in 10 ms"))
-    more = "velocity and acceleration take it at their limits"
+    more = "velocity and acceleration at their limits need it"
     of_drive = origin(command, effort.forces.largest, "", more) if effort.forces.unit == "N" else assumed("full scale")
     return MotionLimits(table, command, of_drive)
 
 
 def _largest_acceleration(record: AxisRecord) -> Peak:
-    """Return the largest acceleration of the planned motion in a log: of its reference, or else of its position.
+    """Return the largest acceleration of the planned motion in a log: the smaller one of reference and position.
 
-    A controller's reaction to friction and corners was not planned, and the corner of a reference was not driven: the smaller counts.
+    The position contains the controller's reaction to friction, and the reference contains corners that the axis did not follow. Without
+    a reference the position counts.
     """
     if record.reference is None or not np.ptp(record.reference) > 0.0:
         return Peak(_acceleration(record.position, record.period, REACTED), f" over {1e3 * REACTED:.0f} ms")
@@ -314,7 +319,7 @@ def _acceleration(position: Array, period: float, over: float) -> float:
 
 
 def _limit_note(value: float, largest: float, note: str, why: str) -> str:
-    """Return how a limit compares with the largest in the log, and why if not by the usual share."""
+    """Return how a limit compares with the largest value in the log, and why if the share is not the usual one."""
     above = value / largest - 1.0 if largest else ROOM
-    apart = f"{100.0 * abs(above):.0f} % {'above' if above >= 0.0 else 'below'} the largest{note} in the log"
-    return f"{apart}{'' if math.isclose(above, ROOM) else f', as {why}'}: give the axis' own"
+    apart = f"{100.0 * abs(above):.0f} % {'above' if above >= 0.0 else 'below'} the largest value{note} in the log"
+    return f"{apart}{'' if math.isclose(above, ROOM) else f', since {why}'}: replace it by the axis' own limit"

@@ -26,14 +26,14 @@ SHOWN = {"m": "um", "m/s": "m/min"}
 
 @dataclass(frozen=True)
 class Identification:
-    """What the command prints.
+    """Output of the command.
 
     Attributes
     ----------
     done : bool
-        Whether the figures can be used, and the file that was asked for is written.
+        Whether the parameters are usable and the requested file is written.
     summary : dict
-        As JSON.
+        Results for JSON.
     text : str
     """
 
@@ -52,9 +52,9 @@ def identify_log(
     request : Request
         Model, logs and options.
     out : str or Path, optional
-        The axis file; it is written only if the figures can be used.
+        Axis file; written only if the parameters are usable.
     plots : sequence of str
-        png, svg or pdf, into ``plots`` in `folder`; other files there stay.
+        Formats: png, svg or pdf. Plots go to ``plots`` in `folder`; other files there stay.
     folder : str or Path
 
     Raises
@@ -62,9 +62,9 @@ def identify_log(
     LogError, ResultError
         If a log cannot be read or lacks a signal, or the axis cannot be identified; names the log.
     ParameterError
-        If an option is out of range, or `out` is a file that is read.
+        If an option is out of range, or `out` is also an input file.
     OutputError
-        If `out` or `folder` cannot be written; before a log is read.
+        If `out` or `folder` cannot be written; raised before a log is read.
     """
     check_plots(plots)
     request.check()
@@ -84,8 +84,10 @@ def identify_log(
         write_text_atomic(Path(out), axis_file(identified))
         lines.append(f"axis file: {out}")
     elif out is not None:
-        why = f"model {identified.model} gives none from these logs" if identified.usable else "the figures cannot be used"
-        lines.append(f"{out} is not written: {why}")
+        why = f"these logs give no axis file for model {identified.model}" if identified.usable else "the results are not usable"
+        lines.append(f"{out} not written: {why}")
+    elif identified.usable and identified.tables:
+        lines.append("no axis file: name one with --out")
     summary = json_values(replace(identified, axis_file=Path(out) if out is not None and written else None))
     return Identification(identified.usable and (written or out is None), summary, "\n".join(lines))
 
@@ -99,8 +101,8 @@ def axis_file(identified: Identified) -> str:
     fit = "" if identified.fit_percent is None else f": fit {identified.fit_percent:.4g} %"
     head = [f"# Axis {identified.axis}, model {identified.model}, identified from {join_names(identified.logs)}{fit}."]
     if "plant" not in tables:
-        head.append("# Tables of an axis file; add those that these logs do not give.")
-    head += [f"# {finding}" for finding in identified.findings if not "CL419" <= finding.code <= "CL435"]  # not on the reading
+        head.append("# Part of an axis file: add the tables that these logs do not give.")
+    head += [f"# {finding}" for finding in identified.findings if not "CL419" <= finding.code <= "CL435"]  # not those on reading
     return "\n".join(head) + "\n\n" + toml(tables)
 
 
@@ -130,7 +132,7 @@ def _chart(picture: Picture) -> Any:
     from contourlab.report.charts import Chart, Curve, Level, Panel
     from contourlab.report.style import scheme_style
 
-    # One look for each name in all graphs: they share the legend.
+    # A name looks the same in all graphs: they share the legend.
     names = list(dict.fromkeys(name for graph in picture.graphs for name in graph.curves))
     looks = {name: scheme_style(i, max(len(names), 2)) for i, name in enumerate(names)}
     panels = []

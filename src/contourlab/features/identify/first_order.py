@@ -1,4 +1,4 @@
-"""Gain and damping of an axis from a log: open loop, and closed behind its disturbance observer."""
+"""Gain and damping of an axis from a log: in open loop, or in closed loop behind its disturbance observer."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from contourlab.features.identify.axis_tables import Forces, forces_of, friction
 from contourlab.features.identify.records import AxisRecord
 from contourlab.features.identify.result import Graph, Identified, Picture, Propagated, Tables, command_label, figures, propagate
 
-FROM_COMMAND = "from the command ahead of the observer, with its noise and friction; with --position-gain and --velocity-gain it is eq 18"
+FROM_COMMAND = "from the command before the observer, with noise and friction; --position-gain and --velocity-gain select eq 18"
 
 
 def identify_open_loop(record: AxisRecord) -> Identified:
-    """Find v' = -b v + a (u - friction) of an axis that its command drives in open loop.
+    """Identify v' = -b v + a (u - friction) of an axis in open loop.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def identify_open_loop(record: AxisRecord) -> Identified:
     ResultError
         If the log has no command.
     ParameterError
-        As of `contourlab.analysis.identification.first_order.identify_first_order`.
+        See `contourlab.analysis.identification.first_order.identify_first_order`.
     """
     fit = identify_first_order(record.time, record.driven(), record.position)
     unit, forces = record.unit, forces_of([record])
@@ -54,21 +54,21 @@ def identify_open_loop(record: AxisRecord) -> Identified:
 
 
 def identify_behind_observer(record: AxisRecord, gains: tuple[float, float, str] | None) -> Identified:
-    """Find a' and b' of an axis behind its disturbance observer.
+    """Identify a' and b' of an axis behind its disturbance observer.
 
     Parameters
     ----------
     record : AxisRecord
         With reference and position if gains are given; else with the command and the disturbance estimate subtracted from it.
     gains : (K_P, K_V, unit of the command) or None [command/m, command s/m]
-        Of the loop as it ran (eq 18); None to go from the command before the observer to the position.
+        Gains of the recorded loop (eq 18); None to identify from the command before the observer to the position.
 
     Raises
     ------
     ResultError
         If a signal is missing.
     ParameterError
-        As of the identifications.
+        See `contourlab.analysis.identification.first_order`.
     """
     if gains is not None:
         fit = identify_closed_loop(record.time, record.asked(), record.position, *gains[:2])
@@ -93,7 +93,7 @@ def identify_behind_observer(record: AxisRecord, gains: tuple[float, float, str]
         fit.usable,
         fit.findings,
         details={"condition_number": found.condition_number},
-        lines=(start, "for a controller's model_gain and model_damping, not for a plant"),
+        lines=(start, "use them as model_gain and model_damping of a controller, not in a plant"),
         pictures=_pictures(fit, key, f"{key.capitalize()} of axis {record.axis}, {record.source}", labels),
     )
 
@@ -109,12 +109,12 @@ def _pictures(fit: FirstOrderFit, key: str, title: str, labels: tuple[str, str])
     residual = Graph("time [s]", f"residual {labels[0].partition(' ')[2]}", {"residual": (time, measured - model)})
     return (
         Picture(key, title, (output, Graph("time [s]", labels[1], {"given": (time, given)}))),
-        Picture("residual", f"Residual of the {key}", (residual,)),
+        Picture("residual", f"Residual of {key}", (residual,)),
     )
 
 
 def _propagated(forces: Forces, fit: FirstOrderFit) -> Propagated:
-    """Return the uncertainty of the numbers of the axis file."""
+    """Return the uncertainty of the parameters in the axis file."""
 
     def numbers(x: Mapping[str, float]) -> dict[str, float]:
         held = (("friction.coulomb", "friction", 1.0), ("disturbance.force", "offset", -1.0))
@@ -126,7 +126,7 @@ def _propagated(forces: Forces, fit: FirstOrderFit) -> Propagated:
 
 
 def _tables(record: AxisRecord, forces: Forces, fit: FirstOrderFit, uncertainty: Propagated) -> Tables:
-    """Return the axis: in newtons if the command is a force, else in shares of full scale."""
+    """Return the axis file: in newtons if the command is a force, else in shares of full scale."""
 
     def origin(name: str, note: str = "") -> Origin:
         if name not in uncertainty.deviations:

@@ -1,4 +1,4 @@
-"""Frequency response of an axis from logs with sines, a chirp, noise or a multisine, and drive models fitted to it."""
+"""Frequency response of an axis from logs of sines, a chirp, noise or a multisine, and drive models fitted to it."""
 
 from __future__ import annotations
 
@@ -53,30 +53,30 @@ from contourlab.logs.load import about
 from contourlab.report.table import Column, Table
 
 PRINTED = 24
-"""Most points printed; all are in the JSON."""
+"""Largest number of points printed; the JSON has all."""
 FEW = 40
-"""Most points drawn one by one with their deviations."""
+"""Largest number of points drawn with their deviations."""
 COHERENT = 0.5
 MODEL_POINTS = 400
-"""Points of a model's curve."""
+"""Points of a model curve."""
 BEYOND, BELOW_NYQUIST = 2.0, 0.4
-"""Cut-off for accelerations: over the highest fitted frequency, and at most over the sampling frequency."""
+"""Cut-off for accelerations: relative to the highest fitted frequency, and at most relative to the sampling frequency."""
 SMOOTHED, SLOW, RARELY = 0.005, 0.1, 0.05
-"""Interval [s] of a speed, share of the top speed that counts as motion, share of the samples that counts as turning round."""
+"""Interval [s] for a speed, share of the top speed that counts as motion, share of the samples that counts as reversing."""
 
 
 def identify_response(records: Sequence[AxisRecord]) -> Identified:
-    """Return the frequency response of an axis with coherence and deviations.
+    """Measure the frequency response of an axis with coherence and deviations.
 
     Parameters
     ----------
     records : sequence of AxisRecord
-        With the command or the force; in closed loop with the reference.
+        With command or force; in closed loop with the reference.
 
     Raises
     ------
     ResultError
-        If a log has no command, or commands are in different units.
+        If a log has no command, or commands have different units.
     LogError
         If command or position of a record do not change; names the log.
     ParameterError
@@ -108,12 +108,12 @@ def identify_linear_motor(records: Sequence[AxisRecord]) -> Identified:
     Parameters
     ----------
     records : sequence of AxisRecord
-        As of `identify_response`.
+        See `identify_response`.
 
     Raises
     ------
     ResultError, ParameterError
-        If the response cannot be measured, or the model not fitted to it.
+        If the response cannot be measured or the model cannot be fitted.
     """
     response = _measured_response(records)
     fit, forces = fit_linear_motor(response), forces_of(records)
@@ -143,19 +143,19 @@ def identify_two_inertia(
     side : str
         Where the position is measured, ``"motor"`` or ``"load"``.
     lead : float [m], optional
-        Travel per turn; an axis file needs it.
+        Travel per turn; required for an axis file.
     motor_inertia : float [kg m^2], optional
-        Of motor and screw, from a data sheet: the response at the load does not show it, and an axis file needs it. Used with a lead and
-        commands that are forces.
+        Inertia of motor and screw, from a data sheet. The response at the load does not show it, and an axis file needs it. Used only with
+        a lead and commands that are forces.
 
     Raises
     ------
     ResultError, ParameterError
-        If the response cannot be measured, or the model not fitted to it; if the motor's inertia is given for the side of the motor, or
-        exceeds the whole.
+        If the response cannot be measured or the model cannot be fitted; if the motor inertia is given with side "motor", or exceeds the
+        total inertia.
     """
     if motor_inertia is not None and side == "motor":
-        raise ParameterError("motor_inertia", f"{motor_inertia:g} kg*m^2", "left out: at the motor it is measured")
+        raise ParameterError("motor_inertia", f"{motor_inertia:g} kg*m^2", "omitted: with the position of the motor it is identified")
     response, unit = _measured_response(records), records[0].unit
     fit = fit_two_inertia(response, side)
     if motor_inertia is not None and lead is not None and unit == "N" and fit.usable:
@@ -181,16 +181,16 @@ def identify_two_inertia(
 
 
 def _with_motor(response: MeasuredResponse, whole: DriveFit, motor_inertia: float, lead: float) -> DriveFit:
-    """Return the fit at the load with the motor's inertia given."""
+    """Return the fit at the load with a given motor inertia."""
     arm = lead / (2.0 * math.pi)
     if motor_inertia >= whole["mass"] * arm**2:
-        bound = f"below the whole inertia of the response, {whole['mass'] * arm**2:.4g}"
+        bound = f"below the total inertia of the response, {whole['mass'] * arm**2:.4g}"
         raise ParameterError("motor_inertia", f"{motor_inertia:.4g}", bound, "kg*m^2")
     return fit_load_share(response, whole, motor_inertia / arm**2)
 
 
 def _measured_response(records: Sequence[AxisRecord]) -> MeasuredResponse:
-    """Return position over command of an axis, by the method that suits the excitation."""
+    """Return position over command of an axis, measured by the method that fits the excitation."""
     common_unit(records, "one response")
     runs = [_run(record) for record in records]
     excitations = [run.command if run.outside is None else run.outside for run in runs]
@@ -205,7 +205,7 @@ def _measured_response(records: Sequence[AxisRecord]) -> MeasuredResponse:
 
 
 def _run(record: AxisRecord) -> Measured:
-    # A reference that moves means a closed loop: the reference, unlike the command, is free of noise.
+    # A moving reference means a closed loop. The reference, unlike the command, has no noise.
     closed = record.reference is not None and np.ptp(record.reference) > 0.0
     with about(record.source):
         return Measured(record.period, record.driven(), record.position, record.reference if closed else None)
@@ -217,7 +217,7 @@ def _propagated(fit: DriveFit, numbers: Callable[[Mapping[str, float]], Mapping[
 
 
 def _peak(records: Sequence[AxisRecord], fit: DriveFit) -> Peak:
-    """Return the largest acceleration up to the fitted frequencies; above them counts and noise dominate."""
+    """Return the largest acceleration up to the fitted frequencies; above them encoder counts and noise dominate."""
     peaks = []
     for record in records:
         cutoff = min(BEYOND * float(fit.frequency[-1]), BELOW_NYQUIST / record.period)
@@ -268,7 +268,7 @@ def _units(unit: str) -> dict[str, str]:
 
 
 def _resonance_lines(fit: DriveFit) -> tuple[str, ...]:
-    """Return the resonance of two masses; none where it is a parameter itself."""
+    """Return a line on the resonance of two masses; none if the resonance is itself a parameter."""
     if "resonance" in fit.parameters:
         return ()
     resonance, antiresonance = resonances(fit.parameters)
@@ -278,7 +278,7 @@ def _resonance_lines(fit: DriveFit) -> tuple[str, ...]:
 
 
 def _turning_findings(records: Sequence[AxisRecord], response: MeasuredResponse) -> list[Finding]:
-    """Return the logs in which the axis turns round, where no harmonics show its friction."""
+    """Return a finding on logs in which the axis reverses but no harmonics show its friction."""
     if not np.isnan(response.distortion).all():
         return []
     turning = []
@@ -326,15 +326,15 @@ def _point_table(response: MeasuredResponse, unit: str) -> Table:
 
 
 def _bode_graphs(response: MeasuredResponse, unit: str, model: tuple[Array, Complex] | None = None) -> tuple[Graph, ...]:
-    """Return magnitude, phase and coherence over frequency, with a model's velocity response where there is one."""
+    """Return magnitude, phase and coherence over frequency, with the velocity response of a model if given."""
     f, velocity = response.frequency, response.velocity
     size, phase = 1e3 * np.abs(velocity), np.degrees(np.unwrap(np.angle(velocity)))
     gains: dict[str, Drawn] = {"measured": (f, size)}
     phases: dict[str, Drawn] = {"measured": (f, phase)}
     coherence: dict[str, Drawn] = {"coherence": (f, response.coherence)}
     if f.size <= FEW:
-        gains = {"measured, two deviations": (f, size, 2.0 * size * response.deviation)}
-        phases = {"measured, two deviations": (f, phase, np.degrees(2.0 * response.deviation))}
+        gains = {"measured ± 2 deviations": (f, size, 2.0 * size * response.deviation)}
+        phases = {"measured ± 2 deviations": (f, phase, np.degrees(2.0 * response.deviation))}
         coherence = {"coherence": (f, response.coherence, np.zeros(f.size))}
     if model is not None:
         turn = np.degrees(np.unwrap(np.angle(model[1])))
@@ -358,15 +358,15 @@ def _pictures(axis: str, model: str, response: MeasuredResponse, fit: DriveFit, 
         drawn: Drawn = (of, values, np.zeros(of.size)) if of.size <= FEW else (of, values)
         return Graph("frequency [Hz]", f"{key} [{unit}]", {key: drawn}, log_x=True)
 
-    left = residual("size", "%", 100.0 * (np.abs(ratio) - 1.0)), residual("phase", "deg", np.degrees(np.angle(ratio)))
+    left = residual("magnitude", "%", 100.0 * (np.abs(ratio) - 1.0)), residual("phase", "deg", np.degrees(np.angle(ratio)))
     return (
         Picture("bode", f"Frequency response of axis {axis}, {model}", _bode_graphs(response, unit, (f, velocity)), response.method),
-        Picture("residual", "Residual of the response", left, "Measured over model, less one; measured less model."),
+        Picture("residual", "Residual of the response", left, "Size: measured over model, minus one. Phase: measured minus model."),
     )
 
 
 def _model(fit: DriveFit) -> Callable[[Complex], Complex]:
-    """Return the response of the model over s."""
+    """Return the transfer function of the model."""
     x = fit.parameters
     if "M" in x:
         return lambda s: linear_motor(x, s)

@@ -1,4 +1,4 @@
-"""Friction of an axis: the curve from runs at constant speeds, and breakaway from slow ramps of the command."""
+"""Friction of an axis: the friction curve from runs at constant speed, and breakaway from slow command ramps."""
 
 from __future__ import annotations
 
@@ -34,27 +34,27 @@ from contourlab.logs.load import about
 from contourlab.report.table import Column, Table
 
 DIP, RISE = "stribeck_velocity", "rise_velocity"
-"""Speed of the bend in the components of a dip and of a rise."""
+"""Parameter for the speed of the bend: in a component whose friction dips, and in one whose friction rises."""
 UNEVEN = 0.1
-"""Variation of the speed within stretches (median) from which they are not constant; ripple of a ball screw makes 0.06."""
+"""Median variation of the speed within stretches from which it does not count as constant; ball-screw ripple causes 0.06."""
 EXPLAINED = 60.0
-"""Fit [percent] of the first motion that is low; below half of it levels cannot be used."""
+"""Fit [percent] of the first motion below which it is low; below half of it the levels are not usable."""
 SPREAD = 0.1
-"""Relative spread over repeats that is large."""
+"""Relative spread over repeats from which it is large."""
 
 
 def identify_friction(records: Sequence[AxisRecord]) -> Identified:
-    """Fit a friction curve to the constant speeds of one or several logs of an axis.
+    """Fit a friction curve to stretches of constant speed in one or several logs of an axis.
 
     Parameters
     ----------
     records : sequence of AxisRecord
-        With the force or the command.
+        With force or command.
 
     Raises
     ------
     ResultError
-        If a log has no command, or the commands are in different units.
+        If a log has no command, or the commands have different units.
     LogError
         If the signals of a record are not finite; names the log.
     ParameterError
@@ -100,7 +100,7 @@ def _points(stretches: Sequence[Stretch]) -> tuple[list[float], list[float], lis
 
 
 def _file_findings(written: FrictionCurve, chosen: FrictionCurve, unit: str) -> list[Finding]:
-    """Return how the axis file differs from the curve."""
+    """Return findings on how the axis file differs from the curve."""
     findings = [] if written is chosen else [finding("CL513", model=written.name, fit=written.fit / 100.0)]
     findings += direction_findings(_values(written), _units(unit))
     return [*findings, finding("CL514")] if _mean(_values(written), "Fv") > 0.0 else findings
@@ -131,7 +131,7 @@ def _details(fit: FrictionFit, stretches: Sequence[Stretch], unit: str) -> dict[
 
 
 def _writable(fit: FrictionFit) -> FrictionCurve | None:
-    """Return the curve for the axis file: the chosen one, or the best without a bend if that is below zero at rest."""
+    """Return the curve for the axis file: the chosen curve, or the best curve without a bend if the chosen one is below zero at rest."""
     x = _values(fit.chosen)
     if not fit.chosen.model.stribeck or _mean(x, "Fc") + _mean(x, "drop") >= 0.0:
         return fit.chosen
@@ -140,12 +140,12 @@ def _writable(fit: FrictionFit) -> FrictionCurve | None:
 
 
 def _mean(x: Mapping[str, float], name: str) -> float:
-    """Return a parameter, the mean of both directions if it has two; 0 if the curve lacks it."""
+    """Return a parameter: the mean of both directions if it has two; 0 if the curve lacks it."""
     return 0.5 * (x[f"{name}+"] + x[f"{name}-"]) if f"{name}+" in x else x.get(name, 0.0)
 
 
 def _numbers(x: Mapping[str, float], rises: bool) -> dict[str, float]:
-    """Return the numbers of the axis file: one friction for both directions, and the difference in level as an offset."""
+    """Return the parameters of the axis file: one friction for both directions, and the difference in level as an offset."""
     numbers = {"friction.coulomb": max(_mean(x, "Fc"), 0.0), "friction.viscous": max(_mean(x, "Fv"), 0.0)}
     if "vs" in x:
         numbers |= {"friction.breakaway": _mean(x, "Fc") + _mean(x, "drop"), f"friction.{RISE if rises else DIP}": x["vs"]}
@@ -158,7 +158,7 @@ def _values(curve: FrictionCurve) -> dict[str, float]:
 
 
 def _propagated(curve: FrictionCurve) -> Propagated:
-    """Return the uncertainty of the numbers of the axis file."""
+    """Return the uncertainty of the parameters of the axis file."""
     rises = curve.rises
     return propagate(lambda x: _numbers(x, rises), curve.names, curve.values, curve.deviations, curve.correlation)
 
@@ -184,13 +184,13 @@ def _curve_pictures(curve: FrictionCurve, stretches: Sequence[Stretch], unit: st
     line = np.concatenate([part for way in ways for part in (way * np.linspace(0.2 * lowest, top, 200), [np.nan])])
     model = curve.at(np.where(np.isnan(line), top, line))
     model[np.isnan(line)] = np.nan
-    curves: dict[str, Drawn] = {"measured, two deviations": (1e3 * v, u, 2.0 * s), curve.name: (1e3 * line, model)}
-    rest: dict[str, Drawn] = {"residual, two deviations": (1e3 * v, u - curve.predicted, 2.0 * s)}
+    curves: dict[str, Drawn] = {"measured ± 2 deviations": (1e3 * v, u, 2.0 * s), curve.name: (1e3 * line, model)}
+    rest: dict[str, Drawn] = {"residual ± 2 deviations": (1e3 * v, u - curve.predicted, 2.0 * s)}
     left = Graph("velocity [mm/s]", command_label(unit).replace("command", "residual"), rest)
     title = f"Friction of axis {axis} at constant speed"
     return (
         Picture("friction", title, (Graph("velocity [mm/s]", label, curves),)),
-        Picture("residual", "Residual of the curve", (left,)),
+        Picture("residual", "Residual of the friction curve", (left,)),
     )
 
 
@@ -198,19 +198,19 @@ def _curve_pictures(curve: FrictionCurve, stretches: Sequence[Stretch], unit: st
 
 
 def identify_stiction(records: Sequence[AxisRecord]) -> Identified:
-    """Find the breakaway of an axis at rest, each way, with the spread over repeats.
+    """Identify the breakaway of an axis from rest in each direction, with the spread over repeats.
 
     Parameters
     ----------
     records : sequence of AxisRecord
-        With slow ramps of the command from about zero.
+        With slow command ramps from about zero.
 
     Raises
     ------
     ResultError
-        If a log has no command, or the commands are in different units.
+        If a log has no command, or the commands have different units.
     ParameterError
-        As of `contourlab.analysis.identification.stiction.breakaways`; of several records, if none has a breakaway.
+        See `contourlab.analysis.identification.stiction.breakaways`; with several records, if none has a breakaway.
     """
     unit = common_unit(records, "one axis")
     ramps: list[Breakaway] = []
@@ -227,7 +227,7 @@ def identify_stiction(records: Sequence[AxisRecord]) -> Identified:
         findings += [replace(one, place=record.source) for one in without]
     if not ramps:
         reasons = "; ".join(one.text for one in findings)
-        raise ParameterError("LOG", f"{len(records)} records", f"one in which the axis leaves on a ramp; {reasons}")
+        raise ParameterError("LOG", f"{len(records)} records", f"one in which a command ramp moves the axis from rest; {reasons}")
     ways = {name: [ramp for ramp in ramps if ramp.direction == way] for name, way in (("breakaway+", 1), ("breakaway-", -1))}
     findings += _ramp_findings(ways)
     fit = float(np.mean([ramp.fit for ramp in ramps]))
@@ -254,7 +254,7 @@ def _levels(ramps: Sequence[Breakaway]) -> np.ndarray:
 
 
 def _spread(ramps: Sequence[Breakaway]) -> float:
-    """Return the deviation over repeats; of a single ramp that of its instant."""
+    """Return the standard deviation over repeats; for a single ramp its own deviation."""
     return float(_levels(ramps).std(ddof=1)) if len(ramps) > 1 else ramps[0].deviation
 
 
@@ -290,13 +290,13 @@ def _stiction_tables(ways: Mapping[str, Sequence[Breakaway]], unit: str, records
     force, count, source = unit or "full_scale", sum(len(ramps) for ramps in measured), reference_name(records)
     friction: dict[str, Row] = {
         "kind": ("coulomb", "", None),
-        "coulomb": (level, force, assumed("as at rest")),
+        "coulomb": (level, force, assumed("equal to breakaway")),
         "breakaway": (level, force, fitted(source, spread, f"spread over {count} slow ramps")),
     }
     tables: dict[str, dict[str, Row]] = {"friction": friction}
     if len(measured) == 2:
         forward, backward = (float(_levels(ramps).mean()) for ramps in measured)
-        half = fitted(source, spread, "half the difference of the two directions")
+        half = fitted(source, spread, "half the difference between the directions")
         tables["disturbance"] = {"kind": ("constant", "", None), "force": (0.5 * (backward - forward), force, half)}
     return tables
 
@@ -311,5 +311,5 @@ def _stiction_pictures(ways: Mapping[str, Sequence[Breakaway]], unit: str, recor
     level = Graph("time [s]", command_label(unit).replace("command", "breakaway"), points)
     command = Graph("time [s]", command_label(unit), {"command": (first.time, first.driven())})
     moved = Graph("time [s]", "position [mm]", {"position": (first.time, 1e3 * (first.position - first.position[0]))})
-    title = f"Breakaway of axis {first.axis}, two deviations"
+    title = f"Breakaway of axis {first.axis}, ± 2 deviations"
     return (Picture("breakaway", title, (level,)), Picture("ramps", f"Ramps of {first.source}", (command, moved)))

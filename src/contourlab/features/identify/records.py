@@ -20,7 +20,7 @@ POSITIONS = ("position", "motor_position", "axis_position")
 LARGEST = {"N": 1e5, "V": 1e3, "A": 1e3, "full_scale": 1.01}
 """Largest plausible command of a feed drive, by unit."""
 TRAVEL = '--lead, the travel per turn, as "10 mm"'
-"""The option that two inertias need, and that makes newtons of torques."""
+"""Option for two inertias, and to convert torques to newtons."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,22 +30,22 @@ class AxisRecord:
     Attributes
     ----------
     source, axis : str
-        Name of the log, and of the axis.
+        Names of the log and of the axis.
     period : float [s]
     position : ndarray (n,) [m]
     command : ndarray (n,) or None
         Force [N] if logged or if a gain was given; else the command in its own unit.
     unit : str
-        Of the command.
+        Unit of the command.
     reference : ndarray (n,) or None [m]
     estimate : ndarray (n,) or None
         Disturbance that an observer subtracted from the command.
     gain : float [N per unit of the logged command]
-        Given, or from lead and torque; 1 without one.
+        Given, or from the lead for a torque; else 1.
     logged : str
         Unit of the logged command; ``"N*m"`` for a torque.
     start : float [s]
-        Time of the first sample after that of the log.
+        Time of the first sample since the start of the log.
     findings : tuple of Finding
     """
 
@@ -76,12 +76,12 @@ class AxisRecord:
             If the log has none.
         """
         if self.command is None:
-            wanted = f"say --column 'command.{self.axis}=NAME [V]', or with force or torque for command, in N or N*m"
+            wanted = f"give --column 'command.{self.axis}=NAME [V]', or use force [N] or torque [N*m] instead of command"
             raise ResultError(f"no force, torque or command of {self.axis} in {self.source}: {wanted}")
         return self.command
 
     def largest(self) -> float:
-        """Return the largest command, or force, either way; as `driven`."""
+        """Return the largest magnitude of the command or force; raises as `driven`."""
         return float(np.abs(self.driven()).max())
 
     def asked(self) -> Array:
@@ -93,7 +93,7 @@ class AxisRecord:
             If the log has none.
         """
         if self.reference is None:
-            raise ResultError(f"no reference of {self.axis} in {self.source}: say --column 'reference.{self.axis}=NAME [mm]'")
+            raise ResultError(f"no reference of {self.axis} in {self.source}: give --column 'reference.{self.axis}=NAME [mm]'")
         return self.reference
 
     def part(self, start: int, stop: int) -> AxisRecord:
@@ -103,7 +103,7 @@ class AxisRecord:
         return replace(self, position=self.position[start:stop], start=self.start + start * self.period, **signals)
 
     def doubts(self) -> list[Finding]:
-        """Return findings on the record and on what is implausible about its signals."""
+        """Return findings on the record and on implausible signals."""
         found = [*self.findings, *period_findings(self.period, self.source)]
         position = self.position[:, None]
         found += motion_findings(position, self.period, f"{self.axis} in {self.source}")
@@ -121,7 +121,7 @@ class AxisRecord:
 
 
 def newton_option(unit: str) -> str:
-    """Return the option, with an example, that makes newtons of commands in a unit.
+    """Return the option that converts commands in a unit to newtons, with an example.
 
     >>> newton_option("V")
     '--gain, as "35.15 N/V"'
@@ -130,7 +130,7 @@ def newton_option(unit: str) -> str:
 
 
 def newtons_per(unit: str) -> str:
-    """Return the unit of a gain that makes newtons of commands in a unit.
+    """Return the unit of a gain that converts commands in a unit to newtons.
 
     >>> newtons_per("V"), newtons_per("N*m"), newtons_per("")
     ('N/V', 'N/(N*m)', 'N')
@@ -139,7 +139,7 @@ def newtons_per(unit: str) -> str:
 
 
 def unit_findings(unit: str) -> list[Finding]:
-    """Return the finding that friction in a command's own unit fits no plant; none for newtons and shares of full scale."""
+    """Return a finding if friction in the unit of the command fits no plant; newtons and shares of full scale fit."""
     return [] if unit in ("", "N", "full_scale") else [finding("CL505", unit=unit, option=newton_option(unit))]
 
 
@@ -150,16 +150,16 @@ def common_unit(records: Sequence[AxisRecord], what: str) -> str:
     ----------
     records : sequence of AxisRecord
     what : str
-        The common subject of the logs, for the message.
+        What the logs describe, for the message.
 
     Raises
     ------
     ResultError
-        If there are several.
+        If the units differ.
     """
     units = sorted({record.unit for record in records})
     if len(units) > 1:
-        raise ResultError(f"commands in {' and '.join(units)}: logs of {what} have one unit")
+        raise ResultError(f"commands in {' and '.join(units)}: all logs of {what} must have the same unit")
     return units[0]
 
 
@@ -169,7 +169,7 @@ def log_names(records: Sequence[AxisRecord]) -> tuple[str, ...]:
 
 
 def reference_name(records: Sequence[AxisRecord]) -> str:
-    """Return the reference of numbers from several logs: the first, and how many more there are."""
+    """Return the reference for parameters from several logs: the first log, and the number of others."""
     names = log_names(records)
     return names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
 
@@ -177,7 +177,7 @@ def reference_name(records: Sequence[AxisRecord]) -> str:
 def axis_pieces(
     log: Log, source: str, axis: str | None, gain: float | None, full_scale: float | None, lead: float | None
 ) -> list[AxisRecord]:
-    """Return the signals of an axis of a log, a record for each stretch without a long gap.
+    """Return the signals of one axis of a log, one record for each stretch without a long gap.
 
     Parameters
     ----------
@@ -185,18 +185,18 @@ def axis_pieces(
     source : str
         Name of the log.
     axis : str or None
-        None for the only one.
+        None if the log has only one.
     gain : float [N per unit of command] or None
     full_scale : float [unit of the command] or None
-        The command is given as a share of it.
+        Full scale; the command becomes a share of it.
     lead : float [m] or None
-        Travel per turn; makes a force of a torque.
+        Travel per turn; converts a torque to a force.
 
     Raises
     ------
     ResultError
-        If the log has several axes and none is named, or no position; or a gain is given for a log of forces alone,
-        or beside the lead for one of torques.
+        If the log has several axes and none is named, or has no position; if a gain is given for a log that has only forces, or together
+        with the lead for a log of torques.
     """
     name = _chosen_axis(log.result, axis)
     whole = _whole(log, name, gain, full_scale, source, lead)
@@ -204,12 +204,12 @@ def axis_pieces(
     if spans == [(0, whole.position.size)]:
         return [whole]
     if not spans:
-        raise ResultError(f"{source} has no stretch without a long gap in it")
+        raise ResultError(f"{source} has no stretch without a long gap")
     return [whole.part(*span) for span in spans]
 
 
 def longest_piece(log: Log, pieces: Sequence[AxisRecord]) -> AxisRecord:
-    """Return the longest stretch of a log, with a finding if it is not all of the log."""
+    """Return the longest stretch of a log, with a finding if it is not the whole log."""
     longest = max(pieces, key=lambda piece: piece.position.size)
     if len(pieces) == 1 and longest.position.size == log.result.n_sample:
         return longest
@@ -218,7 +218,7 @@ def longest_piece(log: Log, pieces: Sequence[AxisRecord]) -> AxisRecord:
 
 
 def samples_digest(pieces: Sequence[AxisRecord]) -> str:
-    """Return a digest of position and command: logs of one digest are the same record."""
+    """Return a digest of position and command; logs with equal digests are the same record."""
     digest = sha256()
     for piece in pieces:
         command = np.zeros(0) if piece.command is None else piece.command
@@ -247,17 +247,17 @@ def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, so
 
     position = next((values for name in POSITIONS if (values := signal(name)) is not None), None)
     if position is None:
-        problem = f"no position of {axis} in {result.source}: say --column 'position.{axis}=NAME [mm]'"
+        problem = f"no position of {axis} in {result.source}: give --column 'position.{axis}=NAME [mm]'"
         raise ResultError("; ".join([problem, *(doubt.text for doubt in log.doubtful)]))
     command, force = signal("command"), signal("force")
     logged = result.signals["command"].unit if command is not None else ""
     if command is None and force is None and (command := signal("torque")) is not None:
         logged = "N*m"
     if command is None and gain is not None and force is not None:
-        raise ResultError(f"{source} has the force of {axis} and no command: leave --gain out")
+        raise ResultError(f"{source} has the force of {axis} and no command: omit --gain")
     if lead is not None and logged == "N*m" and full_scale is None:
         if gain is not None:
-            raise ResultError(f"{source} has the torque of {axis}, of which --lead makes a force: leave --gain out")
+            raise ResultError(f"{source} has the torque of {axis}, which --lead converts to a force: omit --gain")
         gain = 2.0 * np.pi / lead
     unit = logged
     if gain is not None and command is not None:

@@ -1,4 +1,4 @@
-"""The request of an identification: model, logs and options as typed; and the models that there are."""
+"""Request for an identification: model, logs and options as typed; and the table of models."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ class Request:
     Attributes
     ----------
     model : str
-        Of `MODELS`.
+        A name in `MODELS`.
     choices : tuple of LogChoice
-        One or several logs, read alike.
+        One or several logs, read with the same options.
     axis : str or None
     gain : str or None
         Force per command, as ``"35.15 N/V"``.
@@ -45,11 +45,11 @@ class Request:
     validation : str, Path or None
         A second log.
     position_gain, velocity_gain : str or None
-        Of the loop as it ran, as ``"4 full_scale/mm"``.
+        Gains of the recorded loop, as ``"4 full_scale/mm"``.
     lead : str or None
         Travel per turn, as ``"10 mm"``: for two inertias, and for a command in newton metres.
     motor_inertia : str or None
-        Of motor and screw, as ``"2 kg*cm^2"``.
+        Inertia of motor and screw, as ``"2 kg*cm^2"``.
     side : str
         Where the position is measured, ``"motor"`` or ``"load"``.
     """
@@ -83,7 +83,7 @@ class Request:
         Raises
         ------
         ResultError, LogError, ParameterError
-            As of the study; with the names of the logs.
+            From the study; with the names of the logs.
         """
         study = self._model().study
         with about(*self._names.values(), options=[option.name for option in fields(self)]):
@@ -91,11 +91,12 @@ class Request:
         return replace(identified, findings=(*identified.findings, *self._doubts, *self._reading()))
 
     def check(self) -> None:
-        """Refuse an unknown model, and options of other models.
+        """Check model and options.
 
         Raises
         ------
         ParameterError
+            If the model is unknown, or an option belongs to other models.
         """
         own = self._model().options
         for option in fields(self):
@@ -103,12 +104,12 @@ class Request:
             value = getattr(self, option.name)
             if owners and option.name not in own and value != option.default:
                 typed = f"--{option.name.replace('_', '-')}"
-                raise ParameterError(typed, value, f"left out: it is for {', '.join(owners)}, and the model is {self.model}")
+                raise ParameterError(typed, value, f"omitted: it applies to {', '.join(owners)}, and the model is {self.model}")
 
     def records(self, *, pieces: bool = False) -> list[AxisRecord]:
-        """Return the axis' signals of all logs: the longest stretch of each, or with `pieces` all stretches between long gaps."""
+        """Return the signals of the axis in all logs: the longest stretch of each, or with `pieces` all stretches between long gaps."""
         if self.gain is not None and self.full_scale is not None:
-            raise ParameterError("--full-scale", f"{self.full_scale} beside --gain", "one of the two: newtons, or parts of full scale")
+            raise ParameterError("--full-scale", f"{self.full_scale} with --gain", "one of the two: newtons, or shares of full scale")
         self._check_once()
         logs = [self._read(choice, pieces) for choice in self.choices]
         by_samples: dict[str, str] = {}
@@ -119,19 +120,19 @@ class Request:
         return [record for records in logs for record in records]
 
     def record(self) -> AxisRecord:
-        """Return the axis' signals of the only log.
+        """Return the signals of the axis in the only log.
 
         Raises
         ------
         ParameterError
-            If there are several.
+            If there are several logs.
         """
         if len(self.choices) > 1:
             raise ParameterError("LOG", f"{len(self.choices)} logs", f"one: model {self.model} takes a single run")
         return self.records()[0]
 
     def second(self) -> AxisRecord | None:
-        """Return the axis' signals of the log for validation, if there is one."""
+        """Return the signals of the axis in the log for validation, if given."""
         if self.validation is None:
             return None
         return self._read(replace(self.choices[0], file=self.validation))[0]
@@ -152,13 +153,13 @@ class Request:
         return dict(zip(map(Path, files), distinct_names(files), strict=True))
 
     def _reading(self) -> list[Finding]:
-        """Return the findings on the reading, with the names of the logs unless one holds for all."""
+        """Return the findings on reading the logs; a finding that holds for some logs only names them."""
         count = len(self.choices) + (self.validation is not None)
         places = ("" if len(names) == count else join_names(names) for _, names in self._on_logs)
         return [replace(one, place=": ".join(filter(None, (at, one.place)))) for (one, _), at in zip(self._on_logs, places, strict=True)]
 
     def _check_once(self) -> None:
-        """Refuse a log that is given twice, by whatever path."""
+        """Raise if a log is given twice, also by different paths."""
         seen: dict[Path, str | Path] = {}
         for choice in self.choices:
             place = Path(choice.file).resolve()
@@ -187,13 +188,13 @@ class Request:
         return records
 
     def _check_lead(self, record: AxisRecord) -> None:
-        """Refuse a travel per turn without a use."""
+        """Raise if a travel per turn is given but not needed."""
         if self.lead is None or self.model == "two-inertia" or (record.logged, record.unit) == ("N*m", "N"):
             return
         if record.unit == "full_scale" and self.full_scale is not None:
-            raise ParameterError("--lead", f"{self.lead} beside --full-scale", "one of the two: newtons, or parts of full scale")
+            raise ParameterError("--lead", f"{self.lead} with --full-scale", "one of the two: newtons, or shares of full scale")
         seen = f"the command of {record.source} is in {record.unit}" if record.unit else f"{record.source} has no command"
-        raise ParameterError("--lead", self.lead, f"left out, or beside a command in N*m, for model {self.model}: {seen}")
+        raise ParameterError("--lead", self.lead, f"omitted, or used with a command in N*m, for model {self.model}: {seen}")
 
     def _full_scale(self) -> float | None:
         if self.full_scale is None:
@@ -208,7 +209,7 @@ class Request:
         return value
 
     def _check_unit(self, log: Log) -> None:
-        """Refuse a gain or a full scale in another unit than that of the log's command."""
+        """Raise if the unit of gain or full scale does not match the command in the log."""
         logged = next((log.result.signals[name].unit for name in ("command", "torque") if name in log.result), "")
         for option, text in (("--gain", self.gain), ("--full-scale", self.full_scale)):
             if text is None or not logged:
@@ -222,7 +223,7 @@ class Request:
 
 
 def _per_command(option: str, text: str, top: str, wanted: str) -> float:
-    """Read a quantity per command, as ``"35.15 N/V"``, in SI; `top` is the unit above the stroke, `wanted` what to write."""
+    """Read a quantity per command, as ``"35.15 N/V"``, in SI; `top` is the unit of the numerator, `wanted` the expected form."""
     try:
         number, unit = split(text)
         above, _, below = unit.partition("/")
@@ -230,7 +231,7 @@ def _per_command(option: str, text: str, top: str, wanted: str) -> float:
     except UnitError as error:
         raise ParameterError(option, repr(text), wanted) from error
     if not 0.0 < abs(value) < 1e12:
-        raise ParameterError(option, text, "other than 0, and below 1e12 either way")
+        raise ParameterError(option, text, "other than 0, and below 1e12 in magnitude")
     return value
 
 
@@ -239,7 +240,7 @@ def _per_command(option: str, text: str, top: str, wanted: str) -> float:
 
 @dataclass(frozen=True)
 class Model:
-    """A model: its study, a description, and its own options by their names in a request."""
+    """A model: its study, a description, and the options that only it has, by their names in a request."""
 
     study: Callable[[Request], Identified]
     description: str
@@ -251,10 +252,10 @@ def _rigid(request: Request) -> Identified:
     cutoff = positive("--cutoff", request.cutoff, "Hz", 'a frequency, such as "100 Hz"')
     slowest = 0.0 if request.slowest is None else positive("--slowest", request.slowest, "m/s", 'a speed, such as "1 mm/s"')
     if request.full_scale is not None:
-        raise ParameterError("--full-scale", request.full_scale, f"left out: model {request.model} takes forces, by --gain")
+        raise ParameterError("--full-scale", request.full_scale, f"omitted: model {request.model} needs forces, see --gain")
     if len(request.choices) > 1:
-        raise ParameterError("LOG", f"{len(request.choices)} logs", f"one: model {request.model} takes a single run and --validation")
-    # Settings have the names of their options, so the command line can name the option in an error.
+        raise ParameterError("LOG", f"{len(request.choices)} logs", f"one: model {request.model} takes one run, and one with --validation")
+    # Settings are named like their options, so that an error can name the option.
     settings = InverseDynamicsSettings(friction, cutoff=cutoff, decimation=request.decimation, slowest=slowest)
     return identify_rigid(request.record(), settings, request.second())
 
@@ -264,14 +265,14 @@ def _closed_loop(request: Request) -> Identified:
 
 
 def _loop_gains(request: Request) -> tuple[float, float, str] | None:
-    """Return K_P and K_V in SI, and the unit of the command from that of K_P."""
+    """Return K_P and K_V in SI, and the unit of the command, taken from K_P."""
     position, velocity = request.position_gain, request.velocity_gain
     if position is None and velocity is None:
         return None
     if position is None or velocity is None:
         option = "--position-gain" if position is None else "--velocity-gain"
-        raise ParameterError(option, "missing", "given with the other one: eq 18 takes both K_P and K_V")
-    option, text, wanted = "--position-gain", position, 'command per way, such as "4 full_scale/mm"'
+        raise ParameterError(option, "missing", "given with the other one: eq 18 needs both K_P and K_V")
+    option, text, wanted = "--position-gain", position, 'command per length, such as "4 full_scale/mm"'
     try:
         unit = split(position)[1].partition("/")[0].strip()
         proportional = to_si(position, f"{unit}/m")
@@ -292,7 +293,7 @@ def _two_inertia(request: Request) -> Identified:
 _OF_RIGID = ("cutoff", "slowest", "decimation", "validation")
 MODELS = {
     "rigid": Model(_rigid, "mass, viscous and Coulomb friction, offset, by inverse dynamics", _OF_RIGID),
-    "rigid-by-direction": Model(_rigid, "the same with separate friction for each direction", _OF_RIGID),
+    "rigid-by-direction": Model(_rigid, "like rigid, with separate friction for each direction", _OF_RIGID),
     "friction": Model(lambda request: identify_friction(request.records(pieces=True)), "friction curve from stretches of constant speed"),
     "stiction": Model(lambda request: identify_stiction(request.records(pieces=True)), "breakaway each way from slow ramps of the command"),
     "first-order": Model(
@@ -310,4 +311,4 @@ MODELS = {
     ),
     "two-inertia": Model(_two_inertia, "motor, load and shaft fitted to the frequency response", ("motor_inertia", "side")),
 }
-"""By name, in the order of the messages."""
+"""Models by name, in the order of the messages."""

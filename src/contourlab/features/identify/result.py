@@ -1,4 +1,4 @@
-"""The result of an identification, whatever the model: parameters with deviations, findings, pictures, tables of an axis file."""
+"""Result of an identification: parameters with deviations, findings, pictures, tables of an axis file."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from contourlab.findings import Finding
 from contourlab.report.table import Table
 
 Row = tuple[float | str, str, Origin | None]
-"""A value in SI, its unit, and its origin; None for a word."""
+"""A value in SI, its unit, and its origin (None for a word)."""
 Tables = Mapping[str, Mapping[str, Row]]
-"""Of an axis file, by table and key."""
+"""Rows of an axis file, by table and key."""
 Drawn = tuple[Array, Array] | tuple[Array, Array, Array]
-"""A line through (x, y); with a third array points, and half the heights of their bars."""
+"""A line through (x, y); with a third array: points, and half the heights of their error bars."""
 AT_BOUND = "at the bound of the search: the log does not determine it"
 _PRINTED: dict[str, Any] = {"json": False}
 
@@ -38,7 +38,7 @@ class Figure:
     deviation : float
         Standard deviation for a white residual; nan at the bound of the search.
     robust_deviation : float
-        The same for a correlated residual.
+        Standard deviation for a correlated residual.
     """
 
     value: float
@@ -49,7 +49,7 @@ class Figure:
 
 @dataclass(frozen=True, eq=False)
 class Graph:
-    """Curves, or points with bars, on one pair of axes, each in the units of its label."""
+    """Curves, or points with error bars, on one pair of axes, in the units of the labels."""
 
     x_label: str
     y_label: str
@@ -60,7 +60,7 @@ class Graph:
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """Graphs, one below the other, over one x axis."""
+    """Graphs, one below the other, with a common x axis."""
 
     key: str
     title: str
@@ -80,21 +80,21 @@ class Identified:
     fit_percent : float or None
         100 (1 - |measured - model|/|measured - mean|); None if nothing is fitted.
     usable : bool
-        Whether the figures can be used; if not, no axis file is written.
+        Whether the parameters are usable; if not, no axis file is written.
     findings : tuple of Finding
     details : mapping
         Further results of the model.
     lines : tuple of str
         Further lines of text.
     points : Table or None
-        Printed below them.
+        Table printed below the lines.
     tables : Tables
-        Of the axis file; empty if there is none.
+        Tables of the axis file; empty if there is none.
     correlations : tuple of (str, str, float)
-        Between numbers of the axis file, such as ``"plant.mass"``.
+        Correlations between parameters of the axis file, such as ``"plant.mass"``.
     pictures : tuple of Picture
     axis_file : Path or None
-        As written; None if it was not.
+        The file that was written, if any.
     """
 
     model: str
@@ -121,13 +121,13 @@ def figures(names: Sequence[str], values: Array, deviations: Array, robust: Arra
 
 @dataclass(frozen=True, eq=False)
 class Propagated:
-    """Uncertainty of the numbers of an axis file, by name: deviations, and correlations of pairs."""
+    """Uncertainty of the parameters of an axis file, by name: deviations, and correlations of pairs."""
 
     deviations: Mapping[str, float]
     correlations: tuple[tuple[str, str, float], ...] = ()
 
     def origin(self, log: str, name: str, note: str = "") -> Origin:
-        """Return the origin of a number: fitted, or assumed where it has no deviation because it is at its bound."""
+        """Return the origin of a parameter: fitted, or assumed if it is at its bound and so has no deviation."""
         deviation = self.deviations[name]
         return fitted(log, deviation, note) if deviation > 0.0 else Origin("assumed", reference=log, note=AT_BOUND)
 
@@ -139,21 +139,21 @@ def propagate(
     deviations: Array,
     correlation: Array,
 ) -> Propagated:
-    """Propagate the uncertainty of fitted parameters to the numbers of an axis file.
+    """Propagate the uncertainty of fitted parameters to the parameters of an axis file.
 
     Parameters
     ----------
     numbers : callable
-        From parameters by name to numbers by name, such as ``"plant.mass"``.
+        Maps fitted parameters to those of the axis file, such as ``"plant.mass"``, both by name.
     names : sequence of str
-        Of the parameters.
+        Names of the fitted parameters.
     values, deviations : ndarray (p,)
-        A parameter without a deviation, as one at its bound, adds nothing.
+        A parameter without a deviation, for example at its bound, adds nothing.
     correlation : ndarray (p, p)
 
     Notes
     -----
-    First order: S = D C D', with D the effect of one deviation of each parameter on the numbers.
+    First order: S = D C D', where D is the effect of one deviation of each fitted parameter on those of the axis file.
     """
     columns, small = [], 1e-3
     for i, deviation in enumerate(deviations.tolist()):
@@ -171,12 +171,12 @@ def propagate(
 
 
 def fitted(log: str, deviation: float, note: str = "") -> Origin:
-    """Return the origin of a number fitted to a log; only a finite deviation > 0 is kept."""
+    """Return the origin of a parameter fitted to a log; only a finite deviation > 0 is kept."""
     return Origin("fitted", deviation=deviation if 0.0 < deviation < float("inf") else None, reference=log, note=note)
 
 
 def assumed(note: str) -> Origin:
-    """Return the origin of a number that the log does not contain."""
+    """Return the origin of a parameter that the log does not give."""
     return Origin("assumed", note=note)
 
 
@@ -190,7 +190,7 @@ def command_label(unit: str) -> str:
 
 
 def join_names(names: Sequence[str]) -> str:
-    """Join names of logs, a few of many.
+    """Join the names of logs; shorten the list if there are more than three.
 
     >>> join_names(["a", "b", "c", "d"])
     'a, b and 2 more'

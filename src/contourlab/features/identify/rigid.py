@@ -24,16 +24,16 @@ from contourlab.logs.load import about
 
 MODELS = {"symmetric": "rigid", "asymmetric": "rigid-by-direction"}
 UNITS = {"M": "kg", "Fv": "N*s/m", "Fc": "N", "offset": "N"}
-"""Of the parameters, without the sign of a direction."""
+"""Units of the parameters, without the sign of a direction."""
 
 
 def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings, second: AxisRecord | None = None) -> Identified:
-    """Find mass, friction and offset of an axis.
+    """Identify mass, friction and offset of an axis.
 
     Parameters
     ----------
     record : AxisRecord
-        With the force, or a command and its gain.
+        With the force, or with a command and its gain.
     settings : InverseDynamicsSettings
     second : AxisRecord, optional
         Another record of the same axis, for validation.
@@ -43,9 +43,9 @@ def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings, second
     ResultError
         If a log has no force.
     LogError
-        If a record is unusable, as of `contourlab.analysis.identification.inverse_dynamics.identify_inverse_dynamics`; names the log.
+        If a record is unusable, see `contourlab.analysis.identification.inverse_dynamics.identify_inverse_dynamics`; names the log.
     ParameterError
-        If a setting is out of range for it.
+        If a setting is out of range for the record.
     """
     options = [setting.name for setting in fields(InverseDynamicsSettings)]
     with about(record.source, options=options):
@@ -93,14 +93,14 @@ def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings, second
 
 
 def direction_findings(x: Mapping[str, float], units: Mapping[str, str]) -> list[Finding]:
-    """Return the means over both directions that an axis file has in place of parameters by direction.
+    """Return findings on parameters by direction, for which the axis file has the mean of both directions.
 
     Parameters
     ----------
     x : mapping
-        By names such as ``"Fv+"`` and ``"Fv-"``, each the friction against the motion that way.
+        Parameters by name; ``"Fv+"`` and ``"Fv-"`` are friction against forward and backward motion.
     units : mapping
-        By name without its sign.
+        Units by name without its sign.
 
     >>> [found.place for found in direction_findings({"Fc+": 21.0, "Fc-": 23.0}, {"Fc": "N"})]
     ['Fc']
@@ -110,7 +110,7 @@ def direction_findings(x: Mapping[str, float], units: Mapping[str, str]) -> list
 
 
 def _mean_friction(x: Mapping[str, float]) -> Sequence[float]:
-    """Return viscous and Coulomb friction and offset: the means of both directions, since a component has one friction for both."""
+    """Return viscous and Coulomb friction and offset: means of both directions, since a component has the same friction for both."""
     if "Fc" in x:
         return x["Fv"], x["Fc"], x["offset"]
     return 0.5 * (x["Fv+"] + x["Fv-"]), 0.5 * (x["Fc+"] + x["Fc-"]), 0.5 * (x["Fc+"] - x["Fc-"])
@@ -120,7 +120,7 @@ def _force(record: AxisRecord) -> np.ndarray:
     """Return the force [N]."""
     command = record.driven()
     if record.unit != "N":
-        raise ResultError(f"{record.source}: how much force is a command? Give {newton_option(record.logged)}")
+        raise ResultError(f"{record.source}: the force per command is unknown: give {newton_option(record.logged)}")
     return command
 
 
@@ -143,6 +143,6 @@ def _pictures(record: AxisRecord, fit: InverseDynamicsFit) -> tuple[Picture, ...
     over_speed = Graph("velocity [mm/s]", "force [N]", {"residual": (1e3 * fit.velocity, rest)})
     return (
         Picture("force", f"Force of axis {record.axis}, {record.source}", (Graph("time [s]", "force [N]", force),)),
-        Picture("residual", "Residual of the force", (over_time,)),
-        Picture("residual-speed", "Residual of the force over speed", (over_speed,)),
+        Picture("residual", "Force residual", (over_time,)),
+        Picture("residual-speed", "Force residual over velocity", (over_speed,)),
     )

@@ -1,1 +1,1 @@
-"""What position do the signals of an encoder give?"""
+"""Which position do the signals of an encoder give?"""

@@ -1,4 +1,4 @@
-"""``contourlab interpolate``: from a file of quadrature signals to constants, errors and counts."""
+"""``contourlab interpolate``: constants, errors and counts from a file of quadrature signals."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from contourlab.logs.load import about
 from contourlab.units import to_si
 
 FILES = {"counts": "interpolated.csv", "picture": "interpolation.png", "summary": "interpolation.json"}
-"""Written into the folder."""
+"""Files written into the folder."""
 MICRO, MU = "\u00b5", "\u03bc"
 
 
@@ -41,24 +41,24 @@ def interpolate_file(
     file : str or Path
         A table of numbers; see `contourlab.logs.delimited.read`.
     out : str or Path, optional
-        Folder for interpolated.csv, interpolation.json and interpolation.png; nothing is written without it.
+        Folder for interpolated.csv, interpolation.json and interpolation.png; without it nothing is written.
     pitch, resolution : str
-        Travel of one period of the signals, and of one count: the pitch over four times a whole number.
+        Travel per period of the signals, and per count. The resolution must be the pitch over four times a whole number.
     columns : str, optional
         Names or numbers of the two signals, cosine first: ``"u1,u2"``.
     reference : str, optional
-        Name or number of a column with the true position; by default one called "reference".
+        Name or number of the column of the true position; by default "reference", if present.
     forgetting : float, optional
         0.9 to 1: correct sample by sample with recursive least squares. By default one ellipse is fitted to all samples.
 
     Raises
     ------
     LogError, ResultError
-        If the file has no quadrature signals, or they make no ellipse; with the line where there is one.
+        If the file has no quadrature signals, or they do not form an ellipse; with the line if known.
     ParameterError, UnitError
         If pitch, resolution or forgetting are out of range.
     OutputError
-        If the results cannot be written; then none is.
+        If a result cannot be written; then nothing is written.
     """
     period, count = _length("--pitch", pitch, "20 um"), _length("--resolution", resolution, "25 nm")
     order = interpolation_order(period, count)
@@ -73,7 +73,7 @@ def interpolate_file(
 
 
 def _length(option: str, text: str, example: str) -> float:
-    """Read a length, also with the micro sign or without a blank, such as ``20µm``."""
+    """Read a length; accept the micro sign and a missing blank, such as ``20µm``."""
     parted = re.fullmatch(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\D.*)", text)
     try:
         return to_si(f"{parted[1]} {parted[2].replace(MICRO, 'u').replace(MU, 'u')}" if parted else text, "m")
@@ -82,7 +82,7 @@ def _length(option: str, text: str, example: str) -> float:
 
 
 def _written(folder: Path, interpolation: Interpolation, result: Interpolated) -> Interpolated:
-    """Write the files, all or none; return the result with their names."""
+    """Write all files or none; return the result with their names."""
     from contourlab.features.interpolate.lissajous import LissajousData, lissajous_png
     from contourlab.result.atomic import replacing
 
@@ -94,7 +94,7 @@ def _written(folder: Path, interpolation: Interpolation, result: Interpolated) -
         "picture": lissajous_png(LissajousData(title, interpolation.before.T, after, *interpolation.over_phase(), names)),
         "summary": (json.dumps(json_values(result), indent=2, allow_nan=False) + "\n").encode(),
     }
-    # The files are put in place only once all of them are written.
+    # Put the files in place only after all of them are written.
     with ExitStack() as stack:
         for key, content in contents.items():
             stack.enter_context(replacing(result.files[key])).write_bytes(content)

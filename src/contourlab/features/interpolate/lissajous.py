@@ -1,4 +1,4 @@
-"""The picture of an interpolated encoder: the signals against each other before and after, and the error over a period."""
+"""Picture of an interpolated encoder: the two signals against each other before and after correction, and the error over a period."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ POINTS = 6000
 
 @dataclass(frozen=True, eq=False)
 class LissajousData:
-    """What is drawn.
+    """Data of the picture.
 
     Parameters
     ----------
     title : str
     before, after : ndarray (n, 2)
-        Signals as measured, less their middle, and corrected; both over the amplitude.
+        Signals as measured, and corrected; both divided by the amplitude.
     phase : ndarray (m,) [deg]
     error_before, error_after : ndarray (m,) [nm]
-        Over the phase.
+        Errors over the phase.
     names : (str, str)
-        Of the two, for the legend.
+        Names of the two errors, for the legend.
     """
 
     title: str
@@ -39,7 +39,7 @@ class LissajousData:
 
 
 def lissajous_png(data: LissajousData) -> bytes:
-    """Return the picture as a PNG of 200 dpi; the same data give the same bytes."""
+    """Return the picture as a PNG of 200 dpi; equal data give equal bytes."""
     import matplotlib
     from matplotlib.figure import Figure
 

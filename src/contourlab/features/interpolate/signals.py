@@ -14,7 +14,7 @@ from contourlab.logs.reading import CUT, text_of
 from contourlab.units import to_si
 
 PAIRS = (("u1", "u2"), ("cos", "sin"), ("a", "b"))
-"""Names of signals that need no option, the cosine first."""
+"""Names of signals that are found without an option, the cosine first."""
 TIMES = ("t", "time")
 REFERENCE = "reference"
 
@@ -27,11 +27,11 @@ class QuadratureRecord:
     ----------
     source : Record
     names : (str, str)
-        Of the signals, the cosine first.
+        Names of the signals, the cosine first.
     unit : str
-        Of the signals, as in the file.
+        Unit of the signals, as in the file.
     u1, u2 : ndarray (n,)
-        In that unit.
+        Signals in that unit.
     time : ndarray (n,) [s] or None
     reference : ndarray (n,) [m] or None
         True position.
@@ -56,19 +56,19 @@ def read_quadrature(file: str | Path, columns: str | None = None, reference: str
     file : str or Path
         A table of numbers; see `contourlab.logs.delimited.read`.
     columns : str, optional
-        The signals by name or number, ``"u1,u2"``; by default u1 and u2, cos and sin, a and b, or the only two columns.
+        Names or numbers of the signals, ``"u1,u2"``; by default u1 and u2, cos and sin, a and b, or the only two columns.
     reference : str, optional
-        The column of the true position; by default one called "reference", if there is one.
+        Column of the true position; by default "reference", if present.
 
     Raises
     ------
     LogError
-        If a column is missing or cannot be read; with its line.
+        If a column is missing or cannot be read; with the line.
     """
     record = read_record(file, "csv")
     first, second = _signals(record, columns)
     if first is second:
-        raise LogError(f"column {first.name} is named twice: an encoder has two signals", file=record.file)
+        raise LogError(f"column {first.name} is given twice: an encoder has two signals", file=record.file)
     if first.unit != second.unit:
         units = f"{first.name} is in {first.unit or 'no unit'}, {second.name} in {second.unit or 'no unit'}"
         raise LogError(units, file=record.file)
@@ -78,7 +78,7 @@ def read_quadrature(file: str | Path, columns: str | None = None, reference: str
     for channel in (first, second, clock, true):
         if channel is not None and not np.isfinite(channel.values).all():
             sample = int(np.argmin(np.isfinite(channel.values)))
-            raise LogError(f"no number in column {channel.name}", file=record.file, line=line_of(record, sample))
+            raise LogError(f"column {channel.name} has no finite number here", file=record.file, line=line_of(record, sample))
     return QuadratureRecord(
         record,
         (first.name, second.name),
@@ -92,7 +92,7 @@ def read_quadrature(file: str | Path, columns: str | None = None, reference: str
 
 
 def line_of(record: Record, sample: int) -> int:
-    """Return the line, from 1, of a sample, from 0."""
+    """Return the line number (from 1) of a sample (from 0)."""
     lines = [i for i, line in enumerate(text_of(record.file).splitlines(), 1) if line.strip() and line.strip()[0] not in "#%"]
     return lines[len(lines) - len(record.channels[0].values) - (CUT in record.findings) + sample]
 
@@ -109,11 +109,11 @@ def _signals(record: Record, columns: str | None) -> tuple[Channel, Channel]:
             return known[cosine], known[sine]
     if len(record.channels) == 2:
         return record.channels[0], record.channels[1]
-    raise LogError(f"which columns are the signals? Say --columns u1,u2; there are: {', '.join(record.names)}", file=record.file)
+    raise LogError(f"unknown signal columns: give --columns u1,u2; there are: {', '.join(record.names)}", file=record.file)
 
 
 def _column(record: Record, name: str) -> Channel:
-    """Return a column by its name in any case, or its number from 1."""
+    """Return a column by its name (case is ignored) or its number (from 1)."""
     wanted = name.strip().lower()
     for channel in record.channels:
         if channel.name.lower() == wanted:
@@ -127,7 +127,7 @@ def _factor(record: Record, channel: Channel, unit: str) -> float:
     """Return the size of a column's unit in SI."""
     if not channel.unit:
         example = f"{channel.name} [{unit}]"
-        raise LogError(f"column {channel.name} says no unit: write it in the header, such as {example}", file=record.file)
+        raise LogError(f"column {channel.name} has no unit: write it in the header, such as {example}", file=record.file)
     try:
         return to_si(f"1 {channel.unit.replace('µ', 'u').replace('μ', 'u')}", unit)
     except UnitError as error:

@@ -27,7 +27,7 @@ WEAK = 0.5
 SCALE = 0.01
 """Largest relative difference between the travels of signals and reference; beyond it the pitch is wrong."""
 SETTLING = 2.0
-"""Memories of the recursive fit, 1/(1 - lambda) updates each, until it has settled."""
+"""Settling time of the recursive fit in memory lengths, 1/(1 - lambda) updates each."""
 BINS = 180
 CONSTANTS = ("offset_1", "offset_2", "amplitude", "ratio", "phase_error")
 
@@ -43,29 +43,29 @@ class Interpolated:
     columns : (str, str)
     pitch, resolution : float [m]
     order : int
-        Of the sinusoids.
+        Order of the sinusoids.
     method : str
         ``"all samples"`` or ``"recursive"``.
     forgetting : float or None
     updates : int or None
-        Of the recursive fit.
+        Number of updates of the recursive fit.
     settled_from_sample : int
     constants : dict
         Offsets, amplitude, ratio and phase error; with their unit.
     scatter : float
-        Around the ellipse, over its radius.
+        Scatter around the ellipse, relative to its radius.
     subdivisional_error : dict
-        What it is measured ``against``, and the error ``before`` and ``after``: peak, orders and rest [m]; None if unknown.
+        ``against``: "reference" or "shape". Errors ``before`` and ``after``: peak, orders and rest [m]; None if unknown.
     counts : dict of str to int
     travel : float [m]
     fastest : float
-        Pitches from one sample to the next.
+        Largest travel from one sample to the next [pitches].
     missed : dict
         Number of samples at which a period was missed, and the line of the first.
     weak_samples : int
     findings : tuple of Finding
     files : dict of str to str
-        Written.
+        Files that were written.
     """
 
     file: str
@@ -91,7 +91,7 @@ class Interpolated:
 
 
 class Interpolation:
-    """Interpolate a record: counts, errors and where periods are missed.
+    """Interpolate a record: counts, errors and missed periods.
 
     Parameters
     ----------
@@ -100,12 +100,12 @@ class Interpolation:
     order : int
         The resolution is the pitch over four times the order.
     forgetting : float, optional
-        Of the recursive fit; by default one ellipse is fitted to all samples.
+        Forgetting factor of the recursive fit; by default one ellipse is fitted to all samples.
 
     Raises
     ------
     ParameterError
-        If the signals make no ellipse.
+        If the signals do not form an ellipse.
     ResultError
         If the reference contradicts the pitch or the order of the signals.
     """
@@ -131,7 +131,7 @@ class Interpolation:
         self.errors = None if record.reference is None else self._against_reference(record.reference)
 
     def _settled(self) -> int:
-        """Return the sample from which the recursive fit is judged; 0 where most of the record would be dropped."""
+        """Return the first sample for judging the recursive fit; 0 if less than a quarter of the record would remain."""
         if self.tracked is None or self.forgetting is None:
             return 0
         updates = int(min(SETTLING / max(1.0 - self.forgetting, 1e-4), 1e9))
@@ -140,14 +140,14 @@ class Interpolation:
         return int(reached[0]) if reached.size and size - int(reached[0]) >= size // 4 else 0
 
     def _against_reference(self, true: Array) -> tuple[Array, Array]:
-        """Return the errors of position before and after, whole pitches removed; note where periods were missed."""
+        """Return the position errors before and after correction, whole pitches removed; set `missed`."""
         moved = np.abs(np.diff(true, prepend=true[:1]))
         travel = float(np.ptp(true))
         if 2.0 * float(moved.max()) < self.pitch and travel > 2.0 * self.pitch:
             slope = float(np.polyfit(true - true.mean(), self.resolution * self.counted.counts, 1)[0])
-            place = f"{self.record.source.file}: the signals travel {slope:.4g} of {self.record.reference_name}"
+            place = f"{self.record.source.file}: the signals travel {slope:.4g} times {self.record.reference_name}"
             if slope < 0.0:
-                raise ResultError(f"{place}: they are in the wrong order: say --columns {self.record.names[1]},{self.record.names[0]}")
+                raise ResultError(f"{place}: they are in the wrong order: give --columns {self.record.names[1]},{self.record.names[0]}")
             if abs(slope - 1.0) > SCALE:
                 raise ResultError(f"{place}: a pitch of {self.pitch / slope * 1e6:.4g} um would fit, not {self.pitch * 1e6:.4g} um")
         errors = []
@@ -155,7 +155,7 @@ class Interpolation:
             off = self.resolution * counted.counts - true
             whole = np.rint(np.diff(off, prepend=off[:1]) / self.pitch)
             if counted is self.counted:
-                self.missed = whole != 0.0  # the reference is more certain than the speed of the signals
+                self.missed = whole != 0.0  # the reference is more reliable than the speed of the signals
             errors.append(off - self.pitch * np.cumsum(whole))
         return errors[0], errors[1]
 
@@ -164,7 +164,7 @@ class Interpolation:
         return np.asarray(self.resolution * self.counted.counts, dtype=np.float64)
 
     def over_phase(self) -> tuple[Array, Array, Array]:
-        """Return phases [deg], and the mean errors there before and after [nm]."""
+        """Return phases [deg], and the mean errors before and after correction at these phases [nm]."""
         centre = (np.arange(BINS) + 0.5) * 360.0 / BINS
         part = slice(self.settled, None)
         if self.record.reference is not None and self.errors is not None:
@@ -176,7 +176,7 @@ class Interpolation:
         return centre, implied, _binned(turns[part], self._radius()[part] * length)
 
     def _subdivisional(self) -> tuple[Subdivisional | None, Subdivisional | None]:
-        """Return what repeats with the pitch, before and after; None where the record is too short."""
+        """Return the error that repeats with the pitch, before and after correction; None if the record is too short."""
         part = slice(self.settled, None)
         try:
             if self.record.reference is not None and self.errors is not None:
@@ -189,17 +189,17 @@ class Interpolation:
             return (None if self.record.reference is not None else self._implied()), None
 
     def _radius(self) -> Array:
-        """Return how far the corrected signals are off their circle, over its radius."""
+        """Return the relative deviation of the corrected signals from their circle."""
         radius = np.hypot(*self.after)
         return np.asarray(radius / np.median(radius) - 1.0, dtype=np.float64)
 
     def _implied(self) -> Subdivisional:
-        """Return the error that the constants cause, by their own model."""
+        """Return the error that follows from the constants."""
         phase = np.linspace(0.0, 12.0 * np.pi, 4320, endpoint=False)
         return subdivisional_error(self.fit.constants.error_without(phase) * self.pitch / (2.0 * np.pi), phase)
 
     def result(self) -> Interpolated:
-        """Return the figures."""
+        """Return the result."""
         record, counts = self.record, self.counted.counts
         before, after = self._subdivisional()
         marked = np.flatnonzero(self.missed)
@@ -245,7 +245,7 @@ def _figures(error: Subdivisional | None) -> dict[str, Any] | None:
 
 
 def _binned(turns: Array, error: Array) -> Array:
-    """Return the mean of an error [m] in each part of a turn, less the mean of them all [nm]; nan where there is nothing."""
+    """Return the mean error [nm] in each bin of a turn, for an error [m], minus the mean of all bins; nan for an empty bin."""
     place = np.clip(((turns - np.floor(turns)) * BINS).astype(np.int64), 0, BINS - 1)
     number = np.bincount(place, minlength=BINS)
     total = np.bincount(place, weights=error, minlength=BINS)

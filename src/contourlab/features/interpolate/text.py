@@ -1,4 +1,4 @@
-"""Text and table of counts of ``contourlab interpolate``."""
+"""Text and count table of ``contourlab interpolate``."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ def _rows(r: Interpolated) -> Iterator[tuple[str, str]]:
     constants, errors, counts = r.constants, r.subdivisional_error, r.counts
     unit = f" {constants['unit']}".rstrip()
     yield "", f"{r.file}: {r.n_sample} samples of {' and '.join(r.columns)}"
-    yield "pitch", f"{1e6 * r.pitch:.6g} um, travelled {r.travel / r.pitch:.5g} of them ({1e3 * r.travel:.6g} mm)"
-    yield "resolution", f"{1e9 * r.resolution:.6g} nm, by sinusoids of order {r.order} counted fourfold"
+    yield "pitch", f"{1e6 * r.pitch:.6g} um; travel {r.travel / r.pitch:.5g} pitches ({1e3 * r.travel:.6g} mm)"
+    yield "resolution", f"{1e9 * r.resolution:.6g} nm: {r.order} sine periods per pitch, counted fourfold"
     if r.method == "recursive":
-        yield "fit", f"recursive, forgetting {r.forgetting:g}, {r.updates} updates; constants at the end:"
+        yield "fit", f"recursive, forgetting {r.forgetting:g}, {r.updates} updates; final constants:"
     else:
         yield "fit", "one ellipse through all samples:"
     yield "  offsets", f"{constants['offset_1']:.5g} and {constants['offset_2']:.5g}{unit}"
-    yield "  amplitude", f"{constants['amplitude']:.5g}{unit}, {constants['ratio']:.6g} times the second"
+    yield "  amplitude", f"{constants['amplitude']:.5g}{unit}, {constants['ratio']:.6g} times that of the second signal"
     yield "  phase error", f"{math.degrees(constants['phase_error']):.4g} deg"
     yield "  scatter", f"{100.0 * r.scatter:.3g} % of the radius, rms around the ellipse through all samples"
     for name in ("before", "after"):
         if (error := errors[name]) is not None:
             orders = ", ".join(f"{1e9 * value:.3g}" for value in error["orders"][:4])
             yield f"error {name}", f"{1e9 * error['peak']:.4g} nm peak within a pitch; orders 1 to 4 of a pitch: {orders} nm"
-    yield "counts", f"from {counts['first']} to {counts['last']}, least {counts['least']}, greatest {counts['greatest']}"
-    yield "fastest", f"{r.fastest:.3g} pitches from one sample to the next; up to 0.5 can be counted"
+    yield "counts", f"from {counts['first']} to {counts['last']}, smallest {counts['least']}, largest {counts['greatest']}"
+    yield "fastest", f"{r.fastest:.3g} pitches per sample; counting works up to 0.5"
     for file in r.files.values():
         yield "written", file
     if r.findings:
@@ -42,7 +42,7 @@ def _rows(r: Interpolated) -> Iterator[tuple[str, str]]:
 
 
 def counts_csv(r: Interpolated, time: Array | None, counts: Index, position: Array) -> bytes:
-    """Return the table of counts and positions, with pitch and constants above it."""
+    """Return the table of counts and positions, with pitch and constants in its head."""
     constants = ", ".join(f"{name} {value!r}" for name, value in r.constants.items() if name != "unit")
     unit = f" ({r.constants['unit']})" if r.constants["unit"] else ""
     head = [f"# pitch {r.pitch:.12g} m, resolution {r.resolution:.12g} m, fit: {r.method}", f"# {constants}{unit}"]

@@ -1,4 +1,4 @@
-"""What an analysis predicts of learning, as findings."""
+"""Findings on learning that an analysis predicts."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from contourlab.components.learning.error_law import ZeroPhase
 from contourlab.findings import Finding, finding
 
 GROWTH = 1e-6
-"""How far above 1 a factor may be by rounding."""
+"""Tolerance above 1 for the rounding of a factor."""
 
 
 def learning_findings(analysis: LearningAnalysis) -> Iterator[Finding]:
-    """Yield what may go wrong, and the settings by rule that would not."""
+    """Yield predicted faults, and better settings from the design rule."""
     frequency, factor = analysis.response.worst_radius
     diverges = factor > 1.0 + GROWTH
     if diverges:

@@ -1,4 +1,4 @@
-"""The run over trials: simulate, judge and learn until learning has converged, diverged or used up its trials."""
+"""The run over trials: simulate, judge and learn until learning converges, diverges or has used all trials."""
 
 from __future__ import annotations
 
@@ -40,22 +40,22 @@ class LearningRun:
         ``"converged"``, ``"trials used up"``, ``"diverged, rolled back to trial k"``, ``"diverged, no trial came to its end"``, or
         ``"interrupted, trial k kept"`` after Ctrl-C.
     findings : tuple of Finding
-        Why it ended, saturation, where the error grew.
+        Why learning ended, saturation, and where the error grew.
     trials : tuple of TrialFigures
     best : int
         The trial with the smallest error.
     table : LearnedTable
-        What the best trial ran with.
+        The table that the best trial used.
     split : Split or None
-        What does not repeat, over the last trials; None after fewer than four.
+        Repeatable and non-repeatable parts over the last trials; None with fewer than four.
     growth : Growth or None
-        Where the error grew, if it diverged.
+        Band in which the error grew; only if learning diverged.
     first_position, best_position : ndarray (n_sample, n_axis) [m]
         True positions of the tool in the first and in the best trial.
     first_contour, best_contour : ndarray (n_sample,) [m]
         Their contour errors.
     seconds, engine_seconds, judge_seconds : float [s]
-        Time taken by all, by the runs of the machine, and by the judge.
+        Computing time in all, of the machine runs, and of the judge.
     """
 
     json_derived: ClassVar = ("reason", "gain")
@@ -82,12 +82,12 @@ class LearningRun:
 
     @property
     def diverged(self) -> bool:
-        """Whether it was rolled back."""
+        """Whether learning diverged."""
         return self.status.startswith("diverged")
 
     @property
     def gain(self) -> float:
-        """Error of the first trial over that of the best; NaN where the first stopped early."""
+        """Error of the first trial divided by that of the best; NaN if the first stopped early."""
         first, best = self.trials[0].merit, self.trials[self.best].merit
         return float("inf") if best == 0.0 else first / best
 
@@ -170,18 +170,18 @@ def learn(
     trials : int, >= 0
         Largest number of trials after the first.
     seed : int
-        Of all noise, which differs from trial to trial.
+        Seed of all noise, which differs from trial to trial.
     start : LearnedTable, optional
-        What the first trial runs with; nothing by default.
+        Table of the first trial; none by default.
     stopping : Stopping, optional
     part : {"ends", "all", "none"}
         Trials to compute the distance to the programmed path for: the first and the best, all, or none.
     window : (int, int), optional
-        Samples [start, stop) that count; by default the last whole lap, or all.
+        Samples [start, stop) to judge; by default the last whole lap, or all.
     jit, view
-        As of `simulate`.
+        See `simulate`.
     progress : callable, optional
-        Called with the number of samples done in all.
+        Called with the total number of samples done.
     on_trial : callable, optional
         Called with the figures of each trial.
 
@@ -192,9 +192,9 @@ def learn(
     Raises
     ------
     ParameterError
-        If the number of trials is negative, or a controller has no port for what is learned.
+        If the number of trials is negative, a controller has no port for the learned signal, or the law reaches further than a trial.
     ResultError
-        If the table given belongs to another program, machine or controller, or is added elsewhere than the law's.
+        If the given table belongs to another program, machine or controller, or has another target than the law.
     ComponentError
         If the law needs a linear model and there is none.
     """
@@ -247,11 +247,11 @@ def _check_start(start: LearnedTable | None, law: LearningLaw, machine: Machine,
         return
     start.check(machine, controller, reference)
     if start.target != law.target:
-        raise ResultError(f'the learned table is for the {start.target}: write target = "{start.target}" in the law, not "{law.target}"')
+        raise ResultError(f'the learned table is for the {start.target}: set target = "{start.target}" in the law, not "{law.target}"')
 
 
 def _check_reach(law: LearningLaw, reference: Reference) -> None:
-    """Refuse a law that looks further than a trial is long: it would learn next to nothing and converge at once."""
+    """Refuse a law that reaches further than the length of a trial: it would learn almost nothing and converge at once."""
     known, n, period = law.values(), reference.n_sample, reference.servo_period
     if 2.0 * known.get("half_width", 0.0) >= n:
         raise ParameterError("half_width", f"{known['half_width']:g}", f"less than half of the {n} samples of a trial")

@@ -1,4 +1,4 @@
-"""What repeats from trial to trial, which can be learned; what does not; and where in frequency the error grows."""
+"""The repeatable part of the error, which can be learned, the non-repeatable part, and the frequencies at which the error grows."""
 
 from __future__ import annotations
 
@@ -12,32 +12,32 @@ from contourlab.components.learning.law import LearningLaw, LearningProblem
 from contourlab.errors import ComponentError
 
 FEWEST = 4
-"""Trials from which a steady course can be told from chance."""
+"""Smallest number of trials that separates a steady trend from chance."""
 LAST = 6
-"""Trials from which the size of chance is estimated."""
+"""Number of last trials used to estimate chance."""
 GROWN = 0.1
-"""The band of growth holds what grew by at least this part of the largest growth."""
+"""The growth band contains frequencies that grew by at least this share of the largest growth."""
 EXPLAINED = 2.0
-"""Ratio of the square of a change to that of chance, up to which chance explains the change."""
+"""Chance explains a change up to this ratio of its square to the square expected by chance."""
 
 
 @dataclass(frozen=True)
 class Split:
-    """u_i = u_R + u_NR,i over the last trials (eq 23), sample by sample; what changes steadily, by learning, is no part of u_NR.
+    """u_i = u_R + u_NR,i over the last trials (eq 23), sample by sample; u_NR excludes the steady change by learning.
 
     Attributes
     ----------
     trials : int
-        Over how many.
+        Number of trials used.
     repeatable, non_repeatable : tuple of float, one for each axis [command unit]
         Rms of the two parts of the feedback.
     bound : tuple of float, one for each axis [command unit, or m where the reference is learned]
-        max |h * u_NR|, what of the non-repeatable part passes the law's filter and is learned by mistake; the tracking error stands for the
-        feedback where the law learns the reference.
+        max |h * u_NR|: the non-repeatable part that passes the law's filter and is learned by mistake. For a law that learns the
+        reference: the same of the tracking error instead of the feedback.
     bound_position : tuple of float, one for each axis, or None [m]
-        Largest position error that this causes, by the linear model; None where there is no such model.
+        Largest position error that this causes, by the linear model; None without such a model.
     floor : float [m]
-        Rms of what of the contour error does not repeat (with one axis, of the tracking error): no learning comes below it.
+        Rms of the non-repeatable contour error (with one axis, tracking error): learning cannot go below it.
     """
 
     trials: int
@@ -49,12 +49,12 @@ class Split:
 
 
 class Memory:
-    """Remembers the last trials.
+    """The last trials.
 
     Parameters
     ----------
     depth : int, >= 2
-        How many.
+        Number of trials kept.
     """
 
     def __init__(self, depth: int) -> None:
@@ -64,20 +64,20 @@ class Memory:
         self.contour: list[Array] = []
 
     def add(self, feedback: Array, tracking: Array, contour: Array) -> None:
-        """Take in a trial; arrays that nobody changes afterwards."""
+        """Add a trial; the arrays must not change afterwards."""
         for kept, now in ((self.feedback, feedback), (self.tracking, tracking), (self.contour, contour)):
             kept.append(now)
             del kept[: -self.depth]
 
     def change(self, tracking: Array, window: tuple[int, int]) -> float:
-        """Return the rms over all axes [m] by which a tracking error differs from the last one that is remembered; NaN without one."""
+        """Return the rms difference over all axes [m] between a tracking error and that of the last trial kept; NaN without one."""
         if not self.tracking:
             return math.nan
         cut = slice(*window)
         return float(np.sqrt(np.square(tracking[cut] - self.tracking[-1][cut]).sum(axis=1).mean()))
 
     def explained(self) -> bool:
-        """Tell whether chance explains how the tracking error has changed over the trials that are remembered."""
+        """Return whether chance explains the change of the tracking error over the trials kept."""
         if len(self.tracking) < max(self.depth, FEWEST):
             return False
         scatter, change = _scatter(self.tracking[-FEWEST:]), self.tracking[-1] - self.tracking[0]
@@ -85,7 +85,7 @@ class Memory:
         return bool(by_chance > 0.0 and float(np.square(change).sum()) <= EXPLAINED * by_chance)
 
     def split(self, law: LearningLaw, problem: LearningProblem) -> Split | None:
-        """Return the estimate; None after fewer than four trials."""
+        """Return the estimate; None with fewer than four trials."""
         if len(self.feedback) < FEWEST:
             return None
         rest = _rest(self.feedback)
@@ -107,17 +107,17 @@ class Memory:
 
 
 def _scatter(trials: list[Array]) -> Array:
-    """Return the non-repeatable part of one of four trials in a row, up to its sign.
+    """Return an estimate of the non-repeatable part of one trial from four trials in a row, up to its sign.
 
-    The third difference removes any steady course and nearly all of a decay, and multiplies what is independent in each trial by the root
-    of 1 + 9 + 9 + 1.
+    The third difference removes any steady trend and nearly all of a decay. It multiplies the independent parts by the root of
+    1 + 9 + 9 + 1.
     """
     a, b, c, d = trials
     return np.asarray((d - a - 3.0 * (c - b)) / np.sqrt(20.0))
 
 
 def _rest(trials: list[Array]) -> list[Array]:
-    """Return an estimate of the non-repeatable part for each four trials in a row of the last six, where least is still learned."""
+    """Return an estimate of the non-repeatable part for every four consecutive trials of the last six, which learn the least."""
     last = trials[-LAST:]
     return [_scatter(last[i : i + FEWEST]) for i in range(len(last) - FEWEST + 1)]
 
@@ -129,13 +129,13 @@ class Growth:
     Attributes
     ----------
     low, high : float [Hz]
-        Of the band.
+        Ends of the band.
     peak : float [Hz]
-        Its middle, weighted by the growth.
+        Middle of the band, weighted by the growth.
     factor : float
-        By which the error grew, where it grew most, from one trial to the next.
+        Growth factor per trial at the frequency with the largest growth.
     axis : str
-        The axis in which it grew most.
+        The axis with the largest growth.
     """
 
     low: float
@@ -146,7 +146,7 @@ class Growth:
 
 
 def growth_of(errors: list[Array], servo_period: float, axes: tuple[str, ...]) -> Growth | None:
-    """Return the band in which the increments of the error grew.
+    """Return the band in which the change of the error from trial to trial grew.
 
     Parameters
     ----------
@@ -154,12 +154,12 @@ def growth_of(errors: list[Array], servo_period: float, axes: tuple[str, ...]) -
         Tracking errors of the last trials, oldest first; three or more.
     servo_period : float [s]
     axes : tuple of str
-        Their names.
+        Names of the axes.
 
     Returns
     -------
     Growth or None
-        None where there are fewer than three trials, or nothing grew.
+        None with fewer than three trials, or without growth.
     """
     if len(errors) < 3:
         return None
@@ -175,7 +175,7 @@ def growth_of(errors: list[Array], servo_period: float, axes: tuple[str, ...]) -
         low -= 1
     while high + 1 < len(column) and column[high + 1]:
         high += 1
-    # The middle of the band by weight: single lines of the spectrum are a matter of the record's length.
+    # The weighted middle of the band: single lines of the spectrum depend on the length of the record.
     inside = np.arange(low, high + 1)
     weight = grown[low : high + 1, j]
     middle = float((inside * weight).sum() / weight.sum())
@@ -188,7 +188,7 @@ def _spectrum(signal: Array, servo_period: float) -> Array:
     from scipy.fft import rfft
 
     n = len(signal)
-    window = np.hanning(n)[:, None]  # an error that does not end where it began would leak into all frequencies
+    window = np.hanning(n)[:, None]  # a difference between start and end would leak into all frequencies
     power = np.abs(rfft(signal * window, axis=0)) ** 2
     total = np.concatenate([np.zeros((1, power.shape[1])), np.cumsum(power, axis=0)])
     k = np.arange(len(power))

@@ -12,29 +12,29 @@ from contourlab.features.learn.trial import TrialFigures
 from contourlab.findings import Finding, finding
 
 EXPLAINED_GAIN = 0.05
-"""Improvement from which chance is no explanation, however much the trials differ."""
+"""Largest improvement that chance can explain, even if the trials differ widely."""
 RESOLUTION = 1e-12
-"""Error [m] below which differences are rounding."""
+"""Errors [m] below this differ only by rounding."""
 
 
 @dataclass(frozen=True)
 class Stopping:
-    """When to stop, by the contour rms; with one axis, by the tracking rms.
+    """When to stop, judged by the contour rms; with one axis, by the tracking rms.
 
     Learning does not count as diverged while the tracking error falls or the trials differ less and less.
 
     Attributes
     ----------
     improvement : float, 0 to 1
-        Converged when `patience` trials have reduced neither the best contour error nor the best tracking error by more than this share,
-        and do not rise steadily; 0 goes on to the last trial.
+        Converged if `patience` trials improve neither the best contour error nor the best tracking error by more than this share, and the
+        error does not rise steadily; 0 continues to the last trial.
     patience : int, >= 2
     explained : bool
-        Whether learning has also converged when chance explains the change of the errors over the last `patience` trials.
+        Whether learning has also converged if chance explains the change of the errors over the last `patience` trials.
     divergence : float, > 1
-        Diverged when a trial is worse than the best by this factor.
+        Diverged if the last two trials are worse than the best by more than this factor.
     growth : int, >= 2
-        Diverged also when each of so many trials was worse than the one before, and the last is worse than the best by `growth_margin`.
+        Diverged also if each of this many trials is worse than the one before, and the last is worse than the best by `growth_margin`.
     growth_margin : float, > 0
         As a share of the best.
     """
@@ -67,18 +67,18 @@ class Stop:
 
 
 def best_of(figures: list[TrialFigures]) -> int:
-    """Return the number of the best trial; the first of equals, 0 where all stopped early."""
+    """Return the number of the best trial: the first of equal ones, 0 if all stopped early."""
     merits = [math.inf if math.isnan(trial.merit) else trial.merit for trial in figures]
     return merits.index(min(merits))
 
 
 def verdict(figures: list[TrialFigures], stopping: Stopping, explained: bool) -> Stop | None:
-    """Return why learning stops after these trials, or None if it goes on.
+    """Return why learning stops after these trials, or None if it continues.
 
     Parameters
     ----------
     figures : list of TrialFigures
-        Of all trials so far.
+        Figures of all trials so far.
     stopping : Stopping
     explained : bool
         Whether chance explains the latest change of the errors.
@@ -100,13 +100,13 @@ def verdict(figures: list[TrialFigures], stopping: Stopping, explained: bool) ->
 
 
 def _gain(errors: list[float], stopping: Stopping) -> float:
-    """Return the share that the last trials have taken off the best error before them."""
+    """Return the share by which the last trials have reduced the best error before them."""
     before = min(errors[: -stopping.patience])
     return max(before - min(errors[-stopping.patience :]), 0.0) / before
 
 
 def _settled(figures: list[TrialFigures], merits: list[float], stopping: Stopping, explained: bool) -> Stop | None:
-    """Return how learning ends where neither error falls any more; None where more trials have to show it."""
+    """Return how learning ends when neither error falls any more; None if more trials are needed to decide."""
     best = merits.index(min(merits))
     risen = merits[-1] / merits[best] - 1.0
     values: dict[str, Any] = {"trials": stopping.patience, "best": best, "above": risen}
@@ -122,11 +122,11 @@ def _settled(figures: list[TrialFigures], merits: list[float], stopping: Stoppin
 
 def _grows(figures: list[TrialFigures], merits: list[float], stopping: Stopping) -> Stop | None:
     last, best = figures[-1], min(merits)
-    # While the axes follow better from trial to trial, the contour error may rise for a while: one axis learns faster than another.
-    # Where trials differ less and less they approach a limit, even if an earlier trial was better.
+    # While tracking improves, the contour error may rise for some trials, because one axis learns faster than another.
+    # Trials that differ less and less approach a limit, even if an earlier trial was better.
     if last.tracking <= min(trial.tracking for trial in figures) or not _swells(figures, stopping):
         return None
-    # One bad trial may be chance, as where an axis stuck once; two are not.
+    # One bad trial may be chance, for example an axis that stuck once; two are not.
     if len(merits) > 1 and min(merits[-2:]) > stopping.divergence * best:
         return Stop("diverged", finding("CL304", trial=last.trial, factor=merits[-1] / best))
     if _rises(merits, stopping) and merits[-1] > (1.0 + stopping.growth_margin) * best:
@@ -135,12 +135,12 @@ def _grows(figures: list[TrialFigures], merits: list[float], stopping: Stopping)
 
 
 def _rises(merits: list[float], stopping: Stopping) -> bool:
-    """Tell whether each of the last trials was worse than the one before."""
+    """Return whether each of the last trials was worse than the one before."""
     run = merits[-stopping.growth - 1 :]
     return len(run) > stopping.growth and all(b > a for a, b in pairwise(run))
 
 
 def _swells(figures: list[TrialFigures], stopping: Stopping) -> bool:
-    """Tell whether the change from trial to trial has not fallen over the last trials."""
+    """Return whether the change from trial to trial has not fallen over the last trials."""
     changes = [trial.change for trial in figures[1:]][-stopping.growth :]
     return len(changes) < 2 or changes[-1] >= min(changes[0], changes[-2])

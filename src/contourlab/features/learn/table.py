@@ -1,4 +1,4 @@
-"""The learned table, in memory and on disk, with the program, machine and controller that it belongs to."""
+"""The learned table, in memory and on disk, with its program, machine and controller."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ class LearnedTable:
     path, reference : str
         Digests of the planned path and of the motion along it.
     machine, controller, law : str
-        As files would have them.
+        Their text in a file.
     figures : mapping of str to ndarray (n_trial,) or (n_trial, n_axis)
-        Figures of each trial, for people.
+        Figures of each trial, for information only.
     """
 
     values: Array
@@ -65,7 +65,7 @@ class LearnedTable:
         law: LearningLaw,
         figures: Mapping[str, Array] | None = None,
     ) -> LearnedTable:
-        """Return the table that belongs to a motion of a machine under its controller."""
+        """Return a table of learned values for a motion of a machine under its controller."""
         return cls(
             values=values,
             target=law.target,
@@ -90,16 +90,16 @@ class LearnedTable:
 
     @property
     def learned(self) -> Learned:
-        """What `simulate` takes."""
+        """The table as an argument of `simulate`."""
         return Learned(command=self.values) if self.target == "command" else Learned(reference=self.values)
 
     def check(self, machine: Machine, controller: Controller, reference: Reference) -> None:
-        """Check that the table belongs to this motion of this machine under this controller; the law may differ.
+        """Check that the table belongs to this motion, machine and controller; the law may differ.
 
         Raises
         ------
         ResultError
-            If it does not; the message says what differs and what to use.
+            If it does not; the message names the difference and the remedy.
         """
         names = ", ".join(self.axes)
         if self.axes != machine.axis_names:
@@ -109,18 +109,18 @@ class LearnedTable:
             mine = f"{self.servo_period:g} s"
             raise _refused(f"a servo period of {mine}", f"one of {periods[0]:g} s", f"run at {mine}, or learn again")
         if self.path != reference.path.digest:
-            raise _refused(f"path {self.path[:12]}", f"path {reference.path.digest[:12]}", "use the program that it was learned on")
+            raise _refused(f"path {self.path[:12]}", f"path {reference.path.digest[:12]}", "use the program of the learning run")
         if self.reference != reference.digest or len(self.values) != reference.n_sample:
             mine = f"a motion of {len(self.values)} samples ({self.reference[:12]})"
             other = f"one of {reference.n_sample} ({reference.digest[:12]}) along the same path"
-            raise _refused(mine, other, "use the feed, limits and blending that it was learned with")
+            raise _refused(mine, other, "use the feed, limits and blending of the learning run")
         for part, text in _texts(machine, controller).items():
             if getattr(self, part) != text:
                 was, has = _first_difference(getattr(self, part), text)
-                raise _refused(f"a {part} with {was}", f"one with {has}", f"use the {part} that it was learned on, or learn again")
+                raise _refused(f"a {part} with {was}", f"one with {has}", f"use the {part} of the learning run, or learn again")
 
     def save(self, file: str | Path) -> None:
-        """Write a NetCDF-4 file, whole or not at all.
+        """Write a NetCDF-4 file atomically.
 
         Raises
         ------
@@ -135,7 +135,7 @@ class LearnedTable:
             n_trial = len(next(iter(self.figures.values()))) if self.figures else 0
             data.dimensions = {"sample": len(self.values), "axis": len(self.axes), **({"trial": n_trial} if n_trial else {})}
             data.create_variable("axis", ("axis",), dtype=text)[:] = np.array(self.axes, dtype=object)
-            # Texts are variables: an attribute may hold 64 kB only.
+            # Texts are variables, because an attribute holds at most 64 kB.
             for name, value in (*((name, getattr(self, name)) for name in _TEXTS[1:]), ("format", FORMAT)):
                 data.create_variable(name, (), dtype=text)[...] = value
             data.create_variable("servo_period", (), float)[...] = self.servo_period
@@ -146,7 +146,7 @@ class LearnedTable:
 
     @classmethod
     def load(cls, file: str | Path) -> LearnedTable:
-        """Read a file of `save`.
+        """Read a file written by `save`.
 
         Raises
         ------
@@ -159,7 +159,7 @@ class LearnedTable:
             with h5py.File(file, "r") as data:
                 form = _text(data["format"][()]) if "format" in data else None
                 if form != FORMAT:
-                    raise ResultError(f"{file}: not a learned table of contourlab (format = {form!r})")
+                    raise ResultError(f"{file}: not a contourlab learned table (format = {form!r})")
                 texts = {name: _text(data[name][()]) for name in _TEXTS[1:]}
                 axes = tuple(_text(name) for name in data["axis"][:])
                 period, values = float(data["servo_period"][()]), np.array(data["values"][...])
@@ -170,7 +170,7 @@ class LearnedTable:
         table = cls(values=values, axes=axes, servo_period=period, figures=figures, **texts)
         sound = values.ndim == 2 and values.shape[1] == len(axes) and bool(np.isfinite(values).all())
         if not sound or (table.scheme, table.content) != (scheme, content):
-            raise ResultError(f"{file}: damaged: its contents do not belong together")
+            raise ResultError(f"{file}: damaged: its contents do not match its digests; learn again")
         return table
 
 
@@ -183,7 +183,7 @@ def _text(value: Any) -> str:
 
 
 def _texts(machine: Machine, controller: Controller) -> dict[str, str]:
-    """Return machine and controller as text, without the sources of their numbers."""
+    """Return machine and controller as text, without the sources of their values."""
     plain = unstated(machine)
     return {"machine": dump(plain), "controller": dump(unstated(controller), plain)}
 
@@ -194,14 +194,14 @@ def _law_text(law: LearningLaw, machine: Machine) -> str:
 
 
 def _first_difference(mine: str, other: str) -> tuple[str, str]:
-    """Return the first lines in which two files differ, each with its heading."""
+    """Return the first pair of lines in which two files differ, each with its heading."""
     heading = ""
     for one, two in zip_longest(mine.splitlines(), other.splitlines(), fillvalue="nothing more"):
         if one != two:
             return _shown(heading, one), _shown(heading, two)
         if one.startswith("["):
             heading = one.strip("[] ")
-    return "another text", "this one"
+    return "other text", "this text"
 
 
 def _shown(heading: str, line: str) -> str:

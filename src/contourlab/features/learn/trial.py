@@ -1,4 +1,4 @@
-"""One trial: its figures, what the law gets of it, and what the law knows beforehand."""
+"""One trial: its figures, its record for the law, and the law's prior knowledge."""
 
 from __future__ import annotations
 
@@ -20,26 +20,26 @@ from contourlab.result import Result, Signal
 
 @dataclass(frozen=True)
 class TrialFigures:
-    """Figures of one trial, over the samples that count.
+    """Figures of one trial, over the judged samples.
 
     Attributes
     ----------
     trial : int
-        0 is the first, which has learned nothing, or what the table given says.
+        0 is the first, which runs with nothing learned or with the given table.
     contour_rms, contour_max, contour_mean : float [m]
-        Of the exact contour error.
+        Figures of the exact contour error.
     tracking_rms, tracking_max : tuple of float, one for each axis [m]
-        Of the reference less the axis' true position.
+        Figures of the reference minus the true position of the axis.
     command_peak : tuple of float, one for each axis [command unit]
         Largest magnitude of the command.
     saturated : int
-        Samples at which a command lay beyond the limit of its drive.
+        Samples at which a command exceeds the limit of its drive.
     part_max : float [m]
-        Largest distance of the tool from the programmed path; NaN where it was not asked for.
+        Largest distance of the tool from the programmed path; NaN if not requested.
     change : float [m]
-        Rms over all axes by which the tracking error differs from that of the trial before; NaN for the first.
+        Rms difference over all axes between this tracking error and that of the trial before; NaN for the first.
     failed : str
-        Why the trial stopped early; empty if it did not. All errors are NaN then.
+        Why the trial stopped early: all errors are then NaN. Empty if it did not.
     """
 
     trial: int
@@ -56,7 +56,7 @@ class TrialFigures:
 
     @property
     def merit(self) -> float:
-        """What learning is to lower: the contour rms; with a single axis, which has no contour, the tracking rms."""
+        """The error that learning reduces: the contour rms; with a single axis, which has no contour, the tracking rms."""
         return self.contour_rms if len(self.tracking_rms) > 1 else self.tracking_rms[0]
 
     @property
@@ -65,12 +65,12 @@ class TrialFigures:
         return float(np.sqrt(np.sum(np.square(self.tracking_rms))))
 
     def having(self, **figures: float) -> TrialFigures:
-        """Return a copy with other figures."""
+        """Return a copy with changed figures."""
         return replace(self, **figures)  # type: ignore[arg-type]
 
 
 def figures_of(trial: int, run: Trial, trials: Trials) -> TrialFigures:
-    """Return the figures of the trial that has just run."""
+    """Return the figures of a trial; `trials` is its runner."""
     n_axis = run.position.shape[1]
     if not run.status.ok:
         unknown = (math.nan,) * n_axis
@@ -94,18 +94,18 @@ def figures_of(trial: int, run: Trial, trials: Trials) -> TrialFigures:
 
 
 def record_of(run: Trial, trials: Trials, table: Array, beforehand: Array) -> TrialRecord:
-    """Return what the law gets of a trial.
+    """Return the record of a trial for the law.
 
-    `table` is what was added to the command (zeros where the reference is learned), `beforehand` the command known without any error;
-    both (n_sample, n_axis).
+    `table` is the signal added to the command (zeros if the reference is learned); `beforehand` is the feedforward command, known without
+    any error. Both are (n_sample, n_axis).
     """
-    # An observer's estimate closes its own loop around the plant; no table can replace it.
+    # An observer closes its own loop around the plant with its estimate; no table can replace it.
     feedback = run.command - run.excess - table - beforehand + run.estimate
     return TrialRecord(trials.position - run.measured, feedback, run.excess, run.contour_vector)
 
 
 def part_error(tool: Array, trials: Trials) -> float:
-    """Return the largest distance [m] of the tool's positions (n_sample, n_axis) from the programmed path, over the samples that count."""
+    """Return the largest distance [m] of the tool positions (n_sample, n_axis) from the programmed path, over the judged samples."""
     signals = {
         "tool_position": Signal(tool, ("sample", "axis"), "m"),
         "reference": Signal(trials.position, ("sample", "axis"), "m"),
@@ -116,7 +116,7 @@ def part_error(tool: Array, trials: Trials) -> float:
 
 
 def learning_problem(machine: Machine, controller: Controller, reference: Reference, target: str, arc_length: Array) -> LearningProblem:
-    """Return what a law knows before the first trial: the path's direction at each sample, and the response to what is learned."""
+    """Return the law's prior knowledge: the path direction at each sample, and the response to the learned input."""
     tangent = reference.path.derivatives(arc_length, order=1)[1]
     tangent = tangent / np.linalg.norm(tangent, axis=1, keepdims=True)
     return LearningProblem(machine.servo_period, tangent, lambda: input_response(machine, controller, target, len(arc_length)))
@@ -128,7 +128,7 @@ def input_response(machine: Machine, controller: Controller, target: str, n_samp
     Parameters
     ----------
     machine, controller
-        Taken axis by axis, without contour coupling and nonlinear parts.
+        Used axis by axis, without contour coupling and nonlinear parts.
     target : {"command", "reference"}
     n_sample : int
         Longest useful response.
@@ -143,9 +143,9 @@ def input_response(machine: Machine, controller: Controller, target: str, n_samp
     ComponentError
         If a component is not linear, or a loop is not stable.
     """
-    # What is learned enters behind the feedforward.
+    # The learned signal enters after the feedforward.
     axes = [axis_link(machine, controller, name) for name in machine.axis_names]
     for name, axis in zip(machine.axis_names, axes, strict=True):
         if not axis.loop.stable:
-            raise ComponentError(f"axis {name}: an unstable loop has no response to learn with")
+            raise ComponentError(f"axis {name}: the loop is unstable, so the law has no response to learn with")
     return impulse_responses(axes, n_sample, target)

@@ -1,1 +1,1 @@
-"""What does a network between base and local controllers cost?"""
+"""The cost of a network between base and local controllers."""

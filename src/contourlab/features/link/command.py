@@ -1,4 +1,4 @@
-"""``contourlab link``: what it costs to divide the controllers of a scenario between base and axes, and how little network is enough."""
+"""``contourlab link``: the cost of dividing controllers between base and axes, and the slowest network that still holds."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ LONGEST = 10.0
 """Longest message period and delay of a network [s]."""
 USUAL_LONGEST = "100 ms"
 MOST_SEEDS = 256
-"""All seeds of 32 values run at once."""
+"""A batch runs all seeds of 32 values at once."""
 
 
 @dataclass(frozen=True)
@@ -42,13 +42,13 @@ class LinkOptions:
     Attributes
     ----------
     divisions, ways, quantities, axes : tuple of str
-        Empty for all. A scenario with links of its own is taken as it is unless a division is named.
+        Empty for all. A scenario with its own links keeps them unless a division is given.
     figure : str
-        Of `contourlab.features.link.result.FIGURES`.
+        One of `contourlab.features.link.result.FIGURES`.
     within : str, optional
         Allowed error above that of the undivided loop, as ``"10 %"``, the default.
     tolerance : str, optional
-        Largest error in place of that, as ``"15 um"``.
+        Largest error allowed, instead of `within`, as ``"15 um"``.
     network : mapping of str to str
         Message period, delay, jitter and loss of the links while another is varied.
     extrapolate : bool
@@ -90,7 +90,7 @@ def link_scenario(
         A scenario.
     options : LinkOptions
     schemes : sequence of str
-        As of `contourlab.features.run.schemes.compare_schemes`; all by default.
+        See `contourlab.features.run.schemes.compare_schemes`; all by default.
     plugins : sequence of str or Path
         Python files with components.
     plots : sequence of str
@@ -105,9 +105,9 @@ def link_scenario(
     ScenarioError, ParameterError
         If the scenario cannot be read, or an option is out of range or has no effect.
     OutputError
-        If the folder cannot be written to; found before anything is simulated.
+        If the folder cannot be written; raised before anything is simulated.
     DivergenceError
-        If a loop runs away even undivided.
+        If an undivided loop diverges.
     """
     from contourlab.features.run.command import check_plots
     from contourlab.features.run.schemes import loaded
@@ -123,7 +123,7 @@ def link_scenario(
             for case in cases:
                 stages.begin(f"planning {case.name}")
                 costs[case.name] = _scheme_cost(case, options, settings, stages)
-        texts = [scheme_text(name, of_scheme) for name, of_scheme in costs.items()]
+        texts = [scheme_text(name if len(costs) > 1 else scenario.name, of_scheme) for name, of_scheme in costs.items()]
         result = LinkResult(scenario.name, costs)
         write_text_atomic(stage / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
         if plots:
@@ -142,7 +142,7 @@ def _scheme_cost(case: Case, options: LinkOptions, settings: LinkSettings, stage
     try:
         whole = cost.undivided_error(machine, case.controller, reference, figure, seed=case.seed, moving=case.moving)
     except DivergenceError as error:
-        error.add_note(f"That is scheme {case.name!r}, undivided: --schemes takes others.")
+        error.add_note(f"Scheme {case.name!r} diverges without links. Choose other schemes with --schemes.")
         raise
     allowed = allowed_error(whole, settings.within, settings.allowed)
     costs = []
@@ -155,7 +155,7 @@ def _scheme_cost(case: Case, options: LinkOptions, settings: LinkSettings, stage
 
 def _controllers(controller: Controller, options: LinkOptions, settings: LinkSettings) -> Iterator[tuple[str, Controller]]:
     if _as_it_is(controller, options):
-        yield "as the scenario divides it", controller
+        yield "links of the scenario", controller
         return
     for division in settings.divisions:
         for ways in settings.ways:
@@ -168,7 +168,7 @@ def _controllers(controller: Controller, options: LinkOptions, settings: LinkSet
 
 @dataclass(frozen=True)
 class LinkSettings:
-    """The options in SI; `divisions`, `ways` and `quantities` are all that exist if none was named."""
+    """The options in SI; `divisions`, `ways` and `quantities` contain all by default."""
 
     within: float
     allowed: float | None
@@ -186,7 +186,7 @@ def read_options(options: LinkOptions) -> LinkSettings:
     Raises
     ------
     ParameterError
-        If one is unknown or out of range, or two exclude each other.
+        If an option is unknown or out of range, or two options exclude each other.
     """
     if options.figure not in FIGURES:
         raise ParameterError("--figure", repr(options.figure), "one of " + ", ".join(FIGURES))
@@ -195,8 +195,8 @@ def read_options(options: LinkOptions) -> LinkSettings:
     if not 1 <= seeds <= MOST_SEEDS:
         raise ParameterError("--seeds", f"{seeds}", f">= 1 and <= {MOST_SEEDS}")
     if options.tolerance is not None and options.within is not None:
-        wanted = "one of the two: a part of the undivided error, or an error"
-        raise ParameterError("--within", f"{options.within} beside --tolerance", wanted)
+        wanted = "given without --tolerance: only one of the two can limit the error"
+        raise ParameterError("--within", f"{options.within} with --tolerance", wanted)
     allowed = None
     if options.tolerance is not None:
         unit, example = ("m*s", "15 um s") if options.figure == "integral" else ("m", "15 um")
@@ -204,7 +204,7 @@ def read_options(options: LinkOptions) -> LinkSettings:
     text = USUAL_LONGEST if options.longest is None else options.longest
     longest = positive_quantity("--longest", text, "s", "100 ms")
     if longest > LONGEST:
-        raise ParameterError("--longest", text, f"up to {LONGEST:g} s, the most that a link takes")
+        raise ParameterError("--longest", text, f"up to {LONGEST:g} s, the limit of a link")
     network = {name: _of_network(name, given) for name, given in (options.network or {}).items()}
     return LinkSettings(
         within=_within("10 %" if options.within is None else options.within),
@@ -224,7 +224,7 @@ def positive_quantity(option: str, text: str, unit: str, example: str) -> float:
     Raises
     ------
     ParameterError
-        If it is none, or not above 0.
+        If the text is not a quantity, or not above 0.
     """
     value = _quantity(option, text, unit, f'"{example}"')
     if not value > 0.0:
@@ -248,17 +248,17 @@ def _of_network(name: str, text: str) -> float:
 
 
 def _within(text: str) -> float:
-    """Read a part; ask about a number of 1 or more without a unit, which may be meant in percent or as a factor."""
+    """Read a share; refuse a number of 1 or more without a unit, which may mean percent or a factor."""
     part = _quantity("--within", text, "", '"10 %" or 0.1')
     if part >= 1.0 and not re.search("%|percent", text):
-        raise ParameterError("--within", text, f'a part below 1, or given in %: "{part:g} %" or "{100.0 * part:g} %"')
+        raise ParameterError("--within", text, f'below 1, or in %: "{part:g} %" or "{100.0 * part:g} %"')
     return part
 
 
 def _named(option: str, names: tuple[str, ...], known: tuple[str, ...]) -> tuple[str, ...]:
     for name in names:
         if name not in known:
-            raise ParameterError(option, repr(name), "of " + ", ".join(each.replace("_", "-") for each in known))
+            raise ParameterError(option, repr(name), "one of " + ", ".join(each.replace("_", "-") for each in known))
     _each_once(option, tuple(name.replace("_", "-") for name in names))
     return names or known
 
@@ -266,11 +266,11 @@ def _named(option: str, names: tuple[str, ...], known: tuple[str, ...]) -> tuple
 def _each_once(option: str, names: tuple[str, ...]) -> None:
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise ParameterError(option, repr(",".join(names)), f"names that differ: {twice} is given twice")
+        raise ParameterError(option, repr(",".join(names)), f"different names: {twice} is given twice")
 
 
 def _as_it_is(controller: Controller, options: LinkOptions) -> bool:
-    """Tell whether a controller is taken with its own links."""
+    """Return whether a controller keeps its own links."""
     return not options.divisions and any(axis.link is not None for axis in controller.axes.values())
 
 
@@ -282,16 +282,16 @@ def _refuse_idle(options: LinkOptions, settings: LinkSettings, cases: Sequence[C
     for case in own_links:
         for option, text in texts.items():
             if text:
-                wanted = f"given with --division: scheme {case.name!r} has links of its own, and is taken as it is without one"
+                wanted = f"given with --division: without it, scheme {case.name!r} keeps its own links"
                 raise ParameterError(option, repr(text), wanted)
     if options.longest is not None and settings.quantities == ("loss",):
-        raise ParameterError("--longest", options.longest, "given where a time is varied: --vary names the loss alone")
+        raise ParameterError("--longest", options.longest, "left out: --vary tests the loss only, no time")
     random = {"jitter", "loss"} & set(settings.quantities) or settings.network.jitter or settings.network.loss
     if options.seeds is not None and not random and not any(_has_chance(case.controller) for case in own_links):
         raise ParameterError("--seeds", f"{options.seeds}", "given with --jitter, --loss, or one of them in --vary: nothing else is random")
 
 
 def _has_chance(controller: Controller) -> bool:
-    """Tell whether links of a controller have jitter or loss."""
+    """Return whether links of a controller have jitter or loss."""
     links = [axis.link for axis in controller.axes.values() if axis.link is not None]
     return any(part.values().get(name) for link in links for part in (link.down, link.up) if part for name in ("jitter", "loss"))

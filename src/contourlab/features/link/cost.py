@@ -1,4 +1,4 @@
-"""What it costs to divide controllers between base and axes, and how slow, late or lossy the network between them may be."""
+"""The cost of dividing controllers between base and axes, and the limits of message period, delay, jitter and loss between them."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Division, Machine, parameter_names, simulate, simulate_batch
 
 WAYS = {"both": "both ways", "one": "one way"}
-"""Directions of messages. One way they go down only: the base has wires of its own to the sensors, or sees nothing."""
+"""Directions of messages. One way means down only: the base has its own wires to the sensors, or sees nothing."""
 WITHIN = 0.1
-"""Allowed error above that of the undivided loop, as a part of it."""
+"""Allowed error above that of the undivided loop, as a share of it."""
 
 
 def divided(
@@ -36,12 +36,12 @@ def divided(
     controller : Controller
         Its own links are replaced.
     division : str
-        Of `contourlab.loop.DIVISIONS`.
+        One of `contourlab.loop.DIVISIONS`.
     ways : {"both", "one"}
-        Whether messages also go up. If not, the base has wires of its own to the sensors; with the whole controller in the axis it sees
-        nothing, and contour estimator and coupling are left out.
+        Whether messages also go up. If not, the base has its own wires to the sensors. With the whole controller in the axis the base sees
+        nothing; contour estimator and coupling are then left out.
     link : Network, optional
-        Network of each direction; by default one without delay.
+        Network in each direction; by default without delay.
     axes : sequence of str, optional
         Axes to divide; all by default.
 
@@ -55,7 +55,7 @@ def divided(
     chosen = tuple(controller.axes) if axes is None else tuple(axes)
     unknown = [name for name in chosen if name not in controller.axes]
     if unknown:
-        raise ParameterError("axes", repr(unknown[0]), "of " + ", ".join(controller.axes))
+        raise ParameterError("axes", repr(unknown[0]), "one of " + ", ".join(controller.axes))
     part = link or Network()
     blind = ways == "one" and division == "controller"
     up: Component | None = part if ways == "both" else (None if blind else IdealLink())
@@ -88,12 +88,12 @@ def undivided_error(
     name, (part, parameter) = next(iter(parameter_names(machine, whole).items()))
     error = simulate_batch(machine, whole, reference, {name: [part.values()[parameter]]}, seed=seed, moving=moving).figures[figure][0]
     if math.isnan(error):
-        simulate(machine, whole, reference, seed=seed, moving=moving)  # raises, and says where and when the run fails
+        simulate(machine, whole, reference, seed=seed, moving=moving)  # raises an error with the place and time of the failure
     return float(error)
 
 
 def allowed_error(whole: float, within: float, allowed: float | None = None, floor: float = 0.0) -> float:
-    """Return the largest error allowed: `allowed` if given, else the undivided loop's and a part of it (or of `floor`, if larger) more.
+    """Return the largest error allowed: `allowed` if given, else `whole` + `within` max(`whole`, `floor`).
 
     Raises
     ------
@@ -120,11 +120,11 @@ class LinkLimit:
     ----------
     quantity : str
     value : float [SI]
-        nan if not even the smallest holds.
+        nan if the smallest fails.
     limited : bool
         False if all tested values hold.
     error : float
-        At that value.
+        Error at that value.
     undivided, allowed : float
         Error of the undivided loop, and the largest allowed.
     """
@@ -156,28 +156,28 @@ def link_limit(
     seed: int = 0,
     moving: bool = False,
 ) -> LinkLimit:
-    """Find the largest value of a quantity of the links at which contour error and stability hold.
+    """Find the largest value of a link quantity at which the contour error is allowed and the loop is not unstable.
 
     Parameters
     ----------
     machine, controller, reference
-        The controller divided, with a network in at least one direction: see `divided`.
+        The controller must be divided, with a network in at least one direction: see `divided`.
     quantity : str
-        Of `QUANTITIES`, the same for all axes and both directions.
+        One of `QUANTITIES`, the same for all axes and both directions.
     figure : str
-        Of `FIGURES`.
+        One of `FIGURES`.
     within : float, >= 0
-        Allowed error above that of the undivided loop, as a part of it.
+        Allowed error above that of the undivided loop, as a share of it.
     allowed : float, optional
-        Largest error in place of that [m, or m s for the integral].
+        Largest error allowed, instead of `within` [m, or m s for the integral].
     longest : float [s]
         Largest time to test.
     seeds : int
         Runs with jitter or loss: the worst counts.
     seed : int
-        The first of them, and that of all other noise.
+        The first of these seeds, and the seed of all other noise.
     moving : bool
-        As of `simulate_batch`.
+        See `simulate_batch`.
 
     Raises
     ------
@@ -207,11 +207,11 @@ def message_rate(
     Parameters
     ----------
     machine, controller, reference
-        The controller whole; its own links are replaced.
+        The controller undivided; its own links are replaced.
     division, ways, link, axes
-        As of `divided`; delay, jitter and loss of the link stay as given.
+        See `divided`; delay, jitter and loss of the link stay as given.
     **options
-        As of `link_limit`.
+        See `link_limit`.
     """
     return link_limit(machine, divided(controller, division, ways, link, axes), reference, "message_period", **options)
 
@@ -221,16 +221,16 @@ def message_rate(
 
 @dataclass(frozen=True, eq=False)
 class DivisionCost:
-    """What one way of dividing the controllers costs.
+    """The cost of one division of the controllers.
 
     Attributes
     ----------
     division, ways : str
-        All that occur, if axes differ.
+        Lists each that occurs if axes differ.
     local_parameters : dict of str to tuple of str
         Parameters that may move with each axis.
     error : float
-        With the links as given; nan if a run left its limits.
+        Error with the links as given; nan if a run left its limits.
     unstable : bool
         Whether the linear model with the links as given is unstable; False if unknown.
     sweeps : dict of str to LinkSweep
@@ -259,17 +259,17 @@ def division_cost(
 ) -> DivisionCost:
     """Sweep the links of a divided controller, one quantity at a time, the others as given.
 
-    A swept quantity is the same for all links, even if they differ as given.
+    The swept quantity is the same for all links, even if the given links differ.
 
     Parameters
     ----------
     setting : LinkSetting
     quantities : sequence of str
-        Of `QUANTITIES`.
+        From `QUANTITIES`.
     longest : float [s]
         Largest time to test.
     progress : callable, optional
-        Called with the quantities done, and their number.
+        Called with the number of quantities done and in all.
 
     Raises
     ------
@@ -278,7 +278,7 @@ def division_cost(
     """
     unknown = [name for name in quantities if name not in QUANTITIES]
     if unknown:
-        raise ParameterError("quantities", repr(unknown[0]), "of " + ", ".join(QUANTITIES))
+        raise ParameterError("quantities", repr(unknown[0]), "one of " + ", ".join(QUANTITIES))
     sweeps = {}
     for i, quantity in enumerate(quantities):
         sweeps[quantity] = swept(setting, quantity, longest)
@@ -309,7 +309,7 @@ def _on_links(setting: LinkSetting) -> Iterator[Finding]:
 
 
 def _on_stability(setting: LinkSetting) -> Iterator[Finding]:
-    """Yield why a limit of stability is unknown."""
+    """Yield the reasons why a stability limit is unknown."""
     if any(part.jitter > 0.0 or part.loss > 0.0 for part in setting.networks.values()):
         yield finding("CL754")
         return

@@ -1,4 +1,4 @@
-"""The values at which a quantity of the links is tested: a grid that depends on the servo period alone, and the gaps in it."""
+"""The values at which a link quantity is tested: a grid that depends only on the servo period, and the gaps in it."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from contourlab.errors import ParameterError
 
 LOSSES = np.linspace(0.0, 0.98, 50)
 EACH = 128
-"""Servo periods up to which each is tested."""
+"""Every multiple of the servo period is tested up to this one."""
 FARTHER = 64
-"""Values per doubling beyond them."""
+"""Values per doubling above `EACH`."""
 
 
 def times(quantity: str, period: float, longest: float) -> Array:
-    """Return the values of a time to test [s]: each servo period up to `EACH`, then `FARTHER` values per doubling.
+    """Return the times to test [s]: each multiple of the servo period up to `EACH`, then `FARTHER` values per doubling.
 
-    Grids of different length agree where they overlap, so that a limit does not depend on `longest`.
+    Grids of different length agree where they overlap, so a limit does not depend on `longest`.
 
     Parameters
     ----------
@@ -51,13 +51,13 @@ def passed_over(values: Array, bad: Flags, unknown: Flags, period: float, most: 
     Parameters
     ----------
     values : ndarray (n,) [s]
-        Rising.
+        Increasing.
     bad, unknown : ndarray (n,)
         An unknown value is neither good nor bad.
     period : float [s]
         Servo period.
     most : int
-        Values at most.
+        Largest number of values.
 
     Examples
     --------

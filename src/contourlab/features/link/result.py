@@ -18,28 +18,28 @@ from contourlab.report.style import scheme_style
 from contourlab.report.table import Column, Table, paragraphs
 
 FIGURES = {"rms": "contour_error_rms", "max": "contour_error_max", "integral": "contour_error_integral"}
-"""Figures of the contour error, by the names of the option."""
+"""Figures of the contour error, by option value."""
 _TITLES = {
-    "message_period": ("message period [ms]", 1e3, "Messages less often"),
-    "delay": ("delay each way [ms]", 1e3, "Messages later"),
-    "jitter": ("jitter [ms]", 1e3, "Messages with jitter"),
-    "loss": ("messages lost [%]", 100.0, "Messages lost"),
+    "message_period": ("message period [ms]", 1e3, "Longer message period"),
+    "delay": ("delay each way [ms]", 1e3, "More delay"),
+    "jitter": ("jitter [ms]", 1e3, "More jitter"),
+    "loss": ("messages lost [%]", 100.0, "More messages lost"),
 }
 
 
 @dataclass(frozen=True)
 class SchemeCost:
-    """What the divisions of one scheme cost.
+    """The cost of the divisions of one scheme.
 
     Attributes
     ----------
     figure : str
-        Of `FIGURES`, its value.
+        A value of `FIGURES`.
     undivided, allowed : float [m, or m s]
         Error of the undivided loop, and the largest allowed.
     divisions : tuple of DivisionCost
     findings : tuple of Finding
-        On single divisions, where they end and why nothing holds.
+        Range of each sweep, sweeps that end early, and why nothing holds.
     """
 
     figure: str
@@ -81,7 +81,7 @@ class SchemeCost:
 
 @dataclass(frozen=True)
 class LinkResult:
-    """The result of the command; `text` is what it prints."""
+    """The result of the command; `text` is its printed form."""
 
     name: str
     schemes: dict[str, SchemeCost]
@@ -92,7 +92,7 @@ class LinkResult:
 
 
 def scheme_text(name: str, costs: SchemeCost) -> str:
-    """Return what the divisions of a scheme cost, as tables, and what else there is to know."""
+    """Return the cost of the divisions of a scheme as tables, followed by the findings."""
     quantities = [quantity for quantity in QUANTITIES if any(quantity in cost.sweeps for cost in costs.divisions)]
     limits = [figure(value, costs.unit, 4) for value in (costs.undivided, costs.allowed)]
     what = costs.figure.replace("_", " ")
@@ -112,7 +112,7 @@ def _largest(costs: SchemeCost, quantities: Sequence[str]) -> Table:
     columns = [Column("in the axis, messages", left=True), Column(f"error [{costs.unit}]")]
     table = Table([*columns, *(Column(words(quantity)) for quantity in quantities)], title)
     for cost in costs.divisions:
-        error = "runs away" if math.isnan(cost.error) else figure(cost.error, costs.unit, 4).removesuffix(f" {costs.unit}")
+        error = "diverges" if math.isnan(cost.error) else figure(cost.error, costs.unit, 4).removesuffix(f" {costs.unit}")
         table.add(cost.name, error, *(_most(cost.sweeps[quantity]) for quantity in quantities))
     return table
 
@@ -121,11 +121,11 @@ def _most(sweep: LinkSweep) -> str:
     if math.isnan(sweep.most):
         return "none"
     text = amount(sweep.quantity, sweep.most) + (f" ({figure(sweep.rate, 'Hz', 4)})" if sweep.quantity == "message_period" else "")
-    return text if sweep.limited else f"all, to {text}"
+    return text if sweep.limited else f"all up to {text}"
 
 
 def _stable_limits(costs: SchemeCost, timed: Sequence[str]) -> Table:
-    title = "Largest stable value: linear model / simulated without friction; - is unknown"
+    title = "Largest value at which the loop is stable, by linear model / by simulation without friction (-: unknown)"
     table = Table([Column("in the axis, messages", left=True), *(Column(words(quantity)) for quantity in timed)], title)
     for cost in costs.divisions:
         table.add(cost.name, *(_stable(cost.sweeps[quantity]) for quantity in timed))
@@ -138,7 +138,7 @@ def _stable(sweep: LinkSweep) -> str:
             return "none" if unstable else "-"
         return "all" if math.isinf(value) else amount(sweep.quantity, value)
 
-    # Without a limit, an unstable value means that the first known one is unstable already.
+    # An unstable value without a limit means that the first known value is already unstable.
     linear, simulated = bool((sweep.growth >= 1.0).any()), bool((sweep.repeats > 1.0 + GROWN).any())
     return f"{limit(sweep.stable_linear, linear)} / {limit(sweep.stable_simulated, simulated)}"
 
@@ -157,16 +157,16 @@ def amount(quantity: str, value: float) -> str:
 
 
 def link_charts(name: str, costs: SchemeCost) -> Iterator[Chart]:
-    """Yield a picture for each quantity: the contour error over it, one curve a division; `name` is put into the file names."""
+    """Yield a chart of the contour error over each quantity, one curve per division; `name` becomes part of the file names."""
     slug = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
     what = f"{costs.figure.replace('_', ' ')} [{costs.unit}]"
-    level = Level(1e6 * costs.allowed, f"allowed; undivided {1e6 * costs.undivided:.3g}")
+    level = Level(1e6 * costs.allowed, f"allowed (undivided: {1e6 * costs.undivided:.3g})")
     for quantity in costs.divisions[0].sweeps:
         label, factor, title = _TITLES[quantity]
         curves = []
         for i, cost in enumerate(costs.divisions):
             sweep = cost.sweeps[quantity]
             curves.append(Curve(sweep.values * factor, 1e6 * sweep.error, cost.name, *scheme_style(i, len(costs.divisions))))
-        caption = "A curve that ends early: none of its last values held. With jitter or loss, the worst of several runs."
+        caption = "A curve ends early where none of its last values holds. With jitter or loss: the worst of several runs."
         key = "-".join(filter(None, ("link", slug, quantity.replace("_", "-"))))
         yield Chart(key, title, caption, (Panel(label, what, tuple(curves), (level,), log_y=True),))

@@ -21,18 +21,18 @@ from contourlab.loop import Controller, Division, Machine, simulate_batch
 from contourlab.loop.tool import stream_of
 
 QUANTITIES = ("message_period", "delay", "jitter", "loss")
-"""What can be swept."""
+"""Quantities to sweep."""
 FIGURES = ("contour_error_rms", "contour_error_max", "contour_error_integral")
 """Figures of the contour error that can be limited."""
 SEEDS = 8
-"""Runs with jitter or loss: the worst of them counts."""
+"""Runs with jitter or loss: the worst counts."""
 CHUNK = 32
-"""Values that run at once. If none of them holds, the sweep ends."""
+"""Values that run at once. If none of them holds, the sweep may end."""
 LARGE, LARGEST = 200, 700
-"""States of a linear model beyond which it is evaluated at one value of a chunk only, and not at all."""
+"""Number of states above which a linear model is evaluated at one value of a chunk only, and above which it is not evaluated."""
 COLUMNS = ("values", "error", "median", "growth", "repeats")
 GROWN = 0.5
-"""Part by which the error of a lap may exceed that of the lap before in a stable loop."""
+"""Share by which the error of a lap may exceed that of the lap before in a stable loop."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,22 +42,22 @@ class LinkSweep:
     Attributes
     ----------
     quantity : str
-        Of `QUANTITIES`.
+        One of `QUANTITIES`.
     values : ndarray (n,)
-        Rising; times are multiples of the servo period.
+        Increasing; times are multiples of the servo period.
     error : ndarray (n,)
         Worst of the seeds; nan where a run left its limits.
     median : ndarray (n,)
-        Of the seeds.
+        Median of the seeds.
     growth : ndarray (n,)
-        Factor per tick of the slowest error of the linear model, in the worst direction of the path; nan where it is unknown.
+        Spectral radius of the linear model per tick, in the worst direction of the path; nan where unknown.
     repeats : ndarray (n,)
-        Error of the last lap over that of the lap before, on the machine without friction, counting, disturbance and limits; nan without
-        two laps, or with jitter or loss.
+        Error of the last lap over that of the lap before, on the machine without friction, encoder counts, disturbance and limits; nan
+        without two laps, or with jitter or loss.
     allowed : float
         Largest error allowed.
     asked : float
-        Largest value asked for.
+        Largest value requested.
     """
 
     quantity: str
@@ -73,12 +73,12 @@ class LinkSweep:
 
     @property
     def holds(self) -> Flags:
-        """Whether the error is allowed and the linear model is not unstable (n,)."""
+        """Whether the error is allowed and the linear model is stable or unknown (n,)."""
         return np.asarray((self.error <= self.allowed) & ~(self.growth >= 1.0))
 
     @property
     def most(self) -> float:
-        """The largest value up to which all tested values hold; nan if the first does not."""
+        """The largest value up to which all tested values hold; nan if the first fails."""
         return _last_before(self.values, ~self.holds)
 
     @property
@@ -88,17 +88,17 @@ class LinkSweep:
 
     @property
     def limited(self) -> bool:
-        """Whether a tested value does not hold, so that `most` is a limit."""
+        """Whether a tested value fails, so that `most` is a limit."""
         return bool((~self.holds).any())
 
     @property
     def ended_early(self) -> bool:
-        """Whether the sweep ended before `asked`, as none of the last `CHUNK` values held."""
+        """Whether the sweep ended before `asked` because none of the last `CHUNK` values held."""
         return bool(self.values[-1] < self.asked)
 
     @property
     def limited_by(self) -> str | None:
-        """Why the first value that fails does so: ``"runs away"``, ``"error"`` or ``"unstable"``; None if all hold."""
+        """Why the first failing value fails: ``"runs away"``, ``"error"`` or ``"unstable"``; None if all hold."""
         if not self.limited:
             return None
         worst = float(self.error[int(np.argmin(self.holds))])
@@ -106,12 +106,12 @@ class LinkSweep:
 
     @property
     def stable_linear(self) -> float:
-        """The largest value up to which the linear model is stable; infinite if all are, nan if unknown."""
+        """The largest value up to which the linear model is stable; infinite if all values are stable, nan if unknown."""
         return _limit(self.values, self.growth >= 1.0, np.isnan(self.growth))
 
     @property
     def stable_simulated(self) -> float:
-        """The same for the simulated machine without friction and limits."""
+        """The same limit for the simulated machine without friction and limits."""
         return _limit(self.values, self.repeats > 1.0 + GROWN, np.isnan(self.repeats))
 
 
@@ -135,15 +135,15 @@ class LinkSetting:
     Attributes
     ----------
     machine, controller, reference
-        The controller with a network in at least one direction.
+        The controller needs a network in at least one direction.
     figure : str
-        Of `FIGURES`.
+        One of `FIGURES`.
     allowed : float
         Largest error allowed.
     seeds, seed : int
-        Runs with jitter or loss, of which the worst counts, and the first seed, which is also that of all other noise.
+        Number of runs with jitter or loss (the worst counts), and the first seed, also used for all other noise.
     moving : bool
-        As of `contourlab.loop.simulate_batch`.
+        See `contourlab.loop.simulate_batch`.
 
     Raises
     ------
@@ -166,22 +166,22 @@ class LinkSetting:
         links = {(name, way): link for name, axis in self.controller.axes.items() if axis.link for way, link in _ways(axis.link)}
         self.networks = {key: link for key, link in links.items() if isinstance(link, Network)}
         if not self.networks:
-            raise ParameterError("controller.axes", "without a network", 'divided, with a link of kind "network" in one direction at least')
+            raise ParameterError("controller.axes", "without a network", 'divided, with a link of kind "network" in at least one direction')
         self.ideal = undisturbed(unlimited(perfect_sensing(without_friction(self.machine))))
         self.loops = tuple(_linear(self.machine, self.controller))
 
     def by_chance(self, quantity: str) -> bool:
-        """Tell whether jitter or loss are drawn at random while a quantity is varied."""
+        """Return whether jitter or loss is drawn at random while a quantity is varied."""
         drawn = any(part.jitter > 0.0 or part.loss > 0.0 for part in self.networks.values())
         return drawn or quantity in ("jitter", "loss")
 
     def columns(self, quantity: str, values: Array, seeds: int) -> dict[str, Array]:
-        """Return the values of the lanes: each value, on all links, under each seed."""
+        """Return the parameter values of the lanes: each value, on all links, for each seed."""
         found = {f"controller.axes.{a}.link.{w}.{quantity}": np.repeat(values, seeds) for a, w in self.networks}
         return found | self._streams(seeds, len(values))
 
     def _streams(self, seeds: int, times: int) -> dict[str, Array]:
-        """Return the random streams of each seed, repeated; none for one seed, which is the run's own."""
+        """Return the random streams of each seed, repeated `times` times; empty for one seed, which is the run's own."""
         return {
             f"controller.axes.{a}.link.{w}.stream": np.tile([stream_of(self.seed + i, a, f"link.{w}") for i in range(seeds)], times)
             for a, w in (self.networks if seeds > 1 else ())
@@ -194,7 +194,7 @@ class LinkSetting:
         return float(self._run(self.machine, own | self._streams(seeds, 1), None).max())
 
     def errors(self, quantity: str, values: Array) -> Array:
-        """Return the error of each value under each seed: (n, n_seed)."""
+        """Return the error of each value for each seed (n, n_seed)."""
         seeds = self.seeds if self.by_chance(quantity) else 1
         run = self._run(self.machine, self.columns(quantity, values, seeds), None)
         return np.asarray(run.reshape(len(values), seeds))
@@ -207,7 +207,7 @@ class LinkSetting:
         columns = self.columns(quantity, values, 1)
         before, last = (self._run(self.ideal, columns, lap) for lap in laps[-2:])
         with np.errstate(invalid="ignore", divide="ignore"):
-            # A run that left its limits has grown beyond all bounds.
+            # A run that left its limits counts as infinite growth.
             return np.asarray(np.where(np.isnan(last), math.inf, last / before), dtype=float)
 
     def _run(self, machine: Machine, columns: Mapping[str, Array], window: tuple[int, int] | None) -> Array:
@@ -215,7 +215,7 @@ class LinkSetting:
         return simulate_batch(machine, self.controller, self.reference, columns, **given).figures[self.figure]
 
     def growth(self, quantity: str, value: float, size_limit: int = LARGEST) -> float:
-        """Return the growth of the linear model in the worst of a few directions; nan if there is none, or it is too large."""
+        """Return the growth of the linear model in the worst of a few directions; nan without a model or if it is too large."""
         if self.by_chance(quantity) or not self.loops:
             return math.nan
         try:
@@ -237,7 +237,7 @@ def _ways(link: Division) -> Iterator[tuple[str, Component]]:
 
 
 def _linear(machine: Machine, controller: Controller) -> Iterator[DividedLoop]:
-    """Yield the linear model along each axis and the diagonal; none if it does not exist or the axes have different links."""
+    """Yield the linear model along each axis and the diagonal; nothing if there is no model or the axes have different links."""
     links = [mine.link for mine in controller.axes.values() if mine.link is not None]
     if any(link != links[0] for link in links):
         return
@@ -252,21 +252,21 @@ def _linear(machine: Machine, controller: Controller) -> Iterator[DividedLoop]:
 def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
     """Sweep a quantity of the links from its smallest value.
 
-    The sweep ends early if none of `CHUNK` values holds, and either the limits of stability are found or `EACH` values are tested.
-    Between the last value that holds and the first that fails every servo period is tested.
+    The sweep ends early if the error is too large at all `CHUNK` values of a chunk, and either the stability limits are found or `EACH`
+    values are tested. Multiples of the servo period between the last value that holds and the first that fails are then tested too.
 
     Parameters
     ----------
     setting : LinkSetting
     quantity : str
-        Of `QUANTITIES`.
+        One of `QUANTITIES`.
     longest : float [s]
         Largest time to test.
 
     Raises
     ------
     ParameterError
-        If the quantity is unknown or the longest time below a servo period.
+        If the quantity is unknown or the longest time is shorter than a servo period.
     """
     if quantity not in QUANTITIES:
         raise ParameterError("quantity", repr(quantity), "one of " + ", ".join(QUANTITIES))
@@ -285,7 +285,7 @@ def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
 def _tested(setting: LinkSetting, quantity: str, values: Array, surely: float, unstable: float) -> tuple[Array, ...]:
     """Return the columns of a sweep at some values, in the order of `COLUMNS`.
 
-    A large linear model is evaluated at the value `surely` only, and none from the first unstable value on.
+    A large linear model is evaluated only at the value `surely`. No model is evaluated from the first unstable value on.
     """
     errors = setting.errors(quantity, values)
     growth = np.full(len(values), math.nan)
@@ -305,12 +305,12 @@ def _unstable_at(parts: Sequence[tuple[Array, ...]]) -> float:
 
 
 def _stable_to_the_end(sweep: LinkSweep) -> bool:
-    """Tell whether the loop is stable at all tested values: its limit is farther on."""
+    """Return whether the loop is stable at all tested values, so that its limit lies beyond them."""
     return math.isinf(sweep.stable_linear) or math.isinf(sweep.stable_simulated)
 
 
 def _joined(setting: LinkSetting, quantity: str, parts: Sequence[tuple[Array, ...]], asked: float) -> LinkSweep:
-    """Join the parts of a sweep; of a value in two of them the later counts."""
+    """Join the parts of a sweep; a later part replaces equal values of an earlier one."""
     columns = [np.concatenate(column[::-1]) for column in zip(*parts, strict=True)]
     _, order = np.unique(columns[0], return_index=True)
     found = {name: column[order] for name, column in zip(COLUMNS, columns, strict=True)}
@@ -324,7 +324,7 @@ def _closed_in(setting: LinkSetting, sweep: LinkSweep, parts: list[tuple[Array, 
         values, none, grown = sweep.values, np.zeros(len(sweep.values), dtype=bool), sweep.repeats > 1.0 + GROWN
         evenly = passed_over(values, ~sweep.holds, none, period, CHUNK), passed_over(values, grown, np.isnan(sweep.repeats), period, CHUNK)
         wanted, surely = np.setdiff1d(np.concatenate(evenly), values), math.nan
-        # One value of the linear model costs as much as many runs.
+        # Evaluating the linear model at one value costs as much as many runs.
         middle = passed_over(values, sweep.growth >= 1.0, np.isnan(sweep.growth), period, 1)
         if middle.size and middle[0] not in tried:
             surely = float(middle[0])

@@ -1,4 +1,4 @@
-"""``contourlab machines``: the shipped machines, axes, controllers and runs, the sources of their numbers, and copies of them."""
+"""``contourlab machines``: list, show and copy the shipped machines, axes, controllers, scenarios and programs."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ class Shipped:
     Attributes
     ----------
     name : str
-        As after ``builtin:``.
+        Name as after ``builtin:``.
     kind : str
-        Of `KINDS`.
+        One of `KINDS`.
     axes : tuple of str
-        Of a machine or a run; empty otherwise.
+        Axes of a machine or a scenario; empty otherwise.
     about : str
-        The first sentence of the file.
+        First sentence of the file.
     file : Path
     numbers : tuple of Number
-        Of a machine or an axis, with their sources.
+        Parameters of a machine or an axis, with their sources.
     """
 
     json_derived: ClassVar = ("sources", "references", "provenance", "text")
@@ -50,7 +50,7 @@ class Shipped:
 
     @property
     def sources(self) -> dict[str, int]:
-        """How many of its numbers come from which source."""
+        """Number of parameters by source."""
         found: dict[str, int] = {}
         for number in self.numbers:
             found[number.source] = found.get(number.source, 0) + 1
@@ -58,18 +58,18 @@ class Shipped:
 
     @property
     def references(self) -> tuple[str, ...]:
-        """The logs, papers and tables behind its numbers."""
+        """Logs, papers and tables from which the parameters come."""
         named = (name for number in self.numbers if number.is_stated for name in _names(number.reference))
         return tuple(dict.fromkeys(named))
 
     @property
     def provenance(self) -> tuple[Number, ...]:
-        """The numbers whose source is stated."""
+        """Parameters with a stated source."""
         return stated(self.numbers)
 
     @property
     def text(self) -> str:
-        """The whole file."""
+        """Text of the file."""
         return self.file.read_text(encoding="utf-8")
 
 
@@ -84,7 +84,7 @@ def shipped_one(name: str) -> Shipped:
     Raises
     ------
     ScenarioError
-        If there is none; names the nearest.
+        If there is no such file; suggests the nearest name.
     """
     file = builtin_file(name)
     short = name.removeprefix(BUILTIN).removesuffix(".toml")
@@ -132,7 +132,7 @@ def _about(file: Path) -> str:
 
 
 def _sentence(text: str) -> str:
-    """Return the first sentence; a stop after a single letter does not end it."""
+    """Return the first sentence; a full stop after a single letter does not end it."""
     place = 0
     while True:
         place = text.find(". ", place + 1)
@@ -143,7 +143,7 @@ def _sentence(text: str) -> str:
 
 
 def copy_shipped(name: str, folder: str | Path, *, force: bool = False) -> list[Path]:
-    """Copy a shipped file into a folder, with the files that it names.
+    """Copy a shipped file and the files that it names into a folder.
 
     Parameters
     ----------
@@ -164,7 +164,7 @@ def copy_shipped(name: str, folder: str | Path, *, force: bool = False) -> list[
     ScenarioError
         If there is no such file.
     OutputError
-        If one of the files exists, before anything is written; or if one cannot be written.
+        If a file exists (raised before anything is written) or cannot be written.
     """
     files = list(dict.fromkeys(_with_parts(builtin_file(name).resolve())))
     base = os.path.commonpath([file.parent for file in files])  # keep the folders between the files
@@ -176,10 +176,10 @@ def copy_shipped(name: str, folder: str | Path, *, force: bool = False) -> list[
 
 
 def refuse_existing(targets: Iterable[Path], folder: str | Path, force: bool) -> None:
-    """Raise OutputError if a target exists, unless forced."""
+    """Raise OutputError if a target exists, unless `force` is set."""
     existing = [target.name for target in targets if target.exists()]
     if existing and not force:
-        raise OutputError(f"{folder}: there already: {', '.join(existing)}. Choose another folder, or use --force")
+        raise OutputError(f"{folder}: already contains {', '.join(existing)}. Choose another folder, or use --force")
 
 
 def _with_parts(file: Path) -> Iterator[Path]:

@@ -1,4 +1,4 @@
-"""Tables of the files behind ``contourlab new machine``: each number with its origin."""
+"""Tables of the files that ``contourlab new machine`` writes: each value with its origin."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ def _guessed(value: Any, note: str) -> Noted:
 
 
 def _designed(value: Any, note: str) -> Noted:
-    """Return a number computed for a controller."""
+    """Return a value computed for a controller."""
     return Noted(origin_table(value, Origin("design", note=note), str))
 
 
 def _given(axis: SizedAxis, key: str, value: Any, note: str = "") -> Noted:
-    """Return an answer: from a data sheet, or the default of its question."""
+    """Return an answer: from a data sheet, or assumed if it is the default of its question."""
     if key in axis.defaults:
-        return _guessed(value, note or "as proposed")
+        return _guessed(value, note or "default of the question")
     return Noted(origin_table(value, Origin("datasheet", reference="as given", note=note), str))
 
 
@@ -107,7 +107,7 @@ def controller_tables(axes: Sequence[SizedAxis]) -> dict[str, Any]:
 
 
 def scenario_tables(name: str, axes: Sequence[SizedAxis]) -> dict[str, Any] | None:
-    """Return a first scenario: the shipped test part on x, y and z, a circle on two axes; None for other machines."""
+    """Return a first scenario: the shipped test part for x, y and z, a circle for two axes; None for other machines."""
     names = [axis.name for axis in axes]
     parts: dict[str, Any] = {"name": f"{name}: first run", "machine": "machine.toml", "controller": "controller.toml"}
     run = {"run": {"tolerance": "50 um"}}

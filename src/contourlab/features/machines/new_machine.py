@@ -1,6 +1,6 @@
-"""The wizard behind ``contourlab new machine``: questions, and from the answers the files of a machine and a matching controller.
+"""The wizard of ``contourlab new machine``: questions, and the files of a machine and its controller from the answers.
 
-It neither asks nor prints: `questions` returns the questions, `build_machine` the files, `explain` what was computed; `write_machine`
+Nothing here reads input or prints. `questions` returns the questions, `build_machine` the files, `explain` a summary; `write_machine`
 writes the files.
 """
 
@@ -33,17 +33,17 @@ class Question:
     Attributes
     ----------
     key : str
-        Of its answer: ``name``, ``x.lead``.
+        Key of the answer: ``name``, ``x.lead``.
     text : str
-        As printed.
+        Printed text.
     unit : str
-        Of a bare number; empty for text.
+        Unit of a bare number; empty for text.
     si : str
         SI unit of the same dimension.
     default : str
-        Answer if none is given; empty if there is none.
+        Default answer; may be empty.
     required : bool
-        Whether it needs an answer.
+        Whether an answer is required.
     """
 
     key: str
@@ -79,7 +79,7 @@ _PER_AXIS = (
 
 
 def questions(axes: Sequence[str] = ()) -> list[Question]:
-    """Return the questions about the machine, or, with the names of its axes, about each axis.
+    """Return the questions about the machine, or about each of its axes if `axes` names them.
 
     >>> [question.key for question in questions()]
     ['name', 'axes', 'servo_period']
@@ -97,17 +97,17 @@ def axis_names(answer: str) -> tuple[str, ...]:
     Raises
     ------
     ScenarioError
-        If there is none, one is repeated, or one is no valid name.
+        If there is no name, a name is repeated, or a name is invalid.
     """
     names = tuple(answer.replace(",", " ").split())
     if not 1 <= len(names) <= MOST_AXES:
         raise _fault("axes", f"{len(names)} axes: give 1 to {MOST_AXES}, as in x, y, z")
     for name in names:
         if not NAME.match(name):
-            raise _fault("axes", f"{name!r} is no name of an axis: use letters, digits and _")
-        # Their files must differ also on file systems that ignore case.
+            raise _fault("axes", f"{name!r} is not a valid axis name: use letters, digits and _")
+        # The axis files must differ also on file systems that ignore case.
         if [other.lower() for other in names].count(name.lower()) > 1:
-            raise _fault("axes", f"axis {name!r} is there twice")
+            raise _fault("axes", f"axis {name!r} is given twice")
     return names
 
 
@@ -116,12 +116,12 @@ def _fault(key: str, message: str) -> ScenarioError:
 
 
 def read_answer(question: Question, answer: str) -> float | str | None:
-    """Return an answer in SI, or as text; None for an open question.
+    """Return an answer in SI, or as text; None for an optional question without an answer.
 
     Raises
     ------
     ScenarioError
-        If it is missing, no quantity, or not positive.
+        If the answer is missing, not a quantity, or not positive.
     """
     text = answer.strip() or question.default
     if not text:
@@ -146,7 +146,7 @@ def _read(answers: Mapping[str, str]) -> tuple[str, float, list[SizedAxis]]:
     known = [q.key for q in (*_GENERAL, *asked)]
     for key in answers:
         if key not in known:
-            raise _fault(key, "there is no such question")
+            raise _fault(key, "no such question")
     values: dict[str, dict[str, Any]] = {name: {} for name in names}
     for question in asked:
         name, _, key = question.key.partition(".")
@@ -154,7 +154,7 @@ def _read(answers: Mapping[str, str]) -> tuple[str, float, list[SizedAxis]]:
     for name in names:
         below = values[name]["mounted_on"]
         if below is not None and (below not in names or below == name):
-            raise _fault(f"{name}.mounted_on", f"{below!r} is no other axis of this machine: {', '.join(n for n in names if n != name)}")
+            raise _fault(f"{name}.mounted_on", f"{below!r} is not another axis of this machine: {', '.join(n for n in names if n != name)}")
         if values[name]["stage_mass"] is None:
             values[name]["stage_mass"] = values[name]["moved_mass"]
     period = float(general["servo_period"] or 0.0)
@@ -165,12 +165,12 @@ def _read(answers: Mapping[str, str]) -> tuple[str, float, list[SizedAxis]]:
 
 
 def _defaults(values: Mapping[str, Any]) -> frozenset[str]:
-    """Return the questions whose answer is their default."""
+    """Return the keys of the questions answered by their default."""
     return frozenset(q.key for q in _PER_AXIS if q.default and read_answer(q, "") == values[q.key])
 
 
 def _carried(name: str, values: Mapping[str, Mapping[str, Any]]) -> float:
-    """Return the mass of all modules on an axis."""
+    """Return the mass of all modules carried by an axis."""
     total = 0.0
     for other in values:
         below, steps = values[other]["mounted_on"], 0
@@ -185,16 +185,16 @@ def _carried(name: str, values: Mapping[str, Mapping[str, Any]]) -> float:
 
 
 def _check(axis: SizedAxis, period: float) -> None:
-    """Refuse limits that the motor cannot reach, and a Kv that the servo period does not allow."""
+    """Raise if the motor cannot reach the limits, or the servo period or damping does not allow the Kv."""
     name, peak = axis.name, axis.force(axis.peak_torque)
     if axis.peak_torque < axis.rated_torque:
         raise _fault(f"{name}.peak_torque", f"is below the rated torque of {axis.rated_torque:g} N*m")
     if axis.wanted_force > peak:
         rest = (peak - axis.standing_force) / axis.mass
-        able = f"at most {rest:.3g} m/s^2" if rest > 0.0 else "friction, damping and weight alone take all of it"
+        able = f"at most {rest:.3g} m/s^2" if rest > 0.0 else "friction, damping and weight alone need all of it"
         raise _fault(
             f"{name}.acceleration",
-            f"{axis.acceleration:g} m/s^2 needs {axis.wanted_force:.4g} N, the peak force of the motor is {peak:.4g} N: {able}",
+            f"{axis.acceleration:g} m/s^2 needs {axis.wanted_force:.4g} N, but the peak force of the motor is {peak:.4g} N: {able}",
         )
     if axis.kv * period > sizing.FASTEST:
         most = f"at most {sizing.FASTEST / period:.4g} 1/s"
@@ -210,7 +210,7 @@ def build_machine(answers: Mapping[str, str]) -> dict[str, str]:
     Parameters
     ----------
     answers : mapping of str to str
-        By the key of the question. A bare number has the unit of the question; a missing answer takes the default.
+        Answers by key of the question. A bare number has the unit of the question; a missing answer takes the default.
 
     Returns
     -------
@@ -221,17 +221,17 @@ def build_machine(answers: Mapping[str, str]) -> dict[str, str]:
     Raises
     ------
     ScenarioError
-        With the key of the question whose answer is missing or impossible.
+        If an answer is missing or impossible; has the key of its question.
 
     Notes
     -----
-    Moved mass m + m_c + J (2 pi/l)^2; force 2 pi eta T/l. Friction and damping are guesses, marked as such. Poles at
-    w_n = alpha = Kv with any damping give a velocity gain K_P a'/(a' K_V + b') of Kv, by eqs (21)-(23) of Ghaffari & Ulsoy.
+    Moved mass m + m_c + J (2 pi/l)^2; force 2 pi eta T/l. Friction and damping are guesses and marked as such. Poles at w_n = alpha = Kv
+    with any damping give a velocity gain K_P a'/(a' K_V + b') equal to Kv, by eqs (21)-(23) of Ghaffari & Ulsoy.
     """
     name, period, axes = _read(answers)
     files = {"machine.toml": f"# {name}\n\n" + toml(machine_tables(name, period, axes))}
     for axis in axes:
-        files[f"axis-{axis.name}.toml"] = f"# Axis {axis.name}; moved mass in all {axis.mass:.4g} kg\n\n" + toml(axis_tables(axis))
+        files[f"axis-{axis.name}.toml"] = f"# Axis {axis.name}; total moved mass {axis.mass:.4g} kg\n\n" + toml(axis_tables(axis))
     files["controller.toml"] = f"# Controller for {name}; the gains follow from the poles\n\n" + toml(controller_tables(axes))
     scenario = scenario_tables(name, axes)
     if scenario is not None:
@@ -240,12 +240,12 @@ def build_machine(answers: Mapping[str, str]) -> dict[str, str]:
 
 
 def explain(answers: Mapping[str, str]) -> str:
-    """Return a text on what was computed from the answers.
+    """Summarise the values computed from the answers.
 
     Raises
     ------
     ScenarioError
-        As `build_machine`.
+        See `build_machine`.
     """
     _, period, axes = _read(answers)
     lines = []
@@ -255,7 +255,7 @@ def explain(answers: Mapping[str, str]) -> str:
         rated, peak = axis.force(axis.rated_torque), axis.force(axis.peak_torque)
         carried = f", {axis.carried:.4g} kg carried" if axis.carried else ""
         lines += [
-            f"axis {axis.name}: {axis.mass:.4g} kg in all: {axis.moved_mass:.4g} kg moved{carried}, {rotating}",
+            f"axis {axis.name}: {axis.mass:.4g} kg in total: {axis.moved_mass:.4g} kg moved{carried}, {rotating}",
             f"  force {rated:.4g} N rated, {peak:.4g} N peak; {axis.wanted_force:.4g} N needed at its limits",
             f"  guessed friction {axis.friction:.4g} N and damping {axis.damping:.4g} N*s/m: measure them",
             f"  model {gain:.4g} m/s^2/A, {decay:.4g} 1/s; servo period {period * 1e3:g} ms; "
@@ -282,9 +282,9 @@ def write_machine(files: Mapping[str, str], folder: str | Path, *, force: bool =
     Raises
     ------
     ParameterError
-        If one is among `inputs`.
+        If a target is among `inputs`.
     OutputError
-        If one exists, before anything is written; or if one cannot be written.
+        If a file exists (raised before anything is written) or cannot be written.
     """
     targets = {Path(folder) / name: text for name, text in files.items()}
     refuse_existing(targets, folder, force)

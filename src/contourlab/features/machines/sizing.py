@@ -1,4 +1,4 @@
-"""Size an axis from catalogue data: reflected inertia, forces, guesses of friction and damping, the model for its controller."""
+"""Size an axis from catalogue data: reflected inertia, forces, guessed friction and damping, model for the controller."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-# Shares and ratios of the guesses; the files name each.
+# Shares and ratios for guesses; the written files name each.
 FRICTION_SHARE = 0.1
-"""Coulomb friction over the force at rated torque: stiction of ball screws takes up to a tenth of the command (Ghaffari & Ulsoy)."""
+"""Coulomb friction over the force at rated torque: stiction of ball screws needs up to a tenth of the command (Ghaffari & Ulsoy)."""
 DAMPING_SHARE = 0.1
 """Viscous force at the velocity limit over the force at rated torque: a typical share of rail guides and a greased nut."""
 BREAKAWAY_RATIO = 1.25
 EFFICIENCY = 0.95
 GRAVITY = 9.81
 OBSERVER_RATIO, FILTER_RATIO, VELOCITY_RATIO = 2.5, 10.0, 30.0
-"""Bandwidths of the observer over Kv, of its filter over its own, of the velocity's low-pass over Kv."""
+"""Ratios of bandwidths: observer to Kv, observer filter to observer, velocity low-pass to Kv."""
 FASTEST = 0.1
-"""Largest Kv times servo period: above it the hold takes the phase margin of the placed poles."""
+"""Largest product of Kv and servo period; above it the hold uses up the phase margin of the placed poles."""
 DAMPING = 0.8
 
 
@@ -29,7 +29,7 @@ def rounded(value: float) -> float:
 
 @dataclass(frozen=True)
 class SizedAxis:
-    """Answers about an axis in SI, as attributes, and what follows from them; `defaults` are the questions answered by default."""
+    """Answers about an axis in SI, as attributes, and values computed from them; `defaults` are the questions answered by default."""
 
     name: str
     answers: Mapping[str, Any]
@@ -44,7 +44,7 @@ class SizedAxis:
 
     @property
     def inertia(self) -> float:
-        # A sum of two typed numbers has no more digits than they have.
+        # Drop the rounding digits of the sum of two typed numbers.
         return float(f"{self.answers['rotor_inertia'] + self.answers['screw_inertia']:.12g}")
 
     @property
@@ -76,15 +76,15 @@ class SizedAxis:
 
     @property
     def standing_force(self) -> float:
-        """Force at the velocity limit without any acceleration [N]."""
+        """Force at the velocity limit without acceleration [N]."""
         return float(self.weight + self.friction + self.damping * self.answers["velocity"])
 
     @property
     def wanted_force(self) -> float:
-        """Force of accelerating at the limit, at the velocity limit [N]."""
+        """Force at the limits of velocity and acceleration [N]."""
         return float(self.mass * self.answers["acceleration"] + self.standing_force)
 
     @property
     def model(self) -> tuple[float, float]:
-        """Acceleration per ampere [m/s^2/A] and decay [1/s]."""
+        """Acceleration per ampere [m/s^2/A] and decay rate [1/s]."""
         return rounded(self.force(self.answers["torque_constant"]) / self.mass), rounded(self.damping / self.mass)

@@ -1,1 +1,1 @@
-"""How well did a measured run follow its path?"""
+"""How well does a measured run follow its path?"""

@@ -1,4 +1,4 @@
-"""``contourlab measure`` and ``contourlab compare A B``: judge and report measured runs as simulated ones."""
+"""``contourlab measure`` and ``contourlab compare A B``: judge and report measured runs like simulated runs."""
 
 from __future__ import annotations
 
@@ -66,15 +66,15 @@ def measure_log(
     choice : LogChoice
     out : str or Path
     reference : str, optional
-        Columns of the reference separated by commas, in the order of the axes; or a part program. By default columns named so.
+        Columns of the reference separated by commas, in the order of the axes; or a part program. By default the columns of that name.
     shift : str, optional
         Zero of the part program in the coordinates of the log: ``"fit"``, or lengths separated by commas.
     tolerance : str, optional
         Largest contour error that passes, as ``"25 um"``.
     plots : sequence of str
-        png, svg or pdf.
+        Formats: png, svg or pdf.
     command : str
-        As typed.
+        Command line as typed.
 
     Raises
     ------
@@ -97,12 +97,12 @@ def compare_runs(files: Sequence[str | Path], out: str | Path, *, plots: Sequenc
     files : sequence of str or Path
         Logs, results (.nc), or folders of results with one scheme.
     out, plots, command
-        As of `measure_log`.
+        See `measure_log`.
 
     Raises
     ------
     LogError
-        If one cannot be read, or they have different axes.
+        If a file cannot be read, or the axes differ.
     """
     check_plots(plots)
     judged = [_judged(LogChoice(_signals_of(Path(file)))) for file in files]
@@ -111,7 +111,7 @@ def compare_runs(files: Sequence[str | Path], out: str | Path, *, plots: Sequenc
     axes, path = runs[0].measured.result.axes, runs[0].measured.reference.path
     for i, run in enumerate(runs[1:], 1):
         if run.measured.result.axes != axes:
-            message = f"has the axes {', '.join(run.measured.result.axes)}, {runs[0].name} has {', '.join(axes)}"
+            message = f"has axes {', '.join(run.measured.result.axes)}, but {runs[0].name} has {', '.join(axes)}"
             raise LogError(message, file=run.log.record.file)
         if run.measured.reference.path.digest != path.digest:
             runs[i] = replace(run, findings=(*run.findings, finding("CL413", first=runs[0].name)))
@@ -148,12 +148,12 @@ def _shift(text: str | None, axes: tuple[str, ...]) -> Array | Literal["fit"] | 
 
 
 def _signals_of(path: Path) -> Path:
-    """Return the signals in a folder of results, or the file itself."""
+    """Return the file of signals in a folder of results, or the file itself."""
     if not path.is_dir():
         return path
     files = sorted((path / "signals").glob("*.nc"))
     if len(files) != 1:
-        names = f": name one of {', '.join(str(file) for file in files)}" if files else ": it has no signals/*.nc"
+        names = f": give one of {', '.join(str(file) for file in files)}" if files else ": it has no signals/*.nc"
         raise LogError(f"is a folder with {len(files)} runs{names}", file=path)
     return files[0]
 
@@ -164,7 +164,7 @@ def _names(files: Sequence[Path]) -> list[str]:
         names = distinct_names(candidates)
         if len(set(names)) == len(names):
             return names
-    raise LogError("is given twice: name two runs", file=files[0])
+    raise LogError("is given twice: give two different runs", file=files[0])
 
 
 def _written(runs: Sequence[_Run], title: str, out: str | Path, limit: float | None, command: str, plots: Sequence[str]) -> RunOutcome:
@@ -235,5 +235,5 @@ def _lines(run: _Run, limit: float | None) -> list[str]:
     if limit is not None:
         verdict = "PASS" if error.max <= limit else "FAIL"
         where = f"at t = {error.worst.time:.4g} s"
-        lines.append(f"{verdict}, largest contour error {figure(error.max, 'um')} against {figure(limit, 'um')}, {where}")
+        lines.append(f"{verdict}, largest contour error {figure(error.max, 'um')}, tolerance {figure(limit, 'um')}, {where}")
     return lines

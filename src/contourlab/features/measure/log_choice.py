@@ -1,4 +1,4 @@
-"""What the command line says of a log, and the log that it opens."""
+"""Options of the command line that describe a log, and opening the log."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from contourlab.geometry import Path as Contour
 
 PROGRAMS = (".ngc", ".nc", ".gcode", ".gc", ".tap", ".cnc", ".mpf", ".txt")
-"""Endings of part programs: a reference with one is a program, not a list of columns."""
+"""File extensions of part programs; a reference with one of them is a program, not a list of columns."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
     Raises
     ------
     LogError, ParameterError
-        As of `contourlab.logs.load_log`.
+        See `contourlab.logs.load_log`.
     """
     mapping = read_columns(choice.mapping) if choice.mapping is not None else Columns()
     typed = once((*parse_columns(choice.columns), *more), "--column and --reference")
@@ -76,7 +76,7 @@ def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
 
 
 def distinct_names(files: Sequence[str | Path]) -> list[str]:
-    """Return the names of files, with as many folders as tell equal names apart.
+    """Return the names of files, with as many folders as needed to make them distinct.
 
     >>> distinct_names(["x/slow.csv", "y/slow.csv", "y/fast.csv"])
     ['x/slow.csv', 'y/slow.csv', 'fast.csv']
@@ -92,7 +92,7 @@ def distinct_names(files: Sequence[str | Path]) -> list[str]:
 
 
 def positive(option: str, text: str, unit: str, wanted: str) -> float:
-    """Return the value of an option in SI, > 0.
+    """Read the value of an option, > 0, in SI.
 
     Parameters
     ----------
@@ -100,12 +100,12 @@ def positive(option: str, text: str, unit: str, wanted: str) -> float:
     unit : str
         SI unit of the expected dimension.
     wanted : str
-        What to write, for the message.
+        Expected form, for the message.
 
     Raises
     ------
     ParameterError
-        If the text is no such quantity, or not positive.
+        If the text is not such a quantity, or not positive.
     """
     try:
         value = to_si(text, unit)
@@ -117,7 +117,7 @@ def positive(option: str, text: str, unit: str, wanted: str) -> float:
 
 
 def is_program(reference: str) -> bool:
-    """Tell whether a reference is a part program rather than a list of columns."""
+    """Return whether a reference is a part program, not a list of columns."""
     path = Path(reference)
     return path.suffix.lower() in PROGRAMS or path.is_file()
 
@@ -128,7 +128,7 @@ def reference_columns(reference: str, choice: LogChoice) -> tuple[Column, ...]:
     positions = [column.axis for column in parse_columns(choice.columns) if column.signal == "position"]
     axes = list(choice.axes) or positions or list("xyz"[: len(names)])
     if len(names) != len(axes):
-        raise LogError(f"{len(names)} columns for the axes {', '.join(axes)}: name one for each", file="--reference")
+        raise LogError(f"{len(names)} columns for the axes {', '.join(axes)}: give one for each axis", file="--reference")
     return parse_columns([f"reference.{axis}={name}" for axis, name in zip(axes, names, strict=True)], "--reference")
 
 

@@ -1,4 +1,4 @@
-"""The path of a measured run: through the samples of its reference, its last lap, and how far along it the tool was."""
+"""Path of a measured run: the polygon through the samples of its reference, its last lap, and the progress of the tool along it."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from contourlab.geometry import Line, Path
 from contourlab.geometry.thinning import polygon_corners
 
 PLACES = 200_000
-"""Places at which a path is looked at, at most."""
+"""Largest number of grid points on a path."""
 FINEST = 20e-6
-"""Metres between them, at least."""
+"""Smallest distance [m] between grid points."""
 FARTHEST = 0.05
-"""Part of the path's size that the tool may be off it before the two are said not to belong together."""
+"""Share of the path's size by which the tool may be off the path; beyond it, tool and path do not match."""
 OUTSIDE = 1e-4
-"""Metres that it may be off however small the path is."""
+"""Distance [m] by which the tool may be off a path of any size."""
 STARTS = 12
-"""Places that the tool may have begun at, at most: a path may close, cross itself or go several laps."""
+"""Largest number of starting points to try: a path may close, cross itself or have several laps."""
 LAPS = 1.5
-"""Ratio of the tool's way to the path's length from which laps are thought of."""
+"""Ratio of the tool's travel to the path's length from which the tool may have made laps."""
 ALIKE = 1.05
-"""Ratio of squared distances up to which two beginnings are as good: then the tool was on its first way past."""
+"""Ratio of squared distances up to which two starting points are equally good; then the first one along the path counts."""
 
 
 def size_of(path: Path) -> float:
@@ -31,40 +31,39 @@ def size_of(path: Path) -> float:
 
 
 def farthest(size: float) -> float:
-    """Return how far [m] a tool may be off a path of a size [m] before the two are said not to belong together."""
+    """Return how far [m] a tool may be off a path of a given size [m]; beyond it, tool and path do not match."""
     return FARTHEST * size + OUTSIDE
 
 
 def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
-    """Return the arc length [m] of the place on the path that each position belongs to, and how far [m] the first is from its own.
+    """Return the arc length [m] of each position along the path, and the distance [m] of the first position from the path.
 
     Parameters
     ----------
     path : Path
     positions : ndarray (n, n_axis) [m]
-        From anywhere on the path onwards, as far as the tool came.
+        Of the tool; they may start and end anywhere on the path.
 
     Raises
     ------
     ResultError
-        If the positions are nowhere near the path.
+        If the positions are too far from the path.
 
     Notes
     -----
-    Progress follows the tool, and never goes back: from each sample to the next the place is the nearest one ahead within twice the way
-    that the tool has gone since, so that where a path meets itself or goes back over itself it stays on its own branch. Each place near
-    the first sample is tried as a beginning; the one from which the tool stays closest is taken. Between those places the foot point is
-    exact anyway.
+    Progress never goes back. Each step takes the nearest grid point ahead, within twice the travel of the tool since the last step. So
+    progress stays on its own branch where a path crosses or retraces itself. Each grid point near the first sample is tried as a start;
+    the one from which the tool stays closest counts.
     """
     n = int(min(max(path.length / FINEST, 1000.0), PLACES)) + 1
     grid = np.linspace(0.0, path.length, n)
     places = path.position(grid)
     spacing = path.length / (n - 1)
     size = float(np.ptp(places, axis=0).max())
-    # What is small beside the path is not on it because it is near one place of it: a path in inches, read in millimetres.
+    # A motion much smaller than the path may lie near one point of it by chance: a path in inches, read in millimetres.
     limit = farthest(min(size, float(np.ptp(positions, axis=0).max())))
     way = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(positions, axis=0), axis=1)))
-    # As many samples as there are steps of the path, each a step further than the one before.
+    # Pick samples two grid steps of travel apart.
     picked = np.unique(np.searchsorted(way, np.arange(0.0, way[-1] + spacing, 2.0 * spacing)).clip(0, len(way) - 1))
     tool, ahead = positions[picked], (2.0 * np.diff(way[picked], prepend=0.0) / spacing).astype(int) + 3
     first = np.linalg.norm(places - positions[0], axis=1)
@@ -78,7 +77,7 @@ def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
             most = min(most, ALIKE * total + len(tool) * spacing**2)
     if not ways:
         raise ResultError(
-            f"the tool strays {strays * 1e3:.4g} mm or more from a path of {size * 1e3:.4g} mm in size, and moves by "
+            f"the tool is {strays * 1e3:.4g} mm or more off a path of {size * 1e3:.4g} mm in size, and moves by "
             f"{float(np.ptp(positions, axis=0).max()) * 1e3:.4g} mm: are both in the same coordinates and units?{_on_laps(path, way[-1])}"
         )
     found = min((found for total, found in ways if total <= most), key=lambda found: int(found[0]))
@@ -86,15 +85,15 @@ def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
 
 
 def _on_laps(path: Path, way: float) -> str:
-    """Return what is to be said of a tool that goes further than a path that does not close."""
+    """Return a hint if the tool travels further than an open path is long; else an empty text."""
     if path.closed or way < LAPS * path.length:
         return ""
     ratio = f"{way / path.length:.3g} times the path's length"
-    return f" The tool goes {ratio}, and laps are followed only of a path that closes: cut the log to one"
+    return f" The tool travels {ratio}, but only a closed path can have laps: cut the log to one pass"
 
 
 def _starts(distance: Array, limit: float) -> list[int]:
-    """Return the places (indices, the nearest first) that the tool may have begun at: those nearer than their neighbours."""
+    """Return the grid points (indices, nearest first) at which the tool may have started: local minima of the distance."""
     padded = np.concatenate([[np.inf], distance, [np.inf]])
     local = np.flatnonzero((distance <= padded[:-2]) & (distance < padded[2:]))
     near = local[np.argsort(distance[local], kind="stable")][:STARTS]
@@ -105,9 +104,10 @@ def _starts(distance: Array, limit: float) -> list[int]:
 def _followed(
     places: Array, tool: Array, ahead: Index, start: int, limit: float, most: float
 ) -> tuple[Index, float, float]:
-    """Return the place (index) of each position from a beginning on, the sum of their squared distances [m^2] and the largest distance [m].
+    """Follow the tool from a starting point.
 
-    It gives up where one is beyond the limit, or the sum beyond what is the most.
+    Return the grid point (index) of each position, the sum of squared distances [m^2], and the largest distance [m]. Stop when a distance
+    exceeds `limit`, or the sum exceeds `most`.
     """
     found = np.empty(len(tool), dtype=int)
     at, total, worst = start, 0.0, 0.0
@@ -123,37 +123,37 @@ def _followed(
     return found, total, worst**0.5
 
 
-PLACES = 8000
-"""Places that a path is compared with itself at."""
+LAP_PLACES = 8000
+"""Number of points at which a path is compared with itself."""
 APART = 2.0
-"""Distances between two such places that the same place on two laps may be apart."""
+"""Largest distance between the same point on two laps, in distances between neighbouring points."""
 LARGE = 0.2
-"""Part of the path's size that a lap has at least: any path looks like itself a little further on."""
+"""Smallest size of a lap as a share of the path's size: any path resembles itself after a small shift."""
 
 
 def last_lap(path: Path, along: Array) -> int | None:
-    """Return the sample at which the last of two laps or more begins; None where the path does not repeat itself to its end.
+    """Return the sample at which the last of several laps begins; None if the end of the path does not repeat what is before it.
 
     Parameters
     ----------
     path : Path
         All laps one after another.
     along : ndarray (n,) [m]
-        Place of each sample on it, which never goes back.
+        Arc length of each sample; never decreases.
     """
-    places = path.position(np.linspace(0.0, path.length, PLACES + 1))
-    near = APART * path.length / PLACES
+    places = path.position(np.linspace(0.0, path.length, LAP_PLACES + 1))
+    near = APART * path.length / LAP_PLACES
     size = float(np.ptp(places, axis=0).max())
-    steps = np.arange(1, PLACES // 2 + 1)
+    steps = np.arange(1, LAP_PLACES // 2 + 1)
     for lap in steps[np.linalg.norm(places[-1 - steps] - places[-1], axis=1) < near].tolist():
         this, before = places[-lap:], places[-2 * lap : -lap]
         if np.ptp(this, axis=0).max() > LARGE * size and np.linalg.norm(this - before, axis=1).max() < near:
-            return int(np.searchsorted(along, (1.0 - lap / PLACES) * path.length))
+            return int(np.searchsorted(along, (1.0 - lap / LAP_PLACES) * path.length))
     return None
 
 
 STRAIGHT = 10e-9
-"""Largest distance [m] of a sample from the path: far below any encoder's resolution."""
+"""Largest distance [m] of a sample from the path, far below any encoder's resolution."""
 
 
 def moving(reference: Array) -> tuple[int, int]:
@@ -162,11 +162,11 @@ def moving(reference: Array) -> tuple[int, int]:
     Raises
     ------
     ResultError
-        If they never change.
+        If the positions never change.
     """
     changes = np.flatnonzero((np.diff(reference, axis=0) != 0.0).any(axis=1))
     if not changes.size:
-        raise ResultError("nothing is asked to move: the reference is the same at all samples")
+        raise ResultError("the reference does not move: it is the same at all samples")
     return int(changes[0]), int(changes[-1]) + 1
 
 
@@ -178,7 +178,7 @@ def path_of_samples(positions: Array) -> tuple[Path, Array]:
     Raises
     ------
     ResultError
-        If all positions are equal, or one is not finite.
+        If the positions never change, or one is not finite.
     """
     if not np.isfinite(positions).all():
         raise ResultError(f"the reference is not finite at sample {int(np.argmin(np.isfinite(positions).all(axis=1)))}")

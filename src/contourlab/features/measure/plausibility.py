@@ -1,4 +1,4 @@
-"""Signals that no machine tool has: units, columns or signs of a log are probably wrong."""
+"""Signals that no machine tool has; the units, columns or signs of the log are probably wrong."""
 
 from __future__ import annotations
 
@@ -8,24 +8,24 @@ from contourlab.arrays import Array
 from contourlab.findings import Finding, finding
 
 SHORT, SLOW = 1e-3, 1e-3
-"""Travel [m] and top speed [m/s] of a whole run; a run of a machine exceeds at least one."""
+"""Travel [m] and top speed [m/s] of a run; a machine's run exceeds at least one."""
 LONG, FAST = 10.0, 5.0
-"""Travel [m] and speed [m/s] that hardly any feed axis reaches: the fastest rapids are at 4 m/s."""
+"""Travel [m] and speed [m/s] that hardly any feed axis reaches; the fastest rapids run at 4 m/s."""
 PERIODS = (1e-7, 0.1)
-"""Sample periods [s] at which servo drives are logged."""
+"""Range of sample periods [s] for logs of servo drives."""
 SPEED_INTERVAL = 2e-3
-"""Shortest interval [s] for a speed; between single samples the resolution of the position would count."""
+"""Shortest interval [s] for a speed; between single samples the position resolution would dominate."""
 USUAL = 0.99
-"""Quantile of the samples for the speed of a run: a glitch is no speed."""
+"""Quantile of the samples for the speed of a run; it excludes glitches."""
 
 
 def period_findings(period: float, place: str = "") -> list[Finding]:
-    """Return what is implausible about a sample period [s]."""
+    """Return a finding if a sample period [s] is implausible."""
     return [] if PERIODS[0] <= period <= PERIODS[1] else [finding("CL401", place, period=period)]
 
 
 def motion_findings(position: Array, period: float, place: str = "") -> list[Finding]:
-    """Return what is implausible about travel and speed of positions (n, n_axis) [m]; the farthest and the fastest axis count."""
+    """Return a finding if travel or speed of positions (n, n_axis) [m] is implausible; the axis with the largest value counts."""
     travel, top = float(np.ptp(position, axis=0).max()), fastest(position, period)
     if 0.0 < travel < SHORT and top < SLOW:
         return [finding("CL402", place, travel=travel, speed=top)]
@@ -41,7 +41,7 @@ def fastest(position: Array, period: float, quantile: float = 1.0) -> float:
 
 
 def same_column_findings(axes: tuple[str, ...], reference: Array, position: Array, place: str = "") -> list[Finding]:
-    """Return the axes that move and equal their reference (n, n_axis) in every sample."""
+    """Return a finding on axes that move and equal their reference (n, n_axis) at every sample."""
     equal = (np.ptp(reference, axis=0) > 0.0) & (reference == position).all(axis=0)
     same = tuple(axis for axis, is_equal in zip(axes, equal, strict=True) if is_equal)
     return [finding("CL404", place, axes=same)] if same else []

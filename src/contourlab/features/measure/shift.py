@@ -1,4 +1,4 @@
-"""Offset between the zero of a part program and that of a log: programs count from the part, encoders from the machine."""
+"""Offset between the zeros of a part program and a log: programs count from the part, encoders from the machine."""
 
 from __future__ import annotations
 
@@ -14,29 +14,28 @@ SAMPLES, ITERATIONS = 5000, 50
 SETTLED = 1e-9
 """Length [m] of the last step."""
 STRAIGHT = 1e-6
-"""Share of the normals along an axis below which the path leaves the shift along it open."""
+"""Share of the normals in a direction below which the path does not determine the shift in it."""
 
 
 def fitted_shift(path: Path, positions: Array) -> Array:
-    """Fit the shift (n_axis,) [m] that brings a path closest to measured positions, in least squares.
+    """Fit the shift (n_axis,) [m] that brings a path closest to measured positions (least squares).
 
     Parameters
     ----------
     path : Path
     positions : ndarray (n, n_axis) [m]
-        From the start of the path, to its end or as far as the tool came.
+        From the start of the path to its end, or to where the tool stopped.
 
     Raises
     ------
     ResultError
-        If the path leaves the shift open, as a straight one does along itself, or the positions do not follow the path.
+        If the path does not determine the shift, such as a straight line in its own direction, or the positions do not follow the path.
 
     Notes
     -----
-    The fit starts twice: with the bounding boxes centred on each other, and with the first position on the start of the path; the closer
-    result counts. Each step finds the foot points, then solves for the shift that removes the normal distances. Samples are weighted by
-    the distance between them, so a resting tool weighs nothing. A constant offset of the tool counts as shift and disappears from the
-    error.
+    The fit starts twice: with the bounding boxes centred on each other, and with the first position on the start of the path. The closer
+    result counts. Each step finds the foot points, then solves for the shift that removes the normal distances. Samples are spaced evenly
+    along the travel, so a resting tool has no weight. A constant offset of the tool counts as shift and disappears from the error.
     """
     travel = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(positions, axis=0), axis=1)))
     tool = positions[np.unique(np.searchsorted(travel, np.linspace(0.0, travel[-1], SAMPLES)))]
@@ -55,7 +54,7 @@ def fitted_shift(path: Path, positions: Array) -> Array:
 
 
 def _fit_from(path: Path, tool: Array, shift: Array) -> tuple[float, Array]:
-    """Return the mean squared normal distance [m^2] and the shift [m] that the steps from one start end at."""
+    """Iterate from one start; return the mean squared normal distance [m^2] and the shift [m]."""
     for _ in range(ITERATIONS):
         here = tool - shift
         along, _ = progress_along(path, here)
@@ -64,8 +63,8 @@ def _fit_from(path: Path, tool: Array, shift: Array) -> tuple[float, Array]:
         tangent = path.tangent(foot.arc_length)
         normal = np.eye(path.n_axis) - np.einsum("ki,kj->ij", tangent, tangent) / len(tangent)
         if np.linalg.eigvalsh(normal)[0] < STRAIGHT:
-            raise ResultError("a straight path leaves the shift along itself open: give the shift as lengths")
-        # At corners and ends the distance to the foot point has a part along the tangent.
+            raise ResultError("a straight path does not determine the shift along itself: give the shift as lengths")
+        # At corners and ends the distance to the foot point has a tangential part.
         off = here - foot.position
         off -= (off * tangent).sum(axis=1, keepdims=True) * tangent
         step = np.linalg.solve(normal, off.mean(axis=0))

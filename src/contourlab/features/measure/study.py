@@ -1,4 +1,4 @@
-"""Judge a measured run: the same figures as for a simulation."""
+"""Judge a measured run with the same figures as a simulation."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from contourlab.result import Result, Signal
 from contourlab.scenario.placing import placed
 
 ACTUAL = ("tool_position", "position", "axis_position")
-"""Signals of the tool's position, the best first; a measured log has encoder positions only."""
+"""Signals for the tool position, the best first; a measured log has encoder positions only."""
 STILL = 1e-9
-"""Distance [m] beyond the ends of a path from which the tool is off it; smaller errors count as zero."""
+"""Distance [m] beyond the ends of a path from which the tool counts as off the path; smaller errors count as zero."""
 NO_REFERENCE = {"reference": "places on the path"}
-"""Attribute of a result whose log has no reference: there is no tracking error."""
+"""Attribute of a result whose log has no reference; it has no tracking error."""
 FOLLOWS = 0.5
-"""Least share of a reference's variance in the position of an axis that follows it."""
+"""Smallest share of the reference's variance that the position of an axis must follow."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,17 +38,17 @@ class Measured:
     Attributes
     ----------
     result : Result
-        With the judge's signals.
+        With the signals that judging adds.
     reference : Reference
     metrics : Metrics
         Over the moving part; tracking errors are nan without a reference.
     spikes : tuple of Spike
-        Of the contour error at reversals.
+        Spikes of the contour error at reversals.
     circles : tuple of CircleFigures
         Full circles of a given path.
     findings : tuple of Finding
     shift : dict of str to float [m], or None
-        Of the path, by axis.
+        Shift of the path, by axis.
     """
 
     result: Result
@@ -87,7 +87,7 @@ def measure(
     of_samples, shifts = path is None, None
     if path is None:
         if shift is not None:
-            raise ResultError("a shift needs a path of its own: the reference already is in the coordinates of the log")
+            raise ResultError("a shift needs a part program: the reference in the log already has the coordinates of the log")
         reference = _reference_of(run)
         path, along = path_of_samples(reference)
     else:
@@ -118,7 +118,7 @@ def measure(
 
 
 def gap_findings(log: Log, measured: Measured, *, of_samples: bool) -> list[Finding]:
-    """Return whether the largest contour error lies where samples are missing.
+    """Return a finding if the largest contour error lies where samples are missing.
 
     Parameters
     ----------
@@ -126,12 +126,12 @@ def gap_findings(log: Log, measured: Measured, *, of_samples: bool) -> list[Find
     measured : Measured
         The log, judged.
     of_samples : bool
-        Whether the path is that of the log's own reference, which a gap cuts short by a chord.
+        Whether the path comes from the log's own reference. A gap replaces part of such a path by a straight bridge.
 
     Notes
     -----
-    An error belongs to a gap if its sample lies in a gap of a position, or its foot point on the bridge over a gap of a reference: the tool
-    may lag and reach the bridge after the gap, or lead and be there at the last sample before.
+    An error belongs to a gap if its sample lies in a gap of a position, or its foot point on the bridge over a gap of a reference. A tool
+    that lags reaches the bridge after the gap; a tool that leads reaches it before.
     """
     worst = measured.metrics.contour_error.worst.time
     if inside := log.gaps_at(worst):
@@ -141,7 +141,7 @@ def gap_findings(log: Log, measured: Measured, *, of_samples: bool) -> list[Find
 
 
 def _bridged_at(log: Log, measured: Measured, time: float) -> tuple[str, ...]:
-    """Return the channels of references with a gap whose bridge holds the foot point at a time [s]."""
+    """Return the reference channels with a gap whose bridge contains the foot point at a time [s]."""
     result, period = measured.result, measured.result.servo_period
     along, foot = result["arc_length"], result["foot_arc_length"][round(time / period)]
     channels = []
@@ -161,7 +161,7 @@ def _position_of(run: Result) -> Array:
     position = run[name]
     missing = [axis for axis, column in zip(run.axes, position.T, strict=True) if not np.isfinite(column).all()]
     if missing:
-        raise ResultError(f"no position of {', '.join(missing)} in {run.source}: name its column, or leave the axis out with --axes")
+        raise ResultError(f"no position of {', '.join(missing)} in {run.source}: name its column, or exclude the axis with --axes")
     return position
 
 
@@ -173,23 +173,23 @@ def _reference_of(run: Result) -> Array:
     if missing:
         example = f"--column 'reference.{missing[0]}=NAME [mm]'"
         raise ResultError(
-            f"no reference of {', '.join(missing)} in {run.source}: name its column, such as {example}, or leave the axis out with --axes"
+            f"no reference of {', '.join(missing)} in {run.source}: name its column, such as {example}, or exclude the axis with --axes"
         )
     return reference
 
 
 def _check_near(contour: Array, path: Path, position: Array) -> None:
-    """Refuse positions that are not on the path of their reference at all: columns exchanged, or units that differ."""
+    """Raise if the positions are far from the path of their reference, as with exchanged columns or different units."""
     rms, size, moved = float(np.sqrt(np.mean(contour**2))), size_of(path), float(np.ptp(position, axis=0).max())
     if rms > farthest(min(size, moved)):
         raise ResultError(
             f"the tool is off the path of its reference by {rms * 1e3:.4g} mm rms, on a path of {size * 1e3:.4g} mm in size, and moves by "
-            f"{moved * 1e3:.4g} mm: are the columns of position and reference the right ones, of the same axes, coordinates and units?"
+            f"{moved * 1e3:.4g} mm: do position and reference have the right columns, axes, coordinates and units?"
         )
 
 
 def _reference_findings(axes: tuple[str, ...], reference: Array, position: Array) -> list[Finding]:
-    """Return the axes whose position has little of their reference in it, or equals it."""
+    """Return findings on axes whose position hardly follows the reference, or equals it."""
     left, whole = np.var(reference - position, axis=0), np.var(reference, axis=0)
     unlike = tuple(axis for axis, off, size in zip(axes, left, whole, strict=True) if off > (1.0 - FOLLOWS) * size > 0.0)
     return [*([finding("CL405", axes=unlike)] if unlike else []), *same_column_findings(axes, reference, position)]
@@ -210,8 +210,8 @@ def _with_motion(run: Result, position: Array, reference: Array, along: Array) -
 def _on_the_path(judged: Result, reference: Reference, window: tuple[int, int]) -> tuple[tuple[int, int], int]:
     """Return the samples to judge, and how many were dropped.
 
-    A log that begins in motion does not hold the path on which the tool is until the tool reaches the first sample of the reference: its
-    distance there is lag. The same holds for a tool that leads where the log ends in motion.
+    If a log begins in motion, a lagging tool is still before the first sample of the reference, on a path that the log does not contain.
+    Its distance there is lag. The same holds for a leading tool if the log ends in motion.
     """
     path, tool, foot = reference.path, judged["tool_position"], judged["foot_arc_length"]
     start, stop = window
@@ -226,7 +226,7 @@ def _on_the_path(judged: Result, reference: Reference, window: tuple[int, int]) 
 
 
 def _last_lap_findings(judged: Result, reference: Reference, window: tuple[int, int]) -> list[Finding]:
-    """Return the error of the last lap alone, by which a simulated run is judged; the first lap has the start from rest in it."""
+    """Return a finding with the error of the last lap alone, which judges simulated runs: the first lap starts from rest."""
     first = last_lap(reference.path, judged["arc_length"])
     if first is None or not window[0] < first < window[1] - 2:
         return []
@@ -235,7 +235,7 @@ def _last_lap_findings(judged: Result, reference: Reference, window: tuple[int, 
 
 
 def _outlier_findings(judged: Result, window: tuple[int, int]) -> list[Finding]:
-    """Return a largest error more than twice that of any other sample: no mass moves there and back within two samples."""
+    """Return a finding if the largest error exceeds twice any other: no mass moves there and back within two samples."""
     error = np.abs(judged["contour_error"][slice(*window)])
     worst = int(np.argmax(error))
     others = float(np.delete(error, worst).max(initial=0.0))
@@ -245,7 +245,7 @@ def _outlier_findings(judged: Result, window: tuple[int, int]) -> list[Finding]:
 
 
 def _known_metrics(metrics: Metrics, run: Result, window: tuple[int, int]) -> Metrics:
-    """Return the figures; nan where the log lacks the signal."""
+    """Return the metrics, nan where the log lacks the signal."""
     nan = float("nan")
     if NO_REFERENCE.items() <= run.attributes.items():
         metrics = replace(metrics, tracking_error=(AxisFigures(nan, nan),) * len(run.axes))

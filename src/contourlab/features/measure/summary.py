@@ -1,4 +1,4 @@
-"""The results of ``measure``, and of ``compare`` of logs, as summary.json: one object for each run, in SI."""
+"""Results of ``measure`` and of ``compare`` for logs as summary.json: one object for each run, in SI."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ class MeasuredScheme:
     file : Path
         The log.
     format : str
-        Of the log.
+        Format of the log.
     servo_period : float [s]
     shift : mapping of str to float [m], or None
-        Of the path in the coordinates of the log, by axis; null without --shift.
+        Shift of the path in the coordinates of the log, by axis; null without --shift.
     circles : tuple of CircleFigures
         Each full circle of the path, with the figures of ISO 230-4.
     clock : mapping of str to ClockReport
-        By column.
+        Clock by column.
     columns : tuple of Column
-        Those that were used.
+        Columns used.
     notes : tuple of str
         Texts of the findings.
     """
@@ -61,14 +61,14 @@ class MeasuredSummary:
     ----------
     name : str
     command : str
-        What was run.
+        Command line as typed.
     tolerance : float or None [m]
     passed : bool or None
         Whether the largest contour error of each run is within the tolerance; null without one.
     schemes : mapping of str to MeasuredScheme
-        By name of the run.
+        Runs by name.
     version : str
-        Of contourlab.
+        Version of contourlab.
     """
 
     name: str

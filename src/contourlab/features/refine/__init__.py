@@ -1,1 +1,1 @@
-"""Which parameters bring the simulated run onto the measured one?"""
+"""Which parameters make the simulated run follow the measured one?"""

@@ -1,4 +1,4 @@
-"""``contourlab refine``: fit machines and controllers of scenarios to what logs have measured."""
+"""``contourlab refine``: fit machines and controllers of scenarios to measured logs."""
 
 from __future__ import annotations
 
@@ -33,17 +33,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Refinement:
-    """What the command prints; as JSON field by field.
+    """Output of the command; as JSON field by field.
 
     Attributes
     ----------
     logs : tuple of str
     result : Refined
     validation_before, validation : tuple of Agreement
-        Of a log that was not fitted, with the first run's machine and controller at the start and refined.
+        Agreement with a log that was not fitted, with the first run's machine and controller at the start and refined.
     findings : tuple of Finding
     machine_file : Path or None
-        Written.
+        The file that was written, if any.
     controller_files, plots : tuple of Path
     """
 
@@ -59,12 +59,12 @@ class Refinement:
     def text(self) -> str:
         """Return the tables, the findings, and the files written."""
         parts = [self._parameters().text(), self._agreements().text(), paragraphs(map(str, self.findings))]
-        files = [] if self.machine_file is None else [f"machine: {self.machine_file}"]
+        files = ["no machine file: name one with --out" if self.machine_file is None else f"machine: {self.machine_file}"]
         files += [f"controller: {file}" for file in self.controller_files] + [f"plot: {file}" for file in self.plots]
         return "\n\n".join(filter(None, [*parts, "\n".join(files)]))
 
     def _parameters(self) -> Table:
-        heads = ("start", "refined", "deviation", "deviation if white")
+        heads = ("start", "refined", "deviation", "deviation for a white residual")
         table = Table([Column("parameter", left=True), *map(Column, heads)])
         for parameter in self.result.parameters:
             sought = parameter.sought
@@ -73,12 +73,12 @@ class Refinement:
         return table
 
     def _agreements(self) -> Table:
-        """Return how well the simulation follows the logs."""
+        """Return the table of how well the simulation follows the logs."""
         result = self.result
         groups = {"before": result.before, "fitted": result.after, "unseen before": result.unseen_before, "unseen": result.unseen}
         groups |= {"validation before": self.validation_before, "validation": self.validation}
         left = ("samples", "run", "axis", "signal")
-        table = Table([*(Column(head, left=True) for head in left), *map(Column, ("explained", "fit", "left, rms"))])
+        table = Table([*(Column(head, left=True) for head in left), *map(Column, ("explained", "fit", "residual rms"))])
         for name, agreements in groups.items():
             for one in agreements:
                 rms = figure(one.rms, "um" if one.signal == "position" else "")
@@ -100,7 +100,7 @@ def refine_logs(
     folder: str | Path = "results",
     progress: Callable[[str], None] = lambda line: None,
 ) -> Refinement:
-    """Refine the parameters of scenarios against logs; write the machine, and the controllers that were refined.
+    """Refine the parameters of scenarios against logs; write the machine and the refined controllers.
 
     Parameters
     ----------
@@ -110,16 +110,16 @@ def refine_logs(
     parameters : sequence of str
         Dotted names or their ends, ``*`` for any axis; with a range as ``"axes.x.friction.coulomb=50 N..200 N"``.
     windows : sequence of str
-        Times that are fitted, as ``"0.8 s..1.6 s"``: one for all logs, or one for each. What moves outside of them tests the fit.
+        Times to fit, as ``"0.8 s..1.6 s"``: one window for all logs, or one for each. Motion outside the windows tests the fit.
     validation : LogChoice, optional
-        A log that is not fitted, under the first scenario.
+        A log that is not fitted, simulated with the first scenario.
     starts : int
-        Descents.
+        Number of descents.
     plugins : sequence of str or Path
     out : str or Path, optional
-        The machine's file; controllers get files beside it. None is written if the result is not usable.
+        Machine file; controllers get files in the same folder. Nothing is written if the result is not usable.
     plots : sequence of str
-        png, svg or pdf, into ``plots`` in `folder`; other files there stay.
+        Formats: png, svg or pdf. Plots go to ``plots`` in `folder`; other files there stay.
     folder : str or Path
     progress : callable, optional
         Called with a line after each descent.
@@ -127,7 +127,7 @@ def refine_logs(
     Raises
     ------
     LogError, ResultError, ScenarioError
-        If a file cannot be read or lacks something.
+        If a file cannot be read or is incomplete.
     ParameterError
         If an option is out of range, or the run at the start diverges.
     OutputError
@@ -141,7 +141,7 @@ def refine_logs(
     labels = _labels(scenarios if several else [choice.file for choice in choices])
     runs = [_run(read[i if several else 0], choice, label) for i, (choice, label) in enumerate(zip(choices, labels, strict=True))]
     spans = _windows(windows, len(runs))
-    # Read before the work, so that a log that cannot be read is refused at once.
+    # Read first, so that an unreadable log fails before the work.
     held_out = None if validation is None else _run(read[0], validation, *_labels([validation.file]))
     inputs = [file for scenario in read for file in scenario.inputs] + [file for choice in choices for file in choice.files]
     inputs += [*(() if validation is None else validation.files), *map(Path, plugins)]
@@ -180,7 +180,7 @@ def _read(files: Sequence[str | Path], plugins: Sequence[str | Path]) -> list[Sc
 
 
 def _labels(files: Sequence[str | Path]) -> list[str]:
-    """Return the labels of runs, unique and fit for file names: the files' names, with their folders where these are equal."""
+    """Return unique labels of runs, valid in file names: names of the files, with folders where the names are equal."""
     names = [Path(name).with_suffix("").as_posix().replace("/", "-") for name in distinct_names(files)]
     return names if len(set(names)) == len(names) else [f"{name} {i + 1}" for i, name in enumerate(names)]
 
@@ -197,7 +197,7 @@ def _run(scenario: Scenario, choice: LogChoice, label: str) -> LogRun:
 
 def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
     if len(texts) not in (0, 1, count):
-        raise ParameterError("--window", f"{len(texts)} of them", f"one for all logs, or one for each of the {count}")
+        raise ParameterError("--window", f"{len(texts)} windows", f"one for all logs, or one for each of the {count}")
     spans: list[Window | None] = []
     for text in texts:
         low, dots, high = text.partition("..")
@@ -212,12 +212,12 @@ def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
 
 
 def _beside(machine: Path, run: LogRun) -> Path:
-    """Return the file of a run's controller."""
+    """Return the file for the controller of a run."""
     return machine.with_name(f"{machine.stem}-{run.label}-controller.toml".replace(" ", "-"))
 
 
 def _write(result: Refined, sources: Sequence[str], out: Path) -> tuple[Path, ...]:
-    """Write the machine, and the controllers that were refined; return the files of these."""
+    """Write the machine and the refined controllers; return the files of the controllers."""
     from contourlab.features.refine.files import controller_text, machine_text
 
     files = {out: machine_text(result, sources)}
@@ -230,20 +230,20 @@ def _write(result: Refined, sources: Sequence[str], out: Path) -> tuple[Path, ..
 
 
 def draw(refined: Refined, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
-    """Draw each signal of each run, measured and simulated, and what is left, with the fitted window shaded; return the files."""
+    """Draw each signal of each run, measured and simulated, and the residual, with the fitted window shaded; return the files."""
     charts = []
     for run, simulated, window in zip(refined.runs, refined.simulated, refined.windows, strict=True):
         time = run.times()
         # A window may reach beyond the log.
         within = None if window is None else (max(window[0], float(time[0])), min(window[1], float(time[-1])))
-        marked: dict[str, Any] = {"span": within, "span_label": "fitted to what is shaded" if within else ""}
+        marked: dict[str, Any] = {"span": within, "span_label": "fitted in the shaded window" if within else ""}
         for j, (signal, axis) in enumerate(run.channels):
             size, unit = (1e6, "um") if signal == "position" else (1.0, "")
             name = f"{'tracking error' if signal == 'position' else signal} of {axis}"
             labels = "time [s]", name + (f" [{unit}]" if unit else "")
             key = f"{run.label}-{signal}-{axis}".replace(" ", "-")
             both = {"measured": (time, size * run.measured[:, j]), "simulated": (time, size * simulated[:, j])}
-            left = {"measured less simulated": (time, size * (run.measured[:, j] - simulated[:, j]))}
+            left = {"measured minus simulated": (time, size * (run.measured[:, j] - simulated[:, j]))}
             charts.append(traces_chart(key, f"{run.label}: {name}", labels, both, **marked))
-            charts.append(traces_chart(f"{key}-left", f"{run.label}: what is left of it", labels, left, **marked))
+            charts.append(traces_chart(f"{key}-left", f"{run.label}: residual of {name}", labels, left, **marked))
     return plots.write_charts(charts, folder, formats)

@@ -1,4 +1,4 @@
-"""Files of refined machines and controllers: each refined value with its source, its deviation, and its correlations."""
+"""Files of refined machines and controllers: each refined value with source, deviation and correlations."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ DIGITS = 6
 
 
 def machine_text(refined: Refined, sources: Sequence[str]) -> str:
-    """Return the machine's file; `sources` are the names of the logs."""
+    """Return the text of the machine file; `sources` are the names of the logs."""
     machine = refined.runs[0].machine
     tables = machine_tables(machine)
     _note(refined, sources, {"axes": tables["axes"]}, "axes.")
@@ -28,14 +28,14 @@ def machine_text(refined: Refined, sources: Sequence[str]) -> str:
 
 
 def controller_text(refined: Refined, run: int, sources: Sequence[str]) -> str:
-    """Return the file of the controller of a run; `sources` are the names of the logs."""
+    """Return the text of the controller file of a run; `sources` are the names of the logs."""
     tables = {"controller": controller_table(refined.runs[run].controller, refined.runs[run].machine)}
     _note(refined, sources, tables, "controller.", run)
     return _head(refined, sources) + toml(tables)
 
 
 def _head(refined: Refined, sources: Sequence[str]) -> str:
-    lines = [f"Refined against {', '.join(dict.fromkeys(sources))}: simulated against measured along the logs' own references."]
+    lines = [f"Refined against {', '.join(dict.fromkeys(sources))}, simulated along the references of the logs."]
     lines += [f"{one.place}: {100.0 * one.explained:.5g} % of the variance explained, fit {one.fit:.4g} %" for one in refined.after]
     lines += [str(finding) for finding in refined.findings]
     return "".join(f"# {line}\n" for line in lines) + "\n"
@@ -46,9 +46,9 @@ def _without(table: dict[str, Any]) -> dict[str, Any]:
 
 
 def _correlations(refined: Refined, head: str, owner: Axis | Machine) -> dict[str, Any]:
-    """Return the correlations of the refined parameters under a dotted head, and those of the file before that still hold.
+    """Return the correlations of the refined parameters under a dotted head, and the earlier ones that still hold.
 
-    Of the first run: its machine is the one that is written. A correlation with a parameter that was refined anew no longer holds.
+    All are from the first run, whose machine is written. An earlier correlation with a refined parameter no longer holds.
     """
     names = {parameter.sought.label: parameter.sought.name for parameter in refined.parameters if 0 in parameter.sought.runs}
     anew = {name.removeprefix(head) for name in names.values()}
@@ -61,15 +61,15 @@ def _correlations(refined: Refined, head: str, owner: Axis | Machine) -> dict[st
     }
     for (one, i), (other, j) in combinations(rows.items(), 2):
         value = round(float(refined.correlation[i, j]), 4)
-        # Those within one axis are in the table of the axis.
+        # The table of an axis has the correlations within that axis.
         within = isinstance(owner, Machine) and one.partition(".")[0] == other.partition(".")[0]
         if value and not within:
             pairs.append([one, other, value])
-    return {"correlations": Noted(pairs, "of what was fitted together")} if pairs else {}
+    return {"correlations": Noted(pairs, "of parameters fitted together")} if pairs else {}
 
 
 def _note(refined: Refined, sources: Sequence[str], tables: dict[str, Any], head: str, run: int = 0) -> None:
-    """Give each refined value of a run its source and deviation, in significant digits."""
+    """Add source and deviation to each refined value of a run, with significant digits only."""
     for parameter in refined.parameters:
         sought = parameter.sought
         if not sought.name.startswith(head) or run not in sought.runs:
@@ -81,7 +81,7 @@ def _note(refined: Refined, sources: Sequence[str], tables: dict[str, Any], head
         if parameter.at_bound:
             worth: dict[str, Any] = {"note": "at the bound of its range"}
         elif not math.isfinite(parameter.deviation):
-            worth = {"note": "not told by the logs"}
+            worth = {"note": "not determined by the logs"}
         else:
             worth = {"deviation": _written(sought, parameter.deviation, 2)}
         logs = ", ".join(dict.fromkeys(sources[i] for i in sought.runs))

@@ -1,4 +1,4 @@
-"""What speaks against refined parameters."""
+"""Findings that question refined parameters."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from contourlab.features.refine.parameters import RefinedParameter
 from contourlab.findings import Finding, finding
 
 TOGETHER = 0.95
-"""Correlation from which two parameters cannot be told apart."""
+"""Correlation from which two parameters cannot be distinguished."""
 UNKNOWN = 0.5
 """Relative deviation from which a parameter is hardly known."""
 EXPLAINED = 0.5
-"""Share of the variance of a signal below which a finding is made."""
+"""Explained share of a signal's variance below which there is a finding."""
 WORSE = 0.01
-"""Share by which more may be left than before of what was not fitted."""
+"""Share by which the residual of data that was not fitted may grow."""
 COLOURED = 1.5
-"""Ratio of deviations with and without colour from which a finding is made."""
+"""Ratio of deviations for a coloured and a white residual from which there is a finding."""
 
 
 def fit_findings(
@@ -30,17 +30,17 @@ def fit_findings(
     after: Sequence[Agreement],
     descents: tuple[int, int],
 ) -> Iterator[Finding]:
-    """Yield what speaks against the parameters.
+    """Yield findings that question the parameters.
 
     Parameters
     ----------
     parameters : sequence of RefinedParameter
     descent : Descent
     knowledge : FitCovariance
-        Of the parameters that are not at a bound.
+        Covariance of the parameters that are not at a bound.
     after : sequence of Agreement
     descents : (int, int)
-        Made, and ended at the same minimum as the best.
+        Number of descents, and of those that reached the same minimum as the best one.
     """
     for parameter in parameters:
         value, deviation, place = parameter.value, parameter.deviation, parameter.sought.label
@@ -76,14 +76,14 @@ def _correlated(parameters: Sequence[RefinedParameter], knowledge: FitCovariance
 
 
 def unseen_findings(before: Sequence[Agreement], after: Sequence[Agreement], validation: bool = False) -> Iterator[Finding]:
-    """Yield where a refined model follows what was not fitted less well than the model at the start.
+    """Yield findings where the refined model fits unseen data worse than the model at the start.
 
     Parameters
     ----------
     before, after : sequence of Agreement
-        Of the same signals in the same order.
+        For the same signals in the same order.
     validation : bool
-        Whether they are of a log for validation, or of what `--window` leaves out.
+        Whether the data is a log for validation, or the part of a fitted log outside `--window`.
     """
     for one, other in zip(before, after, strict=True):
         if other.rms > (1.0 + WORSE) * one.rms:

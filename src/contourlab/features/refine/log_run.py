@@ -1,4 +1,4 @@
-"""A machine and its controller simulated along a log's own reference, tick by tick on its clock, to compare with what was measured."""
+"""Simulate a machine and its controller along the reference of a log, tick by tick on its clock, to compare with the measurement."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ class Agreement:
     ----------
     run, axis, signal : str
     explained : float
-        Share of the variance, 1 - var(measured - simulated)/var(measured); for a position that of the tracking error.
+        Explained share of the variance, 1 - var(measured - simulated)/var(measured); for a position, of the tracking error.
     fit : float [percent]
-        100 (1 - |measured - simulated|/|measured - its mean|), the same signals.
+        100 (1 - |measured - simulated|/|measured - its mean|), for the same signals.
     rms : float [m or units of the command]
-        Of measured less simulated.
+        Rms of measured minus simulated.
     """
 
     run: str
@@ -54,7 +54,7 @@ class Agreement:
 
 @dataclass(frozen=True, eq=False)
 class LogRun:
-    """A log, and the machine and controller that should follow it.
+    """A log, and the machine and controller that should reproduce it.
 
     Attributes
     ----------
@@ -62,17 +62,17 @@ class LogRun:
     machine : Machine
     controller : Controller
     reference : Reference
-        The log's, from shortly before the first move.
+        From the log, from shortly before the first move.
     position : ndarray (n_sample, n_axis) [m]
         Measured, at the same samples.
     command : ndarray (n_sample, n_axis) or None
         Measured, if the log has it in the unit of the plants' commands.
     start : float [s]
-        Of the first sample, on the log's clock.
+        Time of the first sample on the log's clock.
     moves : (int, int)
         Samples [start, stop) over which the reference moves.
     steady : bool
-        Whether the log begins in motion: then the axes start with the reference's velocity.
+        Whether the log begins in motion; then the axes start with the velocity of the reference.
     findings : tuple of Finding
     """
 
@@ -113,12 +113,12 @@ class LogRun:
         return self.start + self.machine.servo_period * np.arange(self.reference.n_sample, dtype=np.float64)
 
     def simulated(self, variants: Mapping[str, ArrayLike], rows: slice | Flags = slice(None)) -> Array:
-        """Return the simulated signals (n_row, n_channel, n_variant) as in `measured`; all nan where a variant diverges.
+        """Return the simulated signals (n_row, n_channel, n_variant) as in `measured`; all nan for a variant that diverges.
 
         Parameters
         ----------
         variants : mapping of str to array_like (n_variant,)
-            Values of parameters, by their dotted names.
+            Parameter values by dotted name.
         rows : slice or ndarray of bool
             Samples to return.
         """
@@ -164,7 +164,7 @@ class LogRun:
         return tuple(agreements)
 
     def judged(self, simulated: Array | None = None) -> Measured:
-        """Return the contour figures of simulated signals (n_sample, n_channel), or of the measured ones, over the move."""
+        """Judge the contour of simulated signals (n_sample, n_channel), or of the measured signals, over the move."""
         signals = self.measured if simulated is None else simulated
         position = self.asked - signals[:, : len(self.machine.axes)]
         held = {name: Signal(data, ("sample", "axis"), "m") for name, data in (("reference", self.asked), ("position", position))}
@@ -179,7 +179,7 @@ def log_run(machine: Machine, controller: Controller, result: Result, label: str
     machine : Machine
     controller : Controller
     result : Result
-        Of the log: ``reference`` and ``position`` of every axis, ``command`` if there is one.
+        The log: ``reference`` and ``position`` of every axis, ``command`` if there is one.
     label : str
     settling : float [s], >= 0
         Time after the last move that still counts.
@@ -189,21 +189,21 @@ def log_run(machine: Machine, controller: Controller, result: Result, label: str
     Raises
     ------
     ResultError
-        If the log lacks an axis or a signal, is not finite, does not move, or has another period than the machine.
+        If the log lacks an axis or a signal, is not finite, does not move, or has a different period from the machine.
     """
     period = machine.servo_period
     if abs(result.servo_period - period) > PERIODS_APART * period:
         raise ResultError(
-            f"{label} has a sample every {result.servo_period * 1e3:.6g} ms, {machine.name} a servo period of {period * 1e3:.6g} ms: a "
-            "controller depends on its period; record at the servo period"
+            f"{label} has a sample every {result.servo_period * 1e3:.6g} ms, but {machine.name} has a servo period of "
+            f"{period * 1e3:.6g} ms: record the log at the servo period"
         )
     missing = [axis for axis in machine.axis_names if axis not in result.axes]
     if missing:
-        raise ResultError(f"no axis {missing[0]} in {label}, which has {', '.join(result.axes)}; {machine.name} has it")
+        raise ResultError(f"no axis {missing[0]} in {label}, which has {', '.join(result.axes)}; {machine.name} has axis {missing[0]}")
     columns = [result.axes.index(axis) for axis in machine.axis_names]
     for name in ("reference", "position"):
         if name not in result:
-            raise ResultError(f"no {name} in {label}: say which column it is, such as --column '{name}.{machine.axis_names[0]}=NAME [mm]'")
+            raise ResultError(f"no {name} in {label}: name its column, such as --column '{name}.{machine.axis_names[0]}=NAME [mm]'")
         if not np.isfinite(result[name][:, columns]).all():
             raise ResultError(f"{name} in {label} is not finite for every axis and sample")
     judged = measure(result, axes=machine.axis_names)
@@ -221,7 +221,7 @@ def log_run(machine: Machine, controller: Controller, result: Result, label: str
 
 
 def _command(machine: Machine, result: Result, columns: list[int], part: slice, label: str) -> tuple[Array | None, list[Finding]]:
-    """Return the measured command if it can be compared with the simulated one, and why not."""
+    """Return the measured command, or None and a finding if it cannot be compared with the simulated one."""
     if "command" not in result:
         return None, []
     unit, wanted = result.signals["command"].unit, {axis.plant.command_unit for axis in machine.axes}

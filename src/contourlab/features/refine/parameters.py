@@ -1,4 +1,4 @@
-"""Which parameters of machines and controllers are refined: their names, starts and ranges."""
+"""Parameters of machines and controllers to refine: names, starts and ranges."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from contourlab.figures import figure
 from contourlab.loop import parameter_names
 
 SPAN = 10.0
-"""A parameter without a range may become so many times smaller or larger."""
+"""Factor by which a parameter without a range may become smaller or larger."""
 
 
 @dataclass(frozen=True)
@@ -28,9 +28,9 @@ class Sought:
     runs : tuple of int
         The runs that share it.
     label : str
-        The name, with the run's label ahead if it is that of one run alone.
+        The name, preceded by the label of the run if only this run has the parameter.
     signed : bool
-        Whether it may be below zero.
+        Whether the parameter may be below zero.
     """
 
     variable: DesignVariable
@@ -40,12 +40,12 @@ class Sought:
 
     @property
     def name(self) -> str:
-        """Dotted."""
+        """Dotted name."""
         return self.variable.name
 
     @property
     def scale(self) -> float:
-        """Size of the parameter, by which steps are measured."""
+        """Size of the parameter, used to scale steps."""
         return max(abs(self.variable.value), 0.1 * (self.variable.high - self.variable.low))
 
     def shown(self, value: float, digits: int = 5) -> str:
@@ -61,7 +61,7 @@ class RefinedParameter:
     ----------
     sought : Sought
     value, deviation, white_deviation : float [SI]
-        Deviations with the colour of the residual, and without: nan at a bound, infinite if the logs do not tell the parameter.
+        Standard deviations for a coloured and for a white residual: nan at a bound, infinite if the logs do not determine the parameter.
     at_bound : bool
     """
 
@@ -73,30 +73,30 @@ class RefinedParameter:
 
 
 def seek(runs: Sequence[LogRun], wanted: Iterable[str]) -> tuple[Sought, ...]:
-    """Return the parameters that texts ask for, each once.
+    """Return the parameters that the texts name, each once.
 
     Parameters
     ----------
     runs : sequence of LogRun
     wanted : iterable of str
-        ``NAME`` or ``NAME=LOW..HIGH``, see `contourlab.design.Space.chosen`; ``LABEL:NAME`` is that of one run alone.
+        ``NAME`` or ``NAME=LOW..HIGH``, see `contourlab.design.Space.chosen`; ``LABEL:NAME`` selects one run.
 
     Raises
     ------
     ParameterError
-        If a name fits nothing, a parameter is asked for twice or starts at different values in different runs, or a range is wrong.
+        If a name matches nothing, a parameter is named twice or starts at different values in different runs, or a range is wrong.
     """
     sought: dict[tuple[str, tuple[int, ...]], Sought] = {}
     for text in wanted:
         label, _, rest = text.rpartition(":")
         among = [i for i, run in enumerate(runs) if label in ("", run.label)]
         if not among:
-            raise ParameterError("--parameter", text, f"that of a run called {', '.join(run.label for run in runs)}")
+            raise ParameterError("--parameter", text, f"preceded by the label of a run: {', '.join(run.label for run in runs)}")
         chosen = _chosen(runs, among, rest)
         for name in dict.fromkeys(name for variables in chosen.values() for name in variables):
             held = tuple(i for i in among if name in chosen[i])
             if any(name == other and set(held) & set(places) for other, places in sought):
-                raise ParameterError("--parameter", name, "asked for once")
+                raise ParameterError("--parameter", name, "given once")
             sought[name, held] = _sought(runs, [chosen[i][name] for i in held], held, label)
     if not sought:
         raise ParameterError("--parameter", "none", "one or more, such as axes.x.plant.damping")
@@ -104,7 +104,7 @@ def seek(runs: Sequence[LogRun], wanted: Iterable[str]) -> tuple[Sought, ...]:
 
 
 def _chosen(runs: Sequence[LogRun], among: Sequence[int], text: str) -> dict[int, dict[str, DesignVariable]]:
-    """Return for each run the parameters that a text chooses there; raise only if it chooses none in any."""
+    """Return the parameters that a text selects in each run; raise only if it selects none in any run."""
     chosen: dict[int, dict[str, DesignVariable]] = {}
     for i in among:
         try:
@@ -125,10 +125,10 @@ def _sought(runs: Sequence[LogRun], variables: Sequence[DesignVariable], held: t
     sought = Sought(variable, held, f"{label}:{variable.name}" if label else variable.name, part.parameters[name].minimum < 0.0)
     starts = sorted({one.value for one in variables})
     if len(starts) > 1:
-        bound = f"the same in all runs, or asked for in one of them as {runs[held[0]].label}:{variable.name}"
+        bound = f"equal in all runs, or selected in one run as {runs[held[0]].label}:{variable.name}"
         raise ParameterError("--parameter", variable.name, f"{bound}; it starts at {' and '.join(map(sought.shown, starts))}")
     if part.parameters[name].whole or not math.isfinite(variable.value):
-        raise ParameterError("--parameter", variable.name, f"a number that can change a little; it is {variable.value:g}")
+        raise ParameterError("--parameter", variable.name, f"a continuous parameter with a finite value; it is {variable.value:g}")
     if not variable.low <= variable.value <= variable.high:
         ends = f"{sought.shown(variable.low)}..{sought.shown(variable.high)}"
         raise ParameterError("--parameter", f"{variable.name}={ends}", f"a range that includes the start, {sought.shown(variable.value)}")

@@ -1,4 +1,4 @@
-"""Refinement: fit parameters of machines and controllers so that the simulation along logs follows what was measured."""
+"""Refinement: fit parameters of machines and controllers so that simulations along logs follow the measurements."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from contourlab.features.refine.parameters import RefinedParameter, Sought, colu
 from contourlab.findings import Finding
 
 Window = tuple[float, float]
-"""From, until [s] on a log's clock."""
+"""Start and end [s] on the clock of a log."""
 
 SAME, ROUGH = 0.02, 2e-3
-"""Share by which the sums of squares of two descents at one minimum may differ, and gain at which a first descent ends."""
+"""Share by which the sums of squares of two descents at the same minimum may differ, and gain below which a first descent ends."""
 COUNTS = 4.0
-"""Encoder counts, root mean square, by which a difference changes the residual at least."""
+"""Least change of the residual [encoder counts, rms] for a finite difference."""
 FEWEST = 10
 """Least number of rows per parameter."""
 HIDDEN = {"json": False}
@@ -36,11 +36,11 @@ class RefineSettings:
     Attributes
     ----------
     starts : int, 1 to 32
-        Descents: from the start, and from the best of many points around it.
+        Number of descents: from the start, and from the best of many points around it.
     row_period : float [s], > 0
-        Between rows of residuals; rounded to whole servo periods.
+        Time between rows of residuals; rounded to whole servo periods.
     rounds : int, >= 1
-        How often channels are weighted anew, each by the size of what is left of it.
+        Number of times the channels are reweighted, each by the size of its residual.
     descent : DescentSettings
     """
 
@@ -64,18 +64,18 @@ class Refined:
     runs : tuple of LogRun
         With the refined parameters.
     windows : tuple of (float, float) or None
-        Times [s] that were fitted, of each run; None for all.
+        Fitted times [s] of each run; None for all.
     simulated : tuple of ndarray (n_sample, n_channel)
     before, after : tuple of Agreement
-        Over the samples that were fitted, with the parameters at the start and refined.
+        Over the fitted samples, with the parameters at the start and refined.
     unseen_before, unseen : tuple of Agreement
-        Over the samples that move and were not fitted.
+        Over the samples in motion that were not fitted.
     correlation : ndarray (p, p)
-        Of the parameters that are not at a bound.
+        Correlation of the parameters that are not at a bound.
     correlation_of : tuple of str
-        Their labels.
+        Labels of these parameters.
     descents, agreeing : int
-        Descents made, and those that ended at the same sum of squares as the best.
+        Number of descents, and of those that reached the same sum of squares as the best.
     usable : bool
         False if the model explains nothing of a signal, or the descent has not converged.
     findings : tuple of Finding
@@ -105,16 +105,16 @@ def refine(
     settings: RefineSettings | None = None,
     progress: Callable[[str], None] = lambda line: None,
 ) -> Refined:
-    """Refine parameters until the simulation along logs is as near as it gets to what was measured.
+    """Refine parameters so that the simulation along logs comes closest to the measurements.
 
     Parameters
     ----------
     runs : sequence of LogRun
-        Runs that have a parameter by the same name share it.
+        Runs that have a parameter of the same name share it.
     wanted : iterable of str
         Names and ranges, see `contourlab.features.refine.parameters.seek`.
     windows : sequence of (float, float) or None
-        Times [s] that are fitted, of each log; by default all. What moves outside of them is unseen.
+        Times [s] to fit in each log; by default all. Motion outside the windows is unseen.
     settings : RefineSettings, optional
     progress : callable, optional
         Called with a line after each descent.
@@ -126,8 +126,8 @@ def refine(
 
     Notes
     -----
-    Positions are compared, and commands if the logs have them, every `row_period`. Each channel is weighted by what is left of it, so that
-    a run of large errors does not drown one of small errors: with normal residuals this is maximum likelihood.
+    Positions, and commands if the logs have them, are compared every `row_period`. Each channel is weighted by its residual, so that a run
+    with large errors does not dominate one with small errors. With normal residuals this is maximum likelihood.
     """
     settings = settings or RefineSettings()
     sought = seek(runs, wanted)
@@ -139,14 +139,14 @@ def refine(
     problem = _Problem(runs, sought, kept)
     first = problem.left(problem.start[None])
     if not all(np.isfinite(part).all() for part in first):
-        raise ParameterError("--parameter", "the start", "parameters with which the run does not diverge: look at the scenario first")
+        raise ParameterError("--parameter", "the start", "parameters with which the run does not diverge: check the scenario first")
     problem.weigh(first)
     descent, agreeing, made = _descended(problem, settings, progress)
     return _refined(runs, problem, descent, given, (made, agreeing))
 
 
 class _Problem:
-    """Residuals of all runs at points (k, p), weighted."""
+    """Weighted residuals of all runs at points (k, p)."""
 
     def __init__(self, runs: Sequence[LogRun], sought: Sequence[Sought], kept: Sequence[Flags]) -> None:
         self.runs, self.sought, self.kept = runs, sought, kept
@@ -159,7 +159,7 @@ class _Problem:
         self.scale = np.array([parameter.scale for parameter in sought])
 
     def left(self, points: Array) -> list[Array]:
-        """Return measured less simulated of each run (n_row, n_channel, k)."""
+        """Return measured minus simulated of each run (n_row, n_channel, k)."""
         left = []
         for i, (run, rows) in enumerate(zip(self.runs, self.kept, strict=True)):
             columns = columns_of(self.sought, i, points)
@@ -169,14 +169,14 @@ class _Problem:
         return left
 
     def weigh(self, left: Sequence[Array]) -> None:
-        """Take the rms of what is left of each channel, at the first point, as its size."""
+        """Set the size of each channel to the rms of its residual at the first point."""
         for i, part in enumerate(left):
             rms = np.sqrt(np.mean(part[:, :, 0] ** 2, axis=0))
             floor = 1e-6 * np.sqrt(np.mean(self.runs[i].measured ** 2, axis=0))
             self.sizes[i] = np.maximum(np.maximum(rms, floor), 1e-12)
 
     def grains(self) -> Array:
-        """Return the size of each encoder's count relative to what is left of its channel."""
+        """Return the size of each encoder's count relative to the residual of its channel."""
         grains = []
         for run, sizes in zip(self.runs, self.sizes, strict=True):
             counts = [getattr(axis.sensor, "resolution", 0.0) for axis in run.machine.axes]
@@ -184,7 +184,7 @@ class _Problem:
         return np.array(grains)
 
     def settings(self, given: DescentSettings) -> DescentSettings:
-        """Return the settings of a descent whose differences exceed the encoder counts."""
+        """Return the settings of a descent whose finite differences exceed the encoder counts."""
         return replace(given, visible=max(given.visible, COUNTS * float(self.grains().max())))
 
     def residuals(self, points: Array) -> Array:
@@ -193,7 +193,7 @@ class _Problem:
         return np.ascontiguousarray(np.concatenate(parts).T)
 
     def split(self, flat: Array) -> list[Array]:
-        """Return rows (n, ...) as one array (n_row, n_channel, ...) a run."""
+        """Split rows (n, ...) into one array (n_row, n_channel, ...) per run."""
         parts, at = [], 0
         for run, rows in zip(self.runs, self.kept, strict=True):
             shape = int(np.count_nonzero(rows)), run.measured.shape[1]
@@ -203,7 +203,7 @@ class _Problem:
 
 
 def _descended(problem: _Problem, settings: RefineSettings, progress: Callable[[str], None]) -> tuple[Descent, int, int]:
-    """Return the best descent, how many ended where it did, and how many were made."""
+    """Return the best descent, the number that reached the same minimum, and the number of descents."""
     chosen = problem.settings(settings.descent)
     starts = spread_starts(problem.residuals, problem.start, *problem.bounds, settings.starts)
     rough, ends = replace(chosen, least_gain=max(ROUGH, chosen.least_gain)), []
@@ -215,18 +215,18 @@ def _descended(problem: _Problem, settings: RefineSettings, progress: Callable[[
     for _ in range(settings.rounds):
         problem.weigh(problem.left(best.values[None]))
         best = descend(problem.residuals, best.values, *problem.bounds, problem.scale, problem.settings(chosen))
-        progress(f"weighted anew: {best.iterations} steps")
+        progress(f"weights of the channels updated: {best.iterations} steps")
     return best, agreeing, len(ends)
 
 
 def rows_within(run: LogRun, window: Window | None) -> Flags:
-    """Return which samples of a run lie within a window of times (n_sample,)."""
+    """Return which samples (n_sample,) of a run lie within a time window."""
     times = run.times()
     return np.ones(times.size, dtype=bool) if window is None else (times >= window[0]) & (times < window[1])
 
 
 def _rows(run: LogRun, window: Window | None, row_period: float) -> Flags:
-    """Return the samples of a run that make residuals."""
+    """Return the samples of a run that enter the residuals."""
     stride = max(round(row_period / run.machine.servo_period), 1)
     kept = np.zeros(run.reference.n_sample, dtype=bool)
     kept[run.moves[0] :: stride] = True
@@ -280,7 +280,7 @@ def _placed(run: LogRun, parameters: Sequence[RefinedParameter], which: int) -> 
 def _agreements(
     runs: Sequence[LogRun], ends: Sequence[LogRun], simulated: Sequence[Array], windows: Sequence[Window | None]
 ) -> tuple[tuple[Agreement, ...], tuple[Agreement, ...], tuple[Agreement, ...], tuple[Agreement, ...]]:
-    """Return the agreement before and after over what was fitted, and both over what moves outside of it."""
+    """Return the agreement before and after, over the fitted samples and over the other samples in motion."""
     before: list[Agreement] = []
     after: list[Agreement] = []
     unseen_before: list[Agreement] = []

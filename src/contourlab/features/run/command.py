@@ -17,6 +17,7 @@ from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.summary import summary_of
 from contourlab.figures import figure
+from contourlab.findings import Finding
 from contourlab.report.table import paragraphs
 from contourlab.result import write_text_atomic
 
@@ -185,7 +186,7 @@ def refuse_drawing(file: str | Path, machine: str | Path | None = None, controll
 
 
 def _checked(scenario: Scenario) -> RunOutcome:
-    lines, schemes = [f"{scenario.name}: no fault found"], {}
+    lines, schemes = [f"{scenario.name}: no fault"], {}
     for case in scenario.cases():
         reference = case.reference()
         length, duration = reference.path.length, (reference.n_sample - 1) * reference.servo_period
@@ -288,7 +289,7 @@ def _write_signals(outcome: Outcome, file: Path, wanted: Sequence[str]) -> None:
 
 
 def file_names(names: Sequence[str]) -> dict[str, str]:
-    """Return a file name that every system takes for each scheme; they differ by more than upper and lower case."""
+    """Return a portable file name for each scheme; no two differ in case only."""
     chosen: dict[str, str] = {}
     taken: set[str] = set()
     for name in names:
@@ -318,7 +319,9 @@ def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path,
 
         write_plots(data, folder / "plots", tuple(plots))
     reversals = reversal_text(data) if any(map(_shows_reversals, outcomes)) else ""
-    ends = paragraphs([line for outcome in outcomes for line in _ending(outcome)])
+    shared = [finding for finding in outcomes[0].findings if all(finding in other.findings for other in outcomes)]
+    endings = [line for outcome in outcomes for line in _ending(outcome, shared)]
+    ends = paragraphs([*endings, *map(str, shared)])
     return "\n\n".join(filter(None, [comparison_text(data), trials_text(data), reversals, "\n".join(switch_lines(data)), ends]))
 
 
@@ -330,8 +333,8 @@ def _shows_reversals(outcome: Outcome) -> bool:
     )
 
 
-def _ending(outcome: Outcome) -> Iterator[str]:
-    """Yield verdict, causes and findings of a scheme."""
+def _ending(outcome: Outcome, shared: Sequence[Finding]) -> Iterator[str]:
+    """Yield verdict, causes and findings of a scheme, but for those that all schemes share."""
     verdict = outcome.verdict
     if verdict is not None:
         worst = verdict.worst
@@ -343,4 +346,4 @@ def _ending(outcome: Outcome) -> Iterator[str]:
         main = [f"{cause.name} {cause.contribution * 1e6:+.3g} um" for cause in verdict.causes if cause.share >= 0.02]
         if main:
             yield f"{outcome.name}: causes there: {', '.join(main)}"
-    yield from (f"{outcome.name}: {finding}" for finding in outcome.findings)
+    yield from (f"{outcome.name}: {finding}" for finding in outcome.findings if finding not in shared)

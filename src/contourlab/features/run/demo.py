@@ -4,15 +4,29 @@ from __future__ import annotations
 
 import html
 import json
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from contourlab.app.json_values import json_values
 from contourlab.app.results import staged
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
+from contourlab.features.run.summary import Summary
 from contourlab.figures import figure, number
 from contourlab.report.table import Column, Table
 from contourlab.result import write_text_atomic
 from contourlab.scenario import builtin_file, load_scenario
+
+
+@dataclass(frozen=True)
+class Demo:
+    """The results of ``demo``: whether the last scheme of each part passed, and the summary of each part."""
+
+    passed: bool
+    parts: Mapping[str, Summary]
+    schema: str = "contourlab-demo/1"
+
 
 DEMOS = {
     "stage-a3a1": "ghaffari/demo-stage",
@@ -28,7 +42,9 @@ def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None =
     The outcome has passed when the last (best) scheme of every part is within its tolerance. Parameters are those of `RunOptions`.
     """
     folder = Path(out)
-    titles, tables, summaries = {}, {}, {}
+    titles: dict[str, str] = {}
+    tables: dict[str, str] = {}
+    summaries: dict[str, Any] = {}
     with staged(folder, "summary.json", "report.html") as stage:
         for name, shipped in DEMOS.items():
             scenario = load_scenario(builtin_file(shipped))
@@ -36,7 +52,7 @@ def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None =
             outcome = run_session(scenario, options, command=options.command("run", f"builtin:{shipped}", {}))
             titles[name], tables[name], summaries[name] = scenario.name, outcome.table, outcome.summary
         passed = all(_last(summary)["verdict"]["passed"] for summary in summaries.values())
-        summary: dict[str, Any] = {"schema": "contourlab-demo/1", "passed": passed, "parts": summaries}
+        summary: dict[str, Any] = json_values(Demo(passed, summaries))
         write_text_atomic(stage / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
         write_text_atomic(stage / "report.html", _index(titles, tables))
     conclusion = f"{'PASS' if passed else 'FAIL'}: the last scheme of each run against its tolerance. Reports: {folder / 'report.html'}"

@@ -29,7 +29,7 @@ def gain_words(factor: float) -> str:
 
 
 def phase_words(angle: float) -> str:
-    """Return the phase margin [rad] of a stable loop in degrees: where less lag than it has would make it unstable, of lead.
+    """Return the phase margin [rad] of a stable loop in degrees; negative: added phase lead makes the loop unstable.
 
     >>> phase_words(-0.25)
     '14.3 deg of lead'

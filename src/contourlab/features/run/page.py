@@ -29,8 +29,8 @@ _HELD_BY = {
     Binding.VELOCITY: "axis velocity",
     Binding.ACCELERATION: "axis acceleration",
     Binding.JERK: "axis jerk",
-    Binding.CURVATURE_STEP: "step of curvature",
-    Binding.PLANNER: "planner's distance",
+    Binding.CURVATURE_STEP: "curvature step",
+    Binding.PLANNER: "near a slow section",
 }
 
 
@@ -46,7 +46,7 @@ def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, comma
     notes = [*first.case.notes]
     others = [outcome.name for outcome in outcomes if outcome.reference.digest != reference.digest]
     if others:
-        notes.append(f"The feed along the path is that of {first.name}. Planned otherwise: {listing(others)}.")
+        notes.append(f"The planned feed shown is that of {first.name}. {listing(others)}: planned differently.")
     return ReportData(title, schemes, reference.path, provenance, programmed, first.case.lines, first.case.tolerance, notes, _feed(first))
 
 
@@ -128,7 +128,7 @@ def _response(bode: AxisBode, meant: str) -> FrequencyResponse:
     hertz = bode.response.frequency / (2.0 * math.pi)
     m = bode.margins
     if not m.stable:
-        notes = {"loop": "unstable: no margins, and the curve is not the response of a run"}
+        notes = {"loop": "unstable: no margins; the curve is not a real response"}
         return FrequencyResponse(hertz, bode.response.closed_loop, notes, stable=False, meant=meant)
     size = np.abs(bode.response.closed_loop)
     below = np.flatnonzero(size < math.sqrt(0.5))

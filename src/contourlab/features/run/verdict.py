@@ -56,7 +56,7 @@ def verdict(
     skipped = _skipped(judged, reference, window, tolerance)
     within = worst.value <= tolerance
     findings = [finding("CL201", length=skipped)] if skipped else []
-    # A small error of a tool that skips the path has no causes worth telling.
+    # The error of a tool that skips part of the path says nothing about causes.
     if not explain or (skipped and within):
         return Verdict(bool(within) and not skipped, tolerance, worst, (), skipped, tuple(findings))
     ranked, diverging = causes(machine, controller, reference, judged, sample, seed)

@@ -1,1 +1,1 @@
-"""Which parameters does the contour error depend on: one at a time, by small changes, and all at once?"""
+"""The parameters that the contour error depends on: one at a time, by small changes, and all at once."""

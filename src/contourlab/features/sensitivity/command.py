@@ -1,4 +1,4 @@
-"""``contourlab sensitivity``: from a scenario to the parameters that its contour error depends on."""
+"""``contourlab sensitivity``: find the parameters that the contour error of a scenario depends on."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from contourlab.scenario import Case
 
 KEPT = "runs"
-"""Folder of the runs that are kept, in that of the results."""
+"""Folder of stored runs, inside the folder of the results."""
 
 
 @dataclass(frozen=True)
@@ -45,17 +45,17 @@ class Request:
     ----------
     plan : Plan
     scheme : str
-        Of the scenario; empty for the scenario without schemes.
+        Scheme of the scenario; empty for the scenario without schemes.
     parameters : sequence of str
-        See `contourlab.design.Space.chosen`; by default all that is calibrated.
+        See `contourlab.design.Space.chosen`; by default all calibrated parameters.
     width : float
-        A parameter without bounds may become so many times smaller or larger.
+        Factor by which a parameter without bounds may become smaller or larger.
     distribution : str
         One of `contourlab.features.sensitivity.indices.KINDS`.
     deviations : sequence of str
         See `contourlab.features.sensitivity.indices.distributions`.
     servo_period : str
-        In place of the machine's, with its unit; empty for the machine's.
+        Replaces that of the machine, with its unit; empty to keep it.
     threads : int, optional
     """
 
@@ -75,12 +75,12 @@ class Request:
 
 @dataclass(frozen=True, eq=False)
 class Sensitivity:
-    """What the command prints and writes as ``summary.json``, field by field.
+    """The result that the command prints and writes as ``summary.json``, field by field.
 
     Attributes
     ----------
     scenario : str
-        As given.
+        The file as given.
     request : Request
     scheme, machine : str
     servo_period : float [s]
@@ -117,14 +117,14 @@ def sensitivity_of(
     plots: Sequence[str] = (),
     progress: bool = False,
 ) -> Sensitivity:
-    """Study a scenario; write ``summary.json`` and pictures into a folder, and keep the runs in its folder ``runs``.
+    """Study a scenario; write ``summary.json`` and pictures into a folder, and store the runs in its folder ``runs``.
 
     Parameters
     ----------
     file : str or Path
         A scenario.
     out : str or Path
-        Folder of the results. Runs kept there are not made again: after an interrupt the same command goes on.
+        Folder of the results. Stored runs are reused: after an interrupt the same command continues.
     request : Request
     plugins : sequence of str or Path
         Python files with components.
@@ -136,7 +136,7 @@ def sensitivity_of(
     Raises
     ------
     ContourlabError
-        If the scenario, an option or the folder is at fault, or the scenario's own run fails.
+        If the scenario, an option or the folder is invalid, or the scenario's own run fails.
     """
     check_plots(plots)
     scenario = loaded(file, (request.scheme,) if request.scheme else (), plugins)
@@ -145,7 +145,7 @@ def sensitivity_of(
         period = positive("--servo-period", request.servo_period, "s", 'a time, such as "0.1 ms"')
         case = replace(case, machine=replace(case.machine, servo_period=period))
     if case.changes:
-        raise ParameterError("scenario", "controllers that change while it runs", "one controller from start to end: choose such a scheme")
+        raise ParameterError("scenario", "one that changes its controller", "a scheme with the same controller throughout")
     left_out = () if request.scheme else tuple(repr(other.name) for other in scenario.all_cases)
     with resumable(Path(out) / KEPT, "runs"), staged(out, "summary.json", inputs=scenario.inputs) as stage:
         with shown(progress) as stages:
@@ -174,7 +174,7 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
     identity = run_identity([machine], controller, reference, seed=case.seed, moving=case.moving)
     runs = Runs(evaluator, Kept(folder, identity), stages.advance)
     if not holds(space, runs):
-        # A single run says where and when it fails.
+        # A single run reports where and when it fails.
         simulate(machine, controller, reference, seed=case.seed, moving=case.moving)
     known = parameter_names(machine, controller)
     accepted = {name: known[name][0].parameters[known[name][1]] for name in space.names}
@@ -184,7 +184,7 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
 
 
 def _failure_level(case: Case, reference: Reference, plan: Plan) -> float:
-    """Return the figure [SI] of a run that is at the limit of its following error all the time; infinite if no axis has a limit."""
+    """Return the figure [SI] of a run whose following error is always at its limit; infinite if an axis has no limit."""
     limit = max(axis.limits.following_error for axis in case.machine.axes)
     if plan.figure != "integral":
         return limit

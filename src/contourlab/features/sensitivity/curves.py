@@ -12,16 +12,16 @@ from contourlab.design import DesignVariable, Space
 from contourlab.features.sensitivity.runs import Columns, Judge
 
 CHANGE = 0.05
-"""The figure changes by less than this share over a flat interval."""
+"""Largest relative change of the figure over a flat interval."""
 SHARE = 0.25
-"""A flat interval has at least this share of the values."""
+"""Smallest share of the values in a flat interval."""
 FINE = 16
-"""Steps into which each of the two steps around the smallest value is divided."""
+"""Subdivisions of each of the two steps around the smallest figure."""
 
 
 @dataclass(frozen=True)
 class Interval:
-    """An interval [SI]; `first` and `last` say whether it begins and ends with the values tried."""
+    """An interval [SI]; `first` and `last` tell whether it includes the first and the last value tried."""
 
     low: float
     high: float
@@ -36,12 +36,12 @@ class Minimum:
     Attributes
     ----------
     value : float [SI]
-        Of the parameter.
+        Value of the parameter.
     figure : float [SI]
     within : float [SI]
-        Distance of the next value tried.
+        Largest distance to a neighbouring value tried.
     bound : str
-        ``"lower"`` or ``"upper"`` on a bound, where the figure may be smaller beyond; else empty.
+        ``"lower"`` or ``"upper"`` if it lies on that bound: the figure may be smaller beyond it. Else empty.
     """
 
     value: float
@@ -58,13 +58,13 @@ class Curve:
     ----------
     variable : DesignVariable
     values : ndarray (n,) [SI]
-        Of the parameter, rising.
+        Values of the parameter, increasing.
     figures : ndarray (n,) [SI]
         nan where the run failed.
     minimum : Minimum or None
         None if all runs failed.
     flat : Interval or None
-        The longest interval over which the figure changes by less than `CHANGE`, if it has `SHARE` of the values.
+        The longest interval over which the figure changes by less than `CHANGE`, if it contains at least `SHARE` of the values.
     failed : tuple of Interval
         Where runs fail.
     """
@@ -85,11 +85,11 @@ def curves(space: Space, judge: Judge, count: int = 41) -> tuple[Curve, ...]:
     space : Space
     judge : callable
     count : int, >= 5
-        Values of each curve: equal factors apart if the parameter is logarithmic, else equal steps.
+        Values of each curve, equal factors apart if the parameter is logarithmic, else equally spaced.
 
     Notes
     -----
-    The minimum is located by runs, not by a parabola through three of them: where the sign of an error changes the curve has a corner.
+    Runs locate the minimum, not a parabola through three of them: the curve has a corner where the sign of an error changes.
     """
     places = np.linspace(0.0, 1.0, count)
     grids = [variable.physical(places) for variable in space.numbers]
@@ -107,7 +107,7 @@ def curves(space: Space, judge: Judge, count: int = 41) -> tuple[Curve, ...]:
 
 
 def one_at_a_time(space: Space, grids: Sequence[Array]) -> Columns:
-    """Return the values of runs that each move one parameter through its grid, grid after grid."""
+    """Return the values of runs that move one parameter at a time through its grid, grid after grid."""
     total = sum(len(grid) for grid in grids)
     columns = {variable.name: np.full(total, variable.value) for variable in space.numbers}
     first = 0
@@ -127,7 +127,7 @@ def _minimum(variable: DesignVariable, values: Array, figures: Array) -> Minimum
 
 
 def _flat(values: Array, figures: Array) -> Interval | None:
-    """Return the longest flat interval; of two as long, the one of larger values."""
+    """Return the longest flat interval; of two equally long ones, that with larger values."""
     best = (0, 0, 0)
     first = 0
     for last in range(len(values)):

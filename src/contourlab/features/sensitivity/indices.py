@@ -1,4 +1,4 @@
-"""All parameters at once: their distributions, the sample of runs, and global indices of Sobol and Morris by SALib."""
+"""All parameters at once: their distributions, the sample of runs, and the global indices of Sobol and Morris (computed by SALib)."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ UNIFORM, LOG_UNIFORM, NORMAL = KINDS = ("uniform", "log-uniform", "normal")
 LEVELS = 4
 ANALYSIS: dict[str, Any] = {"num_resamples": 200, "conf_level": 0.95}
 REFUSED = 0.25
-"""Share of failed runs beyond which indices are refused."""
+"""Largest share of failed runs; with more, indices are refused."""
 BEYOND = 10.0
-"""Without a limit of the following error, a failed run counts as this many times the worst one that held."""
+"""Without a following-error limit, a failed run counts as this multiple of the worst successful one."""
 HIDDEN = {"json": False}
 
 
@@ -33,9 +33,9 @@ class Distribution:
     ----------
     variable : DesignVariable
     kind : str
-        One of `KINDS`; ``"normal"`` is centred on the present value and cut off at the bounds.
+        One of `KINDS`; ``"normal"`` is centred on the present value and truncated at the bounds.
     deviation : float [SI], > 0
-        Of a normal one, before it is cut off.
+        Standard deviation of a normal distribution before truncation.
     """
 
     variable: DesignVariable = field(metadata=HIDDEN)
@@ -50,12 +50,12 @@ class Distribution:
             raise ParameterError(variable.name, f"bounds {variable.low:g} to {variable.high:g}", "above 0 for a log-uniform distribution")
         if self.kind == NORMAL and not 0.0 < self.deviation < math.inf:
             given = f"{self.deviation:g}" if self.deviation else "no deviation"
-            raise ParameterError(variable.name, given, f'a normal distribution with --deviation "{variable.short}=5 %"')
+            raise ParameterError(variable.name, given, f'given a deviation, as --deviation "{variable.short}=5 %"')
         if self.kind == NORMAL and not variable.low <= variable.value <= variable.high:
             raise ParameterError(variable.name, f"{variable.value:g}", "within its bounds for a normal distribution", variable.unit)
 
     def values(self, places: Array) -> Array:
-        """Return the values [SI] at places from 0 to 1 of the cumulative distribution."""
+        """Return the values [SI] at cumulative probabilities from 0 to 1."""
         low, high, centre = self.variable.low, self.variable.high, self.variable.value
         if self.kind == UNIFORM:
             values = low + (high - low) * places
@@ -76,9 +76,9 @@ def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] =
     ----------
     space : Space
     kind : str
-        Of the parameters without a deviation.
+        Distribution of the parameters without a deviation.
     deviations : sequence of str
-        ``NAME=DEVIATION`` in ``%`` of the value or the parameter's unit, or a deviation alone for all. These parameters are normal.
+        ``NAME=DEVIATION`` in ``%`` of the value or in the parameter's unit, or one deviation for all. These parameters are normal.
 
     Raises
     ------
@@ -91,7 +91,7 @@ def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] =
         chosen = [variable for variable in space.numbers if not equals or _matches(variable, name)]
         if not chosen:
             known = ", ".join(variable.short for variable in space.numbers[:4])
-            raise ParameterError("--deviation", repr(text), f"NAME=DEVIATION with one of the parameters that are varied, such as {known}")
+            raise ParameterError("--deviation", repr(text), f"NAME=DEVIATION with a varied parameter, such as {known}")
         given |= {variable.name: _deviation(variable, wanted) for variable in chosen}
     return tuple(
         Distribution(variable, NORMAL, given[variable.name]) if variable.name in given else Distribution(variable, kind)
@@ -105,7 +105,7 @@ def _matches(variable: DesignVariable, name: str) -> bool:
 
 def _deviation(variable: DesignVariable, text: str) -> float:
     unit = variable.display_unit
-    wanted = f"a deviation of {variable.short} above 0, as 5 %{f' or 2 {unit}' if unit else ''}"
+    wanted = f"a deviation of {variable.short} above 0, such as 5 %{f' or 2 {unit}' if unit else ''}"
     try:
         if text.endswith("%"):
             deviation = abs(variable.value) * float(text[:-1]) / 100.0
@@ -120,7 +120,7 @@ def _deviation(variable: DesignVariable, text: str) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """Figures of runs as an estimator takes them.
+    """Figures of runs, prepared for an estimator.
 
     Attributes
     ----------
@@ -129,7 +129,7 @@ class Sample:
     logarithmic : bool
     runs, failed : int
     cap : float [SI]
-        What a failed run counts as, and the most that any counts as.
+        Upper limit of the figures, and the value of a failed run.
     """
 
     values: Array = field(metadata=HIDDEN)
@@ -140,44 +140,44 @@ class Sample:
 
 
 def sample(figures: Array, level: float, logarithmic: bool, space: Space, points: Array) -> Sample:
-    """Return figures as an estimator takes them.
+    """Return figures prepared for an estimator.
 
     Parameters
     ----------
     figures : ndarray (n,) [SI]
         nan where a run failed.
     level : float [SI]
-        Of a run that is at the failure limit all the time; infinite if there is none.
+        Figure of a run that is always at the failure limit; infinite without a limit.
     logarithmic : bool
     space : Space
     points : ndarray (n, n_parameter)
-        Places of the runs, 0 to 1, to say where runs fail.
+        Points of the runs, 0 to 1, to report where runs fail.
 
     Raises
     ------
     ParameterError
-        If more than `REFUSED` of the runs failed, or a logarithm is asked for of a figure that is not above 0.
+        If more than `REFUSED` of the runs failed, or `logarithmic` is set and a figure is not above 0.
     """
     bad = np.isnan(figures)
     share = float(bad.mean())
     if share > REFUSED:
         right = f"at most {100.0 * REFUSED:.0f} %: the indices would show what makes the loop fail, not what makes it accurate"
         raise ParameterError(
-            "runs", f"{100.0 * share:.0f} % failed", f"{right}; narrow the bounds, first of {_strayed(space, points[bad])}"
+            "runs", f"{100.0 * share:.0f} % failed", f"{right}. Narrow the bounds, beginning with {_strayed(space, points[bad])}"
         )
     cap = level if math.isfinite(level) else BEYOND * float(figures[~bad].max())
     values = np.minimum(np.where(bad, cap, figures), cap)
     if logarithmic:
         flat = values <= 0.0
         if flat.any():
-            where = f"a figure of {values.min():g} in {int(flat.sum())} of {flat.size} runs, first of {_strayed(space, points[flat])}"
-            raise ParameterError("--transform log", where, "above 0 in all; take --transform none, which reuses the runs made so far")
+            where = f"a figure of {values.min():g} in {int(flat.sum())} of {flat.size} runs, mainly {_strayed(space, points[flat])}"
+            raise ParameterError("--transform log", where, "above 0 in all runs; use --transform none, which reuses these runs")
         values = np.log10(values)
     return Sample(values, logarithmic, values.size, int(bad.sum()), cap)
 
 
 def _strayed(space: Space, points: Array) -> str:
-    """Name the parameter that is farthest from the middle of its range on the mean of places (n, n_parameter), and the end."""
+    """Name the parameter whose mean over points (n, n_parameter) is farthest from the middle of its range, and the nearer end."""
     off = points.mean(axis=0) - 0.5
     at = int(np.argmax(np.abs(off)))
     return f"{space.numbers[at].short} at the {'upper' if off[at] > 0.0 else 'lower'} end"
@@ -190,11 +190,11 @@ class SobolIndices:
     Attributes
     ----------
     first, first_interval : ndarray (n,)
-        What each parameter explains alone, and half the width of the 95 % confidence interval.
+        First-order indices: the share of each parameter alone; and half the width of the 95 % confidence interval.
     total, total_interval : ndarray (n,)
-        The same, with all that it does together with others.
+        Total indices: the share of each parameter with all its interactions; and the same interval.
     second, second_interval : ndarray (n, n) or None
-        What two parameters explain together beyond each alone: above the diagonal, else nan; None if not asked for.
+        Second-order indices: the share of an interaction of two parameters. Above the diagonal, else nan; None if not requested.
     deviation : float
         Standard deviation of the sample.
     """
@@ -210,16 +210,16 @@ class SobolIndices:
 
 @dataclass(frozen=True, eq=False)
 class MorrisIndices:
-    """Elementary effects: what a step over two thirds of the range does, divided by its length.
+    """Elementary effects: the effect of a step over two thirds of the range, divided by its length.
 
     Attributes
     ----------
     mu_star, mu_star_interval : ndarray (n,)
-        Mean of their magnitudes, and half the width of its 95 % confidence interval.
+        Mean magnitude of the effects, and half the width of its 95 % confidence interval.
     mu : ndarray (n,)
-        Their mean.
+        Mean of the effects.
     sigma : ndarray (n,)
-        Their standard deviation: large where the effect depends on the place, by a bend or an interaction.
+        Standard deviation of the effects: large if the effect is nonlinear or depends on other parameters.
     """
 
     mu_star: Array
@@ -233,16 +233,16 @@ def _problem(n: int) -> dict[str, Any]:
 
 
 def saltelli_points(n: int, base: int, second: bool = False, seed: int = 0) -> Array:
-    """Return the points of Saltelli's sampling in the unit cube: base (n + 2) of them, or base (2 n + 2) for second order.
+    """Return the points of Saltelli's sampling in the unit cube: base (n + 2) points, or base (2 n + 2) for second order.
 
     Parameters
     ----------
     n : int, >= 2
-        DesignVariable of parameters.
+        Number of parameters.
     base : int
-        A power of two, at which a Sobol sequence is balanced. The points of a smaller base are the first of those of a larger one.
+        A power of two, which balances a Sobol sequence. The points of a smaller base are the first points of a larger one.
     second : bool
-        Whether to sample for indices of pairs.
+        Whether to sample for second-order indices.
     seed : int
 
     References
@@ -255,11 +255,11 @@ def saltelli_points(n: int, base: int, second: bool = False, seed: int = 0) -> A
 
 
 def sobol_indices(values: Array, n: int, second: bool = False, seed: int = 0) -> SobolIndices:
-    """Return Sobol's indices of the values at `saltelli_points`, with bootstrap intervals.
+    """Return the Sobol indices of the values at `saltelli_points`, with bootstrap intervals.
 
     Notes
     -----
-    If the values do not vary, all indices are 0. An index may come out a little below 0: its interval then includes 0.
+    If the values do not vary, all indices are 0. An estimate may lie a little below 0; its interval then includes 0.
     """
     zero = np.zeros(n)
     if np.ptp(values) == 0.0:
@@ -267,7 +267,7 @@ def sobol_indices(values: Array, n: int, second: bool = False, seed: int = 0) ->
         return SobolIndices(zero, zero, zero, zero, pairs, pairs, 0.0)
     from SALib.analyze import sobol
 
-    # A generator, not a number: SALib takes the seed 0 for none, and its intervals would differ each time.
+    # A generator, because SALib treats the seed 0 as no seed: its intervals would differ each time.
     draw = np.random.default_rng(seed)
     found = sobol.analyze(_problem(n), values, calc_second_order=second, print_to_console=False, seed=draw, **ANALYSIS)
     arrays = {key: np.asarray(value, dtype=float) for key, value in found.items()}
@@ -276,7 +276,7 @@ def sobol_indices(values: Array, n: int, second: bool = False, seed: int = 0) ->
 
 
 def morris_points(n: int, trajectories: int, seed: int = 0) -> Array:
-    """Return the points of Morris' design in the unit cube: trajectories (n + 1) of them, on four levels.
+    """Return the points of Morris' design in the unit cube: trajectories (n + 1) points, on four levels.
 
     References
     ----------

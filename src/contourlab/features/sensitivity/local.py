@@ -1,4 +1,4 @@
-"""What a small change of each parameter does, alone and together with another: central differences whose steps are tested."""
+"""Effects of small changes of one and of two parameters, by central differences with tested step sizes."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from contourlab.features.sensitivity.runs import Judge
 from contourlab.findings import Finding, finding
 
 LARGEST, STEPS = 0.04, 5
-"""Largest step relative to the value, and how many are tried, each half of the one before."""
+"""Largest step relative to the value, and the number of steps tried; each is half the one before."""
 AGREE, AGREE_SHARE = 0.02, 0.05
-"""Two steps agree if their sensitivities differ by less than the first, plus the second times the sensitivity."""
+"""Two steps agree if their sensitivities differ by at most `AGREE` + `AGREE_SHARE` times the sensitivity."""
 NOTICED = 0.1
-"""Interactions below this are negligible, whatever their step."""
+"""Interactions below this are negligible for any step."""
 CORNER = 0.75
-"""At a corner the slopes on the two sides stay apart when the step is halved; on a smooth curve they come half as near."""
+"""Smallest ratio at a corner by which halving the step changes the difference of the two slopes: 0.5 on a smooth curve, 1 at a corner."""
 
 
 @dataclass(frozen=True)
@@ -34,13 +34,13 @@ class Slope:
     sensitivity : float
         Percent of the figure per percent of the parameter; nan if unknown. For a parameter at 0, per percent of its range.
     step : float
-        Of the central difference, relative to the parameter (or its range).
+        Step of the central difference, relative to the parameter (or its range).
     difference : float
-        By which the sensitivity differs with twice this step.
+        Difference to the sensitivity with twice this step.
     below, above : float
-        The sensitivity by the step below alone, and by the step above alone.
+        One-sided sensitivities, from the step below and from the step above.
     doubt : Finding or None
-        What speaks against the sensitivity.
+        Why the sensitivity is doubtful.
     """
 
     variable: DesignVariable
@@ -60,11 +60,11 @@ class Local:
     ----------
     slopes : tuple of Slope
     interactions : ndarray (n, n)
-        Second differences d2J/dp_j dp_k |p_j p_k|/J: off the diagonal by how much more the figure grows when both grow, than by each alone.
+        Second differences d2J/dp_j dp_k |p_j p_k|/J. Off the diagonal: the growth of the figure when both grow, beyond that of each alone.
     interaction_differences : ndarray (n, n)
-        By which they differ with half the step.
+        Difference to the interactions with half the step.
     interaction_steps : ndarray (n,)
-        Their steps, relative to each parameter.
+        Step of each parameter, relative to its value.
     """
 
     slopes: tuple[Slope, ...]
@@ -74,7 +74,7 @@ class Local:
 
     @property
     def doubtful(self) -> Flags:
-        """Which interactions (n, n) differ by half or more with half the step, and are not negligible."""
+        """Interactions (n, n) that are not negligible and change by half or more with half the step."""
         size = np.abs(self.interactions)
         return (self.interaction_differences >= 0.5 * size) & (size > NOTICED)
 
@@ -87,12 +87,12 @@ def local(space: Space, judge: Judge, limits: Mapping[str, tuple[float, float]] 
     space : Space
     judge : callable
     limits : mapping of str to (float, float) [SI]
-        What the components accept, whatever the bounds of the study; no limit by default.
+        Ranges that the components accept, independent of the bounds of the study; no limit by default.
 
     Notes
     -----
-    The step is chosen for each parameter: of steps of 4, 2, 1, 0.5 and 0.25 percent the two neighbours whose sensitivities agree best, and
-    of these the smaller. A larger step sees the curve bend, a smaller one the counts of an encoder.
+    The step is chosen for each parameter from 4, 2, 1, 0.5 and 0.25 percent: the smaller of the two neighbours whose sensitivities agree
+    best. A larger step suffers from curvature, a smaller one from encoder counts.
     """
     tops = np.array([_top(variable, (limits or {}).get(variable.name, (-math.inf, math.inf))) for variable in space.numbers])
     figure, ladder = _ladder(space, judge, tops)
@@ -102,12 +102,12 @@ def local(space: Space, judge: Judge, limits: Mapping[str, tuple[float, float]] 
 
 
 def _scale(variable: DesignVariable) -> float:
-    """Return what a step of 1 is [SI]: the value, or the range of a parameter at 0."""
+    """Return the size [SI] of a relative step of 1: the value, or the range of a parameter at 0."""
     return abs(variable.value) or variable.high - variable.low
 
 
 def _top(variable: DesignVariable, limits: tuple[float, float]) -> float:
-    """Return the largest relative step: less where the component accepts no more, 0 where it accepts none."""
+    """Return the largest relative step, reduced to what the component accepts; 0 if it accepts none."""
     room = min(variable.value - limits[0], limits[1] - variable.value) / _scale(variable)
     return min(LARGEST, room) if room > 1e-6 else 0.0
 
@@ -123,7 +123,7 @@ def _judged(space: Space, judge: Judge, moves: Sequence[Mapping[int, float]]) ->
 
 
 def _ladder(space: Space, judge: Judge, tops: Array) -> tuple[float, Array]:
-    """Return the present figure, and those (n_parameter, step, below and above) around it."""
+    """Return the present figure, and the figures around it (n_parameter, step, below and above)."""
     parts = 0.5 ** np.arange(STEPS)
     moves: list[dict[int, float]] = [{}]
     moves += [{j: sign * top * part} for j, top in enumerate(tops) for part in parts for sign in (-1.0, 1.0)]
@@ -153,7 +153,7 @@ def _slope(variable: DesignVariable, top: float, rows: Array, figure: float) -> 
 
 
 def _second(space: Space, judge: Judge, tops: Array, figure: float) -> tuple[Array, Array]:
-    """Return the matrix of second differences (n, n) for each of the two rows of steps."""
+    """Return the matrices of second differences (n, n), one for each of the two rows of steps."""
     n = len(space.numbers)
     moves: list[dict[int, float]] = []
     signs = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))

@@ -14,11 +14,11 @@ from contourlab.report.charts import Curve as Line
 from contourlab.report.style import MUTED, scheme_style
 
 MICRO = 1e6
-"""Of all figures."""
+"""Display scale of all figures."""
 
 
 def charts_of(study: Study) -> list[Multiples | Bars | Matrix]:
-    """Return a picture of each part of a study: curves, Morris' and Sobol's indices, interactions."""
+    """Return a chart for each part of a study: curves, Morris and Sobol indices, interactions."""
     figure, names = study.plan.judged, [variable.short for variable in study.space.numbers]
     charts: list[Multiples | Bars | Matrix] = []
     if study.curves is not None:
@@ -32,14 +32,14 @@ def charts_of(study: Study) -> list[Multiples | Bars | Matrix]:
 
 
 def curve_tile(curve: Curve) -> Tile:
-    """Return the small picture of one parameter, with its minimum and present value, failed runs shaded."""
+    """Return the small chart of one parameter, with its minimum and present value; failed runs are shaded."""
     variable, lowest = curve.variable, curve.minimum
     colour, dash = scheme_style(0, 1)
     x = np.array([variable.display_value(value) for value in curve.values])
     return Tile(
         variable.short,
         variable.display_unit or "value",
-        (Line(x, MICRO * curve.figures, "others at their present values", colour, dash),),
+        (Line(x, MICRO * curve.figures, "other parameters unchanged", colour, dash),),
         () if lowest is None else ((variable.display_value(lowest.value), MICRO * lowest.figure, scheme_style(0, 2)[0]),),
         ((variable.display_value(variable.value), MUTED),),
         tuple((variable.display_value(interval.low), variable.display_value(interval.high)) for interval in curve.failed),
@@ -52,7 +52,7 @@ def _indices(study: Study, names: list[str]) -> Iterator[Bars]:
     if study.sobol is not None:
         s = study.sobol
         shares = (("first order", s.first, s.first_interval), ("total", s.total, s.total_interval))
-        title = f"Sobol's indices of {'log10 of the' if logarithmic else 'the'} {figure.label}"
+        title = f"Sobol indices of {'log10 of the' if logarithmic else 'the'} {figure.label}"
         yield indices_chart("sobol", title, "share of the variance, with 95 % intervals", names, shares)
     if study.morris is not None:
         scale, unit = (1.0, "decades") if logarithmic else (MICRO, figure.unit)
@@ -63,7 +63,7 @@ def _indices(study: Study, names: list[str]) -> Iterator[Bars]:
 
 
 def indices_chart(key: str, title: str, x_label: str, names: Sequence[str], series: Sequence[tuple[str, Array, Array]]) -> Bars:
-    """Return bars of indices with their intervals, the largest of the last series first."""
+    """Return bars of indices with their intervals, sorted by the last series, largest first."""
     order = np.argsort(-series[-1][1], kind="stable")
     bars = tuple(Series(name, v[order], half[order], scheme_style(i, 2)[0]) for i, (name, v, half) in enumerate(series))
     return Bars(key, title, "", x_label, tuple(names[j] for j in order), bars)
@@ -73,5 +73,5 @@ def interactions_chart(title: str, names: Sequence[str], values: Array, doubtful
     """Return the matrix of interactions without its diagonal; doubtful ones get a question mark."""
     shown = values.copy()
     np.fill_diagonal(shown, np.nan)
-    label = "second difference relative to the figure" + ("; ? half off with half the step" if doubtful.any() else "")
+    label = "second difference relative to the figure" + ("; ?: changes by half or more with half the step" if doubtful.any() else "")
     return Matrix("interactions", title, "", label, tuple(names), shown, doubtful)

@@ -1,4 +1,4 @@
-"""Runs in chunks, each kept on disk when done, so that an interrupted study goes on where it stopped."""
+"""Runs in chunks, each stored on disk when done, so that an interrupted study continues where it stopped."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ Array: TypeAlias = Array
 Columns: TypeAlias = Mapping[str, Array]
 """Values [SI] by parameter name, each (n,)."""
 Model: TypeAlias = Callable[[Columns], Mapping[str, Array]]
-"""Figures of runs: `contourlab.design.Evaluator`, or anything that stands in for it."""
+"""Figures of runs: `contourlab.design.Evaluator` or a replacement."""
 Judge: TypeAlias = Callable[[Columns], Array]
 """One figure [SI] of runs, nan where a run failed."""
 CHUNK = 1024
-"""Runs that are made, and kept, together."""
+"""Runs that are simulated and stored together."""
 
 
 class Figure(NamedTuple):
-    """A figure of a run: its key in `contourlab.loop.BatchResult`, its name in print, and its display unit."""
+    """A figure of a run: its key in `contourlab.loop.BatchResult`, its printed name, and its display unit."""
 
     key: str
     label: str
@@ -43,16 +43,16 @@ class Kept(Checkpoint):
     """Figures of runs in a folder: a file for each chunk."""
 
     def file(self, columns: Columns) -> Path:
-        """Return the file of a chunk, named by the names and values of its columns."""
+        """Return the file of a chunk; its name is a digest of the names and values of the columns."""
         rows = {name: np.ascontiguousarray(values, dtype="<f8") for name, values in columns.items()}
         return self.path(*(f"\n{name}\n".encode() + values.tobytes() for name, values in rows.items()))
 
     def read(self, columns: Columns) -> dict[str, Array] | None:
-        """Return the figures of a chunk if they are kept."""
+        """Return the stored figures of a chunk; None if there are none."""
         return self.load(self.file(columns))
 
     def write(self, columns: Columns, figures: Mapping[str, Array]) -> Path:
-        """Keep the figures of a chunk; return its file."""
+        """Store the figures of a chunk; return its file."""
         file = self.file(columns)
         self.store(file, {key: figures[key] for key in KEYS})
         return file
@@ -66,11 +66,11 @@ class Runs:
     ----------
     model : callable
     kept : Kept, optional
-        Where chunks are kept and looked for; nowhere by default.
+        Store of chunks; none by default.
     progress : callable, optional
-        Called with the runs done and the runs in all, of each call.
+        Called with the runs done and in all, for each call.
     made, reused : int
-        Runs made, and runs kept from an earlier study.
+        Number of new runs, and of runs reused from an earlier study.
     """
 
     model: Model
@@ -81,7 +81,7 @@ class Runs:
     _seen: set[Path] = field(default_factory=set, init=False, repr=False)
 
     def judge(self, key: str) -> Judge:
-        """Return the function that gives one figure of runs, by its key."""
+        """Return the function that computes one figure of runs, by its key."""
         return lambda columns: self(columns)[key]
 
     def __call__(self, columns: Columns) -> dict[str, Array]:
@@ -101,7 +101,7 @@ class Runs:
         figures = None if self.kept is None else self.kept.read(columns)
         if figures is not None and self.kept is not None:
             file = self.kept.file(columns)
-            # Several parts ask for the run with the present values: it counts once.
+            # Several parts of a study need the run with the present values: count it once.
             self.reused += n * (file not in self._seen)
             self._seen.add(file)
             return figures

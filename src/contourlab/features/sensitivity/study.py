@@ -1,4 +1,4 @@
-"""The study: curves, small changes and global indices of one machine under one controller along one motion."""
+"""The study: curves, small changes and global indices for one machine, one controller and one motion."""
 
 from __future__ import annotations
 
@@ -33,26 +33,26 @@ TRANSFORMS = ("log", "none")
 
 @dataclass(frozen=True)
 class Plan:
-    """What to study.
+    """Settings of a study.
 
     Attributes
     ----------
     parts : sequence of str
-        Of `PARTS`.
+        From `PARTS`.
     figure : str
         One of `FIGURES`.
     values : int, >= 5
-        Of each curve.
+        Number of values of each curve.
     base : int
-        N of Saltelli's sampling, a power of two from 16.
+        N of Saltelli's sampling, a power of two, >= 16.
     second : bool
-        Whether Sobol's indices of pairs are wanted.
+        Whether to compute second-order Sobol indices.
     trajectories : int, >= 4
-        Of Morris' design.
+        Number of trajectories of Morris' design.
     transform : str
-        One of `TRANSFORMS`, of the figure for global indices: its decimal logarithm, or itself.
+        One of `TRANSFORMS`: whether global indices use the decimal logarithm of the figure, or the figure itself.
     seed : int, >= 0
-        Of both samplings.
+        Seed of both samplings.
     """
 
     parts: Sequence[str] = PARTS
@@ -67,9 +67,9 @@ class Plan:
     def __post_init__(self) -> None:
         for part in self.parts:
             if part not in PARTS:
-                raise ParameterError("--parts", repr(part), f"of {', '.join(PARTS)}")
+                raise ParameterError("--parts", repr(part), f"one of {', '.join(PARTS)}")
         if not self.parts:
-            raise ParameterError("--parts", "none", f"one of {', '.join(PARTS)} or more")
+            raise ParameterError("--parts", "none", f"at least one of {', '.join(PARTS)}")
         if self.figure not in FIGURES:
             raise ParameterError("--figure", repr(self.figure), f"one of {', '.join(FIGURES)}")
         if self.transform not in TRANSFORMS:
@@ -79,12 +79,12 @@ class Plan:
                 raise ParameterError(f"--{name}", f"{getattr(self, name)}", f"{least} or more")
         if "sobol" in self.parts and (self.base < 16 or self.base & (self.base - 1)):
             near = [2**k for k in range(4, 25) if 2**k <= max(2 * self.base, 16)][-2:]
-            raise ParameterError("--base", f"{self.base}", f"a power of two from 16, such as {' or '.join(map(str, near))}")
+            raise ParameterError("--base", f"{self.base}", f"a power of two, 16 or more, such as {' or '.join(map(str, near))}")
 
     def check(self, n: int) -> None:
-        """Raise `ParameterError` if the study cannot be made with so many parameters."""
+        """Raise `ParameterError` if the study is not possible with `n` parameters."""
         if "sobol" in self.parts and n < 2:
-            raise ParameterError("--parameter", f"{n}", "two or more for shares of a variance; of one, take --parts curves,local")
+            raise ParameterError("--parameter", f"{n}", "two or more for Sobol indices; with one, use --parts curves,local")
 
     @property
     def judged(self) -> Figure:
@@ -94,14 +94,14 @@ class Plan:
 
 @dataclass(frozen=True, eq=False)
 class Study:
-    """Results; None for a part that was not asked for.
+    """Results; None for a part that was not requested.
 
     Attributes
     ----------
     plan : Plan
     space : Space
     distributions : tuple of Distribution
-        Of the parameters, in the order of the space.
+        Distributions of the parameters, in the order of the space.
     present : float [SI]
         The figure with all parameters at their present values.
     curves : tuple of Curve or None
@@ -132,7 +132,7 @@ def sensitivity_study(
     limits: dict[str, tuple[float, float]] | None = None,
     stage: Callable[[str], None] = lambda name: None,
 ) -> Study:
-    """Make the study.
+    """Run the study.
 
     Parameters
     ----------
@@ -140,11 +140,11 @@ def sensitivity_study(
     runs : Runs
     plan : Plan
     drawn : sequence of Distribution
-        Of each parameter, for the global indices.
+        Distribution of each parameter, for the global indices.
     level : float [SI]
-        The figure of a run that is at the limit of its following error all the time.
+        Figure of a run whose following error is always at its limit.
     limits : dict of str to (float, float) [SI], optional
-        What the components accept.
+        Ranges that the components accept.
     stage : callable
         Called with the name of each stage.
 
@@ -163,7 +163,7 @@ def sensitivity_study(
     stage("present values")
     present = float(judge(present_values(space))[0])
     if math.isnan(present):
-        raise ParameterError("the run at the present values", "fails", "one that holds: start from other values")
+        raise ParameterError("run at the present values", "failed", "successful: start from other values")
     parts: dict[str, object] = {}
     if "curves" in plan.parts:
         stage("curves, one parameter at a time")
@@ -184,7 +184,7 @@ def sensitivity_study(
 
 
 def holds(space: Space, runs: Runs) -> bool:
-    """Tell whether the run with all parameters at their present values ends well."""
+    """Return whether the run with all parameters at their present values succeeds."""
     return all(bool(np.isfinite(values[0])) for values in runs(present_values(space)).values())
 
 

@@ -15,7 +15,7 @@ from contourlab.figures import figure
 from contourlab.report.table import Column, Table
 
 FEW = 24
-"""A matrix of more parameters than this is left to JSON and the picture."""
+"""Largest number of parameters of a printed matrix; a larger one is in JSON and the picture only."""
 MOST_PAIRS = 8
 ESTIMATE = ("+- (95 %)",)
 
@@ -40,7 +40,7 @@ def _curves(study: Study) -> Iterator[Table]:
     unit = study.plan.judged.unit
     title = f"One parameter at a time, {study.plan.values} values each, the others at their present values:"
     flat = f"changes by less than {100.0 * CHANGE:.0f} %"
-    heads = ("present", "from", "to", "unit", "minimum at", "+-", "figure there", "bound", flat, "runs fail")
+    heads = ("present", "from", "to", "unit", "minimum at", "+-", "figure at minimum", "bound", flat, "runs fail")
     table = _table(title, heads, left=("unit", "bound", flat, "runs fail"))
     for curve in study.curves:
         variable, lowest = curve.variable, curve.minimum
@@ -67,7 +67,7 @@ def _range(variable: DesignVariable, interval: Interval) -> str:
 def _local(study: Study) -> Iterator[Table]:
     if study.local is None:
         return
-    heads = ("sensitivity [%/%]", "step", "differs with twice the step", "below", "above", "doubt")
+    heads = ("sensitivity [%/%]", "step", "change with twice the step", "below", "above", "doubt")
     table = _table("Small changes: percent of the figure per percent of the parameter:", heads, left=("doubt",))
     for slope in study.local.slopes:
         slopes = (figure(value) for value in (slope.difference, slope.below, slope.above))
@@ -81,7 +81,7 @@ def _interactions(study: Study) -> Iterator[Table]:
         return
     matrix, doubtful = study.local.interactions, study.local.doubtful
     step = figure(float(study.local.interaction_steps.max()), "%", 2)
-    title = f"Interactions: second differences relative to the figure (step {step}); ? differs by half or more with half the step:"
+    title = f"Interactions: second differences relative to the figure (step {step}); ?: changes by half or more with half the step:"
     table = _table(title, [str(j + 1) for j in range(len(matrix))])
     for j, (variable, values) in enumerate(zip(study.space.numbers, matrix, strict=True)):
         cells = (figure(value, digits=2) + "?" * int(doubtful[j, k]) for k, value in enumerate(values))
@@ -91,7 +91,7 @@ def _interactions(study: Study) -> Iterator[Table]:
 
 def _sampled(sample: Sample | None) -> str:
     assert sample is not None
-    return f"of the {'logarithm' if sample.logarithmic else 'figure'}, {sample.runs} runs, {sample.failed} failed"
+    return f"of the {'logarithm of the figure' if sample.logarithmic else 'figure'}; {sample.runs} runs, {sample.failed} failed"
 
 
 def _distribution(one: Distribution) -> str:
@@ -115,7 +115,7 @@ def _morris(study: Study) -> Iterator[Table]:
         return
     indices, plan = study.morris, study.plan
     scale, unit = (1.0, "decades") if plan.transform == "log" else (1e6, plan.judged.unit)
-    title = f"Elementary effects (Morris) over each whole range [{unit}], {_sampled(study.morris_sample)}:"
+    title = f"Elementary effects (Morris) over the whole range [{unit}] {_sampled(study.morris_sample)}:"
     columns = [scale * values for values in (indices.mu_star, indices.mu_star_interval, indices.mu, indices.sigma)]
     yield _estimates(study, title, ("mu*", *ESTIMATE, "mu", "sigma"), columns, indices.mu_star)
 
@@ -128,7 +128,7 @@ def _sobol(study: Study) -> Iterator[Table]:
     columns = (indices.first, indices.first_interval, indices.total, indices.total_interval)
     yield _estimates(study, title, ("first", *ESTIMATE, "total", *ESTIMATE), columns, indices.total)
     if indices.second is not None and indices.second_interval is not None:
-        table = Table([Column("pair", left=True), Column("share beyond each alone"), *map(Column, ESTIMATE)])
+        table = Table([Column("pair", left=True), Column("share of the interaction"), *map(Column, ESTIMATE)])
         pairs = sorted(np.argwhere(np.isfinite(indices.second)).tolist(), key=lambda pair: -indices.second[tuple(pair)])  # type: ignore[index]
         for j, k in pairs[:MOST_PAIRS]:
             table.add(f"{names[j]} with {names[k]}", figure(indices.second[j, k]), figure(indices.second_interval[j, k]))

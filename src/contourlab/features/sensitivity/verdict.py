@@ -1,4 +1,4 @@
-"""Conclusions of a study: which parameters matter, which do not, which act together, what to calibrate first."""
+"""Conclusions of a study: which parameters matter, which do not, which interact, and what to calibrate first."""
 
 from __future__ import annotations
 
@@ -18,22 +18,22 @@ LOCAL = "local sensitivity"
 SMALL = 0.05
 """Share of the variance, or of the largest effect, below which a parameter does not matter."""
 WIDE = 0.1
-"""Half an interval wider than this leaves the order of parameters open."""
+"""If half an interval is wider than this, the order of parameters is uncertain."""
 TOGETHER = 0.1
-"""Share of the variance, and relative second difference, from which two parameters act together."""
+"""Share of the variance, and relative second difference, above which two parameters interact."""
 WORTHWHILE = 0.05
-"""A parameter is worth calibrating if its minimum lies below the present figure by this share."""
+"""A parameter is worth calibrating if its minimum lies below the present figure by more than this share."""
 MOST_PAIRS, MOST_FIRST = 4, 3
 
 
 @dataclass(frozen=True)
 class Ranking:
-    """Parameters in three groups, each with its strength, from the largest to the smallest.
+    """Parameters in three groups, each with its strength, largest first.
 
     Attributes
     ----------
     measure : str
-        By which they are ranked.
+        The measure of strength.
     matter, undecided, negligible : dict of str to float
         Short names and strengths; undecided where the interval includes the threshold.
     """
@@ -45,7 +45,7 @@ class Ranking:
 
 
 def ranking(study: Study) -> Ranking:
-    """Rank by the best measure there is: Sobol's total indices, Morris' mu*, local sensitivities, or the change over the curves."""
+    """Rank by the best measure available: total Sobol indices, Morris' mu*, local sensitivities, or the change over the curves."""
     if study.sobol is not None:
         return _ranking(study, "total index", study.sobol.total, study.sobol.total_interval, SMALL)
     if study.morris is not None:
@@ -107,7 +107,7 @@ def _interactions(study: Study) -> Iterator[Finding]:
 
 
 def _shared(study: Study, names: list[str]) -> Iterator[Finding]:
-    """Yield which parameters explain more of the variance together than alone."""
+    """Yield the parameters that explain more of the variance together than alone."""
     sobol = study.sobol
     if sobol is None:
         return

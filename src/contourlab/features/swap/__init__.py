@@ -1,1 +1,1 @@
-"""Does the controller still hold when an axis is swapped, and which gains must move with the axis?"""
+"""Swapped axes: whether one controller holds, and which gains must move with the axis."""

@@ -17,9 +17,8 @@ from contourlab.design.guards import Bounds
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.link.command import USUAL_LONGEST, LinkOptions, LinkSettings, positive_quantity, read_options
 from contourlab.features.run.command import RunOutcome, check_plots, file_names
-from contourlab.features.swap.coverage import coverage
+from contourlab.features.swap.beyond import NetworkCost, coverage, least_division, network_cost
 from contourlab.features.swap.linear import METHODS, linear_swap
-from contourlab.features.swap.network import NetworkCost, least_division, network_cost
 from contourlab.features.swap.pictures import matrices, write_matrices
 from contourlab.features.swap.result import swap_result, text_of
 from contourlab.features.swap.search import SwapSettings
@@ -34,7 +33,7 @@ if TYPE_CHECKING:
     from contourlab.scenario import Case
 
 SEARCHES = "searches"
-"""Folder of the checkpoint, in that of the results."""
+"""Folder of the checkpoint, inside the folder of the results."""
 PLACES = 8
 """Points of a region at which J* is searched."""
 
@@ -46,25 +45,25 @@ class SwapOptions:
     Attributes
     ----------
     objective, floor
-        What is minimised, and J_tol with its unit; by default that of `contourlab.features.swap.variants.OBJECTIVES`.
+        What to minimise, and J_tol with its unit; default J_tol: see `contourlab.features.swap.variants.OBJECTIVES`.
     parameters, width
-        As of `contourlab.design.Space.chosen`.
+        See `contourlab.design.Space.chosen`.
     local : sequence of str
-        Sets of local parameters, names with commas between, to look at in place of searching for one.
+        Sets of local parameters to test instead of searching for one; names separated by commas.
     gain_margin, phase_margin
         In dB and degrees.
     region : sequence of str
         Parameters of the machine with bounds.
     tolerance : str, optional
-        J that is good enough in the region.
+        Largest acceptable J in the region.
     places : int, optional
         Points of the region at which J* is searched, by default `PLACES`.
     origins : sequence of str
-        As of `contourlab.features.swap.warm_start.warm_starts`.
+        See `contourlab.features.swap.warm_start.warm_starts`.
     linear : sequence of str
-        Methods of linear design, of `contourlab.features.swap.linear.METHODS`.
+        Linear design methods from `contourlab.features.swap.linear.METHODS`.
     network : LinkOptions
-        The network between base and axes. Without a division: the one with the least in the axis that has all local parameters there.
+        The network between base and axes. Default division: the smallest that puts all local parameters into the axis.
         Its quantities, axes, figure and tolerance are not used.
     """
 
@@ -105,28 +104,29 @@ def swap_scenario(
     file : str or Path
         A scenario.
     swaps : sequence of (str, sequence of str)
-        Axis, and the files of the modules that may take its place.
+        Axis, and the files of the modules that may replace it.
     out : str or Path
-        Folder of ``swap.json``, controllers and picture. Finished searches are kept in its folder ``searches``: after an interrupt the
-        same study continues.
+        Folder of ``swap.json``, controllers and picture. Its folder ``searches`` keeps finished searches: an interrupted study
+        continues from there.
     options : SwapOptions
     scheme : str, optional
-        Of the scenario; by default its base.
+        Scheme of the scenario; by default its base.
     plots : sequence of str
         Formats of the picture.
     progress : bool
+        Whether to show progress.
 
     Raises
     ------
     ScenarioError, ParameterError
-        If a file or an option is wrong; before anything runs.
+        If a file or an option is wrong; raised before anything runs.
     """
     check_plots(plots)
     ready, network = _prepared(file, swaps, options, scheme), read_options(options.network)
     variants, settings = ready.variants, ready.settings
     period = variants.members[0].machine.servo_period
     if network.longest < period:
-        raise ParameterError("--longest", options.network.longest or USUAL_LONGEST, f"the servo period, {period * 1e3:g} ms, or longer")
+        raise ParameterError("--longest", options.network.longest or USUAL_LONGEST, f"at least the servo period, {period * 1e3:g} ms")
     searches = Path(out) / SEARCHES
     with resumable(searches, "searches"), shown(progress) as stages, staged(out, "swap.json", inputs=ready.inputs) as folder:
         checkpoint = Checkpoint(searches, _identity(ready))
@@ -152,7 +152,7 @@ def swap_scenario(
 
 
 def _stage(stages: Stages, variants: Variants) -> Callable[[str, int], None]:
-    """Return what shows the search that runs, and how far it is."""
+    """Return a callback that begins a stage and shows the progress of its search."""
     before, most = 0, 0
 
     def begin(name: str, runs: int) -> None:
@@ -165,7 +165,7 @@ def _stage(stages: Stages, variants: Variants) -> Callable[[str, int], None]:
 
 
 def _networks(study: SwapStudy, options: LinkOptions, settings: LinkSettings, stages: Stages) -> tuple[NetworkCost, ...]:
-    """Return what a network costs the recommended design, or the shared one if there is none and it keeps the guards."""
+    """Return the network cost of the recommended design, or of the shared one if none is recommended; empty if it breaks a guard."""
     choice = study.recommended or study.base
     if not choice.holds:
         return ()
@@ -184,39 +184,39 @@ def _networks(study: SwapStudy, options: LinkOptions, settings: LinkSettings, st
 
 
 def write_results(study: SwapStudy, folder: Path, out: Path, plots: Sequence[str]) -> list[str]:
-    """Write picture and controllers into a folder that takes the place of `out`; return where they are."""
+    """Write picture and controllers into a folder that will replace `out`; return lines that list the files."""
     from contourlab.scenario.dump import dump
 
     variants, best, base = study.variants, study.recommended, study.base
     lines = []
     if plots:
-        write_matrices(matrices(study), study.settings.full, "What a swap loses", folder / "plots", plots)
+        write_matrices(matrices(study), study.settings.full, "Loss at a swap", folder / "plots", plots)
         lines += [f"picture: {out / 'plots' / f'swap.{name}'}" for name in plots]
     (folder / "controllers").mkdir()
     files = file_names(variants.names)
 
     def write(name: str, i: int, controller: Controller, title: str) -> None:
-        head = f"# {title}; J and the guards hold on the motion of the study.\n\n"
+        head = f"# {title}; J and the guards apply to the motion of the study.\n\n"
         write_text_atomic(folder / "controllers" / f"{name}.toml", head + dump(controller, variants.members[i].machine))
 
     for i, name in enumerate(variants.names):
         write(f"own-{files[name]}", i, variants.controller_at(variants.best_points[i]), f"Best of {name} alone")
         if best is not None:
-            write(files[name], i, variants.controller_at(best.points[i], best.local), f"For {name}. `local` moves with the axis")
+            write(files[name], i, variants.controller_at(best.points[i], best.local), f"For {name}. `local` parameters move with the axis")
             lines.append(f"controller for {name}: {out / 'controllers' / f'{files[name]}.toml'}")
-    others = [f"the best of each variant alone: {out / 'controllers' / 'own-*.toml'}"]
+    others = [f"the best controller of each variant alone: {out / 'controllers' / 'own-*.toml'}"]
     if base.holds:
         write("shared", 0, variants.controller_at(base.points[0]), f"Shared by {'; '.join(variants.names)}, nothing local")
         others.append(f"the shared design, nothing local: {out / 'controllers' / 'shared.toml'}")
     return ["\n".join([*lines, *others])]
 
 
-# --- what is checked before anything runs ------------------------------------------------------------------------------------------------
+# --- checks before anything runs ---------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
 class _Prepared:
-    """A study ready to run, and the region of its coverage."""
+    """A study ready to run, with the region of its coverage."""
 
     variants: Variants
     candidates: tuple[str, ...]
@@ -229,7 +229,7 @@ class _Prepared:
 
 
 def _identity(ready: _Prepared) -> str:
-    """Return all that decides the searches."""
+    """Return a text of everything that determines the searches."""
     variants, settings = ready.variants, ready.settings
     machines = [variant.machine for variant in variants]
     given = {"seed": variants.seed, "moving": variants.moving}
@@ -282,14 +282,14 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
 
 
 def _may_move(controller: Controller, name: str) -> bool:
-    """Tell whether a parameter may be local: links of the scenario itself leave some in the base."""
+    """Return whether a parameter may be local: the scenario's own links may leave its part in the base."""
     _, _, axis, slot, *_ = name.split(".")
     link = controller.axes[axis].link
     return link is None or link.is_local(slot)
 
 
 def _check(options: SwapOptions) -> None:
-    """Refuse options that are out of range, or have no effect."""
+    """Refuse options that are out of range or have no effect."""
     places = options.places
     faults = [
         (options.budget < 100, "--budget", options.budget, "100 or more candidates a search"),
@@ -297,9 +297,9 @@ def _check(options: SwapOptions) -> None:
         (options.threads is not None and options.threads < 1, "--threads", options.threads, "1 or more"),
         (places is not None and (places < 1 or places & (places - 1)), "--places", places, "a power of 2"),
         (options.objective not in OBJECTIVES, "--objective", repr(options.objective), "one of " + ", ".join(OBJECTIVES)),
-        (options.exhaustive and options.local, "--exhaustive", "given beside --local", "one of the two: all sets, or those that are named"),
-        (options.tolerance and not options.region, "--tolerance", options.tolerance, "given with --region: it is the J good enough there"),
-        (places is not None and not options.region, "--places", places, "given with --region: they are points of it"),
+        (options.exhaustive and options.local, "--exhaustive", "given with --local", "left out: it tries all sets, --local only a few"),
+        (options.tolerance and not options.region, "--tolerance", options.tolerance, "given with --region: it limits J there"),
+        (places is not None and not options.region, "--places", places, "given with --region: it counts points there"),
         (places is not None and options.tolerance, "--places", places, "left out with --tolerance, which needs no J*"),
         *((method not in METHODS, "--linear", repr(method), "one of " + ", ".join(METHODS)) for method in options.linear),
     ]
@@ -311,7 +311,7 @@ def _check(options: SwapOptions) -> None:
 def _modules(
     machine: Machine, swaps: Sequence[tuple[str, Sequence[str]]], plugins: Sequence[str | Path]
 ) -> tuple[dict[str, list[tuple[str, Axis]]], list[Finding]]:
-    """Load the modules of each axis with their names, and report what their files leave out."""
+    """Load the modules of each axis by name, and report what their files leave out."""
     from contourlab.scenario.load import load_module
 
     modules: dict[str, list[tuple[str, Axis]]] = {}
@@ -319,11 +319,11 @@ def _modules(
     for name, others in swaps:
         for file in others:
             if not file.strip():
-                raise ParameterError("--with", repr(file), "names of axis files, with commas between")
+                raise ParameterError("--with", repr(file), "names of axis files, separated by commas")
             try:
                 module, left_out = load_module(file, machine.axis(name), plugins)
             except ScenarioError as error:
-                error.add_note(f"In the axis that is to take the place of {name}.")
+                error.add_note(f"This file is a module for axis {name}.")
                 raise
             called = Path(file.rpartition(":")[2]).stem
             modules.setdefault(name, []).append((called, module))
@@ -333,7 +333,7 @@ def _modules(
 
 
 def _local_sets(variants: Variants, candidates: Sequence[str], texts: Sequence[str]) -> tuple[frozenset[str], ...] | None:
-    """Return the sets of local parameters that were asked for."""
+    """Return the requested sets of local parameters; None without a request."""
     short = {number.name: number.short for number in variants.space.numbers if number.name in candidates}
     sets = []
     for text in texts:
@@ -341,7 +341,7 @@ def _local_sets(variants: Variants, candidates: Sequence[str], texts: Sequence[s
         for word in (word.strip() for word in text.split(",")):
             fits = [name for name, called in short.items() if word and (word in (name, called) or called.endswith(f".{word}"))]
             if not fits:
-                raise ParameterError("--local", repr(word), "a number of a swapped axis: " + ", ".join(short.values()))
+                raise ParameterError("--local", repr(word), "a parameter of a swapped axis: " + ", ".join(short.values()))
             chosen.update(fits)
         sets.append(frozenset(chosen))
     return tuple(sets) or None

@@ -1,4 +1,4 @@
-"""Linear designs of a swap: each module as a/(s (s + b)), with and without the observer, and what base gains lose on it."""
+"""Linear designs of a swap: each module modelled as a/(s (s + b)), with and without the observer, and the loss of base gains on it."""
 
 from __future__ import annotations
 
@@ -27,19 +27,19 @@ from contourlab.loop import Controller
 
 METHODS = ("direct", "three-step", "lmi")
 SEEN = 5e-4
-"""Difference of the sum of J/J* that is visible in print."""
+"""Smallest difference of the sum of J/J* that shows in print."""
 SLOWEST, FASTEST = 2.0, 60.0
-"""Frequencies [rad/s] between which a module is fitted by a/(s (s + b))."""
+"""Frequency range [rad/s] of the fit of a/(s (s + b)) to a module."""
 
 
 @dataclass(frozen=True, eq=False)
 class LinearSwap:
-    """What linear base and local gains lose.
+    """The loss of linear base and local gains.
 
     Attributes
     ----------
     axis : str
-        The axis that is swapped.
+        The swapped axis.
     case : str
         ``"raw drive"`` or ``"behind the observer"``.
     modules : tuple of str
@@ -70,7 +70,7 @@ class LinearSwap:
 
     @property
     def not_optimal(self) -> tuple[tuple[ModularDesign, ModularDesign], ...]:
-        """Designs that lose more than one of the same method with fewer local gains, which they contain; each with that one."""
+        """Pairs (design, better one): same method, the better one has a subset of its local gains and a smaller loss."""
         found = []
         for design in self.designs:
             fewer = [one for one in self.designs if one.method == design.method and set(one.local) < set(design.local)]
@@ -88,11 +88,11 @@ def first_order(variant: Variant, controller: Controller, name: str, observer: b
     ComponentError
         If the axis has no linear model.
     ParameterError
-        If its response does not resemble a/(s (s + b)).
+        If the fit gives a gain a that is not positive.
 
     Notes
     -----
-    Least squares of the inverse of the velocity response, (s + b)/a = 1/V, weighted by |V| so that relative errors count.
+    Least squares on the inverse of the velocity response, (s + b)/a = 1/V, weighted by |V| so that errors are relative.
     """
     machine, mine = variant.machine, controller.axes[name]
     part = mine if observer else replace(mine, observer=None)
@@ -103,24 +103,24 @@ def first_order(variant: Variant, controller: Controller, name: str, observer: b
     matrix = np.stack([s, np.ones_like(s)], axis=1) * response[:, None]
     inverse, slope = np.linalg.lstsq(np.vstack([matrix.real, matrix.imag]), np.append(np.ones(w.size), np.zeros(w.size)), rcond=None)[0]
     if not inverse > 0.0:
-        raise ParameterError(name, "a response without mass", "one like a/(s (s + b)) for a linear design")
+        raise ParameterError(name, "a response without mass", "close to a/(s (s + b)) for a linear design")
     return LinearAxis(1e3 / inverse, slope / inverse)
 
 
 def linear_swap(
     variants: Sequence[Variant], controller: Controller, name: str, methods: Sequence[str] = METHODS, weights: LqWeights | None = None
 ) -> tuple[LinearSwap, ...]:
-    """Return what linear designs lose when an axis is swapped: as raw drive, and behind the observer if there is one.
+    """Return the loss of linear designs at a swap of one axis: as raw drive, and behind the observer if there is one.
 
     Parameters
     ----------
     variants : sequence of Variant
     controller : Controller
-        Has the observer.
+        Contains the observer.
     name : str
         The axis.
     methods : sequence of str
-        Of `METHODS`.
+        From `METHODS`.
     weights : LqWeights, optional
     """
     weights = weights or LqWeights()

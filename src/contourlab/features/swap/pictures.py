@@ -1,4 +1,4 @@
-"""The picture of a swap, two matrices: what each variant loses with each choice of local parameters, and with the designs of the others."""
+"""The picture of a swap, two matrices: the loss of each variant for each choice of local parameters, and with the designs of others."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 ROW_WIDTH = 44
-"""Characters of a line of a row's name."""
+"""Line width of row names [characters]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +35,7 @@ class LossMatrix:
         Not finite where a guard is broken.
     texts : tuple of tuple of str
     uncertain : ndarray (n_row, n_column) of bool
-        Losses below the limit against a J* that may be lower: hatched instead of coloured.
+        Losses below the limit whose J* may be lower: hatched instead of coloured.
     """
 
     title: str
@@ -51,11 +51,11 @@ def matrices(study: SwapStudy) -> list[LossMatrix]:
     best: dict[int, Choice] = {}
     for choice in sorted(study.choices, key=lambda choice: (len(choice.local), choice.swap_loss)):
         best.setdefault(len(choice.local), choice)
-    rows = tuple("\n".join(wrap(choice.name if choice.local else "nothing", ROW_WIDTH)) for choice in best.values())
-    others = (*(f"for {name}" for name in study.variants.names), "the scenario's own")
+    rows = tuple("\n".join(wrap(choice.name if choice.local else "nothing local", ROW_WIDTH)) for choice in best.values())
+    others = (*(f"best for {name}" for name in study.variants.names), "design of the scenario")
     return [
-        _loss_matrix(study, "local parameters, and the loss of each variant", rows, np.array([choice.values for choice in best.values()])),
-        _loss_matrix(study, "best design of one variant, run on the other", others, np.vstack([study.crossed, study.given.values])),
+        _loss_matrix(study, "loss of each variant, by local parameters", rows, np.array([choice.values for choice in best.values()])),
+        _loss_matrix(study, "best design of each variant, run on every variant", others, np.vstack([study.crossed, study.given.values])),
     ]
 
 
@@ -76,17 +76,17 @@ def _loss_matrix(study: SwapStudy, title: str, rows: tuple[str, ...], values: Ar
 def write_matrices(
     matrices: Sequence[LossMatrix], limit: float, title: str, folder: str | Path, formats: Sequence[str]
 ) -> tuple[Path, ...]:
-    """Write matrices, one under the other, as the picture ``swap``.
+    """Write matrices, one below the other, as the picture ``swap``.
 
     Parameters
     ----------
     matrices : sequence of LossMatrix
     limit : float
-        Loss of full modularity: cells up to it are green.
+        Loss limit of full modularity: cells up to it are green.
     title : str
     folder : str or Path
     formats : sequence of str
-        Of ``"png"``, ``"svg"``, ``"pdf"``.
+        From ``"png"``, ``"svg"``, ``"pdf"``.
 
     Raises
     ------
@@ -104,14 +104,14 @@ def drawing(matrices: Sequence[LossMatrix], limit: float, title: str) -> Any:
     """Draw matrices into one figure."""
     from matplotlib.figure import Figure
 
-    # Inches: rows by the lines of their names, columns by the text of a cell.
+    # In inches: row height from the lines of its name, column width from the text of a cell.
     heights = [0.75 + max(0.27, 0.14 * max(name.count("\n") + 1 for name in matrix.rows)) * len(matrix.rows) for matrix in matrices]
     names = 0.065 * max(len(line) for matrix in matrices for name in matrix.rows for line in name.split("\n"))
     cells = max(3.8, 1.6 * max(len(matrix.columns) for matrix in matrices))
     page = Figure(figsize=(max(7.2, names + cells + 0.9), 0.9 + sum(heights)), layout="constrained")
     page.suptitle(title, fontsize=9.5, fontweight="bold")
     if any(matrix.uncertain.any() for matrix in matrices):
-        page.supxlabel("hatched: inconclusive, as J* may be lower and the loss larger", fontsize=7.5, color=MUTED)
+        page.supxlabel("hatched: inconclusive; J* may be lower, and then the loss is larger", fontsize=7.5, color=MUTED)
     places = page.subplots(len(matrices), 1, squeeze=False, height_ratios=heights)[:, 0]
     for place, matrix in zip(places, matrices, strict=True):
         shown = _draw(place, matrix, limit)

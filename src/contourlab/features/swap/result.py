@@ -11,9 +11,8 @@ from contourlab.arrays import Array
 from contourlab.design import DesignVariable
 from contourlab.design.guards import Bounds
 from contourlab.features.run.margin_words import decibel, degrees
-from contourlab.features.swap.coverage import Coverage
+from contourlab.features.swap.beyond import Coverage, NetworkCost
 from contourlab.features.swap.linear import LinearSwap
-from contourlab.features.swap.network import NetworkCost
 from contourlab.features.swap.search import Optimum, SwapSettings
 from contourlab.features.swap.study import Choice, SwapStudy
 from contourlab.features.swap.variants import Variants
@@ -24,20 +23,20 @@ from contourlab.report.table import Column, Table, paragraphs
 
 @dataclass(frozen=True, eq=False)
 class VariantResult:
-    """What was found for one variant, in SI.
+    """The result for one variant, in SI.
 
     Attributes
     ----------
     best : float
         J*.
     alone : Optimum
-        What the searches for this variant alone reached.
+        Result of the searches for this variant alone.
     parameters : dict
-        The design of J*.
+        The design that reached J*.
     margins : dict of str to Margins
-        Exact margins of the recommended design, or of the shared one if there is none; without axes that have no linear model.
+        Exact margins of the recommended design, or of the shared one if none is recommended; omits axes without a linear model.
     broken : tuple of str
-        Guards that this design breaks, by the exact analysis.
+        Guards that this design breaks in the exact analysis.
     """
 
     best: float
@@ -51,8 +50,8 @@ class VariantResult:
 class SwapResult:
     """The result of the command, in SI; its fields are the keys of ``swap.json``.
 
-    `local` is None if no choice of local parameters is modular, `swap_loss` is that of the shared design. `designs_on_variants` has J of
-    the best design of each variant (rows) on each variant (columns).
+    `local` is None if no choice of local parameters is modular. `swap_loss` is the loss of the shared design. `designs_on_variants` holds
+    J of the best design of each variant (rows) on each variant (columns).
     """
 
     passed: bool
@@ -87,13 +86,13 @@ def swap_result(
     warm_starts: tuple[str, ...] = (),
     findings: Sequence[Finding] = (),
 ) -> SwapResult:
-    """Put together what was found; `findings` are those on the files that were read."""
+    """Assemble the result; `findings` are those on the input files."""
     variants, best = study.variants, study.recommended
     judged = {}
     for i, (name, point) in enumerate(zip(variants.names, (best or study.base).points, strict=True)):
         values, guards = variants.space.values(point), variants.guards[i]
         margins = guards.exact(values)
-        # How long drives are at their limits was counted in the runs.
+        # The runs have already checked the time at drive limits.
         broken = guards.broken(values, 0.0, 0.0, margins)
         own = variants.space.values(variants.best_points[i])
         judged[name] = VariantResult(float(variants.best[i]), study.optima[i], own, margins, broken)
@@ -173,7 +172,7 @@ def _on_network(variants: Variants, cost: NetworkCost) -> Iterator[Finding]:
 
 
 def on_bounds(variants: Variants, choice: Choice) -> list[str]:
-    """Return the parameters of a design that are on a bound which could be wider, with the bound."""
+    """Return the parameters of a design that lie on a bound that could be wider, with the bound."""
     found = []
     for j, number in enumerate(variants.space.numbers):
         for value in number.physical(choice.points[:, j]).tolist():
@@ -187,7 +186,7 @@ def on_bounds(variants: Variants, choice: Choice) -> list[str]:
 
 
 def text_of(result: SwapResult) -> str:
-    """Return the result as text: tables, and the verdict with all other findings."""
+    """Return the result as text: tables and findings, the verdict first."""
     study = result.study
     parts = [_losses(study).text(), paragraphs(str(one) for one in result.findings)]
     which = "the shared design, nothing local" if study.recommended is None else "the recommended design"
@@ -210,8 +209,8 @@ def _losses(study: SwapStudy) -> Table:
     def add(name: str, number: str, values: Sequence[float], loss: str) -> None:
         table.add(name, number, *(_number(value, variants.unit) for value in values), loss)
 
-    add("J*, the best of any search", "", variants.best.tolist(), "")
-    add("search of the variant alone", "", [optimum.reached for optimum in study.optima], "")
+    add("J*, best value of all searches", "", variants.best.tolist(), "")
+    add("best value of its own search", "", [optimum.reached for optimum in study.optima], "")
     add("the scenario's own", "", study.given.values.tolist(), _percent(study.given.swap_loss))
     for choice in study.choices:
         add(choice.name, str(len(choice.local)), choice.values.tolist(), _percent(choice.swap_loss))
@@ -219,7 +218,7 @@ def _losses(study: SwapStudy) -> Table:
 
 
 def _division(study: SwapStudy, choice: Choice) -> Table:
-    """Return the parameters of a design: the value of a base one once, of a local one for each variant."""
+    """Return the table of a design: base parameters once, local parameters for each variant."""
     columns = [Column("parameter", left=True), Column("", left=True), *map(Column, study.variants.names), Column("unit", left=True)]
     table = Table(columns, "Recommended design")
     for number in study.variants.space.numbers:
@@ -247,7 +246,7 @@ def _networks(result: SwapResult, which: str) -> Table:
     for cost in result.networks:
         table.add(cost.name, "", "", "", "")
         for variant in cost.variants:
-            values = [_number(value, unit, "runs away") for value in (variant.undivided, variant.allowed, variant.as_given)]
+            values = [_number(value, unit, "diverges") for value in (variant.undivided, variant.allowed, variant.as_given)]
             most = figure(variant.sweep.most, "ms", 4) if math.isfinite(variant.sweep.most) else "none"
             table.add(f"  {variant.variant}", *values, most if variant.sweep.limited else f"all, to {most}")
     return table

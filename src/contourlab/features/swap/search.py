@@ -17,16 +17,16 @@ from contourlab.features.swap.variants import BROKEN, Variant, Variants, losses
 
 Objective = Callable[[Array], Array]
 WarmStart = tuple[Mapping[str, float], ...]
-"""A design from elsewhere: values [SI] by dotted names for each variant, or once for all."""
+"""A given design: values [SI] by dotted names, for each variant or one for all."""
 STARTS = 5
 """Points from which a search starts."""
 ALONE, SHARED, RESTARTS = 0.2, 0.1, (0.05, 0.01)
-"""First step of a search as a part of the box: for one variant, for a shared design, which starts from known ones, and for the restarts.
-The optima lie along narrow, bent valleys, as gains make up for each other: long steps overshoot them."""
+"""First step of a search as a share of the box: for one variant, for a shared design (starts near known ones), and for the restarts.
+Gains compensate each other, so the optima lie along narrow, curved valleys: long steps overshoot them."""
 EXPLORED, POPULATION = 0.4, 16
-"""Part of the budget before the first restart, and size of the first generation."""
+"""Share of the budget before the first restart, and size of the first generation."""
 EVENNESS = 0.01
-"""Weight of the mean loss beside the largest: it decides between designs that are equal for the worst variant."""
+"""Weight of the mean loss relative to the largest: breaks ties between designs that are equal for the worst variant."""
 
 
 @dataclass(frozen=True)
@@ -36,16 +36,16 @@ class SwapSettings:
     Attributes
     ----------
     budget : int
-        Candidates of each search; a candidate of a shared design is run on all variants.
+        Candidates of each search; a candidate of a shared design runs on all variants.
     seed : int
     full : float
-        Largest swap loss that counts as full modularity.
+        Full modularity requires a swap loss below this limit.
     exhaustive : bool
-        Whether to try all sets of local parameters by size, in place of backward elimination.
+        Whether to try all sets of local parameters by size, instead of backward elimination.
     local : tuple of frozenset of str, optional
-        The only sets to look at.
+        The only sets to test.
     known : tuple of WarmStart
-        Designs from which every search starts as well. Missing parameters stay as in the scenario.
+        Additional starts of every search. Missing parameters keep the scenario's values.
     """
 
     budget: int = 8000
@@ -57,10 +57,10 @@ class SwapSettings:
 
 
 def restarted(objective: Objective, starts: Array, budget: int, seed: int, step: float = ALONE, target: float = -math.inf) -> Found:
-    """Search from all starts (n_start, n), then restart from the best, until `budget` candidates are tried or `target` is reached.
+    """Search from all starts (n_start, n), then restart from the best until `budget` candidates are tried or `target` is reached.
 
-    Each restart has a smaller first step and generations twice as large: the count of an encoder makes the objective rough near its
-    optimum (Auger & Hansen, CEC 2005).
+    Each restart has a smaller first step, and generations twice as large as the one before: encoder counts make the objective rough near
+    its optimum (Auger & Hansen, CEC 2005).
     """
     first = max(int(EXPLORED * budget), 1)
     found = search(objective, starts, budget=first, seed=seed, spread=step, population=POPULATION, target=target)
@@ -78,14 +78,14 @@ def restarted(objective: Objective, starts: Array, budget: int, seed: int, step:
 
 @dataclass(frozen=True, eq=False)
 class Optimum:
-    """What the search for one variant alone reached; J* may be better, as it counts every search.
+    """Result of the search for one variant alone; J* may be lower, because it covers every search.
 
     Attributes
     ----------
     value : float
-        J; infinite if nothing that was tried keeps the guards.
+        J; infinite if no candidate keeps the guards.
     per_start : ndarray (n_start,)
-        J that each start reached before the restarts.
+        J from each start before the restarts.
     again : float
         J of a second, independent search; nan if none was needed.
     """
@@ -96,7 +96,7 @@ class Optimum:
 
     @property
     def reached(self) -> float:
-        """The best that a search for the variant alone reached without a hint."""
+        """The smaller J of the two searches for the variant alone."""
         return float(np.fmin(self.value, self.again))
 
 
@@ -107,11 +107,11 @@ class Design:
     Attributes
     ----------
     local : frozenset of str
-        Parameters of which each module has its own value; all others are base.
+        Parameters with a value for each module; all others are base.
     points : ndarray (n_variant, n_parameter)
-        What each variant runs with.
+        The point of each variant.
     values : ndarray (n_variant,)
-        J of each; infinite where a guard is broken.
+        J of each variant; infinite where a guard is broken.
     """
 
     local: frozenset[str]
@@ -133,7 +133,7 @@ class SharedSpace:
     space : Space
     variants : sequence of Variant
     local : frozenset of str
-        Dotted names, of swapped axes.
+        Dotted names of parameters of swapped axes.
 
     Raises
     ------
@@ -148,11 +148,11 @@ class SharedSpace:
     def __post_init__(self) -> None:
         for name in sorted(self.local):
             if name not in self.space.names or not self.variants[0].module(name):
-                raise ParameterError("local", name, "a number of a swapped axis that is calibrated; those of other axes are base")
+                raise ParameterError("local", name, "a calibrated parameter of a swapped axis; those of other axes are base")
 
     @cached_property
     def _columns(self) -> Index:
-        """Column of each parameter of each variant in a row (n_variant, n_parameter)."""
+        """Column in a row of each parameter of each variant (n_variant, n_parameter)."""
         known: dict[tuple[str, str], int] = {}
         return np.array(
             [
@@ -171,7 +171,7 @@ class SharedSpace:
         return np.stack([rows[:, columns] for columns in self._columns])
 
     def gathered(self, points: Array) -> Array:
-        """Return the row (size,) of one point a variant (n_variant, n_parameter), averaged where values of a shared parameter differ."""
+        """Return the row (size,) of one point per variant (n_variant, n_parameter); average a shared parameter whose values differ."""
         flat, low, high = self._columns.ravel(), np.full(self.size, np.inf), np.full(self.size, -np.inf)
         np.minimum.at(low, flat, points.ravel())
         np.maximum.at(high, flat, points.ravel())
@@ -179,7 +179,7 @@ class SharedSpace:
 
 
 def merged(points: Array, columns: Flags) -> list[Array]:
-    """Give the variants one value of some parameters: the average, values that lean to one variant, and those of one variant.
+    """Return copies of the points in which some parameters are equal: average, averages weighted to one variant, one variant's values.
 
     Parameters
     ----------
@@ -197,19 +197,19 @@ def merged(points: Array, columns: Flags) -> list[Array]:
 
 @dataclass(eq=False)
 class SwapSearch:
-    """The searches of a study, and what they have found so far.
+    """The searches of a study and their results so far.
 
     Attributes
     ----------
     variants : Variants
-        Has J* so far: every better value found on the way replaces it.
+        Holds J* so far; any search that finds a better value updates it.
     settings : SwapSettings
     stage : callable
-        Called before each search with its name and its number of runs at most.
+        Called before each search with its name and its largest number of runs.
     checkpoint : Checkpoint, optional
-        Where finished searches are kept.
+        Stores finished searches.
     optima : list of Optimum
-        Of each variant alone.
+        Optimum of each variant alone.
     designs : dict
         The best shared design found for each set of local parameters.
     """
@@ -223,7 +223,7 @@ class SwapSearch:
     searches: int = 0
 
     def variant_optimum(self, i: int, *, again: bool = False) -> Optimum:
-        """Search the best design of variant `i` alone; `again` starts around J* but not there: is it found independently?"""
+        """Search the best design of variant `i` alone; `again` starts around J* but not at it, to confirm it independently."""
         variants, settings = self.variants, self.settings
         centre = variants.best_points[i] if again else variants.space.start
         seed = settings.seed + i + (100 if again else 0)
@@ -243,12 +243,12 @@ class SwapSearch:
     def search_set(self, local: Iterable[str], target: float = -math.inf) -> Design:
         """Search the shared design for a set of local parameters; keep and return the best.
 
-        It starts from the best design that follows from the known ones, from the variants' optima, and from the scenario's own. With
-        nothing local, where one design must suit all variants, it gets twice the budget. It ends early once the loss is below `target`.
+        The search starts from the best design derived from known ones, from the variants' optima, and from the scenario's own parameters.
+        With nothing local, it has twice the budget: one design must suit all variants. It ends early once the loss is below `target`.
         """
         variants, chosen = self.variants, frozenset(local)
         shared = SharedSpace(variants.space, variants.members, chosen)
-        best = variants.best.copy()  # a target that moves would rank candidates of one generation by different rules
+        best = variants.best.copy()  # fixed, so that all candidates of a generation are ranked against the same J*
 
         def objective(rows: Array) -> Array:
             values, broken = variants.values(shared.spread(rows))
@@ -273,7 +273,7 @@ class SwapSearch:
         return self.designs[chosen]
 
     def inherit_best(self, local: frozenset[str]) -> Design:
-        """Return the best design for a set of local parameters that follows from all known designs."""
+        """Return the best design for a set of local parameters among those derived from all known designs."""
         fitting = self._fitting(local)
         values, broken = self.variants.values(fitting)
         values = np.where(broken > 0.0, np.inf, values)
@@ -281,7 +281,7 @@ class SwapSearch:
         return Design(local, fitting[:, at], values[:, at])
 
     def propagate_best(self) -> None:
-        """Give each set of local parameters the best of its own design and of those that follow from the others."""
+        """Replace the design of each set of local parameters wherever one derived from another set is better."""
         changed = True
         while changed:
             changed = False
@@ -291,11 +291,11 @@ class SwapSearch:
                     self.designs[local], changed = inherited, True
 
     def backward_elimination(self, names: Iterable[str]) -> Design | None:
-        """Drop the least missed local parameter, one after another, as long as the loss stays below the limit.
+        """Drop local parameters one by one, the least important first, while the loss stays below the limit.
 
-        Start with all of `names` local, and keep the last one: to drop it gives the shared design, which is searched by itself. Return
-        the design with the fewest local parameters, or None if not even all of them suffice. A parameter that was missed once is not
-        tried again: with fewer local parameters it is missed all the more.
+        Start with all of `names` local. Keep the last one: without it the design is the shared one, which has its own search. Return
+        the design with the fewest local parameters, or None if all of them together do not suffice. A parameter that could not be
+        dropped is not tried again: with fewer local parameters it matters even more.
         """
         held = self.search_set(names)
         if not self.good(held):
@@ -318,7 +318,7 @@ class SwapSearch:
         return [np.broadcast_to(points, (n, len(space.names))) for points in rows]
 
     def _fitting(self, local: frozenset[str]) -> Array:
-        """Return all known designs (n_variant, n, n_parameter), fitted to a set of local parameters: all others get one value."""
+        """Return all known designs (n_variant, n, n_parameter), fitted to a set of local parameters: each other one has a single value."""
         variants, base = self.variants, np.array([name not in local for name in self.variants.space.names])
         tiled = [np.tile(point, (len(variants), 1)) for point in (variants.space.start, *variants.best_points)]
         designs = [variants.best_points, *self.known, *(design.points for design in self.designs.values())]
@@ -328,11 +328,11 @@ class SwapSearch:
         return shared.spread(np.array([shared.gathered(points) for points in tiled]))
 
     def swap_loss(self, design: Design) -> float:
-        """Return the largest loss of a design over the variants, as J* stands."""
+        """Return the largest loss of a design over the variants, against the present J*."""
         return float(self.variants.losses(design.values).max())
 
     def good(self, design: Design) -> bool:
-        """Tell whether a design loses less than the limit."""
+        """Return whether the loss of a design is below the limit."""
         return self.swap_loss(design) < self.settings.full
 
     def fewest(self) -> Design | None:
@@ -346,7 +346,7 @@ class SwapSearch:
         return ", ".join(number.short for number in self.variants.space.numbers if number.name in chosen) or "none"
 
     def _searched(self, name: str, budget: int, sides: int, make: Callable[[int], dict[str, Array]]) -> dict[str, Array]:
-        """Make a search, or read from the checkpoint what it found and how it left the variants."""
+        """Run a search, or restore its result and the state of the variants from the checkpoint."""
         self.stage(name, budget * sides)
         self.searches += 1
         if self.checkpoint is None:

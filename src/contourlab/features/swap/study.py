@@ -20,7 +20,7 @@ from contourlab.findings import Finding, finding
 
 @dataclass(frozen=True, eq=False)
 class Choice:
-    """A choice of local parameters, and what it loses.
+    """A choice of local parameters and its loss.
 
     Attributes
     ----------
@@ -63,16 +63,16 @@ class SwapStudy:
     Attributes
     ----------
     variants : Variants
-        With J* and the designs that reached it.
+        Holds J* and the designs that reached it.
     settings : SwapSettings
     optima : tuple of Optimum
-        What the searches of each variant alone reached.
+        Result of the searches for each variant alone.
     given : Choice
         The scenario's own parameters on all variants.
     choices : tuple of Choice
-        The first has nothing local, the last all that may be.
+        The first has nothing local; one with all candidates local is last.
     crossed : ndarray (n_variant, n_variant)
-        J of the best design of variant i, run on variant j; infinite where it breaks a guard.
+        J of the best design of variant i on variant j; infinite where it breaks a guard.
     given_breaks : tuple of str
         Variants on which the scenario's own parameters break a guard.
     """
@@ -92,12 +92,12 @@ class SwapStudy:
 
     @property
     def shortfalls(self) -> Array:
-        """How far the search of each variant alone ended above J*, counted as a loss (n_variant,)."""
+        """Loss of the best search for each variant alone against J* (n_variant,)."""
         return self.variants.losses(np.array([optimum.reached for optimum in self.optima]))
 
     @property
     def inconclusive(self) -> tuple[str, ...]:
-        """Variants whose J* may be lower still: no search for them alone came within the limit of it."""
+        """Variants whose J* may be lower still: no search for the variant alone came within the loss limit of J*."""
         return tuple(name for name, lost in zip(self.variants.names, self.shortfalls, strict=True) if not lost < self.settings.full)
 
     @property
@@ -134,9 +134,9 @@ def swap_study(
 ) -> SwapStudy:
     """Find out whether one controller serves all variants, and if not, which parameters must be local.
 
-    Each variant's J* comes from a restarted search for it alone. For each set of local parameters one restarted search of the shared
-    design starts from the best known designs: the variants' optima, and designs with other sets. Backward elimination drops the least
-    missed local parameter. Every better value found for a variant on the way replaces its J*. A loss below the limit is modular.
+    J* of each variant comes from a restarted search for that variant alone. Each set of local parameters has one restarted search of the
+    shared design. It starts from the best known designs: the variants' optima and designs with other sets. Backward elimination drops the
+    least important local parameter. Any search that finds a better value for a variant updates its J*. A loss below the limit is modular.
 
     Parameters
     ----------
@@ -145,9 +145,9 @@ def swap_study(
         Parameters of the swapped axes that may be local.
     settings : SwapSettings
     stage : callable
-        Called before each search with its name and its number of runs at most.
+        Called before each search with its name and its largest number of runs.
     checkpoint : Checkpoint, optional
-        Where finished searches are kept.
+        Stores finished searches.
 
     Raises
     ------
@@ -167,7 +167,7 @@ def swap_study(
     _settle(search)
     crossed = [variants.values(np.tile(point, (len(variants), 1, 1))) for point in variants.best_points]
     breaks = tuple(name for name, worst in zip(variants.names, broken[:, 0], strict=True) if worst > 0.0)
-    # Nothing local first, all of it last.
+    # Nothing local first, everything local last.
     sets = sorted(search.designs, key=lambda local: (len(local) == len(candidates) and len(local) > 0, len(local) > 0))
     return SwapStudy(
         variants,
@@ -186,7 +186,7 @@ def _choice(variants: Variants, name: str, design: Design) -> Choice:
 
 
 def _search_sets(search: SwapSearch, candidates: tuple[str, ...]) -> None:
-    """Search the sets that were asked for, or all by their size up to the first that suffices, or by backward elimination."""
+    """Search the requested sets, or all sets by size up to the first size that suffices, or by backward elimination."""
     if search.settings.local is not None:
         for given in search.settings.local:
             search.search_set(given)
@@ -204,7 +204,7 @@ def _search_sets(search: SwapSearch, candidates: tuple[str, ...]) -> None:
 
 
 def _settle(search: SwapSearch) -> None:
-    """Search again for J* where a shared design beat the search for it, then for the recommended design against J* as it then stands."""
+    """Re-run the single-variant searches that another design has beaten, then refine the recommended design against the new J*."""
     search.propagate_best()
     variants, beaten = search.variants, search.variants.losses(np.array([optimum.value for optimum in search.optima]))
     for i in range(len(variants)):

@@ -1,4 +1,4 @@
-"""The variants of a machine: one for every combination of axis modules, and what a controller is worth on each."""
+"""The variants of a machine, one for every combination of axis modules, and J of a controller on each."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ OBJECTIVES = {
     "contour_error_rms": ("m", "um", 1e-6),
     "contour_error_max": ("m", "um", 1e-6),
 }
-"""What can be minimised: SI unit, display unit, and J_tol [SI]. That of the integral is a mean of 1 um over a lap of 2 s."""
+"""Objectives: SI unit, display unit, and J_tol [SI]. J_tol of the integral is a mean of 1 um over a lap of 2 s."""
 BROKEN = 1e6
-"""Value of a design that breaks a guard or whose run failed: above that of any design that keeps the guards."""
+"""Value of a design that breaks a guard or fails to run: above that of any design that keeps the guards."""
 
 
 @dataclass(frozen=True)
@@ -37,10 +37,10 @@ class Variant:
     Attributes
     ----------
     name : str
-        Which module is in place of which axis, as ``"1 = axis2"``.
+        Swapped axes and their modules, as ``"1 = axis2"``.
     machine : Machine
     modules : tuple of (str, str)
-        Each swapped axis and the module there.
+        Each swapped axis and its module.
     """
 
     name: str
@@ -48,7 +48,7 @@ class Variant:
     modules: tuple[tuple[str, str], ...] = ()
 
     def module(self, name: str) -> str:
-        """Return the module that a parameter, by its dotted name, belongs to; empty if its axis is not swapped."""
+        """Return the module of a parameter, by its dotted name; empty if its axis is not swapped."""
         return next((module for axis, module in self.modules if name.startswith(f"controller.axes.{axis}.")), "")
 
 
@@ -60,7 +60,7 @@ def losses(values: ArrayLike, best: ArrayLike, floor: float) -> Array:
     values, best : array_like (..., n_variant)
         J under a shared design, and J*.
     floor : float, > 0
-        J_tol: below it a ratio means nothing.
+        J_tol: a smaller J* is no meaningful denominator.
 
     >>> losses([3.0, 12.0], [1.0, 10.0], 2.0).tolist()
     [1.0, 0.2]
@@ -71,7 +71,7 @@ def losses(values: ArrayLike, best: ArrayLike, floor: float) -> Array:
 
 @dataclass(eq=False)
 class Variants:
-    """All variants under candidates of one controller, run in lanes; keeps the best design found for each.
+    """All variants under candidates of one controller, run in lanes; keeps the best design found for each variant.
 
     Attributes
     ----------
@@ -79,17 +79,16 @@ class Variants:
     controller : Controller
     reference : Reference
     space : Space
-        Parameters of the controller that are searched. Points are run with values rounded as in a file, so that what is written is what
-        was judged.
+        Parameters of the controller to search. Values are rounded as in a file before a run, so that the file holds the judged values.
     objective : str
-        Of `OBJECTIVES`.
+        One of `OBJECTIVES`.
     floor : float [SI]
         J_tol.
     bounds : Bounds
     moving, seed, threads
-        As of `contourlab.design.Evaluator`.
+        See `contourlab.design.Evaluator`.
     progress : callable, optional
-        Called with the number of candidates tried so far, including those that were not run as they break a margin.
+        Called with the number of candidates tried so far, including those that are not run because they break a margin.
     best : ndarray (n_variant,)
         J* so far; infinite until a design keeps the guards.
     best_points : ndarray (n_variant, n_parameter)
@@ -117,7 +116,7 @@ class Variants:
             raise ParameterError("floor", f"{self.floor:g}", "> 0", OBJECTIVES[self.objective][0])
         outside = [name for name in self.space.names if not name.startswith("controller.")]
         if outside:
-            raise ParameterError("parameters", outside[0], "a number of the controller: the variants differ in those of the machine")
+            raise ParameterError("parameters", outside[0], "a parameter of the controller: those of the machine differ between variants")
         self.space = replace(self.space, written=True)
         self.evaluators = tuple(
             Evaluator(v.machine, self.controller, self.reference, moving=self.moving, seed=self.seed, threads=self.threads) for v in self
@@ -148,7 +147,7 @@ class Variants:
         return OBJECTIVES[self.objective][1]
 
     def losses(self, values: Array) -> Array:
-        """Return the loss of each variant against J* as it stands."""
+        """Return the loss of each variant against the present J*."""
         return losses(values, self.best, self.floor)
 
     def controller_at(self, point: Array, local: Sequence[str] = ()) -> Controller:
@@ -161,20 +160,21 @@ class Variants:
         return replace(controller, axes=axes)
 
     def values(self, points: Array, only: Sequence[int] | None = None, *, whole: bool = False) -> tuple[Array, Array]:
-        """Return J of points on each variant, and by how much a guard is broken (0 if none is).
+        """Return J of points on each variant, and how far they break the guards (0 if they keep them).
 
         Parameters
         ----------
         points : ndarray (n_variant, n, n_parameter)
-            For the variants in `only`, or for all.
+            Points of the variants in `only`, or of all.
         only : sequence of int, optional
+            Indices of variants.
         whole : bool
-            Whether to run points that break a margin, too.
+            Whether to run also points that break a margin.
 
         Returns
         -------
         values, broken : ndarray (n_variant, n)
-            J is infinite if the run failed or was left out.
+            J is infinite if the run failed or was skipped.
         """
         which = range(len(self)) if only is None else only
         known: dict[tuple[object, ...], Array] = {}
@@ -189,7 +189,7 @@ class Variants:
         return np.array([values for values, _ in judged]), np.array([broken for _, broken in judged])
 
     def _figures(self, which: Sequence[int], columns: Sequence[dict[str, Array]]) -> list[dict[str, Array]]:
-        """Return the figures of runs on each variant, side by side: one variant alone has too few lanes for all processors."""
+        """Return the figures of runs on each variant; run the variants in parallel, because one has too few lanes for all processors."""
         threads = self.threads or os.cpu_count() or 1
         sides = min(threads, len(which))
 
@@ -203,7 +203,7 @@ class Variants:
             return list(pool.map(figures, range(len(which)), [-(-threads // sides)] * len(which)))
 
     def _judged(self, i: int, points: Array, excess: Array, run: Flags, figures: dict[str, Array]) -> tuple[Array, Array]:
-        """Return J, and by how much a guard is broken, of the points of a variant; keep the best."""
+        """Return J of the points of a variant and how far they break the guards; keep the best."""
         values, limited = np.full(len(points), np.inf), np.zeros(len(points))
         if figures:
             values[run] = np.where(np.isfinite(figures[self.objective]), figures[self.objective], np.inf)
@@ -212,12 +212,12 @@ class Variants:
         at = int(np.argmin(np.where(good, values, np.inf)))
         if good[at] and values[at] < self.best[i]:
             self.best[i], self.best_points[i] = values[at], points[at]
-        # A run that failed is worse than a broken margin, and that is worse than a drive at its limit.
+        # A failed run is worse than a broken margin, which is worse than a drive at its limit.
         failed = 10.0 * (run & ~np.isfinite(values))
         return values, np.where(good, 0.0, np.clip(excess, 0.0, 10.0) + np.maximum(limited, 0.0) + failed + 1e-9)
 
     def state(self) -> dict[str, Array]:
-        """Return all that searches change."""
+        """Return the state that searches change."""
         counts = np.array([self.tried, *(evaluator.runs for evaluator in self.evaluators)])
         return {"best": self.best.copy(), "best_points": self.best_points.copy(), "counts": counts}
 
@@ -238,7 +238,7 @@ class Variants:
         return objective
 
 
-# --- which variants there are ------------------------------------------------------------------------------------------------------------
+# --- making the variants -----------------------------------------------------------------------------------------------------------------
 
 
 def variants_of(machine: Machine, swaps: Mapping[str, Sequence[tuple[str, Axis]]]) -> tuple[Variant, ...]:
@@ -248,13 +248,13 @@ def variants_of(machine: Machine, swaps: Mapping[str, Sequence[tuple[str, Axis]]
     ----------
     machine : Machine
     swaps : mapping of str to sequence of (str, Axis)
-        For each swapped axis the modules that may take its place, with their names.
+        Named modules that may replace each swapped axis.
 
     Raises
     ------
     ParameterError
-        If the machine has no such axis; no module differs from it; two modules are alike or have the same name; or one has a drive with
-        another unit of command.
+        If the machine has no such axis, no module differs from that axis, two modules are identical or have the same name, or a module
+        does not fit: another command unit, or a motor side where the axis has none (or the reverse).
     """
     if not swaps:
         raise ParameterError("axis", "none", f"at least one axis to swap, of {', '.join(machine.axis_names)}")
@@ -270,24 +270,24 @@ def variants_of(machine: Machine, swaps: Mapping[str, Sequence[tuple[str, Axis]]
 
 
 def _choices(machine: Machine, name: str, others: Sequence[tuple[str, Axis]]) -> list[tuple[str, str, Axis | None]]:
-    """Return what may stand in the place of an axis: first the axis itself, named by its file if one of the modules is its copy."""
+    """Return the choices for an axis, first the axis itself; a module that is a copy of it provides its name."""
     if name not in machine.axis_names:
         raise ParameterError("axis", repr(name), f"one of {', '.join(machine.axis_names)}, the axes of {machine.name}")
     if not others:
-        raise ParameterError("with", "nothing", f"at least one axis to take the place of {name}")
+        raise ParameterError("with", "nothing", f"at least one module for axis {name}")
     own = machine.axis(name)
     itself = next((called for called, other in others if _alike(own, other)), "as it is")
     modules = [(called, other) for called, other in others if not _alike(own, other)]
     for (first, one), (second, other) in combinations(others, 2):
         if _alike(one, other):
-            wanted = f"axes that differ in a value, to take the place of {name}: these two do not"
+            wanted = f"modules of axis {name} that differ: these two are identical"
             raise ParameterError("with", f"{first}, {second}", wanted)
     if not modules:
-        wanted = f"an axis that differs from axis {name} of the machine in a value: a copy of it loses nothing"
+        wanted = f"a module that differs from axis {name} of the machine: a copy loses nothing"
         raise ParameterError("with", ", ".join(called for called, _ in others), wanted)
     names = [itself, *(called for called, _ in modules)]
     if len(set(names)) != len(names):
-        raise ParameterError("with", ", ".join(names), "axes that differ in their names")
+        raise ParameterError("with", ", ".join(names), "modules with different names")
     for called, other in modules:
         _check_fits(own, other, called)
     return [(name, itself, None), *((name, called, other) for called, other in modules)]
@@ -300,8 +300,8 @@ def _alike(one: Axis, other: Axis) -> bool:
 def _check_fits(own: Axis, other: Axis, called: str) -> None:
     unit, wanted = other.plant.command_unit, own.plant.command_unit
     if unit != wanted:
-        fitting = f"an axis whose drive takes its command in {wanted}, as that of {own.name} does, not in {unit}"
+        fitting = f"a module whose drive takes its command in {wanted}, like axis {own.name}, not in {unit}"
         raise ParameterError("with", called, fitting)
     if other.plant.two_sided != own.plant.two_sided:
-        side = "one with a motor and a load side" if own.plant.two_sided else "one without a motor side of its own"
-        raise ParameterError("with", called, f"{side}, as {own.name} is")
+        side = "with a motor and a load side" if own.plant.two_sided else "without a separate motor side"
+        raise ParameterError("with", called, f"a module {side}, like axis {own.name}")

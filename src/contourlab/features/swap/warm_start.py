@@ -1,4 +1,4 @@
-"""Controllers from files that every search starts from as well (``--from``)."""
+"""Controller files as additional starts of every search (``--from``)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from contourlab.loop import Controller
 
 ROUNDING = 1e-9
-"""Part of a bound by which a value that was written on it may lie beyond."""
+"""Tolerance of a bound, relative to its size: a written value may lie beyond it by rounding."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class WarmStarts:
     designs : tuple of WarmStart
     files : tuple of str
     findings : tuple of Finding
-        What the files have that is not taken from them.
+        Values in the files that are not used.
     """
 
     designs: tuple[WarmStart, ...] = ()
@@ -46,14 +46,14 @@ def warm_starts(variants: Variants, texts: Sequence[str], plugins: Sequence[str 
     ----------
     variants : Variants
     texts : sequence of str
-        Each one file for all variants, or one for each with commas between, in the order of the variants.
+        Each text is one file for all variants, or one file per variant, separated by commas, in the order of the variants.
     plugins : sequence of str or Path
         Python files with further components.
 
     Raises
     ------
     ScenarioError, ParameterError
-        If a file is wrong; there are not as many as variants; or a parameter that is searched is missing, or beyond its bounds.
+        If a file is wrong, the number of files does not match, or a searched parameter is missing or outside its bounds.
     """
     designs: list[WarmStart] = []
     names: list[str] = []
@@ -61,10 +61,10 @@ def warm_starts(variants: Variants, texts: Sequence[str], plugins: Sequence[str 
     for text in texts:
         files, n = [word.strip() for word in text.split(",")], len(variants)
         if len(files) not in (1, n) or not all(files):
-            wanted = f"one file for all variants, or {n} of them with commas between, for {'; '.join(variants.names)}"
+            wanted = f"one file for all variants, or {n} files separated by commas, for {'; '.join(variants.names)}"
             raise ParameterError("--from", repr(text), wanted)
         values = []
-        # A file for all is read for each variant: units may depend on its machine.
+        # Read a common file for each variant: units may depend on its machine.
         for variant, file in zip(variants, files * (n if len(files) == 1 else 1), strict=True):
             controller = _loaded(file, variant, plugins)
             values.append(_values(variants, variant, file, controller))
@@ -75,7 +75,7 @@ def warm_starts(variants: Variants, texts: Sequence[str], plugins: Sequence[str 
 
 
 def _loaded(file: str, variant: Variant, plugins: Sequence[str | Path]) -> Controller:
-    """Read a controller of a variant. An axis by another name stands for the swapped one, if it is the only one that does not fit."""
+    """Read a controller of a variant; map a single unknown axis name to the swapped axis if that is the only one missing."""
     from contourlab.scenario.load import controller_axes, load_controller
 
     names, there = variant.machine.axis_names, controller_axes(file, plugins)
@@ -85,16 +85,16 @@ def _loaded(file: str, variant: Variant, plugins: Sequence[str | Path]) -> Contr
     try:
         return load_controller(file, variant.machine, plugins, called=called)
     except ScenarioError as error:
-        error.add_note(f"As a controller to start from, for {variant.name}.")
+        error.add_note(f"This file is the --from controller of {variant.name}.")
         raise
 
 
 def _values(variants: Variants, variant: Variant, file: str, controller: Controller) -> dict[str, float]:
-    """Return the values of the parameters that are searched."""
+    """Return the values of the searched parameters."""
     there = parameter_names(variant.machine, controller)
     missing = [number.short for number in variants.space.numbers if number.name not in there]
     if missing:
-        raise ParameterError("--from", file, f"a controller with all numbers that are searched; it has no {', '.join(missing)}")
+        raise ParameterError("--from", file, f"a controller with all searched parameters; it has no {', '.join(missing)}")
     values = {number.name: float(getattr(*there[number.name])) for number in variants.space.numbers}
     beyond = [number for number in variants.space.numbers if not _within(number, values[number.name])]
     if beyond:
@@ -115,15 +115,15 @@ def _fault(number: DesignVariable, value: float) -> str:
 
 def _remedy(beyond: Sequence[DesignVariable], values: dict[str, float]) -> str:
     ratios = [values[number.name] / number.value if number.value else math.inf for number in beyond]
-    bounds = "--parameter NAME=LOW..HIGH gives wider ones"
+    bounds = "widen them with --parameter NAME=LOW..HIGH"
     if not all(math.isfinite(ratio) and ratio > 0.0 for ratio in ratios):
         return bounds
     width = math.ceil(10.0 * max(max(ratio, 1.0 / ratio) for ratio in ratios)) / 10.0
-    return f"--width {width:g} gives wider ones to all without bounds of their own, or {bounds}"
+    return f"widen all default bounds with --width {width:g}, or {bounds}"
 
 
 def _not_taken(variants: Variants, variant: Variant, file: str, controller: Controller) -> list[Finding]:
-    """Report the parameters, apart from those that are searched, that differ from the scenario's."""
+    """Report the parameters that differ from the scenario's and are not searched."""
     there, here = (parameter_names(variant.machine, of) for of in (controller, variants.controller))
     kept = [name for name in here if name.startswith("controller.") and name not in variants.space.names]
     differ = [name for name in kept if name not in there or getattr(*there[name]) != getattr(*here[name])]

@@ -1,1 +1,1 @@
-"""Which gains make the contour error least, within margins and drive limits?"""
+"""Calibration: the gains that minimise the contour error within margins and drive limits."""

@@ -1,4 +1,4 @@
-"""``contourlab tune``: calibrate the controller of a scenario, check it, and write it as a controller file."""
+"""``contourlab tune``: calibrate the controller of a scenario, check it, and write a controller file."""
 
 from __future__ import annotations
 
@@ -25,20 +25,20 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
-    """What the command prints; as JSON field by field.
+    """The result of the command; its fields are the JSON output.
 
     Attributes
     ----------
     name, scheme : str
-        Of the scenario.
+        Name of the scenario and of its scheme.
     passed : bool
-        Whether bounds and tolerance are kept.
+        Whether the controller keeps bounds and tolerance.
     tolerance : float [m] or None
     settings : TuneSettings
     result : Tuned
     findings : tuple of Finding
     controller_file : Path or None
-        Written.
+        The file written.
     plots : tuple of Path
     """
 
@@ -55,11 +55,12 @@ class Calibration:
     def text(self) -> str:
         """Return the tables, the findings, and the files written."""
         goal, bounds = self.settings.goal, self.settings.bounds
-        parts = [f"{self.name}, {self.scheme}\nobjective: {goal.label}; bounds: {bounds.words}", *tables(goal, self.result)]
+        head = paragraphs([f"{self.name}, {self.scheme}", f"objective: {goal.label}", f"bounds: {bounds.words}"])
+        parts = [head, *tables(goal, self.result)]
         parts.append(paragraphs(map(str, self.findings)))
-        files = [] if self.controller_file is None else [f"controller file: {self.controller_file}"]
+        files = ["no controller file: name one with --out" if self.controller_file is None else f"controller file: {self.controller_file}"]
         files += [f"plot: {file}" for file in self.plots]
-        return "\n\n".join([*parts, *(["\n".join(files)] if files else [])])
+        return "\n\n".join([*parts, "\n".join(files)])
 
 
 def tune_scenario(
@@ -86,11 +87,11 @@ def tune_scenario(
     scheme : str, optional
         Scheme of the scenario; by default the scenario without schemes.
     machine, controller, tolerance
-        With a part program, see `contourlab.features.run.command.run_scenario`.
+        For a part program: see `contourlab.features.run.command.run_scenario`.
     out : str or Path, optional
-        Controller file to write; not written if bounds are broken.
+        Controller file to write; not written if the controller breaks a bound.
     plots : sequence of str
-        png, svg or pdf, into ``plots`` in `folder`; other files there stay.
+        png, svg or pdf, into ``plots`` in `folder`; other files there are kept.
     folder : str or Path
     plugins : sequence of str or Path
         Python files with components.
@@ -100,7 +101,7 @@ def tune_scenario(
     Raises
     ------
     ScenarioError, ProgramError, ParameterError
-        If the scenario cannot be read, has no such scheme, or an option is out of range.
+        If the scenario cannot be read or has no such scheme, or an option is out of range.
     OutputError
         If `out` or `folder` cannot be written; raised before anything is simulated.
     """
@@ -110,7 +111,7 @@ def tune_scenario(
     scenario = _scenario(file, machine, controller, tolerance, plugins)
     case = scenario.base if scheme is None else scenario.case(scheme)
     if case.changes:
-        raise ScenarioError("controllers change on the way: calibrate each in a scenario of its own", file=file)
+        raise ScenarioError("the controller changes during the run: calibrate each controller in its own scenario", file=file)
     if out is not None:
         check_file(out, scenario.inputs)
     with staged(folder, inputs=scenario.inputs, option="--folder") if plots else nullcontext() as stage:
@@ -138,7 +139,7 @@ def tune_scenario(
 
 
 def _verdict(case: Case, tuned: Tuned) -> list[Finding]:
-    """Return whether the calibrated controller keeps the bounds and the tolerance of the scenario."""
+    """Return findings on whether the calibrated controller keeps the bounds and the tolerance of the scenario."""
     findings = [] if case.learning is None else [finding("CL605")]
     if tuned.after.violations:
         findings.append(finding("CL606", bounds=tuned.after.violations))
@@ -152,13 +153,13 @@ def _verdict(case: Case, tuned: Tuned) -> list[Finding]:
 def _scenario(
     file: str | Path, machine: str | Path | None, controller: str | Path | None, tolerance: str | None, plugins: Sequence[str | Path]
 ) -> Scenario:
-    """Read a scenario, or make one of a part program on a machine."""
+    """Read a scenario, or make one from a part program, a machine and a controller."""
     from contourlab.scenario import BUILTIN, load_scenario, scenario_from_parts
 
     if (str(file).startswith(BUILTIN) and Path(file).suffix != ".ngc") or Path(file).suffix.lower() == ".toml":
         for option, value in {"--machine": machine, "--controller": controller, "--tolerance": tolerance}.items():
             if value is not None:
-                raise ScenarioError(f"a scenario names its own: leave {option} out", file=file)
+                raise ScenarioError(f"the scenario already defines this: leave {option} out", file=file)
         return load_scenario(file, plugins=plugins)
     refuse_drawing(file, machine, controller)
     if machine is None or controller is None:
@@ -168,17 +169,17 @@ def _scenario(
 
 
 def _write(tuned: Tuned, case: Case, out: Path, name: str, plugins: Sequence[str | Path]) -> None:
-    """Write the controller file, after reading it back as the same controller."""
+    """Write the controller file, after a check that it reads back as the same controller."""
     from contourlab.scenario.dump import dump
     from contourlab.scenario.load import load_controller
 
     before, after = (1e6 * one.figures["contour_error_integral"] for one in (tuned.before, tuned.after))
-    head = f"# Calibrated for {name}, scheme {case.name}: integral of the contour error {before:.4g} um s, then {after:.4g} um s.\n\n"
+    head = f"# Calibrated for {name}, scheme {case.name}: integral of the contour error {before:.4g} um s before, {after:.4g} after.\n\n"
     text = head.replace("\r", " ") + dump(tuned.controller, case.machine)
     with tempfile.TemporaryDirectory() as folder:
         trial = Path(folder) / "controller.toml"
         write_text_atomic(trial, text)
         again = load_controller(trial, case.machine, plugins=plugins)
     if dump(again, case.machine) != dump(tuned.controller, case.machine):
-        raise ScenarioError("the controller does not read back as it was written: this is a fault in contourlab", file=out)
+        raise ScenarioError("the written controller does not read back unchanged: this is a fault in contourlab", file=out)
     write_text_atomic(out, text)

@@ -1,9 +1,9 @@
-"""A controller in the terms of drives: Kv, bandwidth of the velocity loop, and the gains of LinuxCNC's component ``pid`` with its law.
+"""A controller in drive terms: Kv, bandwidth of the velocity loop, and the gains of LinuxCNC's component ``pid`` with its law.
 
-LinuxCNC's manual page pid(9) and source (``src/hal/components/pid.c``): error = command - feedback; the integral includes the error of the
-same period; the derivative is the pin ``command-deriv`` less ``feedback-deriv``, each the difference over a period if not connected;
-output = bias + Pgain error + Igain integral + Dgain derivative + FF0 command + FF1 command' + FF2 command'' + FF3 command''', of which the
-second and third derivatives are differences of command'.
+The law, from LinuxCNC's manual page pid(9) and source (``src/hal/components/pid.c``): error = command - feedback. The integral includes
+the error of the same period. The derivative is the pin ``command-deriv`` minus ``feedback-deriv``; an unconnected pin is replaced by the
+difference over a period. output = bias + Pgain error + Igain integral + Dgain derivative + FF0 command + FF1 command' + FF2 command'' +
+FF3 command'''; command'' and command''' are differences of command'.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class LinuxCNCGains:
     p, i, d, ff0, ff1, ff2, ff3 : float
         Pgain, Igain, Dgain, FF0 to FF3.
     findings : tuple of Finding
-        What to add to LinuxCNC's configuration, and what has no counterpart there.
+        Additions that LinuxCNC's configuration needs, and parts that have no counterpart there.
     """
 
     p: float
@@ -53,27 +53,27 @@ class LinuxCNCGains:
     findings: tuple[Finding, ...] = field(default=(), metadata={"json": False})
 
     def per_millimetre(self) -> dict[str, float]:
-        """Return the gains as in an INI file with machine units of mm, by the names of the pins."""
+        """Return the gains for an INI file with machine units of mm, by pin name."""
         names = {"Pgain": self.p, "Igain": self.i, "Dgain": self.d, "FF0": self.ff0, "FF1": self.ff1, "FF2": self.ff2, "FF3": self.ff3}
         return {name: 1e-3 * value for name, value in names.items()}
 
 
 @dataclass(frozen=True)
 class DriveTerms:
-    """One axis in the terms of drives.
+    """One axis in drive terms.
 
     Attributes
     ----------
     axis : str
     kv : float [1/s]
-        Steady speed over position error, without the reference's velocity and the integral. In a cascade the position gain; nan if unknown.
+        Steady speed over position error, without velocity feedforward and integral. In a cascade: the position gain. nan if unknown.
     velocity_bandwidth : float [Hz]
-        At which the sampled velocity loop, position loop open, has fallen by 3 dB; nan without a velocity loop.
+        The -3 dB frequency of the sampled velocity loop, position loop open; nan without a velocity loop.
     command_unit : str
     linuxcnc : LinuxCNCGains or None
     difference, difference_rms : float
         Difference of LinuxCNC's law from the simulated command over a run, largest and rms, relative to the largest command; nan if not
-        compared. Where a planned acceleration steps, LinuxCNC's FF2 acts one tick later.
+        compared. At a step of the planned acceleration, LinuxCNC's FF2 acts one tick later.
     """
 
     axis: str
@@ -86,7 +86,7 @@ class DriveTerms:
 
 
 def drive_terms(machine: Machine, controller: Controller, run: Result | None = None) -> tuple[DriveTerms, ...]:
-    """Return the drive terms of every axis; `run`, if given, is compared with LinuxCNC's law."""
+    """Return the drive terms of every axis; compare LinuxCNC's law with `run` if given."""
     terms = []
     for i, axis in enumerate(machine.axes):
         slots = controller.axes[axis.name]
@@ -100,7 +100,7 @@ def drive_terms(machine: Machine, controller: Controller, run: Result | None = N
 
 
 def linuxcnc_findings(terms: Sequence[DriveTerms]) -> list[Finding]:
-    """Return what to know of LinuxCNC's gains, each finding once with the axes that it concerns."""
+    """Return the findings on LinuxCNC's gains, each once with its axes."""
     axes: dict[str, tuple[Finding, list[str]]] = {}
     for one in terms:
         for remark in (finding("CL620"),) if one.linuxcnc is None else one.linuxcnc.findings:
@@ -109,7 +109,7 @@ def linuxcnc_findings(terms: Sequence[DriveTerms]) -> list[Finding]:
 
 
 def _comparable(axis: Axis, slots: AxisController) -> bool:
-    """Tell whether the command consists of the law, the observer's estimate and a feedforward that LinuxCNC has too."""
+    """Return whether the command consists of the law, the observer's estimate and a feedforward that LinuxCNC also has."""
     others = (slots.compensation, slots.gap_observer, slots.supervisor, slots.predictor)
     ahead = slots.feedforward is None or slots.feedforward.kind == "inverse-dynamics"
     return ahead and not axis.plant.two_sided and all(part is None for part in others)
@@ -137,7 +137,7 @@ VELOCITY_ONLY: dict[str, dict[str, Any]] = {
     },
     "cascade": {"position_gain": 0.0, "velocity_feedforward": 1.0, "acceleration_feedforward": 0.0},
 }
-"""Changes that leave only the velocity loop of a controller, driven by the reference's velocity."""
+"""Changes that reduce a controller to its velocity loop, driven by the reference velocity."""
 
 
 def _velocity_bandwidth(machine: Machine, axis: Axis, slots: AxisController) -> float:
@@ -168,7 +168,7 @@ def _bandwidth(loop: SampledLoop) -> float:
 def law_difference(gains: LinuxCNCGains, slots: AxisController, run: Result, axis: int) -> tuple[float, float]:
     """Return the difference of LinuxCNC's law from the command of a run, largest and rms, relative to the largest command.
 
-    The disturbance estimate, which has no counterpart, is added to the command; the first half of the run is left out.
+    The disturbance estimate has no counterpart and is added to the command. The first half of the run is ignored.
     """
     target = "modified_reference" if "modified_reference" in run.signals else "reference"
     command = run["command"][:, axis]
@@ -182,7 +182,7 @@ def law_difference(gains: LinuxCNCGains, slots: AxisController, run: Result, axi
     measured = run["velocity"][:, axis] if "velocity" in ports else None
     planned = run["reference_velocity"][:, axis] if "reference_velocity" in ports or slots.feedforward is not None else None
     law = linuxcnc_law(gains, run[target][:, axis], run["position"][:, axis], run.servo_period, planned, measured)
-    # A constant is what the integral was before, at the start or at a limit of the drive; it comes from none of the gains.
+    # Remove a constant: it is the earlier state of the integral, at the start or at a drive limit, and no effect of the gains.
     off = (law - command)[len(command) // 2 :]
     off, scale = off - np.median(off), float(np.abs(command).max())
     if not scale:
@@ -206,7 +206,7 @@ def linuxcnc_law(
     command, feedback : array_like (n,) [m]
     period : float [s]
     command_derivative, feedback_derivative : array_like (n,) [m/s], optional
-        What is connected to ``command-deriv`` and ``feedback-deriv``; by default differences over a period.
+        Signals at ``command-deriv`` and ``feedback-deriv``; by default differences over a period.
 
     >>> linuxcnc_law(LinuxCNCGains(p=2.0, i=1.0), [1.0, 1.0], [0.0, 0.5], 0.1).tolist()
     [2.1, 1.15]
@@ -225,7 +225,7 @@ def linuxcnc_law(
 
 
 def linuxcnc_gains(axis: AxisController, controller: Controller) -> LinuxCNCGains | None:
-    """Return the gains of an axis' controller in LinuxCNC's terms; None for a kind without an equivalent ``pid``."""
+    """Return the LinuxCNC gains of an axis controller; None for a kind without an equivalent ``pid``."""
     if axis.controller.kind not in MAPS:
         return None
     gains, missing = MAPS[axis.controller.kind](axis.controller)
@@ -250,14 +250,14 @@ def linuxcnc_gains(axis: AxisController, controller: Controller) -> LinuxCNCGain
 
 
 Mapped = tuple[LinuxCNCGains, list[str]]
-"""Gains, and what of the controller has no counterpart."""
+"""Gains, and the parts of the controller without a counterpart."""
 
 
 def _position(part: Component) -> Mapped:
     v = part.values()
     p, i, d = v["position_gain"], v["position_gain"] * v["integral_gain"], v["velocity_gain"]
     if v["structure"] == "ipv":
-        # The reference enters by the integral alone: FF0 and FF1 take out what P and D make of it, but for the start.
+        # The reference enters only through the integral: FF0 and FF1 cancel its P and D terms, except at the start.
         return LinuxCNCGains(p, i, d, -p, -d), []
     return LinuxCNCGains(p, i, d, ff1=v["model_damping"] / v["model_gain"], ff2=1.0 / v["model_gain"]), []
 
@@ -283,7 +283,7 @@ def _cascade(part: Component) -> Mapped:
     v = part.values()
     kv, k, w = v["position_gain"], v["velocity_gain"], v["velocity_feedforward"]
     rate = k / v["integral_time"]
-    # The integral of the velocity error is that of the position error times Kv, plus the position error itself.
+    # The integral of the velocity error is Kv times that of the position error, plus the position error itself.
     return LinuxCNCGains(k * kv + rate, rate * kv, k, rate * (w - 1.0), k * (w - 1.0), v["acceleration_feedforward"]), []
 
 

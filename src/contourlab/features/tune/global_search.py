@@ -1,4 +1,4 @@
-"""All parameters at once: covariance matrix adaptation from several starts, under the same guards as the line search."""
+"""All parameters at once: covariance matrix adaptation from several starts, with the same guards as the line search."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from contourlab.features.tune.objective import Objective
 
 POPULATION = 32
 KEPT = 8
-"""Margins of a generation's best points are checked until so many keep them; these lead the search."""
+"""Number of points per generation that must keep the margins: the best points are checked in turn until it is reached."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,9 +24,9 @@ class GlobalResult:
     Attributes
     ----------
     values : dict of str to float [SI] or None
-        The best that keeps all bounds by the exact analysis; None if no start led to one.
+        The best values that keep all bounds in the exact analysis; None if no start led to any.
     objective : float
-        nan if there is none.
+        nan if `values` is None.
     search : Found
     """
 
@@ -56,18 +56,18 @@ def global_search(
     given : sequence of mapping of str to float [SI]
         Known starts; the others are drawn from the middle half of the box.
     starts : int, >= 1
-        DesignVariable of starts in all.
+        Total number of starts.
     budget : int
-        DesignVariable of runs in all.
+        Total number of runs.
     seed : int
-        Of the draw and the search; the same seed gives the same result.
+        Seed of the drawn starts and the search; the same seed gives the same result.
     progress : callable, optional
-        Called with the runs done and the runs in all.
+        Called with the number of runs done and in all.
 
     Notes
     -----
-    Margins take longer than a run. So in each generation the best points are checked in turn until `KEPT` of them keep the bounds; a point
-    that does not is ranked behind all others of its generation. The result is checked by the exact analysis.
+    Margins take longer to compute than a run. Each generation therefore checks its best points in turn until `KEPT` of them keep the
+    bounds. A point that breaks a bound is ranked behind all others of its generation. The exact analysis checks the result.
     """
     generator = np.random.default_rng(seed)
     known = [space.points(values)[0] for values in given][:starts]
@@ -92,7 +92,7 @@ def global_search(
 
 
 class _Ranked:
-    """The objective of points, those that break a bound behind the others."""
+    """The objective of points; points that break a bound rank behind the others."""
 
     def __init__(self, objective: Objective, guards: Guards, space: Space, fixed: Mapping[str, float]) -> None:
         self.objective, self.guards, self.space, self.fixed = objective, guards, space, fixed
@@ -114,7 +114,7 @@ class _Ranked:
         return ranked
 
     def _generation(self, values: Array, excess: Array, columns: Mapping[str, Array]) -> Array:
-        """Return the values of one generation of one start, those that break a bound behind the others."""
+        """Return the ranked values of one generation of one start; points that break a bound rank behind the others."""
         good = np.isfinite(values)
         if not good.any():
             return values

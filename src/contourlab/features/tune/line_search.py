@@ -1,4 +1,4 @@
-"""One parameter at a time: the line search, the sequential procedure of Ghaffari & Ulsoy, and the repair of margins ahead of it."""
+"""One parameter at a time: the line search, the sequential procedure of Ghaffari & Ulsoy, and the repair of margins before it."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ PLATEAUS = ("robust", "best", "largest")
 SETTLED = 1e-3
 """The sequential procedure ends after a pass that lowers the objective by less than this share."""
 REFINEMENTS = 2
-"""Finer lines, each between the neighbours of the best value so far."""
+"""Number of finer lines, each between the neighbours of the best value so far."""
 REPAIR_VALUES = 64
 HIDDEN = {"json": False}
 
 
 @dataclass(frozen=True)
 class LineRule:
-    """How a line is searched.
+    """Settings of a line search.
 
     Attributes
     ----------
     lanes : int, 8 to 1024
-        Values of a line; 32 fill the lanes of one thread.
+        Number of values of a line; 32 fill the lanes of one thread.
     plateau : str
-        Which of the values within `within` of the best is taken: "robust" the one whose loop stays farthest from -1, "largest" the largest
-        ("as large as feasible"), "best" the best.
+        Which of the values within `within` of the best to take: "robust" takes that whose loop stays farthest from -1, "largest" the
+        largest ("as large as feasible"), "best" the best.
     within : float, >= 0, < 1
         Share by which a value may be worse than the best.
     """
@@ -59,14 +59,14 @@ class Step:
     Attributes
     ----------
     stage : str
-        "repair", or "pass 1" and so on.
+        "repair", "pass 1", "pass 2" and so on.
     variable : DesignVariable
     before, after : float [SI]
     objective_before, objective_after : float
     bound : str
-        What keeps it from a value with a smaller objective, and the end of the range that it is on; empty if nothing does.
+        The bound that prevents a smaller objective, and the end of the range that the value lies on; empty if neither applies.
     values, objectives : ndarray (k,)
-        All values tried, rising.
+        All values tried, increasing, and their objectives.
     """
 
     stage: str
@@ -82,7 +82,7 @@ class Step:
 
 @dataclass(frozen=True)
 class SearchPath:
-    """Steps in order, and the values [SI] that they lead to."""
+    """Steps in order, and the resulting values [SI]."""
 
     values: dict[str, float]
     steps: tuple[Step, ...] = ()
@@ -98,21 +98,21 @@ def sequential(
     passes: int = 1,
     progress: Callable[[int, int], None] | None = None,
 ) -> SearchPath:
-    """Calibrate the parameters of a space in its order, innermost loop first, one at a time.
+    """Calibrate the parameters of a space one at a time, in its order, innermost loop first.
 
     Parameters
     ----------
     objective : Objective
     guards : Guards
     space : Space
-        In the order of the procedure; by default `contourlab.design.calibration_order`.
+        In the order of the procedure, see `contourlab.design.calibration_order`.
     values : mapping of str to float [SI]
         The start.
     rule : LineRule
     passes : int, >= 1
-        Largest number of passes; a pass that hardly lowers the objective is the last.
+        Largest number of passes; the procedure ends after one that hardly lowers the objective.
     progress : callable, optional
-        Called with the steps done and the largest number of steps.
+        Called with the number of steps done and the largest number of steps.
 
     References
     ----------
@@ -140,8 +140,8 @@ def line_search(
 
     Notes
     -----
-    The present value is among those tried, so the objective never rises. Where the present values break a bound, a new value may not break
-    it further.
+    The present value is among those tried, so the objective never rises. If the present values break a bound, a new value may not break it
+    further.
     """
     line = _Line(objective, guards, variable, values)
     line.add(np.append(np.linspace(0.0, 1.0, rule.lanes - 1), variable.normalise(line.own)), keep_present=True)
@@ -157,7 +157,7 @@ def line_search(
 
 
 class _Line:
-    """All values of one parameter that were tried, rising, with their runs and loops."""
+    """All values of one parameter tried so far, increasing, with their runs and loops."""
 
     def __init__(self, objective: Objective, guards: Guards, variable: DesignVariable, values: Mapping[str, float]) -> None:
         self.objective, self.guards, self.variable, self.given = objective, guards, variable, dict(values)
@@ -174,7 +174,7 @@ class _Line:
         return int(np.flatnonzero(self.values == self.own)[0])
 
     def add(self, places: Array, keep_present: bool = False) -> None:
-        """Run values at places from 0 to 1; the last of them is the present value itself if `keep_present`."""
+        """Run the values at normalised positions 0 to 1; with `keep_present` the last is exactly the present value."""
         tried = np.asarray(self.variable.physical(places))
         if keep_present:
             tried[-1] = self.own
@@ -192,33 +192,33 @@ class _Line:
             self.allowance = self.margins(self.present)[0]
 
     def margins(self, i: int) -> tuple[float, float]:
-        """Return by how much the margins fall short, and the distance of the loops from -1."""
+        """Return the shortfall of the margins, and the distance of the loops from -1."""
         value = float(self.values[i])
         if value not in self.known_margins:
             self.known_margins[value] = self.guards.missing(self.loops[value])
         return self.known_margins[value]
 
     def within_limits(self) -> Flags:
-        """Return which runs went well and keep the drive limits, at least as far as the present value does."""
+        """Return which runs succeeded and keep the drive limits, or break them no further than the present value does."""
         bounds, here = self.guards.bounds, self.present
         limited = self.limited <= max(bounds.limited, self.limited[here] if np.isfinite(self.limited[here]) else 0.0)
         largest = self.largest <= max(bounds.command, self.largest[here] if np.isfinite(self.largest[here]) else 0.0)
         return np.asarray(np.isfinite(self.value) & limited & largest)
 
     def best(self) -> int:
-        """Return the index of the best allowed value; the present one if none is."""
+        """Return the index of the best allowed value; that of the present value if none is allowed."""
         return next((i for i in np.argsort(self.value, kind="stable").tolist() if self._allowed(i)), self.present)
 
     def _allowed(self, i: int) -> bool:
         return bool(self.within_limits()[i]) and self.margins(i)[0] <= self.allowance
 
     def neighbours(self, i: int) -> tuple[float, float]:
-        """Return the places of the values next to one."""
+        """Return the normalised neighbours of a value."""
         place = self.variable.normalise(self.values)
         return float(place[max(i - 1, 0)]), float(place[min(i + 1, len(place) - 1)])
 
     def chosen(self, best: int, rule: LineRule) -> int:
-        """Return the index of the value that the rule takes of those as good as the best."""
+        """Return the index of the value that the rule takes among those about as good as the best."""
         if rule.plateau == "best" or not np.isfinite(self.value[best]):
             return best
         limit = min(self.value[best] * (1.0 + rule.within), max(self.value[best], self.value[self.present]))
@@ -227,18 +227,18 @@ class _Line:
             return best
         if rule.plateau == "largest":
             return int(max(good))
-        # Feedforward moves no pole: there all are equally robust, and the best is taken.
+        # Feedforward moves no pole: all values are then equally robust, so take the best.
         farthest = max(self.margins(i)[1] for i in good)
         robust = [i for i in good if self.margins(i)[1] >= farthest * (1.0 - 1e-6)]
         return int(min(robust, key=lambda i: self.value[i]))
 
     def bound(self, best: int, chosen: int) -> str:
-        """Return what keeps the objective from being smaller: a bound, an end of the range, or nothing."""
+        """Return what prevents a smaller objective: a bound, an end of the range, or nothing."""
         reasons = list(filter(None, (self._barrier(best), self.variable.end(float(self.values[chosen])))))
         return "; ".join(reasons) or ("" if chosen == best else "flat optimum")
 
     def _barrier(self, best: int) -> str:
-        """Return which bound the value with the smallest objective breaks, if it is not the best allowed one."""
+        """Return the bound that the value with the smallest objective breaks; empty if that value is allowed."""
         lowest = int(np.argmin(self.value))
         if not self.value[lowest] < self.value[best]:
             return ""
@@ -248,21 +248,21 @@ class _Line:
 
 
 def restore_margins(objective: Objective, guards: Guards, space: Space, values: Mapping[str, float]) -> SearchPath:
-    """Change parameters axis by axis until the margins are kept; no step where they are kept already.
+    """Change parameters axis by axis until the margins are kept; an axis that keeps them needs no step.
 
     Parameters
     ----------
     objective : Objective
     guards : Guards
     space : Space
-        Parameters that may change, each in its range.
+        Parameters that may change, each within its range.
     values : mapping of str to float [SI]
         The start.
 
     Notes
     -----
-    Of each axis the one parameter is changed that restores the margins at the least error. Where none does, the one that comes nearest is
-    changed and the next is looked for. Margins may still be broken in the end, if the ranges are too narrow.
+    On each axis, the parameter that restores the margins with the smallest objective changes. If none restores them, the one that comes
+    nearest changes, and then the next. If the ranges are too narrow, margins stay broken.
     """
     now, steps = dict(values), list[Step]()
     for axis in guards.axes:
@@ -284,13 +284,13 @@ def restore_margins(objective: Objective, guards: Guards, space: Space, values: 
 def _repair(
     objective: Objective, guards: Guards, axis: str, variable: DesignVariable, now: Mapping[str, float]
 ) -> tuple[float, float, float, Step]:
-    """Return for the best value of one parameter: by how much margins fall short, the objective, the distance moved, and the step."""
+    """Return for the best value of one parameter: shortfall of the margins, objective, distance moved, and step."""
     own = now[variable.name]
     values = np.unique(np.append(variable.physical(np.linspace(0.0, 1.0, REPAIR_VALUES - 1)), own))
     columns = {name: np.full(values.size, value) for name, value in now.items()} | {variable.name: values}
     objectives = objective(columns).value
     missing = np.array([guards.missing(loops)[0] for loops in guards.loops(columns, (axis,))])
-    # While another axis still diverges, all runs fail: then the smallest change that restores the margins is taken.
+    # While another axis still diverges, all runs fail: take the smallest change that restores the margins.
     finite = np.isfinite(objectives)
     usable = finite if finite.any() else np.ones(values.size, dtype=bool)
     least = float(missing[usable].min(initial=math.inf))

@@ -1,4 +1,4 @@
-"""Figures of a run: those that a calibration lowers, by batches, and all of them for one controller, judged exactly."""
+"""Figures of a run: the objective of a calibration in batches, and all figures of one controller from the exact judge."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ FIGURES = {
     "command_largest": ("largest command, share of the drive's limit", "%"),
     "limited_share": ("time at a drive's limit", "%"),
 }
-"""Figures of a run: the name in print, and the display unit."""
+"""Figures of a run: printed name and display unit."""
 GOALS = {
     "integral": "contour_error_integral",
     "max": "contour_error_max",
@@ -37,17 +37,17 @@ GOALS = {
     "tracking": "tracking_error_rms",
     "energy": "command_energy",
 }
-"""Figures that a calibration may lower."""
+"""Figures that a calibration can minimise."""
 
 
 @dataclass(frozen=True)
 class Goal:
-    """Figures to lower, and their weights.
+    """Figures to minimise, with weights.
 
     Attributes
     ----------
     weights : tuple of (str, float)
-        Names of `GOALS`, weights > 0. In a sum, each figure counts relative to its value at the start.
+        Names from `GOALS`, weights > 0. In a sum, each figure is relative to its value at the start.
     """
 
     weights: tuple[tuple[str, float], ...] = (("integral", 1.0),)
@@ -56,11 +56,11 @@ class Goal:
         names = [name for name, _ in self.weights]
         for name, weight in self.weights:
             if name not in GOALS:
-                raise ParameterError("objective", repr(name), f"of {', '.join(GOALS)}, or a sum such as integral=1,energy=0.1")
+                raise ParameterError("objective", repr(name), f"one of {', '.join(GOALS)}, or a sum such as integral=1,energy=0.1")
             if not (weight > 0.0 and math.isfinite(weight)):
                 raise ParameterError("objective", f"{name}={weight:g}", "a weight > 0")
         if not names or len(set(names)) < len(names):
-            raise ParameterError("objective", ",".join(names) or "none", "at least one figure, each once")
+            raise ParameterError("objective", ",".join(names) or "none", "at least one figure, none of them twice")
 
     @staticmethod
     def parse(text: str) -> Goal:
@@ -80,7 +80,7 @@ class Goal:
             try:
                 weights.append((name.strip(), float(weight) if given else 1.0))
             except ValueError as error:
-                raise ParameterError("objective", repr(part), "a figure and its weight, as energy=0.1") from error
+                raise ParameterError("objective", repr(part), "a figure and its weight, such as energy=0.1") from error
         return Goal(tuple(weights))
 
     @property
@@ -121,7 +121,7 @@ class ObjectiveValues:
     figures: Mapping[str, Array]
 
     def violations(self, values: Mapping[str, float], guards: Guards) -> tuple[str, ...]:
-        """Return the bounds that the first run breaks, whose parameters have these values [SI]."""
+        """Return the bounds that the first run breaks; `values` [SI] are its parameters."""
         return guards.broken(values, float(self.limited[0]), float(self.largest[0]))
 
 
@@ -167,18 +167,18 @@ class Objective:
 
 @dataclass(frozen=True, eq=False)
 class Evaluation:
-    """One controller: a single run under the exact judge, and the exact margins.
+    """One controller: a single run, judged exactly, and the exact margins.
 
     Attributes
     ----------
     figures : dict of str to float [SI]
-        The keys of `FIGURES`; nan where the run failed.
+        By the keys of `FIGURES`; nan if the run failed.
     margins : dict of str to Margins
-        By axis, without the axes that have no linear model.
+        By axis; omits axes without a linear model.
     violations : tuple of str
-        Bounds that are broken.
+        Broken bounds.
     run : Result or None
-        Judged; None where it diverged.
+        The judged run; None if it diverged.
     """
 
     figures: dict[str, float]
@@ -198,7 +198,7 @@ def evaluate(
         See `contourlab.loop.simulate`.
     guards : Guards
     seed : int
-        Of all noise.
+        Seed of all noise.
     moving : bool
         Whether the axes start with the velocity of the reference.
     """
@@ -218,7 +218,7 @@ def _figures(run: Result, machine: Machine, reference: Reference) -> dict[str, f
     error = metrics.contour_error
     window = slice(*metrics.window)
     tracking = np.linalg.norm((run["reference"] - run["position"])[window], axis=1)
-    # Relative to the drive's limit where it has one, as in `contourlab.loop.BatchResult`.
+    # Relative to the drive's limit, if any, as in `contourlab.loop.BatchResult`.
     limits = np.array([getattr(axis.drive, "limit", math.inf) for axis in machine.axes], dtype=float)
     scales = np.where(np.isfinite(limits), limits, 1.0)
     asked, applied = run["command"][window], run["applied_command"][window]

@@ -1,4 +1,4 @@
-"""Pictures of a calibration: the objective over the runs, the line of each parameter, the contour error before and after."""
+"""Pictures of a calibration: the objective over the runs, the line search of each parameter, the contour error before and after."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ def tuning_charts(goal: Goal, tuned: Tuned) -> tuple[Chart, ...]:
     progress = _progress(tuned, scale)
     if progress:
         panel = Panel("runs", label, _curves(progress), log_y=True)
-        caption = "The objective over runs: after each step of the sequential procedure; the best so far of the global search."
-        charts.append(Chart("tune-course", "Course of the calibration", caption, (panel,), panel_height=320))
+        caption = "Objective over runs: after each step of the sequential procedure; for the global search, the best so far."
+        charts.append(Chart("tune-course", "Progress of the calibration", caption, (panel,), panel_height=320))
     lines = [step for step in tuned.path.steps if step.stage != "repair" and step.before]
     if lines:
         charts.append(_lines(label, lines, scale))
@@ -37,7 +37,7 @@ def tuning_charts(goal: Goal, tuned: Tuned) -> tuple[Chart, ...]:
             errors[name] = (evaluation.run.time[half:], 1e6 * error[half:])
     if errors:
         panel = Panel("time [s]", "contour error [um]", _curves(errors, positive=False))
-        charts.append(Chart("tune-error", "Contour error before and after", "Second half of the run, judged exactly.", (panel,)))
+        charts.append(Chart("tune-error", "Contour error before and after", "Second half of the run.", (panel,)))
     return tuple(charts)
 
 
@@ -68,8 +68,8 @@ def _lines(label: str, steps: Sequence[Step], scale: float) -> Chart:
             for (name, step), style in zip(lines, styles, strict=True)
         )
         log_x = all((curve.x > 0.0).all() for curve in curves)
-        panels.append(Panel("value over the value before", f"{axis}: {label}", curves, log_x=log_x, log_y=True))
-    caption = "Each curve is one parameter, all others fixed at their values then. Where it is flat, the parameter hardly matters."
+        panels.append(Panel("value / previous value", f"{axis}: {label}", curves, log_x=log_x, log_y=True))
+    caption = "Each curve varies one parameter, with all others at their values of that step. A flat curve: the parameter hardly matters."
     return Chart("tune-lines", "One parameter at a time", caption, tuple(panels), panel_height=320)
 
 

@@ -28,7 +28,7 @@ Problem = tuple[Objective, Guards, Space]
 
 @dataclass(frozen=True)
 class TuneSettings:
-    """How a controller is calibrated.
+    """Settings of a calibration.
 
     Attributes
     ----------
@@ -40,17 +40,17 @@ class TuneSettings:
     start : str
         One of `STARTS`: the gains of the scenario, or placed poles.
     parameters : tuple of str
-        Parameters and their ranges, see `contourlab.design.Space.chosen`; empty for all that is calibrated.
+        Parameters and their ranges, see `contourlab.design.Space.chosen`; empty for all calibrated parameters.
     width : float, > 1
-        A parameter without a range may become so many times smaller or larger.
+        Factor by which a parameter without a range may become smaller or larger.
     passes : int, >= 1
-        Of the sequential procedure, at most.
+        Largest number of passes of the sequential procedure.
     budget : int, > 0
         Runs of the global search.
     starts : int, >= 1
         Starts of the global search.
     seed : int
-        Of the global search.
+        Seed of the global search.
     threads : int, optional
     """
 
@@ -88,21 +88,21 @@ class Tuned:
     ----------
     controller : Controller
     space : Space
-        The parameters that were varied, with their values at the start.
+        The varied parameters, with their values at the start.
     values : dict of str to float [SI]
         Their calibrated values.
     method : str
-        "sequential", "global", or "none" if nothing better keeps the bounds.
+        Method of the result: "sequential" or "global"; "none" if a global search alone finds nothing that keeps the bounds.
     before, after : Evaluation
-        Of the given and the calibrated controller.
+        Evaluations of the given and the calibrated controller.
     start_objective : float
-        Where the search began: at the placed start if there is one.
+        Objective at the start of the search: the placed start if there is one.
     path : SearchPath
         Steps of the repair and of the sequential procedure.
     global_result : GlobalResult or None
     drive_terms : tuple of DriveTerms
     runs : int
-        In all.
+        Total number of runs.
     findings : tuple of Finding
     """
 
@@ -121,7 +121,7 @@ class Tuned:
 
     @property
     def gain(self) -> float:
-        """Integral of the contour error before over that after."""
+        """Integral of the contour error before, divided by that after."""
         after = self.after.figures["contour_error_integral"]
         return self.before.figures["contour_error_integral"] / after if after else math.inf
 
@@ -147,16 +147,16 @@ def tune(
     moving : bool
         Whether the axes start with the velocity of the reference.
     seed : int
-        Of all noise.
+        Seed of all noise.
     begin : callable, optional
         Called with the name of each stage.
     progress : callable, optional
-        Called with how much of the stage is done, of how much.
+        Called with the amount of the stage that is done, and the whole.
 
     Raises
     ------
     ParameterError
-        If a parameter is unknown or belongs to the machine, nothing can be calibrated, or a start cannot be placed.
+        If a parameter is unknown or belongs to the machine, there is nothing to calibrate, or pole placement finds no start.
 
     Notes
     -----
@@ -197,10 +197,10 @@ def _check(machine: Machine, controller: Controller, settings: TuneSettings) -> 
         order = calibration_order(machine, controller)
         if not any(getattr(*known[name]) not in (0.0, math.inf) for name in order):
             kinds = ", ".join(sorted({part.controller.kind for part in controller.axes.values()}))
-            raise ParameterError("parameters", f"none: {kinds} has nothing to calibrate that is not zero", "given, each with its bounds")
+            raise ParameterError("parameters", f"none: {kinds} has no nonzero parameter to calibrate", "given, each with its bounds")
     for variable in Space.chosen(machine, controller, settings.parameters, settings.width).numbers:
         if variable.name.startswith("axes."):
-            raise ParameterError("parameter", variable.short, "a number of the controller; the machine is not calibrated")
+            raise ParameterError("parameter", variable.short, "a parameter of the controller; the machine is not calibrated")
 
 
 def _range_findings(space: Space, values: Mapping[str, float], guards: Guards) -> Iterator[Finding]:
@@ -215,7 +215,7 @@ def _range_findings(space: Space, values: Mapping[str, float], guards: Guards) -
 
 
 def _conclusions(goal: Goal, before: Evaluation, after: Evaluation) -> Iterator[Finding]:
-    """Yield how the figure asked for and the integral of the contour error changed."""
+    """Yield the changes of the chosen figure and of the integral of the contour error."""
     for key in dict.fromkeys((goal.figure or "contour_error_integral", "contour_error_integral")):
         if math.isfinite(before.figures[key]) and before.figures[key]:
             yield finding("CL609", FIGURES[key][0], ratio=after.figures[key] / before.figures[key])
@@ -228,7 +228,7 @@ def _candidates(
     begin: Callable[[str], None],
     progress: Callable[[int, int], None] | None,
 ) -> tuple[SearchPath, GlobalResult | None, list[Candidate]]:
-    """Search from a start by the chosen methods; return the steps, the result of the global search, and the candidates."""
+    """Search from a start with the chosen methods; return the steps, the result of the global search, and the candidates."""
     objective = problem[0]
     candidates: list[Candidate] = []
     begin("restoring the margins")
@@ -252,9 +252,9 @@ def _candidates(
 def _chosen(
     objective: Objective, guards: Guards, values: Mapping[str, float], candidates: list[Candidate]
 ) -> tuple[str, Mapping[str, float], list[Finding]]:
-    """Return method and values of the best candidate that keeps the bounds, with a finding for each better one that does not.
+    """Return method and values of the best candidate that keeps the bounds, with a finding for each better candidate that breaks one.
 
-    Where none keeps them, the best is returned all the same: its evaluation names what it breaks.
+    If every candidate breaks a bound, return the best; its evaluation lists the broken bounds.
     """
     findings: list[Finding] = []
     ranked = sorted(candidates, key=lambda candidate: candidate[0])

@@ -20,7 +20,7 @@ def tables(goal: Goal, tuned: Tuned) -> Iterator[str]:
     if tuned.global_result is not None:
         search = tuned.global_result.search
         per_start = listing([figure(value, goal.unit, 4) for value in search.per_start])
-        yield f"All parameters at once: best of each start {per_start}; {search.runs} runs. Taken: {tuned.method}."
+        yield f"Global search: best of each start {per_start}; {search.runs} runs. Method of the result: {tuned.method}."
     yield _figures(tuned).text()
     if tuned.after.margins:
         yield _margins(tuned).text()
@@ -30,7 +30,7 @@ def tables(goal: Goal, tuned: Tuned) -> Iterator[str]:
 
 def _steps(goal: Goal, tuned: Tuned) -> Table:
     left = {"step", "parameter", "unit"}
-    heads = ("step", "parameter", "from", "to", "unit", "objective", "then")
+    heads = ("step", "parameter", "from", "to", "unit", "objective before", "after")
     table = Table([*(Column(head, left=head in left) for head in heads), Column("limited by", prose=True)], keys=2)
     for step in tuned.path.steps:
         variable = step.variable
@@ -71,16 +71,16 @@ def _parameters(tuned: Tuned) -> Table:
 
 
 def _drives(tuned: Tuned) -> Table:
-    """Return Kv, the velocity loop, and LinuxCNC's gains for machine units of mm, an axis in each column."""
+    """Return Kv, the velocity loop, and LinuxCNC's gains for machine units of mm, one axis per column."""
     terms = tuned.drive_terms
     gains = [{} if axis.linuxcnc is None else axis.linuxcnc.per_millimetre() for axis in terms]
     table = Table([Column("drive terms", left=True), *(Column(f"axis {axis.axis}") for axis in terms)])
     table.add("Kv [1/s]", *(figure(axis.kv, digits=4) for axis in terms))
     table.add("Kv [(m/min)/mm]", *(figure(0.06 * axis.kv, digits=4) for axis in terms))
-    table.add("velocity loop", *(figure(axis.velocity_bandwidth, "Hz", 4) for axis in terms))
+    table.add("velocity loop bandwidth", *(figure(axis.velocity_bandwidth, "Hz", 4) for axis in terms))
     table.add("LinuxCNC output, machine units mm", *(axis.command_unit for axis in terms))
     for name in dict.fromkeys(name for axis in gains for name in axis):
         table.add(f"LinuxCNC {name}", *(figure(axis.get(name, math.nan), digits=6) for axis in gains))
-    table.add("LinuxCNC command, difference rms", *(figure(axis.difference_rms, "%", 2) for axis in terms))
-    table.add("LinuxCNC command, difference max", *(figure(axis.difference, "%", 2) for axis in terms))
+    table.add("LinuxCNC command difference, rms", *(figure(axis.difference_rms, "%", 2) for axis in terms))
+    table.add("LinuxCNC command difference, max", *(figure(axis.difference, "%", 2) for axis in terms))
     return table

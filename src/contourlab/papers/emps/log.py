@@ -1,4 +1,4 @@
-"""The log of the EMPS benchmark: a linear axis at 1 kHz, moved to and fro with bang-bang accelerations."""
+"""Log of the EMPS benchmark: a linear axis at 1 kHz, moved back and forth with bang-bang accelerations."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from contourlab.logs import read_record
 
 WANTED = (
     "give DATA_EMPS.mat of Janot, Gautier & Brunot, 'Data set and reference models of EMPS', 2019 nonlinear benchmark "
-    "(nonlinearbenchmark.org); for validation DATA_EMPS_PULSES.mat beside it. They are not part of contourlab"
+    "(nonlinearbenchmark.org); for validation also DATA_EMPS_PULSES.mat. They are not part of contourlab"
 )
 SIGNALS, GAINS = ("t", "qm", "qg", "vir"), ("kp", "kv", "gtau")
 
@@ -27,9 +27,9 @@ class EmpsLog:
     ----------
     time : ndarray (n,) [s]
     position, reference : ndarray (n,) [m]
-        Measured at the motor as travel of the table, and commanded.
+        Travel of the table, measured at the motor, and its reference.
     voltage : ndarray (n,) [V]
-        At the drive: controller and pulses.
+        Voltage at the drive: controller and pulses.
     pulses : ndarray (n,) [V]
         Added to the controller's output; zero in the record for estimation.
     position_gain, velocity_gain, drive_gain : float [1/s, V s/m, N/V]
@@ -61,7 +61,7 @@ def read_emps(file: str | Path) -> EmpsLog:
     Parameters
     ----------
     file : str or Path
-        DATA_EMPS.mat, or DATA_EMPS_PULSES.mat with pulses. Its description says newtons; by the voltage they are volts.
+        DATA_EMPS.mat, or DATA_EMPS_PULSES.mat with pulses. The description of the data set gives newtons; the voltage shows volts.
 
     Raises
     ------
@@ -71,7 +71,7 @@ def read_emps(file: str | Path) -> EmpsLog:
     held = _variables(Path(file))
     absent = [name for name in (*SIGNALS, *GAINS) if name not in held]
     if absent:
-        raise LogError(f"holds no {', '.join(absent)}: {WANTED}", file=file)
+        raise LogError(f"has no {', '.join(absent)}: {WANTED}", file=file)
     signal = {name: np.asarray(held[name], dtype=float).ravel() for name in (*SIGNALS, *GAINS, "pulses_N") if name in held}
     n = signal["t"].size
     pulses = signal.pop("pulses_N", np.zeros(n))
@@ -82,7 +82,7 @@ def read_emps(file: str | Path) -> EmpsLog:
         if not np.isfinite(values).all():
             raise LogError(f"{name} is not finite at sample {int(np.flatnonzero(~np.isfinite(values))[0])}", file=file)
         if name in GAINS and not values[0] > 0.0:
-            raise LogError(f"{name} = {values[0]:g} is no gain: it has to be above zero", file=file)
+            raise LogError(f"{name} = {values[0]:g} is not a valid gain: it must be above zero", file=file)
     kp, kv, gtau = (float(signal[name][0]) for name in GAINS)
     return EmpsLog(signal["t"], signal["qm"], signal["qg"], signal["vir"], pulses, kp, kv, gtau)
 

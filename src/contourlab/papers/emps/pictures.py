@@ -18,9 +18,9 @@ Traces = dict[str, tuple[Array, Array]]
 PERIOD = 6.24
 """Period of the reference [s]; some pictures show one."""
 BINS = 60
-"""Velocity classes over which measured friction is averaged."""
+"""Number of velocity bins for averaging measured friction."""
 FEWEST = 4
-"""Samples that make a mean."""
+"""Fewest samples for a mean."""
 
 
 def draw(log: str | Path | None, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
@@ -29,29 +29,29 @@ def draw(log: str | Path | None, folder: str | Path, formats: Sequence[str]) -> 
     force, error = ("time [s]", "force [N]"), ("time [s]", "position error [mm]")
     charts = [
         traces_chart("emps-force", "EMPS: measured and predicted force", force, _predicted_force(found)),
-        traces_chart("emps-force-left", "EMPS: measured less predicted force", force, _force_residual(found)),
+        traces_chart("emps-force-left", "EMPS: measured minus predicted force", force, _force_residual(found)),
         traces_chart("emps-friction", "EMPS: friction and offset", ("velocity [mm/s]", "force [N]"), _friction_curves(found)),
-        traces_chart("emps-error", "EMPS: reference less position", error, _position_errors(found)),
-        traces_chart("emps-error-left", "EMPS: measured less simulated", ("time [s]", "position [um]"), _position_residual(found)),
+        traces_chart("emps-error", "EMPS: reference minus position", error, _position_errors(found)),
+        traces_chart("emps-error-left", "EMPS: measured minus simulated", ("time [s]", "position [um]"), _position_residual(found)),
     ]
     return write_charts(charts, folder, formats)
 
 
 def _predicted_force(found: Identified) -> Traces:
-    """Return over time [s], one period: measured and predicted force [N]."""
+    """Return measured and predicted force [N] over time [s], one period."""
     fit = found.symmetric
     part = fit.time <= PERIOD
     return {name: (fit.time[part], force[part]) for name, force in (("measured", fit.force), ("predicted", fit.predicted))}
 
 
 def _force_residual(found: Identified) -> Traces:
-    """Return over time [s]: measured less predicted force [N] of both friction models."""
+    """Return measured minus predicted force [N] of both friction models over time [s]."""
     fits = {"friction alike in both directions": found.symmetric, "friction by direction": found.asymmetric}
     return {name: (fit.time, fit.force - fit.predicted) for name, fit in fits.items()}
 
 
 def _friction_curves(found: Identified) -> Traces:
-    """Return over velocity [mm/s]: friction with offset [N], measured (means over velocity classes) and from both models."""
+    """Return friction with offset [N] over velocity [mm/s]: measured (means of velocity bins) and from both models."""
     velocity, friction = _measured_friction(found)
     edges = np.linspace(velocity.min(), velocity.max(), BINS + 1)
     place = np.clip(np.digitize(velocity, edges) - 1, 0, BINS - 1)
@@ -61,15 +61,15 @@ def _friction_curves(found: Identified) -> Traces:
     forward = v > 0.0
     alike, directed = found.symmetric, found.asymmetric
     curves = {
-        "measured, less M a": (means[:, 0], means[:, 1]),
-        "alike in both directions": (v, alike["Fv"] * v + alike["Fc"] * np.sign(v) + alike["offset"]),
+        "measured, minus M a": (means[:, 0], means[:, 1]),
+        "equal in both directions": (v, alike["Fv"] * v + alike["Fc"] * np.sign(v) + alike["offset"]),
         "by direction": (v, np.where(forward, directed["Fv+"] * v + directed["Fc+"], directed["Fv-"] * v - directed["Fc-"])),
     }
     return {name: (1e3 * x, y) for name, (x, y) in curves.items()}
 
 
 def _measured_friction(found: Identified) -> tuple[Array, Array]:
-    """Return velocity, and force less that of the mass, at the samples of the identification."""
+    """Return velocity, and force minus mass times acceleration, at the samples of the identification."""
     log = found.log
     motion = filtered_motion(log.position, log.period, cutoff=SETTINGS.cutoff, order=SETTINGS.order)
     part = slice(SETTINGS.dropped[0], None)
@@ -79,7 +79,7 @@ def _measured_friction(found: Identified) -> tuple[Array, Array]:
 
 
 def _position_errors(found: Identified) -> Traces:
-    """Return over time [s], one period: reference less position [mm], measured and simulated."""
+    """Return reference minus position [mm], measured and simulated, over time [s], one period."""
     log = found.log
     part = log.time <= PERIOD
     runs = {"measured": log.position, "simulated": simulate_emps(log, axis_of(found.symmetric)).position}
@@ -87,7 +87,7 @@ def _position_errors(found: Identified) -> Traces:
 
 
 def _position_residual(found: Identified) -> Traces:
-    """Return over time [s]: measured less simulated position [um] for both friction models."""
+    """Return measured minus simulated position [um] for both friction models over time [s]."""
     log = found.log
     fits = {"friction alike in both directions": found.symmetric, "friction by direction": found.asymmetric}
     every = slice(None, None, SETTINGS.decimation)

@@ -1,8 +1,8 @@
-"""Simulation of the EMPS: a mass with friction under two nested loops, against the log.
+"""Simulation of the EMPS along the log: a mass with friction under two nested loops.
 
-The controller is nu = k_v (k_p (q_r - q) - v) with v = (q_k - q_(k-2))/(2 T), and saturates at 10 V. Between ticks the force is held, and
-the axis slides exponentially or sticks, both exactly. This loop does what the engine cannot: start in the state of the log, reproduce the
-published solver whose friction chatters, and use friction by direction. `simulate_in_engine` runs the rest in the engine and agrees.
+The controller is nu = k_v (k_p (q_r - q) - v) with v = (q_k - q_(k-2))/(2 T), and saturates at 10 V. Between ticks the force is held; the
+solution, sliding or sticking, is exact. This loop can do what the engine cannot: start in the state of the log, reproduce the published
+solver with its chattering friction, and use friction by direction. `simulate_in_engine` runs all other cases in the engine; both agree.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class EmpsAxis:
     ----------
     mass, offset : float [kg, N]
     viscous, coulomb : (float, float) [N s/m, N]
-        Forwards and backwards.
+        For forward and backward motion.
     """
 
     mass: float
@@ -50,7 +50,7 @@ class EmpsAxis:
     offset: float = 0.0
 
     def acceleration(self, force: float, velocity: float) -> float:
-        """Return the acceleration [m/s^2] under a force [N]; none at rest below Coulomb friction."""
+        """Return the acceleration [m/s^2] under a force [N]; zero at rest up to Coulomb friction."""
         push = force - self.offset
         if velocity == 0.0 and -self.coulomb[1] <= push <= self.coulomb[0]:
             return 0.0
@@ -66,9 +66,9 @@ class EmpsRun:
     ----------
     time, position, velocity : ndarray (n,) [s, m, m/s]
     acceleration : ndarray (n,) [m/s^2]
-        From the tick on.
+        Acceleration right after the tick.
     force : ndarray (n,) [N]
-        Of the drive.
+        Force of the drive.
     """
 
     time: Array
@@ -86,17 +86,17 @@ def axis_of(fit: InverseDynamicsFit) -> EmpsAxis:
 
 
 def simulate_emps(log: EmpsLog, axis: EmpsAxis, *, delay: int = 0) -> EmpsRun:
-    """Drive an axis along the reference of a log, from the state in which the log starts.
+    """Simulate an axis along the reference of a log, from the state in which the log starts.
 
     Parameters
     ----------
     log : EmpsLog
     axis : EmpsAxis
     delay : int, 0 or 1 [servo periods]
-        From the controller to the drive.
+        Delay from the controller to the drive.
     """
     period = log.period
-    # The first two voltages give the controller's memory from before the record.
+    # The first two voltages give the controller's state before the record.
     asked = log.position_gain * (log.reference[:2] - log.position[:2]) - (log.voltage[:2] - log.pulses[:2]) / log.velocity_gain
     earlier, last = (float(q - 2.0 * period * v) for q, v in zip(log.position[:2], asked, strict=True))
     start = float(log.position[0]), float(log.position[1] - last) / (2.0 * period)
@@ -105,10 +105,10 @@ def simulate_emps(log: EmpsLog, axis: EmpsAxis, *, delay: int = 0) -> EmpsRun:
 
 
 def simulate_as_published(log: EmpsLog, axis: EmpsAxis) -> EmpsRun:
-    """Drive an axis as the published model does: from rest, one tick of delay, with the published clock and solver.
+    """Simulate an axis like the published model: from rest, one tick of delay, with the published clock and solver.
 
-    The clock is one difference of the logged time, t_10 - t_9. It is off by some 1e-5 and drifts against the log. Ten Runge-Kutta steps a
-    tick do not locate the reversal, so that friction chatters at rest.
+    The clock is one difference of the logged time, t_10 - t_9. It is off by about 1e-5 and drifts against the log. Ten Runge-Kutta steps
+    per tick do not locate reversals, so friction chatters at rest.
     """
     period = float(log.time[9] - log.time[8])
     ticks = period * np.arange(log.time.size, dtype=np.float64)
@@ -127,7 +127,7 @@ def _looped(
     start: tuple[float, float],
     plant: Advance,
 ) -> EmpsRun:
-    """Return the run; `before` are the positions one and two ticks ahead of the first, `start` position and velocity there."""
+    """Run the loop; `before` has the positions one and two ticks before the first tick, `start` its position and velocity."""
     period = float(ticks[1])
     (last, earlier), (p, v), waiting = before, start, 0.0
     rows = np.empty((ticks.size, 4))
@@ -161,7 +161,7 @@ def advance(axis: EmpsAxis, p: float, v: float, force: float, rise: float, perio
 
 
 def _slide(p: float, v: float, drive: float, rate: float, span: float) -> tuple[float, float]:
-    """Integrate v' = drive - rate v over a time."""
+    """Return position and velocity after integrating v' = drive - rate v over a time."""
     if abs(rate * span) < 1e-12:
         return p + (v + 0.5 * drive * span) * span, v + drive * span
     faded = -math.expm1(-rate * span)
@@ -176,7 +176,7 @@ def _reversal(v: float, drive: float, rate: float) -> float:
 
 
 def _chatter(axis: EmpsAxis, p: float, v: float, force: float, rise: float, period: float) -> tuple[float, float]:
-    """Return position and velocity a period later by Runge-Kutta steps with friction as sign(v); the pulses enter as a ramp."""
+    """Return position and velocity a period later by Runge-Kutta steps with sign(v) friction; pulses act as ramps."""
     h = period / SUBSTEPS
     (forward, backward), (up, down) = axis.viscous, axis.coulomb
 
@@ -196,21 +196,21 @@ def _chatter(axis: EmpsAxis, p: float, v: float, force: float, rise: float, peri
 
 
 def _way(velocity: float) -> tuple[float, int]:
-    """Return the sign of motion, and the index of its friction."""
+    """Return the sign of the motion and the index of its friction."""
     return (1.0, 0) if velocity > 0.0 else (-1.0, 1)
 
 
 def simulate_in_engine(log: EmpsLog, axis: EmpsAxis, *, delay: int = 0) -> EmpsRun:
-    """Drive an axis along the reference of a log, from rest at its first sample.
+    """Simulate an axis in the engine along the reference of a log, from rest at its first sample.
 
     Parameters
     ----------
     log : EmpsLog
-        Its pulses are added to the command as a learned command would be.
+        The pulses are added to the command like a learned command.
     axis : EmpsAxis
         With equal friction in both directions.
     delay : int, 0 or 1 [servo periods]
-        From the controller to the drive.
+        Delay from the controller to the drive.
 
     Raises
     ------
@@ -232,7 +232,7 @@ def simulate_in_engine(log: EmpsLog, axis: EmpsAxis, *, delay: int = 0) -> EmpsR
 
 
 def _library_axis(log: EmpsLog, axis: EmpsAxis, delay: int) -> Axis:
-    """Return the library's axis with identified figures and without an encoder, as in the published model."""
+    """Return the shipped axis with identified parameters and without an encoder, as in the published model."""
     for name, (forward, backward) in (("viscous", axis.viscous), ("coulomb", axis.coulomb)):
         if forward != backward:
             raise ParameterError(name, f"{forward:g} forwards, {backward:g} backwards", "equal in both directions")
@@ -251,7 +251,7 @@ def _library_axis(log: EmpsLog, axis: EmpsAxis, delay: int) -> Axis:
 def percent_errors(log: EmpsLog, measured: FilteredMotion, run: EmpsRun, dropped: int) -> dict[str, float]:
     """Return 100 |measured - simulated|/|measured| of position, velocity, acceleration and force.
 
-    `measured` is the log's motion behind the low-pass of the identification; the first `dropped` samples are left out.
+    `measured` is the motion of the log after the low-pass of the identification; the first `dropped` samples do not count.
     """
     pairs = {
         "position": (measured.position, run.position),

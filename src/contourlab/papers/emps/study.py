@@ -19,18 +19,11 @@ from contourlab.analysis.identification.inverse_dynamics import (
 )
 from contourlab.errors import LogError
 from contourlab.papers.emps.log import WANTED, EmpsLog, read_emps
-from contourlab.papers.emps.simulation import (
-    EmpsRun,
-    axis_of,
-    percent_errors,
-    simulate_as_published,
-    simulate_emps,
-    simulate_in_engine,
-)
+from contourlab.papers.emps.simulation import EmpsRun, axis_of, percent_errors, simulate_as_published, simulate_emps, simulate_in_engine
 from contourlab.papers.rows import Part, Row, ours, printed
 
 SETTINGS = InverseDynamicsSettings(cutoff=100.0, order=4, decimation=10, dropped=(49, 0), lost_degrees=1)
-"""As published: samples are dropped at the start only, and the residual is taken about its mean."""
+"""As published: samples are dropped at the start only, and the residual is taken relative to its mean."""
 UNITS = {"M": "kg", "Fv": "N s/m", "Fc": "N", "offset": "N"}
 
 SYMMETRIC = {"M": (95.1089, 0.1085), "Fv": (203.5034, 1.1460), "Fc": (20.3935, 0.1012), "offset": (-3.1648, 0.0444)}
@@ -50,20 +43,20 @@ SIMULATED = {"position": 0.013752, "velocity": 0.22911, "acceleration": 8.6036, 
 SIMULATED_VALIDATION = {"position": 0.0080248, "velocity": 0.47888, "acceleration": 19.8152, "force": 8.9409}
 """Published errors of the simulated closed loop [percent]."""
 LAST_DIGIT = 5e-5
-"""Half of the last printed digit, four decimals."""
+"""Half a unit of the last printed digit, four decimals."""
 SOLVER = 0.005
-"""Relative tolerance of our fixed steps against the published solver's variable ones."""
+"""Relative tolerance of our fixed steps against the variable steps of the published solver."""
 CLOCK = (
-    "here the clock is that of the log, and the axis sticks; in the published run the clock is t_10 - t_9, which drifts against the log "
-    "(0.4 ms over the 24.8 s for estimation), friction chatters at rest, and pulses rise in ramps"
+    "our simulation uses the clock of the log, and its axis sticks. The published run uses t_10 - t_9, which drifts against the log "
+    "(0.4 ms over the 24.8 s for estimation), friction chatters at rest, and pulses rise as ramps"
 )
 FROM_REST = "axis and controller of builtin:emps from rest, while the log starts in motion; the rest of the run is the same"
-LATE = "the published model delays the command by a tick; the logged voltage obeys the law without delay (see controller law)"
+LATE = "the published model delays the command by a tick, but the logged voltage obeys the control law without delay (see controller law)"
 
 
 @dataclass(frozen=True, eq=False)
 class Identified:
-    """A log, and the axes identified from it: friction equal in both directions, and by direction."""
+    """A log, and the axes identified from it: with equal friction in both directions, and with friction by direction."""
 
     log: EmpsLog
     symmetric: InverseDynamicsFit
@@ -76,7 +69,7 @@ def identified(log: str | Path | None) -> Identified:
     Raises
     ------
     LogError
-        If there is no log, or it cannot be read.
+        If no log is given, or it cannot be read.
     """
     if log is None:
         raise LogError(f"no log given: {WANTED}", file="--log")
@@ -99,7 +92,7 @@ def parts_of(log: str | Path | None, validation: str | Path | None = None) -> li
     Raises
     ------
     LogError
-        If a log is missing or cannot be read; for `log` when the first part runs.
+        If a log is missing or cannot be read; for `log`, only when the first part runs.
     """
     second = None if validation is None else read_emps(validation)
     found = cache(lambda: identified(log))
@@ -119,7 +112,7 @@ def parts_of(log: str | Path | None, validation: str | Path | None = None) -> li
 def _parameters(found: Identified) -> Iterator[Row]:
     fit = found.symmetric
     alike, directed = "friction alike in both directions", "friction by direction"
-    note = f"{len(fit.force)} rows; " + ("; ".join(finding.text for finding in fit.findings) or "nothing remarked")
+    note = f"{len(fit.force)} rows; " + ("; ".join(finding.text for finding in fit.findings) or "no findings")
     for name, (value, _) in SYMMETRIC.items():
         yield printed(name, alike, value, fit[name], UNITS[name], LAST_DIGIT, note)
     yield from _judged(fit, ON_SYMMETRIC, "", alike)
@@ -135,11 +128,11 @@ def _judged(fit: Validation, published: tuple[float, ...], prefix: str, case: st
     here = (fit.condition_number, fit.residual_norm, fit.relative_error, fit.residual_deviation)
     for name, unit, paper, value in zip(JUDGED, JUDGED_UNITS, published, here, strict=True):
         yield printed(f"{prefix}{name}", case, paper, value, unit, LAST_DIGIT)
-    yield ours(f"{prefix}fit", case, fit.fit, "%", "100 (1 - |residual|/|force - its mean|)")
+    yield ours(f"{prefix}fit", case, fit.fit, "%", "100 (1 - |residual|/|force - mean|)")
 
 
 def _deviations(fit: InverseDynamicsFit, published: dict[str, tuple[float, float]], case: str) -> Iterator[Row]:
-    note = "allows for the correlation of the residual; the printed figures, and ours beside them, assume it white"
+    note = "allows for the correlation of the residual; the printed figures, and our other ones, assume a white residual"
     for i, (name, (_, paper)) in enumerate(published.items()):
         unit, of = UNITS[name.rstrip("+-")], f"{name}, {case}"
         yield printed("standard deviation", of, paper, fit.deviations[i], unit, LAST_DIGIT)
@@ -148,7 +141,7 @@ def _deviations(fit: InverseDynamicsFit, published: dict[str, tuple[float, float
 
 
 def _simulated(found: Identified, log: EmpsLog, published: dict[str, float], prefix: str) -> Iterator[Row]:
-    """The simulated closed loop against the log: as published, then with the log's clock and delay."""
+    """Yield rows of the simulated closed loop against the log: as published, then with the clock of the log, with and without delay."""
     motion = filtered_motion(log.position, log.period, cutoff=SETTINGS.cutoff, order=SETTINGS.order)
     alike, directed = axis_of(found.symmetric), axis_of(found.asymmetric)
 
@@ -178,12 +171,12 @@ def _tracking(found: Identified) -> Iterator[Row]:
         runs[case] = simulate_emps(log, axis_of(found.symmetric), delay=delay).position
     for case, position in runs.items():
         rms = 1e3 * float(np.sqrt(np.mean((log.reference - position) ** 2)))
-        yield ours("tracking error rms", case, rms, "mm", "reference less position")
+        yield ours("tracking error rms", case, rms, "mm", "reference minus position")
     for case, position in runs.items():
         yield ours("tracking error peak", case, 1e3 * float(np.abs(log.reference - position).max()), "mm")
     velocity = (log.position[2:] - log.position[:-2]) / (2.0 * log.period)
     law = log.velocity_gain * (log.position_gain * (log.reference - log.position)[2:] - velocity) + log.pulses[2:]
-    note = "rms of the logged voltage less k_v (k_p (q_r - q) - v), v over two ticks: the measured loop has no delay"
+    note = "rms of the logged voltage minus k_v (k_p (q_r - q) - v), with v over two ticks: the measured loop has no delay"
     for delay, case in ((0, "no control delay"), (1, "one tick of control delay")):
         left = log.voltage[2 + delay :] - law[: law.size - delay]
         yield ours("controller law", case, 1e3 * float(np.sqrt(np.mean(left**2))), "mV", note)

@@ -25,9 +25,9 @@ class Turn:
         From the turn of the reference.
     reference : ndarray (n, 2) [m]
     feedback, learned : ndarray (n, 2) [m]
-        True positions under FB, and under FB CCC ILC in its best trial.
+        True positions with FB, and with FB CCC ILC in its best trial.
     feedback_contour, learned_contour : ndarray (n,) [m]
-        Their contour errors, positive to the left.
+        Contour errors, positive to the left.
     """
 
     time: Array
@@ -39,12 +39,12 @@ class Turn:
 
 
 def convergence(setting: str, kappa: float = KAPPA, trials: int = TRIALS, seed: int = 0) -> Array:
-    """Return Fig 9: the contour rms [m] of trials 0 (nothing learned) to `trials`."""
+    """Return the data of Fig 9: contour rms [m] of trials 0 (nothing learned) to `trials`."""
     return np.array([found.contour_rms for found in course(setting, kappa, trials, seed).trials])
 
 
 def turn(setting: str, around: float = 2.0, trials: int = TRIALS) -> Turn:
-    """Return Fig 10 for SIMULATION or EXPERIMENT, from `around` [s] before to after the turn; of the trials the best is shown."""
+    """Return the data of Fig 10 for SIMULATION or EXPERIMENT, within `around` [s] of the turn, for the best trial."""
     reference = reference_of(setting)
     asked = reference.block(0, reference.n_sample)
     middle = int(np.argmax(asked.position[:, 0]))
@@ -66,10 +66,10 @@ def convergence_rows() -> Iterator[Row]:
     """Yield some trials of Fig 9, and the largest contour errors before and after the turn of Fig 10."""
     for setting, limit in ((SIMULATION, "very close to zero"), (EXPERIMENT, "around 30 nm")):
         found = 1e9 * convergence(setting, trials=LONG)
-        note = f"FB CCC ILC; the paper's converges to a value {limit}"
+        note = f"FB CCC ILC; in the paper it converges to a value {limit}"
         yield from (ours("Fig 9 contour rms", f"{setting}, trial {trial}", found[trial], "nm", note) for trial in SHOWN)
         seen = turn(setting, trials=LONG)
         for words, part in (("before", seen.time < 0.0), ("after", seen.time >= 0.0)):
             size, left = (1e9 * np.abs(error[part]).max() for error in (seen.feedback_contour, seen.learned_contour))
-            note = f"{left:.3g} nm under FB CCC ILC; within 2 s; the paper finds control worse just after the turn"
+            note = f"{left:.3g} nm with FB CCC ILC; within 2 s of the turn; the paper finds larger errors just after the turn"
             yield ours("Fig 10 largest contour error under FB", f"{setting}, {words} the turn", size, "nm", note)

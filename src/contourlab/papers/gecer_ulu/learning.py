@@ -1,4 +1,4 @@
-"""Gecer Ulu et al., learning beyond the tables: over kappa, over 200 trials, at 30 ms, and with the delay."""
+"""Gecer Ulu et al., learning beyond the tables: various kappa, 200 trials, servo period 30 ms, and the delay."""
 
 from __future__ import annotations
 
@@ -37,29 +37,29 @@ KAPPAS = (0.1, 0.2, KAPPA, 1.0, 3.0)
 SHOWN = (0, 10, TRIALS, 60, 100, LONG)
 TRIALS_OF = {SIMULATION: LONG, EXPERIMENT: LONG, COUNTING: 60, PERIOD_30MS: LONG}
 SLOWER = 15.0
-"""T_a at 30 ms over T_a at 1 ms: with the feed divided by this, FB has the errors of Table 2 again."""
+"""T_a at 30 ms over T_a at 1 ms; with the feed divided by this ratio, FB again has the errors of Table 2."""
 STEADY = (100, 200)
-"""First and last trial of the measured growth of the side lobe."""
+"""First and last trial for measuring the growth of the side lobe."""
 RATIO = "contour rms of FB CCC ILC over FB ILC, over kappa"
 DELAY, SLOW = 0.015, 0.02
-"""Identified delay, and the T_a [s] at which feedback tolerates it and learning does not."""
+"""Identified delay [s], and the T_a [s] at which feedback tolerates it but learning does not."""
 
 WHY = {
-    SIMULATION: "never: only the motion has to be learned, coupling lowers it in every trial, and the side lobes hardly grow",
-    EXPERIMENT: "never: a non-repeatable force remains, and the coupling's higher gain across the path reduces it in each trial",
+    SIMULATION: "never: only the motion has to be learned, coupling reduces the error in every trial, and the side lobes hardly grow",
+    EXPERIMENT: "never: a non-repeatable force remains, and coupling reduces its effect in each trial by the higher gain across the path",
     COUNTING: (
-        "once the motion is learned only counts of 25 nm are left; with coupling the gain across the path is 1 + kappa times as high, "
+        "once the motion is learned, only counts of 25 nm remain. With coupling the gain across the path is 1 + kappa times as high, "
         "which amplifies them more and makes the side lobes grow faster"
     ),
     PERIOD_30MS: (
-        "the average is 0.69 s wide: its side lobes lie at 1.4 Hz and above, where the path's turn has content, and coupling makes them "
-        "grow faster (largest factor of a trial, below); at 1 ms they lie above 43 Hz, where the contour has none"
+        "the average is 0.69 s wide: its side lobes lie at 1.4 Hz and above, where the turn of the path has content, and coupling makes "
+        "them grow faster (see the largest factor of a trial). At 1 ms they lie above 43 Hz, where the contour has no content"
     ),
 }
 
 
 def learning_rows() -> Iterator[Row]:
-    """Yield the rows of learning."""
+    """Yield the rows on learning."""
     return chain(_over_kappa(), _over_trials(), _at_30_ms(), _forecasts(), side_lobe_rows(), delay_rows())
 
 
@@ -69,10 +69,10 @@ def _over_kappa() -> Iterator[Row]:
         run = course(SIMULATION, kappa, LONG if kappa == KAPPA else TRIALS)
         case = f"simulation, kappa {kappa:g}"
         x, y, contour = rms(run, 0)
-        note = f"x {x:.4g}, y {y:.4g} nm, beside 15.42 and 110.65 in Table 2"
+        note = f"x {x:.4g}, y {y:.4g} nm; 15.42 and 110.65 in Table 2"
         yield ours("FB CCC contour rms over kappa", case, contour, "nm", note)
         coupled = rms(run, TRIALS)[2]
-        note = f"{coupled:.3g} nm beside {alone:.3g} nm after 30 trials; 0.286 in the paper; 1/(1 + kappa) is {1 / (1 + kappa):.3g}"
+        note = f"{coupled:.3g} nm against {alone:.3g} nm after 30 trials; 0.286 in the paper; 1/(1 + kappa) is {1 / (1 + kappa):.3g}"
         yield ours(RATIO, case, coupled / alone, "", note)
 
 
@@ -116,26 +116,26 @@ def _at_30_ms() -> Iterator[Row]:
 
 
 def forecast(machine: Machine, controller: Controller) -> FrequencyLearning:
-    """Return the factor of a trial of eq (9) at each frequency, with gamma = 0.2 and M = 11."""
+    """Return the factor per trial of eq (9) at each frequency, with gamma = 0.2 and M = 11."""
     return frequency_learning(coupled_loop(machine, controller), law_of(SIMULATION))
 
 
 def _forecasts() -> Iterator[Row]:
-    """Largest |1 - gamma H T|, or spectral radius with coupling, of the settings above."""
+    """Yield the largest |1 - gamma H T|, or with coupling the spectral radius, of the settings."""
     settings = [(SIMULATION, kappa) for kappa in (0.0, *KAPPAS)] + [(PERIOD_30MS, kappa) for kappa in (0.0, KAPPA)]
     for setting, kappa in settings:
         w, factor = forecast(machine_of(setting), controller_of(setting, kappa)).worst_radius
-        note = f"at {w / (2.0 * math.pi):.3g} Hz, beyond the first zero of H: {factor**TRIALS:.2g} times in 30, {factor**LONG:.2g} in 200"
+        note = f"at {w / (2.0 * math.pi):.3g} Hz, beyond the first zero of H: {factor**TRIALS:.2g} in 30 trials, {factor**LONG:.2g} in 200"
         yield ours("largest factor of a trial", f"{setting}, kappa {kappa:g}", factor, "", note)
 
 
 def side_lobe_rows() -> Iterator[Row]:
-    """The side lobe's growth at the worst frequency, long after the rest has been learned."""
+    """Yield the growth of the side lobe at the worst frequency, long after the rest is learned."""
     low, high = STEADY
     w, factor = forecast(machine_of(PERIOD_30MS), controller_of(PERIOD_30MS, 0.0)).worst_radius
     before, after = (_amplitude(error, w) for error in _errors(STEADY))
     grown = (after / before) ** (1.0 / (high - low))
-    note = f"forecast {factor:.5f}; the amplitude of x at {w / (2.0 * math.pi):.3g} Hz"
+    note = f"predicted {factor:.5f}; from the amplitude of x at {w / (2.0 * math.pi):.3g} Hz"
     yield ours("growth in a trial, measured", f"{PERIOD_30MS}, FB ILC, trials {low} to {high}", grown, "", note)
 
 
@@ -155,21 +155,21 @@ def _errors(wanted: tuple[int, ...]) -> list[Array]:
 
 
 def _amplitude(signal: Array, frequency: float) -> float:
-    """Return the amplitude of a signal (n,) at a frequency [rad/s], windowed because a trial does not end where it began."""
+    """Return the amplitude of a signal (n,) at a frequency [rad/s], windowed because a trial is not periodic."""
     time = np.arange(len(signal)) * machine_of(PERIOD_30MS).servo_period
     return float(abs(np.sum(np.hanning(len(signal)) * signal * np.exp(-1j * frequency * time))))
 
 
 def delay_rows() -> Iterator[Row]:
-    """1 ms, M = 11, delay 15 ms: at T_a = 10 ms feedback has no margin left, at 20 ms learning diverges."""
+    """Yield rows for 1 ms, M = 11 and delay 15 ms: at T_a = 10 ms feedback is unstable, at 20 ms learning diverges."""
     for time_constant in (0.01, SLOW):
         machine, controller = _late(time_constant)
         loop = coupled_loop(machine, controller)
         largest = max(float(abs(axis.loop.poles).max()) for axis in loop.axes)
         case = f"1 ms, delay 15 ms, T_a {1e3 * time_constant:g} ms"
-        yield ours("largest pole of feedback alone", case, largest, "", "above 1 unstable" if largest > 1.0 else "stable")
+        yield ours("largest pole of feedback alone", case, largest, "", "unstable: above 1" if largest > 1.0 else "stable")
     w, factor = forecast(machine, controller).worst_radius
-    note = f"at {w / (2.0 * math.pi):.3g} Hz, where T has changed its sign: eq (9) acts in the wrong direction"
+    note = f"at {w / (2.0 * math.pi):.3g} Hz, where T has the opposite sign: eq (9) acts in the wrong direction"
     yield ours("largest factor of a trial", case, factor, "", note)
     run = learn(machine, controller, reference_of(SIMULATION), law_of(SIMULATION), trials=TRIALS, part="none")
     merits = [trial.contour_rms for trial in run.trials]
@@ -179,7 +179,7 @@ def delay_rows() -> Iterator[Row]:
 
 
 def _late(time_constant: float) -> tuple[Machine, Controller]:
-    """Return machine and feedback at 1 ms with the identified delay and counts of 25 nm."""
+    """Return machine and feedback at 1 ms with the identified delay and an encoder of 25 nm."""
     machine, controller = machine_of(COUNTING), controller_of(COUNTING, 0.0)
     late = tuple(replace(axis, drive=DelayedSaturation(delay=DELAY)) for axis in machine.axes)
     axes = {name: replace(part, controller=part.controller.replace(time_constant=time_constant)) for name, part in controller.axes.items()}

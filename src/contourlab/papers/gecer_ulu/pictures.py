@@ -1,4 +1,4 @@
-"""Figs 9 and 10 of Gecer Ulu et al., and the gain of coupling over kappa."""
+"""Figs 9 and 10 of Gecer Ulu et al., and the benefit of coupling over kappa."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def draw(rows: Sequence[Mapping[str, Any]], folder: str | Path, formats: Sequenc
         rms = convergence(setting)
         courses[setting] = np.arange(len(rms), dtype=float), rms * 1e9
     title = "Fig 9: contour rms over trials, FB CCC ILC"
-    labels, caption = ("trial", "contour rms [nm]"), "Trial 0 has learned nothing."
+    labels, caption = ("trial", "contour rms [nm]"), "Before trial 0 nothing is learned."
     charts = [traces_chart("fig-9", title, labels, courses, caption=caption, level=None, log_y=True)]
     labels, caption = ("time from the turn [s]", "contour error [nm]"), "Positive to the left of the direction of travel."
     for setting in (SIMULATION, EXPERIMENT):
@@ -34,6 +34,6 @@ def draw(rows: Sequence[Mapping[str, Any]], folder: str | Path, formats: Sequenc
     kappa, paper = np.array(list(ratios)), TABLE_2["FB CCC ILC"][2] / TABLE_2["FB ILC"][2]
     curves = {"here, 30 trials": (kappa, np.array(list(ratios.values()))), f"paper: {paper:.3g}": (kappa[[0, -1]], np.full(2, paper))}
     charts.append(
-        traces_chart("kappa", "Contour rms of FB CCC ILC over that of FB ILC", ("kappa", "ratio"), curves, level=None, log_x=True)
+        traces_chart("kappa", "Contour rms of FB CCC ILC / FB ILC", ("kappa", "ratio"), curves, level=None, log_x=True)
     )
     return write_charts(charts, folder, formats)

@@ -1,6 +1,6 @@
 """Setup of Gecer Ulu, Ulu & Cakmakci: tables, machines, controllers, contour, and runs over trials.
 
-The shipped files ``gecer-ulu/*.toml`` and docs/gecer-ulu.md say what the paper leaves open and how it is read here.
+The shipped files ``gecer-ulu/*.toml`` and docs/gecer-ulu.md explain what the paper leaves open and how we read it.
 """
 
 from __future__ import annotations
@@ -41,10 +41,10 @@ TABLE_3: dict[str, Triple] = {
     "FB ILC": (25.81, 79.14, 39.33),
     "FB CCC ILC": (21.28, 66.69, 27.52),
 }
-"""Printed figures; Table 2 has no unit and is read in nm."""
+"""Printed figures; Table 2 has no unit, read as nm."""
 
 TO_THE_END = Stopping(improvement=0.0, divergence=1e12, growth=10**9)
-"""Never stop: run the paper's number of trials whatever happens."""
+"""Never stop: run the paper's number of trials in any case."""
 
 
 @cache
@@ -63,12 +63,12 @@ def machine_of(setting: str) -> Machine:
 
 @cache
 def reference_of(setting: str, slower: float = 1.0) -> Reference:
-    """Return the reference of a setting, its feed divided by `slower`."""
+    """Return the reference of a setting, with the feed divided by `slower`."""
     return case_of(setting).reference(1.0 / slower)
 
 
 def controller_of(setting: str, kappa: float = KAPPA) -> Controller:
-    """Return the controller with C_cc = kappa C_fb; for kappa 0 without coupling."""
+    """Return the controller with C_cc = kappa C_fb; without coupling if kappa is 0."""
     controller = case_of(setting).controller
     coupling: Any = controller.coupling
     if kappa == 0.0:
@@ -95,6 +95,6 @@ def _course(setting: str, kappa: float, trials: int, seed: int, slower: float) -
 
 
 def rms(run: LearningRun, trial: int) -> Triple:
-    """Return the figures of a trial."""
+    """Return the rms of x, y and contour error [nm] in a trial."""
     x, y = run.trials[trial].tracking_rms
     return 1e9 * x, 1e9 * y, 1e9 * run.trials[trial].contour_rms

@@ -14,36 +14,36 @@ SEEDS = (0, 1, 2)
 COLUMNS = ("x", "y", "contour")
 TABLES = {SIMULATION: TABLE_2, EXPERIMENT: TABLE_3}
 FITTED, PREDICTED = 0.02, 0.2
-"""Relative tolerances: of figures for which a number was chosen, and of the others."""
+"""Relative tolerances: of figures for which a parameter was chosen, and of the others."""
 
 CHOSEN = {
     (SIMULATION, "FB", "x"): "no evidence: width of the contour, feedrate and mismatch of the axes are chosen for this row",
     (SIMULATION, "FB", "y"): "no evidence: width of the contour, feedrate and mismatch of the axes are chosen for this row",
     (SIMULATION, "FB", "contour"): "no evidence: width of the contour, feedrate and mismatch of the axes are chosen for this row",
-    (EXPERIMENT, "FB", "x"): "no evidence: the force ripple is chosen for it",
-    (EXPERIMENT, "FB CCC", "contour"): "its ratio to FB is no evidence: kappa is chosen for it",
-    (EXPERIMENT, "FB ILC", "x"): "no evidence: the non-repeatable disturbance is chosen for it",
+    (EXPERIMENT, "FB", "x"): "no evidence: the force ripple is chosen for this figure",
+    (EXPERIMENT, "FB CCC", "contour"): "no evidence: kappa is chosen for the ratio of this figure to FB",
+    (EXPERIMENT, "FB ILC", "x"): "no evidence: the non-repeatable disturbance is chosen for this figure",
 }
 _RATE = (
-    "each trial leaves 1 - gamma = 0.8 of slow errors, 0.8^30 = 0.0012, and at 1 ms the average of eq (9) is 23 ms wide, so that all of "
-    "this contour is slow; the printed errors fit a faster contour, a wider average (0.69 s at 30 ms) or fewer trials"
+    "each trial leaves 1 - gamma = 0.8 of slow errors, 0.8^30 = 0.0012. At 1 ms the average of eq (9) is 23 ms wide, so all of this "
+    "contour is slow. The printed errors fit a faster contour, a wider average (0.69 s at 30 ms) or fewer trials"
 )
 _NOISE = (
-    "as printed, learning removes only 30 % of y here, with the gamma and M that remove 98 % in Table 2; the rest would have to be "
-    "non-repeatable: 79 nm with Table 2's lag of 111 nm give 137 nm under FB, not 113, if the two are independent"
+    "as printed, learning removes only 30 % of y here, but 98 % in Table 2 with the same gamma and M. The rest would have to be "
+    "non-repeatable: if independent, 79 nm and Table 2's lag of 111 nm give 137 nm with FB, not 113"
 )
 _ALONG = "the coupling acts along the normal, which is mostly x here, and changes y little, as in Table 2 (0.6 %)"
-_SHORT = "as far below the printed figure as under FB; kappa is chosen for their ratio"
-_ACROSS = "0.93 x and 0.36 y are across this path, so the printed y explains the difference: "
+_SHORT = "as far below the printed figure as FB is; kappa is chosen for the ratio of the two"
+_ACROSS = "the normal of this path is 0.93 x and 0.36 y, so the printed y explains the difference: "
 REASONS = {
     (SIMULATION, "FB CCC", "contour"): (
-        "slow errors scale with 1/(1 + kappa T), so a coupling of the right sign lowers them: both axes change as printed (x up, y down), "
-        "which alone lowers the contour error; the printed rise does not follow from eqs (13)-(22)"
+        "slow errors scale with 1/(1 + kappa T), so a coupling of the right sign lowers them. Both axes change as printed (x up, y down), "
+        "which by itself lowers the contour error. The printed rise does not follow from eqs (13)-(22)"
     ),
     **{(SIMULATION, scheme, column): _RATE for scheme in ("FB ILC", "FB CCC ILC") for column in COLUMNS},
     (EXPERIMENT, "FB", "contour"): (
-        "x, y and contour of Tables 2 and 3 differ by 45.5, 20 and 49 nm in squares; across this path, whose normal is 0.93 x and 0.36 y, "
-        "independent disturbances of 45.5 and 20 nm give 43 nm"
+        "x, y and contour of Tables 2 and 3 differ by 45.5, 20 and 49 nm (root of the difference of squares). Across this path, whose "
+        "normal is 0.93 x and 0.36 y, independent disturbances of 45.5 and 20 nm give 43 nm"
     ),
     (EXPERIMENT, "FB CCC", "y"): _ALONG,
     (EXPERIMENT, "FB CCC", "contour"): _SHORT,
@@ -62,7 +62,7 @@ def figures(setting: str, seed: int = 0) -> dict[str, Triple]:
 
 
 def table_rows() -> Iterator[Row]:
-    """Yield the rows of both tables, of ratios and of the spread."""
+    """Yield the rows of both tables, the ratios, and the spread."""
     found = {SIMULATION: [figures(SIMULATION)], EXPERIMENT: [figures(EXPERIMENT, seed) for seed in SEEDS]}
     for setting, table in TABLES.items():
         for scheme, line in table.items():
@@ -81,7 +81,7 @@ def _entry(setting: str, scheme: str, column: str, paper: float, here: list[floa
 
 
 def _ratios(setting: str, runs: list[dict[str, Triple]]) -> Iterator[Row]:
-    """Contour errors of the schemes over one another."""
+    """Yield ratios between the contour errors of the schemes."""
     table = TABLES[setting]
 
     def ratio(of: dict[str, Triple], above: str, below: str) -> float:
@@ -89,7 +89,7 @@ def _ratios(setting: str, runs: list[dict[str, Triple]]) -> Iterator[Row]:
 
     for name, above, below, note in (
         ("contour rms of FB over FB ILC", "FB", "FB ILC", "factor by which 30 trials of learning divide the contour error"),
-        ("contour rms of FB over FB CCC ILC", "FB", "FB CCC ILC", "the same, with coupling"),
+        ("contour rms of FB over FB CCC ILC", "FB", "FB CCC ILC", "this factor with coupling"),
         ("contour rms of FB over FB CCC", "FB", "FB CCC", "1 + kappa for slow errors; kappa = 0.3 is chosen for Table 3's 1.31"),
         ("contour rms of FB CCC ILC over FB ILC", "FB CCC ILC", "FB ILC", "below 1: coupling helps in addition to learning"),
     ):
@@ -99,7 +99,7 @@ def _ratios(setting: str, runs: list[dict[str, Triple]]) -> Iterator[Row]:
 
 
 def _spread(runs: list[dict[str, Triple]]) -> Iterator[Row]:
-    """Spread over the seeds of the noise."""
+    """Yield the spread over the noise seeds."""
     for scheme in TABLE_3:
         for i, column in enumerate(COLUMNS):
             values = [run[scheme][i] for run in runs]

@@ -1,7 +1,7 @@
-"""Frequency response of one axis in closed loop: sampled, from the steps that run, or in continuous time.
+"""Frequency response of one axis in closed loop: of the sampled loop, from the compiled steps, or in continuous time.
 
-In continuous time the linear models that components give of themselves are joined at each frequency, so that a transport delay is exact,
-not approximated by a rational function. That is what a design on paper is held against; what runs is the sampled loop.
+In continuous time the linear models of the components are joined at each frequency, so that a transport delay is exact, not a rational
+approximation. Compare designs in a paper with this response; the machine runs the sampled loop.
 """
 
 from __future__ import annotations
@@ -38,18 +38,18 @@ def _model(part: Component) -> LinearModel:
 def axis_response(
     axis: Axis, controller: AxisController, servo_period: float, frequency: ArrayLike, carried_mass: float = 0.0
 ) -> AxisResponse:
-    """Return the frequency responses of an axis under its controller, friction, quantisation and limits left out.
+    """Return the frequency responses of an axis with its controller, without friction, quantisation and limits.
 
     Parameters
     ----------
     axis : Axis
     controller : AxisController
     servo_period : float [s], >= 0
-        Of the sampled loop; 0 for continuous time.
+        Period of the sampled loop; 0 for continuous time.
     frequency : array_like (n,) [rad/s], > 0
-        Of a sampled loop up to the Nyquist frequency.
+        For a sampled loop, up to the Nyquist frequency.
     carried_mass : float [kg]
-        What other axes put on this one.
+        Mass of the axes carried by this one.
 
     Raises
     ------
@@ -82,11 +82,11 @@ def _continuous(axis: Axis, controller: AxisController, w: Array, carried_mass: 
     gains = _gains(_model(controller.controller), s)
     drive = np.exp(-s * float(getattr(axis.drive, "delay", 0.0)))
 
-    # Command per applied command with the reference at rest.
+    # Command over applied command with the reference at rest.
     estimate = of_velocity * measured + of_applied
     back = gains["position"] * position + gains["velocity"] * measured + gains["disturbance_estimate"] * estimate
     inside = 1.0 - drive * gains["disturbance_estimate"] * of_applied
-    # Zero for a single mass, whose load acts where its drive does. Put together like this nothing large cancels at low frequencies.
+    # Zero for a single mass, whose load acts where its drive does. In this form no large terms cancel at low frequencies.
     apart = (gains["velocity"] + gains["disturbance_estimate"] * of_velocity) * (measured_load * position - measured * position_load)
     forward = gains["reference"] + s * gains["reference_velocity"] + s * s * gains["reference_acceleration"]
     forward = forward + gains["feedforward"] * _fed_forward(controller, s)
@@ -103,14 +103,14 @@ def _continuous(axis: Axis, controller: AxisController, w: Array, carried_mass: 
 
 
 def _gains(model: LinearModel, s: Complex) -> dict[str, Complex]:
-    """Return the command over each thing that a controller may take; zero for what it does not."""
+    """Return the command over each possible input of a controller; zero for an input that it lacks."""
     offered, _ = SLOTS["controller"]
     rows = transfer(model, s)
     return {name: rows[:, 0, model.inputs.index(name)] if name in model.inputs else np.zeros_like(s) for name in offered}
 
 
 def _fed_forward(controller: AxisController, s: Complex) -> Complex:
-    """Return the command over the reference of what feeds it forward; of a feedforward that is not linear, nothing."""
+    """Return the command over the reference of the feedforward; zero without one or if it is not linear."""
     model = None if controller.feedforward is None else controller.feedforward.linearize()
     if model is None or "command" not in model.outputs:
         return np.zeros_like(s)

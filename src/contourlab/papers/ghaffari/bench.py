@@ -29,7 +29,7 @@ _PER_MM = 1e3
 
 
 def bench_rows() -> Iterator[Row]:
-    """Yield the rows of the open-loop comparison, of stiction, and of the sampled observer."""
+    """Yield the rows on the open-loop comparison, stiction, and the sampled observer."""
     return chain(_comparison(), _stiction(), _observer())
 
 
@@ -43,7 +43,7 @@ def run_bench(
     axes, controllers
     period : float [s]
     derivative : int
-        Derivative of the reference that all axes receive; the others are 0.
+        Derivative of the reference that receives `values` on all axes; the others are 0.
     values : ndarray (n,)
     signals : (str, str)
     """
@@ -65,39 +65,39 @@ def drive_open_loop(
     Parameters
     ----------
     command : ndarray (n,) [full scale]
-        Of each axis, ahead of its observer.
+        Command of each axis, before its observer.
     friction : bool
         Include the stiction of section III.
     observed : mapping of int to Gains, optional
-        Table of the observers; none by default.
+        Table of the observers; by default no observers.
     load : Component, optional
         Disturbance on every axis.
 
     Returns
     -------
     position, velocity : ndarray (n, 3) [m], [m/s]
-        Before the command of the same row acts.
+        Values before the command of the same row acts.
     """
     axes, controllers = [], {}
     for number in AXES:
         plain = replace(axis(number, Reading()), sensor=IdealSensor(), limits=Limits(following_error=math.inf), disturbance=load)
         axes.append(plain if friction else replace(plain, friction=NoFriction()))
-        # With a model gain of 1 and no other gain the acceleration of the reference is the command.
+        # With a model gain of 1 and no other gains, the command is the acceleration of the reference.
         observer = axis_controller(observed[number], Reading()).observer if observed else None
         controllers[str(number)] = AxisController(PositionController(model_gain=1.0), observer=observer)
     return run_bench(axes, controllers, PERIOD, 2, command, ("axis_position", "axis_velocity"))
 
 
 def _comparison() -> Iterator[Row]:
-    """Step response of axes 1 and 2 without friction."""
+    """Yield rows on the step responses of axes 1 and 2 without friction."""
     step = 0.1
     _, velocity = drive_open_loop(np.full(4000, step))
     steady = velocity[-1] / step
     time = [rise_time(column / column[-1]) for column in velocity.T]
     faster, larger = 100.0 * (time[1] / time[0] - 1.0), 100.0 * (steady[0] / steady[1] - 1.0)
-    note = "time to 63 % after a step of the command"
+    note = "time to 63 % after a command step"
     yield printed("response of axis 1 faster than axis 2", "open loop", 55.0, faster, "%", 0.5, note)
-    note = "steady velocity after a step of the command; the paper rounds to tens"
+    note = "steady velocity after a command step; the paper rounds to tens"
     yield printed("DC gain of axis 1 larger than axis 2", "open loop", 70.0, larger, "%", 5.0, note)
 
 
@@ -109,19 +109,19 @@ def rise_time(response: Array) -> float:
 
 
 def _stiction() -> Iterator[Row]:
-    rate = 0.019  # per second; no stiction is a whole number of its steps
+    rate = 0.019  # per second; chosen so that no stiction is a whole number of steps
     command = rate * PERIOD * np.arange(6000.0)
     position, _ = drive_open_loop(command, friction=True)
     moved = np.argmax(position != 0.0, axis=0)
     for column, (number, percent) in enumerate(((1, 5.5), (2, 8.8), (3, 7.7))):
-        # The command of the tick before the first motion.
+        # The command one tick before the first motion.
         here = 100.0 * float(command[moved[column] - 1])
-        note = "slow ramp of the command, as in Fig 5(a): the command at which the axis first moves"
+        note = "slow command ramp, as in Fig 5(a): the command at which the axis first moves"
         yield printed("stiction", f"axis {number}", percent, here, "% of full scale", 0.05, note)
 
 
 def _observer() -> Iterator[Row]:
-    """The sampled observer: steady gains of command and load, and attenuation of a slow load."""
+    """Yield rows on the sampled observer: steady gains of command and load, and attenuation of a slow load."""
     ticks, step, rate = 4000, 0.1, 0.05
     duration, still = ticks * PERIOD, np.zeros(ticks)
     wd = Reading().bandwidth
@@ -133,11 +133,11 @@ def _observer() -> Iterator[Row]:
         slow = drive_open_loop(still, observed=table, load=rising)[1][-1] / rate * _PER_MM
         for column, (number, gains) in enumerate(table.items()):
             case, ratio = f"axis {number}, {name}", gains.observer_gain / gains.observer_damping
-            note = "a_hat/b_hat, whatever the plant; velocity after 4 s of a step"
+            note = "a_hat/b_hat for any plant; velocity 4 s after a command step"
             yield derived("DC gain u_c to v", case, ratio, float(driven[column]), "mm/s/full_scale", 1e-6 * ratio, note)
-            note = "velocity after 4 s of a load that stays"
+            note = "velocity 4 s after a load step"
             yield derived("DC gain d to v", case, 0.0, abs(float(loaded[column])), "mm/s/full_scale", 1e-6 * ratio, note)
-            reason = f"sampled every 1 ms, T/(1 - exp(-w_d T)) stands in place of 1/w_d: {lengthened:.4f} times as much"
+            reason = f"with a period of 1 ms, T/(1 - exp(-w_d T)) replaces 1/w_d: {lengthened:.4f} times as much"
             level, name_here = ratio / wd, "attenuation of disturbance, sampled"
             here = float(slow[column])
             yield derived(name_here, case, level, here, "mm/full_scale", 1e-3 * level, reason=reason)

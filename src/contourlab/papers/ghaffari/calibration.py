@@ -1,11 +1,11 @@
 """Ghaffari & Ulsoy, section IV: Table III from Table II by the sequential procedure, on the simulated stage.
 
-First all parameters of axes 3 and 2, in the printed order. Then axis 1 replaces axis 2 and only its parameters are calibrated. Only
-stability and the drives' limits bound a parameter, since the paper mentions no margins.
+First all parameters of axes 3 and 2 are calibrated, in the printed order. Then axis 1 replaces axis 2 and only its parameters are
+calibrated. Only stability and the drive limits bound a parameter, since the paper mentions no margins.
 
-The result is not Table III. The model has no noise, no delay and only Coulomb friction, so its optimum lies elsewhere, ten times below
-Table III's contour error. Nor is the optimum unique: the compensated axis has the gain a_hat/b_hat, and feedforward matches it if a'/b' is
-the same. The error depends on that ratio and hardly on the four parameters, so the ratios are compared too.
+The result is not Table III. The model has no noise, no delay and only Coulomb friction, so its optimum lies elsewhere, with a tenth of
+Table III's contour error. Nor is the optimum unique: the compensated axis has the gain a_hat/b_hat, and feedforward fits if a'/b' is equal
+to it. The error depends on these ratios and hardly on the four parameters, so the ratios are compared too.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Gains, Reading, a
 from contourlab.papers.rows import Row, derived, ours, printed
 
 VARIATION = 0.25
-"""Relative tolerance: the paper calls the effect of such a change of a' and b' negligible (Fig 8)."""
+"""Relative tolerance; the paper calls the effect of this change of a' and b' negligible (Fig 8)."""
 WORDS = {
     "observer_gain": ("a_hat", "mm/s^2"),
     "observer_damping": ("b_hat", "1/s"),
@@ -38,19 +38,19 @@ WORDS = {
     "model_damping": ("b'", "1/s"),
 }
 LOOP = (
-    "the paper uses one large value for all axes, since measured errors hardly depend on it; here the search follows the model's small "
-    "slope, which no noise ends"
+    "the paper uses one large value for all axes, since measured errors hardly depend on it; here the search follows the small slope of "
+    "the model, which has no noise to hide it"
 )
 RATIO = (
-    "the error depends on the ratio {symbols} and hardly on the parameter itself: a search of one parameter at a time stops where it meets "
-    "this valley; the ratio is {here:.3g} here and {paper:.3g} in Table III"
+    "the error depends on the ratio {symbols} and hardly on the parameter itself. A search over one parameter at a time stops in this "
+    "valley; the ratio is {here:.3g} here and {paper:.3g} in Table III"
 )
 _MICRO = 1e6
 
 
 @dataclass(frozen=True)
 class Calibrated:
-    """A configuration before and after calibration, by single runs and the exact judge, with its gains."""
+    """A configuration before and after calibration, judged exactly by single runs, with its gains."""
 
     gains: dict[int, Gains]
     controller: Controller
@@ -97,7 +97,7 @@ def _gains(made: Controller, number: int) -> Gains:
 
 
 def calibration_rows() -> Iterator[Row]:
-    """Yield Table III and our calibration, and the gain of the calibration."""
+    """Yield Table III against our calibration, and the calibration gain."""
     both, swapped = calibrate(2), calibrate(1)
     for number, result in ((2, both), (3, both), (1, swapped)):
         yield from _parameters(number, result.gains[number])
@@ -109,15 +109,15 @@ def calibration_rows() -> Iterator[Row]:
 def _parameters(number: int, line: Gains) -> Iterator[Row]:
     table = TABLE_3[number]
     case = f"axis {number}, from Table II by the sequential procedure"
-    near = f"within {100 * VARIATION:g} %, over which the paper calls the loop's change negligible (Fig 8)"
+    near = f"within {100 * VARIATION:g} %, a change whose effect the paper calls negligible (Fig 8)"
     for field, (symbol, unit) in WORDS.items():
         paper, here = getattr(table, field), getattr(line, field)
         yield printed(f"Table III: {symbol}", case, paper, here, unit, VARIATION * paper, near, reason=_why(number, field, line))
-    note = "the gain of the compensated axis, and that of its feedforward, from Table III"
+    note = "gains of the compensated axis and of its feedforward, from Table III"
     for name, pair in (("a_hat/b_hat", OBSERVER), ("a'/b'", MODEL)):
         paper, here = _ratio(table, pair), _ratio(line, pair)
         kept = _ratio(TABLE_2[number], MODEL)
-        reason = f"kept from Table II's a'/b' = {kept:.3g}, to which the observer, calibrated first, converges{_shared(number)}"
+        reason = f"stays near Table II's a'/b' = {kept:.3g}: the observer is calibrated first and converges to it{_shared(number)}"
         yield derived(f"Table III: {name}", case, paper, here, "mm/s", VARIATION * paper, note, reason=reason)
 
 
@@ -129,11 +129,11 @@ def _ratio(line: Gains, pair: tuple[str, str]) -> float:
 
 
 def _shared(number: int) -> str:
-    return "; the paper gives axis 1 the observer and feedforward of axis 2, as the error hardly changes" if number == 1 else ""
+    return "; the paper gives axis 1 the observer and feedforward of axis 2, since the error hardly changes" if number == 1 else ""
 
 
 def _why(number: int, field: str, here: Gains) -> str:
-    """Return why a parameter differs."""
+    """Return the reason why a parameter differs."""
     for symbols, pair in (("a_hat/b_hat", OBSERVER), ("a'/b'", MODEL)):
         if field in pair:
             return RATIO.format(symbols=symbols, here=_ratio(here, pair), paper=_ratio(TABLE_3[number], pair)) + _shared(number)
@@ -143,14 +143,14 @@ def _why(number: int, field: str, here: Gains) -> str:
 def _gain(first: int, result: Calibrated) -> Iterator[Row]:
     before, after = (_MICRO * design.figures["contour_error_integral"] for design in (result.before, result.after))
     case = f"A3-A{first}, Table II and the sequential procedure"
-    swapped = "; axis 3 as calibrated with axis 2, axis 1 alone calibrated" if first == 1 else ""
+    swapped = "; axis 3 as calibrated with axis 2, only axis 1 calibrated" if first == 1 else ""
     table = Guards([(machine(first, Reading()), controller(first, TABLE_3, Reading()))], Bounds()).exact({})
     (gain_here, phase_here), (gain_table, phase_table) = (_least(margins) for margins in (result.after.margins, table))
     yield ours("integral before the calibration", case, before, "um s", f"Table II{swapped and ', both axes'}")
     yield ours("integral after the calibration", case, after, "um s", f"one period of 2 s, single run, exact judge{swapped}")
-    note = "integral before over after; the paper has no figure for Table II; a model without noise goes far below Table III's 18 um s"
+    note = "integral before over after; the paper has no figure for Table II. A model without noise goes far below Table III's 18 um s"
     yield ours("calibration gain", case, before / after, "1", note)
-    note = "not required; Table III has"
+    note = "no margin is required; Table III has"
     yield ours("least gain margin after the calibration", case, gain_here, "dB", f"{note} {gain_table:.3g} dB")
     yield ours("least phase margin after the calibration", case, phase_here, "deg", f"{note} {phase_table:.3g} deg")
 
@@ -162,10 +162,10 @@ def _least(margins: Mapping[str, Margins]) -> tuple[float, float]:
 
 
 def _within_margins() -> Row:
-    """Return the gain of a calibration within margins, all parameters of both axes free."""
+    """Return the calibration gain within margins, with all parameters of both axes free."""
     reading = Reading()
     study = tune(machine(1, reading), controller(1, TABLE_2, reading), circle(reading))
     gain, phase = _least(study.after.margins)
     integral = _MICRO * study.after.figures["contour_error_integral"]
-    note = f"{integral:.3g} um s after; as by contourlab tune: at least 6 dB and 30 deg required, {gain:.3g} dB and {phase:.3g} deg kept"
+    note = f"{integral:.3g} um s after; as contourlab tune: at least 6 dB and 30 deg required, {gain:.3g} dB and {phase:.3g} deg reached"
     return ours("calibration gain", "A3-A1, Table II, all numbers, within margins", study.gain, "1", note)

@@ -1,7 +1,7 @@
 """Ghaffari & Ulsoy, section III: closed-loop identification of a' and b' by eq (18) on the simulated axes.
 
-The loop of Fig 5(b) with K_P = 4, K_V = 0.1, observer, sticking friction and encoder counts. The paper does not print its excitation; here
-the reference steps among random levels that do not saturate the drive.
+The loop of Fig 5(b) with K_P = 4, K_V = 0.1, observer, sticking friction and encoder counts. The paper does not print its excitation. Here
+the reference steps between random levels that do not saturate the drive.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ POSITION_GAIN, VELOCITY_GAIN = 4.0, 0.1
 DURATION, HOLD, RANGE, SEED = 20.0, 0.25, 0.1, 0
 """Reference: duration [s], time at a level [s], largest level [mm]; seed of the levels."""
 ACCURACY = 95.0
-"""Least fit [percent] of the paper."""
+"""Smallest fit [percent] in the paper."""
 
 
 @dataclass(frozen=True)
 class Identification:
-    """Identified axis: a' [mm/s^2 per full scale], b' [1/s], their deviations, fit [percent], largest command."""
+    """Identified axis: a' [mm/s^2 per full scale], b' [1/s], standard deviations, fit [percent], largest command [full scale]."""
 
     gain: float
     damping: float
@@ -42,7 +42,7 @@ class Identification:
 
 
 def reference(period: float) -> Array:
-    """Return reference steps [m] among random levels, from rest."""
+    """Return reference steps [m] between random levels, from rest."""
     levels = np.random.default_rng(SEED).uniform(-RANGE, RANGE, round(DURATION / HOLD))
     steps = np.repeat(levels * _MM, round(HOLD / period))
     steps[: round(0.01 / period)] = 0.0
@@ -50,7 +50,7 @@ def reference(period: float) -> Array:
 
 
 def identified(table: dict[int, Gains], reading: Reading, sticking: bool = True) -> dict[int, Identification]:
-    """Run the loop of Fig 5(b) on all three axes behind the observers of a table, and identify their a' and b'."""
+    """Run the loop of Fig 5(b) on all three axes with the observers of a table, and identify a' and b'."""
     steps, period = reference(reading.servo_period), reading.servo_period
     axes, controllers = [], {}
     gains = PositionController(position_gain=POSITION_GAIN / _MM, velocity_gain=VELOCITY_GAIN / _MM)
@@ -76,7 +76,7 @@ def identified_rows() -> Iterator[Row]:
         steady, printed_steady = gains.observer_gain / gains.observer_damping, gains.model_gain / gains.model_damping
         reason = (
             f"the observer makes the axis a_hat/(s + b_hat) = {gains.observer_gain:g}/(s + {gains.observer_damping:g}) at low frequencies, "
-            f"steady {steady:.0f} mm/s against the printed a'/b' = {printed_steady:.0f}; eq 18 puts the lags of velocity "
+            f"steady gain {steady:.0f} mm/s against the printed a'/b' = {printed_steady:.0f}. Eq 18 puts the lags of velocity "
             f"filter, hold and observer at the loop's bandwidth into a': {fit.gain:.0f} at 1 ms and {quick[number].gain:.0f} at 0.1 ms"
         )
         gain, damping = gains.model_gain, gains.model_damping

@@ -30,7 +30,7 @@ PARTS = ("real pole", "pair, real part", "pair, imaginary part")
 
 
 def linear_rows() -> Iterator[Row]:
-    """Yield the rows of Tables II and III, of Fig 8, and of the stability limits."""
+    """Yield the rows on Tables II and III, Fig 8, and the stability limits."""
     return chain(_table_2(), _poles(), _fig_8(), _oscillation_limit())
 
 
@@ -39,7 +39,7 @@ DIGITS = {"velocity_gain": 1e-3, "position_gain": 1e-2, "integral_gain": 1e-2}
 
 
 def placed(printed_gains: Gains) -> Gains:
-    """Return a line of Table II with the gains that our controller places for its a' and b'."""
+    """Return a line of Table II with the gains from our pole placement for its a' and b'."""
     a, b = printed_gains.model_gain, printed_gains.model_damping
     found = PositionController.place(**PLACED_POLES, model_gain=a * _MM, model_damping=b)
     velocity, position = found["velocity_gain"] * _MM, found["position_gain"] * _MM
@@ -66,7 +66,7 @@ def ideal_loop(gains: Gains) -> tuple[RigidAxis, PositionController]:
 
 
 def _split(poles: NDArray[Any]) -> tuple[float, float, float]:
-    """Return the real one of three poles, and real and imaginary part of the pair [1/s]."""
+    """Return the real pole of three, and the real and imaginary part of the pair [1/s]."""
     pair = poles[np.argmax(poles.imag)]
     return float(poles[np.argmin(np.abs(poles.imag))].real), float(pair.real), float(pair.imag)
 
@@ -81,7 +81,7 @@ def closed_loop_poles(gains: Gains) -> tuple[float, float, float]:
 
 
 def characteristic_roots(gains: Gains) -> tuple[float, float, float]:
-    """Return the same for the denominator of eq (16)."""
+    """Return the real pole, and the real and imaginary part of the pair [1/s], from the denominator of eq (16)."""
     a, b, v, p, i = gains.model_gain, gains.model_damping, gains.velocity_gain, gains.position_gain, gains.integral_gain
     return _split(np.roots([1.0, b + a * v, a * p, a * p * i]))
 
@@ -92,27 +92,27 @@ def _poles() -> Iterator[Row]:
     for number, gains in TABLE_2.items():
         here = closed_loop_poles(gains)
         slack = np.abs(np.array([closed_loop_poles(corner) for corner in _corners(placed(gains))]) - wanted).max(axis=0)
-        note = "our controller on a'/(s (s + b')) with the printed gains, beside alpha, w_n and zeta; within what their last digits move"
+        note = "our controller on a'/(s (s + b')) with the printed gains, against alpha, w_n and zeta; tolerance from the last digits"
         for part, paper, pole, most in zip(PARTS, wanted, here, slack, strict=True):
             yield derived(f"Table II {part}", f"axis {number}", paper, pole, "1/s", float(most), note)
     for number, gains in TABLE_3.items():
         identified = replace(gains, model_gain=TABLE_2[number].model_gain, model_damping=TABLE_2[number].model_damping)
-        note = "Table III gains on the identified a', b': our controller beside the roots of eq 16"
+        note = "Table III gains on the identified a', b': our controller against the roots of eq 16"
         for part, paper, pole in zip(PARTS, characteristic_roots(identified), closed_loop_poles(identified), strict=True):
             yield derived(f"Table III {part}", f"axis {number}", paper, pole, "1/s", 1e-6, note)
 
 
 def _corners(gains: Gains) -> list[Gains]:
-    """Return all gains that differ by up to one unit of the last printed digit."""
+    """Return all combinations of gains changed by -1, 0 or 1 unit of the last printed digit."""
     moves = product(*((-digit, 0.0, digit) for digit in DIGITS.values()))
     return [replace(gains, **{name: getattr(gains, name) + step for name, step in zip(DIGITS, move, strict=True)}) for move in moves]
 
 
 def _fig_8() -> Iterator[Row]:
-    """Closed loop of eq (16) with K_V 0.1, K_P 4, K_I 11.8 and 25 % on a' = 800, b' = 20: ours beside the equation."""
+    """Yield rows on the closed loop of eq (16) with K_V 0.1, K_P 4, K_I 11.8 and 25 % variation of a' = 800, b' = 20."""
     w = np.geomspace(1.0, 25.0, 200)
     base = Gains(1.0, 0.0, 0.1, 4.0, 11.8, 800.0, 20.0)
-    note = "largest to 25 rad/s, eight times the circle's frequency: our controller beside eq 16; Fig 8 shows curves that lie together"
+    note = "largest up to 25 rad/s, eight times the circle's frequency: our controller against eq 16; the curves of Fig 8 nearly coincide"
     for a, b in product((600.0, 800.0, 1000.0), (15.0, 20.0, 25.0)):
         varied, case = replace(base, model_gain=a, model_damping=b), f"a' {a:g}, b' {b:g}"
         apart = float(np.abs(closed_loop(varied, w) / equation_16(varied, w) - 1.0).max())
@@ -133,7 +133,7 @@ def equation_16(gains: Gains, w: Array) -> Complex:
 
 
 def closed_loop(gains: Gains, w: Array) -> Complex:
-    """Return P/R' of our controller joined with the ideal axis, in continuous time."""
+    """Return P/R' of our controller with the ideal axis, in continuous time."""
     plant, controller = ideal_loop(gains)
     return axis_response(Axis("ideal", plant), AxisController(controller), 0.0, w).modified
 
@@ -144,7 +144,7 @@ def _change(ratio: Complex) -> tuple[float, float]:
 
 
 def sampled_radius(gains: Gains, number: int) -> float:
-    """Return the largest magnitude of the poles of one axis' sampled loop, friction, counting and limits left out."""
+    """Return the largest pole magnitude of the sampled loop of an axis, without friction, quantisation and limits."""
     bare = replace(axis(number, Reading()), friction=NoFriction(), sensor=IdealSensor(), drive=Saturation())
     made = axis_controller(gains, Reading())
     free = replace(made, controller=made.controller.replace(anti_windup="none"))
@@ -154,23 +154,23 @@ def sampled_radius(gains: Gains, number: int) -> float:
 
 
 def _oscillation_limit() -> Iterator[Row]:
-    """K_P and K_I at which the sampled loop with observer oscillates, and Routh on eq (16)."""
+    """Yield K_P and K_I at which the sampled loop with observer oscillates, and the Routh limit of eq (16)."""
     for number, start in TABLE_3.items():
         for name, symbol, unit in (("position_gain", "K_P", "full_scale/mm"), ("integral_gain", "K_I", "1/s")):
 
             def beyond(value: float, name: str = name, start: Gains = start, number: int = number) -> float:
                 return sampled_radius(replace(start, **{name: value}), number) - 1.0
 
-            note = "sampled loop with observer, from the steps themselves"
+            note = "sampled loop with observer, from the compiled steps"
             if symbol == "K_I":
                 routh = start.model_damping + start.model_gain * start.velocity_gain
-                note += f"; eq 16 alone oscillates from K_I = b' + a' K_V = {routh:g} 1/s on"
+                note += f"; eq 16 alone oscillates from K_I = b' + a' K_V = {routh:g} 1/s"
             limit = crossing(beyond, getattr(start, name), 1e4)
             yield ours(f"{symbol} at which the loop oscillates", f"axis {number}, Table III", limit, unit, note)
 
 
 def crossing(function: Callable[[float], float], low: float, high: float) -> float:
-    """Return where a function changes from negative to positive, to 1e-6, by bisection in the logarithm."""
+    """Return where a function changes from negative to positive, to a relative 1e-6, by bisection in the logarithm."""
     while high > low * (1.0 + 1e-6):
         middle = math.sqrt(low * high)
         low, high = (middle, high) if function(middle) < 0.0 else (low, middle)

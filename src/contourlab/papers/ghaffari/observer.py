@@ -1,4 +1,4 @@
-"""Ghaffari & Ulsoy, section II: the disturbance observer with the plant, eqs (10)-(14), from the components' linear models."""
+"""Ghaffari & Ulsoy, section II: disturbance observer with plant, eqs (10)-(14), from the linear models of the components."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ _PER_MM = 1e3
 
 
 def observer_rows() -> Iterator[Row]:
-    """Yield the rows of eqs (10)-(13) for both tables, and of the reduction to eq (14)."""
+    """Yield the rows on eqs (10)-(13) for both tables, and on the reduction to eq (14)."""
     return chain(_identity(), _reduction())
 
 
 def compensated_axis(number: int, gains: Gains, frequency: NDArray[Any]) -> AxisResponse:
-    """Return the responses of an axis with its observer only: no position loop, friction or quantisation, continuous time."""
+    """Return the continuous-time responses of an axis with its observer only: no position loop, friction or quantisation."""
     bare = replace(axis(number, Reading()), friction=NoFriction(), sensor=IdealSensor())
     observer = axis_controller(gains, Reading()).observer
     return axis_response(bare, AxisController(PositionController(), observer=observer), 0.0, frequency)
@@ -51,18 +51,18 @@ def _identity() -> Iterator[Row]:
             response = compensated_axis(number, gains, w)
             driven, disturbed = response.compensated * _PER_MM, 1j * w * response.compliance * _PER_MM
             exact, exact_disturbed = exact_compensated(number, gains, Reading(), 1j * w)
-            note = "our observer joined with our plant, 0.001 to 10^4 rad/s"
+            note = "our observer and plant, 0.001 to 10^4 rad/s"
             for what, ours_, eq in (("V/U_c, eqs 10, 11, 13", driven, exact), ("V/D, eqs 10, 12, 13", disturbed, exact_disturbed)):
                 apart = float(np.abs(ours_ / eq - 1.0).max())
                 yield derived(f"{what}: largest relative difference", case, 0.0, apart, "", 1e-9, note)
             level = gains.observer_gain / (gains.observer_damping * Reading().bandwidth)
             slope = float(np.abs(disturbed[0]) / w[0])
-            note = "a_hat/(b_hat w_d), the velocity per rate of a slow disturbance; our components in continuous time"
+            note = "a_hat/(b_hat w_d): velocity over the rate of a slow disturbance; our components in continuous time"
             yield derived("attenuation of disturbance", case, level, slope, "mm/full_scale", 1e-6 * level, note)
 
 
 def _reduction() -> Iterator[Row]:
-    """Eq (14): a first-order velocity loop instead of the exact one."""
+    """Yield rows on eq (14): a first-order velocity loop instead of the exact one."""
     w = np.linspace(0.5, 50.0, 400)
     for number, gains in TABLE_2.items():
         loop = compensated_axis(number, gains, w).compensated * _PER_MM
@@ -74,18 +74,18 @@ def _reduction() -> Iterator[Row]:
         fit = 100.0 * (1.0 - float(np.linalg.norm(loop - a_fit / (1j * w + b_fit)) / np.linalg.norm(loop)))
         gain, damping = gains.model_gain, gains.model_damping
         reason = (
-            f"eq 10 has a steady gain of a_hat/b_hat = {gains.observer_gain / gains.observer_damping:.0f} mm/s, the printed a'/b' is "
+            f"eq 10 has a steady gain of a_hat/b_hat = {gains.observer_gain / gains.observer_damping:.0f} mm/s, but the printed a'/b' is "
             f"{gain / damping:.0f}: no axis that follows eq 10 with Table II's observer has the printed a' and b'"
         )
-        note = "fit of a'/(s + b') to our observer and plant, no friction"
+        note = "fit of a'/(s + b') to our observer and plant, without friction"
         yield printed("fitted a'", case, gain, a_fit, "mm/s^2/full_scale", 0.05 * gain, note, reason=reason)
         yield printed("fitted b'", case, damping, b_fit, "1/s", 0.05 * damping, note, reason=reason)
-        note = "the paper: above 95 %, for the steps it measured"
+        note = "the paper: above 95 %, for its measured steps"
         yield printed("fit of eq 14", case, 95.0, fit, "%", 5.0, note, at_least=True)
 
 
 def first_order_fit(w: Array, response: Complex) -> tuple[float, float]:
-    """Return a' and b' of the least squares on (s + b') V = a' U, which is linear in both."""
+    """Return a' and b' from least squares on (s + b') V = a' U, which is linear in both."""
     rows = np.concatenate([np.column_stack([np.ones_like(w), -response.real]), np.column_stack([np.zeros_like(w), -response.imag])])
     right = np.concatenate([(1j * w * response).real, (1j * w * response).imag])
     gain, damping = np.linalg.lstsq(rows, right, rcond=None)[0]

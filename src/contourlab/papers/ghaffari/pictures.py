@@ -32,10 +32,10 @@ def draw(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
 
 
 def _tile(symbol: str, studies: Mapping[str, Study]) -> Tile:
-    """Return the curves of a parameter, with minima and present values in the colour of the curve."""
+    """Return the curves of a parameter, with minima and current values in the colour of the curve."""
     curves, marks, present = [], [], []
     for i, (axis, study) in enumerate(studies.items()):
-        # Of coinciding curves both are visible if one is dashed.
+        # Different dashes keep coinciding curves visible.
         colour, dash = scheme_style(i, len(studies))[0], ("solid", "dash", "dot")[i]
         values = np.array([study.variable.display_value(value) for value in study.values])
         curves.append(Curve(values, study.figures * 1e6, axis, colour, dash))

@@ -1,4 +1,4 @@
-"""Ghaffari & Ulsoy, simulated circles: Fig 9, other readings of the paper, and the weight lambda over shapes and feeds."""
+"""Ghaffari & Ulsoy, simulated runs: Fig 9, other readings of the paper, and the weight lambda for several shapes and feeds."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _MICRO = 1e6
 
 
 def run_rows() -> Iterator[Row]:
-    """Yield the rows of Fig 9, of the readings, and of lambda."""
+    """Yield the rows on Fig 9, the readings, and lambda."""
     return chain(_fig_9(), _readings(), _weights())
 
 
@@ -49,11 +49,11 @@ def _fig_9() -> Iterator[Row]:
         judged, reference, figures = run(first, TABLE_3, Reading())
         error = figures.contour_error
         here = integrals[first] = _MICRO * error.integral
-        note = "one period of 2 s; 5 % of the printed figure counts as agreement, since the paper leaves several numbers open"
+        note = "over one period of 2 s; within 5 % counts as agreement, since the paper leaves several parameters open"
         yield printed(f"contour error integral A3-A{first}", case, PRINTED[first], here, "um s", 0.05 * PRINTED[first], note)
-        note = "positive to the left, so the circle is too small: a radius error from the feedforward gain a', not friction"
+        note = "positive to the left: the circle is too small, a radius error from the feedforward gain a', not from friction"
         yield ours("signed mean of contour error", case, _MICRO * error.signed_mean, "um", note)
-        note = "from friction, mismatch and counting, without the radius error"
+        note = "from friction, mismatch and quantisation, without the radius error"
         yield ours("integral without the signed mean", case, _MICRO * error.integral_without_mean, "um s", note)
         yield from _spikes(judged, reference, case)
     for first in (1, 2):
@@ -65,29 +65,29 @@ def _fig_9() -> Iterator[Row]:
 
 
 def _spikes(judged: Result, reference: Reference, case: str) -> Iterator[Row]:
-    """Time and height of the contour error's peaks at reversals; the paper prints the times."""
+    """Yield time and height of the contour error's peaks at reversals; the paper prints the times."""
     start, stop = reference.laps[-1]
     for spike, time in zip(reversal_spikes(judged, (start - 5, stop)), SPIKES, strict=True):
-        note = f"axis {spike.axis} turns; the error peaks a little later"
+        note = f"axis {spike.axis} reverses; the error peaks a little later"
         yield printed(f"time of the spike at {time:g} s", case, time, spike.peak_time, "s", 0.05, note)
-        note = f"axis {spike.axis} turns; {1e3 * spike.width:.0f} ms wide at half height"
+        note = f"axis {spike.axis} reverses; {1e3 * spike.width:.0f} ms wide at half height"
         yield ours(f"reversal spike at {time:g} s", case, _MICRO * spike.height, "um", note)
 
 
 def _gap(values: dict[tuple[str, int], float]) -> Row:
-    """Compare the integrals of A3-A2 and A3-A1, with the last printed digits as tolerance."""
+    """Return a row that compares the integrals of A3-A2 and A3-A1; the last printed digits give the tolerance."""
     gaps = {words: 100.0 * (values[words, 2] / values[words, 1] - 1.0) for words in readings()}
     paper = 100.0 * (PRINTED[2] / PRINTED[1] - 1.0)
     digits = 100.0 * 2.0 * 0.005 / PRINTED[1]
     reason = (
-        "with the same controller nearly identical, as the paper says; how nearly depends on the reading: "
-        f"{min(gaps.values()):.1f} to {max(gaps.values()):.1f} % over the readings"
+        "nearly identical with the same controller, as the paper states; the difference depends on the reading: "
+        f"{min(gaps.values()):.1f} to {max(gaps.values()):.1f} % over all readings"
     )
     return derived("difference between configurations", "A3-A2 beyond A3-A1", paper, gaps[AS_READ], "%", digits, reason=reason)
 
 
 def readings() -> dict[str, Reading]:
-    """Return readings of the paper, one parameter changed at a time."""
+    """Return readings of the paper by name, with one parameter changed at a time."""
     base = Reading()
     return {
         AS_READ: base,
@@ -105,13 +105,13 @@ def readings() -> dict[str, Reading]:
 
 
 NOTES = {
-    "low-passes by backward Euler": "pole matching at w_z T = 2 gives the observer 0.31 of the acceleration; this sampling gives all of it",
-    SLOW_OBSERVER: "the only one beyond 20.1 um s: w_d is hardly above b_hat = 20 to 25 1/s, and the paper asks for b << w_d",
+    "low-passes by backward Euler": "pole matching at w_z T = 2 gives the observer 0.31 of the acceleration, backward Euler all of it",
+    SLOW_OBSERVER: "the only one above 20.1 um s: w_d is hardly above b_hat = 20 to 25 1/s, but the paper requires b << w_d",
 }
 
 
 def _readings() -> Iterator[Row]:
-    """The integral over readings of the paper."""
+    """Yield the integral for the readings of the paper."""
     values = {(words, first): integral(first, reading) for words, reading in readings().items() for first in (1, 2)}
     name = "integral over what the paper leaves open"
     for (words, first), value in values.items():
@@ -125,7 +125,7 @@ def _readings() -> Iterator[Row]:
 
 
 def _raised_feedforward() -> Iterator[Row]:
-    """The circle with a larger a' in the feedforward only."""
+    """Yield rows on the circle with a larger a' in the feedforward only."""
     base = Reading()
     for first in (1, 2):
         made = controller(first, TABLE_3, base)
@@ -133,12 +133,12 @@ def _raised_feedforward() -> Iterator[Row]:
         reference = circle(base)
         judged = judge(simulate(machine(first, base), replace(made, axes=raised), reference), reference)
         value = _MICRO * summarise(judged, reference).contour_error.integral
-        note = "a' = 960 instead of 900 mm/s^2 on both axes: the feedforward alone decides most of the integral"
+        note = "a' = 960 instead of 900 mm/s^2 on both axes: the feedforward alone determines most of the integral"
         yield ours("contour error integral with a' = 960", f"A3-A{first}", value, "um s", note)
 
 
 def _weights() -> Iterator[Row]:
-    """Contour and tracking error over lambda, shape and feed."""
+    """Yield contour and tracking error over lambda, shape and feed."""
     ellipse, lemniscate = contour("ellipse", a=0.03, b=0.015), contour("lemniscate", a=0.025)
     reading = Reading()
     made = controller(1, TABLE_3, reading)

@@ -1,7 +1,7 @@
 """Ghaffari & Ulsoy, Figs 6 and 7: contour error over each parameter of eq 19 around Table III, and its minima.
 
-The figures print no numbers; they led to Table III, "obtained from the empirical sensitivity analysis". Axis 1 is studied in configuration
-A3-A1, axes 2 and 3 in A3-A2, where the paper calibrates them.
+The figures have no numbers; Table III was "obtained from the empirical sensitivity analysis". Axis 1 is studied in configuration A3-A1,
+axes 2 and 3 in A3-A2, where the paper calibrates them.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ BOUNDS = {
     "controller.position_gain": ("K_P", "0.5 full_scale/mm..100 full_scale/mm"),
     "controller.integral_gain": ("K_I", "1 1/s..300 1/s"),
 }
-"""Parameters of eq 19: symbol and range; feedforward and observer about a factor of three each way."""
+"""Parameters of eq 19: symbol and range; about a factor of three up and down for feedforward and observer."""
 NAMES = tuple(name for name, _ in BOUNDS.values())
 MODEL = NAMES[:4]
 WITH = {1: 1, 2: 2, 3: 2}
@@ -74,7 +74,7 @@ def _gains(number: int) -> dict[str, float]:
 
 
 def _ratio(values: dict[str, float]) -> float:
-    """Return the steady gain that the observer gives the axis over the one that the feedforward inverts."""
+    """Return the ratio of the steady gain of the axis with observer to the steady gain that the feedforward inverts."""
     return values["a_hat"] / values["b_hat"] / (values["a'"] / values["b'"])
 
 
@@ -86,7 +86,7 @@ def _moved(number: int, name: str) -> dict[str, float]:
 
 
 def _minima() -> Iterator[Row]:
-    """Minimum of the error over each parameter of observer and feedforward, the others as in Table III."""
+    """Yield the minimum of the error over each parameter of observer and feedforward, the others as in Table III."""
     for number in TABLE_3:
         for name in MODEL:
             curve, paper = axis_curves(number)[name], _gains(number)[name]
@@ -94,60 +94,60 @@ def _minima() -> Iterator[Row]:
             here, lowest = _moved(number, name)[name], _MICRO * curve.minimum.figure
             at_paper = _MICRO * float(np.interp(curve.variable.value, curve.values, curve.figures))
             case = f"axis {number} in A3-A{WITH[number]}, the others as in Table III"
-            note = f"integral {lowest:.3g} um s there, {at_paper:.3g} at Table III"
+            note = f"integral {lowest:.3g} um s at the minimum, {at_paper:.3g} at Table III"
             reason = (
                 f"{note}. In the model the four act as one ratio of steady gains, (a_hat/b_hat)/(a'/b'): {_ratio(_gains(number)):.3f} in "
-                f"Table III, {_ratio(_moved(number, name)):.3f} at this minimum. The difference is a radius error of constant sign "
-                "that Table III leaves in the model; on the stage it may have differed, and its values are rounded"
+                f"Table III, {_ratio(_moved(number, name)):.3f} at this minimum. With Table III the model keeps a radius error of constant "
+                "sign. It may have been different on the stage, and the values of Table III are rounded"
             )
             unit = curve.variable.display
             yield printed(f"minimum over {name}", case, paper, here, unit, AGREES * paper, note, reason=reason)
 
 
 def _ratios() -> Iterator[Row]:
-    """The ratio of steady gains at each of these minima."""
+    """Yield the ratio of steady gains at each of these minima."""
     for number in TABLE_3:
-        note = "a_hat/b_hat is the steady gain that the observer gives the axis, a'/b' the one that the feedforward inverts"
+        note = "a_hat/b_hat is the steady gain of the axis with observer, a'/b' the steady gain that the feedforward inverts"
         case = f"axis {number}, Table III"
         yield ours("(a_hat/b_hat)/(a'/b')", case, _ratio(_gains(number)), "", note)
         for name in MODEL:
-            note = "one ratio for all four: calibrating one of them is calibrating all"
+            note = "one ratio for all four: calibrating one parameter calibrates all"
             yield ours("(a_hat/b_hat)/(a'/b')", f"axis {number}, {name} at its minimum", _ratio(_moved(number, name)), "", note)
 
 
 def _same_curves() -> Iterator[Row]:
-    """Largest difference between the curves of axes 1 and 2, which are equal in the paper's simulations."""
+    """Yield the largest difference between the curves of axes 1 and 2, which are equal in the paper's simulations."""
     for name in MODEL:
         first, second = (axis_curves(number)[name].figures for number in (1, 2))
         apart = 100.0 * float(np.max(np.abs(first / second - 1.0)))
-        note = 'the paper of its simulations: "the same sensitivity curves for the feedforward parameters of Axis-1"'
+        note = 'the paper on its simulations: "the same sensitivity curves for the feedforward parameters of Axis-1"'
         yield ours("curves of axis 1 and axis 2 apart, at most", name, apart, "%", note)
 
 
 def _slopes() -> Iterator[Row]:
-    """Normalised local sensitivities at Table III."""
+    """Yield normalised local sensitivities at Table III."""
     for number in TABLE_3:
         for name, slope in _axis_slopes(number).items():
-            step = f"percent of the integral for one percent of the parameter; step {100.0 * slope.step:.2g} %"
+            step = f"percent of the integral per percent of the parameter; step {100.0 * slope.step:.2g} %"
             note = slope.doubt.text if slope.doubt else step
             yield ours("local sensitivity at Table III", f"axis {number}, {name}", slope.sensitivity, "%/%", note)
 
 
 def _flat() -> Iterator[Row]:
-    """Gains of the position loop from which on the error hardly changes."""
+    """Yield the gains of the position loop above which the error hardly changes."""
     for number in TABLE_3:
         for name in ("K_V", "K_P", "K_I"):
             curve = axis_curves(number)[name]
             if curve.flat is not None:
                 low, high = (curve.variable.display_value(value) for value in (curve.flat.low, curve.flat.high))
                 beyond = "" if curve.flat.last else ", beyond which the error grows"
-                note = f"up to {high:.3g}{beyond}; the longest stretch of the curve"
+                note = f"up to {high:.3g}{beyond}; the longest flat stretch of the curve"
                 case = f"axis {number}, {name}"
                 yield ours("integral changes by less than 5 % from", case, low, curve.variable.display, note)
 
 
 def _large_gains() -> Iterator[Row]:
-    """Effect of doubling K_P and K_I: at Table III, and with a feedforward that fits the axis."""
+    """Yield the effect of doubling K_P and K_I: at Table III, and with a feedforward that fits the axis."""
     fitting = {n: replace(TABLE_3[n], model_gain=_moved(n, "a'")["a'"]) for n in TABLE_3}
     for number in TABLE_3:
         for words, table in (("Table III", TABLE_3), ("a' at its minimum on both axes", fitting)):
@@ -156,7 +156,7 @@ def _large_gains() -> Iterator[Row]:
                 case = f"axis {number}, {words}, {name} doubled"
                 note = (
                     f"of {before:.3g} um s; the paper: K_P and K_I, if chosen large enough, have a negligible effect. "
-                    "They reduce what the feedforward leaves, and have little effect where it fits"
+                    "They reduce the error that the feedforward leaves, and have little effect if it fits"
                 )
                 yield ours("change of the integral", case, value - before, "um s", note)
 

@@ -1,8 +1,8 @@
 """Setup of Ghaffari & Ulsoy: axes and gains of the modular stage, as printed and as read.
 
-The paper leaves open the observer's bandwidths, the servo period, how velocity is measured, how filters are sampled, and the unit of
-stiction. The default reading: u as a share of full scale; Coulomb friction of 5.5, 8.8 and 7.7 % of it with true sticking; servo period
-1 ms; w_d = 200 rad/s, w_z = 2000 rad/s; velocity as the filtered (800 rad/s) difference of encoder counts; low-passes sampled by pole
+The paper leaves open the bandwidths of the observer, the servo period, the velocity measurement, the discretisation of filters, and the
+unit of stiction. Default reading: u as a share of full scale; Coulomb friction of 5.5, 8.8 and 7.7 % of it with true sticking; servo period
+1 ms; w_d = 200 rad/s, w_z = 2000 rad/s; velocity from encoder counts by a filtered (800 rad/s) difference; low-passes discretised by pole
 matching; lambda = 0.75.
 """
 
@@ -49,7 +49,7 @@ class Gains:
 
 @dataclass(frozen=True)
 class Reading:
-    """What the paper leaves open."""
+    """Choices that the paper leaves open."""
 
     servo_period: float = 1e-3
     bandwidth: float = 200.0
@@ -113,7 +113,7 @@ def axis_controller(gains: Gains, reading: Reading) -> AxisController:
 
 
 def machine(first: int, reading: Reading) -> Machine:
-    """Return configuration A3-A1 (first = 1) or A3-A2 (first = 2); the circle's x is on the first axis, its y on axis 3."""
+    """Return configuration A3-A1 (first = 1) or A3-A2 (first = 2); the first axis moves x of the circle, axis 3 moves y."""
     return Machine(f"A3-A{first}", (axis(first, reading), axis(3, reading)), reading.servo_period)
 
 

@@ -1,4 +1,4 @@
-"""Ghaffari & Ulsoy, the verdict: does one controller serve A3-A1 and A3-A2, with and without the disturbance observer?"""
+"""Ghaffari & Ulsoy, the swap: does one controller serve A3-A1 and A3-A2, with and without the disturbance observer?"""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from contourlab.scenario import load_controller
 
 CASE = "A3-A1 against A3-A2"
 BUDGET = {True: 600, False: 2000}
-"""Candidates per search, with and without the observer: few enough for a reproduction."""
+"""Candidates per search, with and without the observer; few, to keep the reproduction short."""
 KNOWN = (("shared",), ("own-a3a1",), ("own-a3a2",), ("swapped-a3a1", "swapped-a3a2"))
-"""Shipped controllers from searches a hundred times as long; searches with the observer start from them."""
+"""Shipped controllers from searches a hundred times longer; searches with the observer start from them."""
 LOCAL = {
     True: (("velocity_gain",),),
     False: (("model_gain",), ("model_gain", "model_damping")),
 }
-"""Smallest local sets found by searches among all parameters of axis 1, with and without the observer; tested again."""
+"""Smallest local sets from searches over all parameters of axis 1, with and without the observer; tested again here."""
 _MICRO = 1e6
 
 
@@ -41,7 +41,7 @@ def swap_of(observer: bool, settings: SwapSettings | None = None) -> SwapStudy:
 
 
 def _gains(name: str) -> dict[str, float]:
-    """Return the parameters of a shipped controller; axis 2 appears under the name of axis 1, which it replaces."""
+    """Return the parameters of a shipped controller by name; axis 2 has the name of axis 1, which it replaces."""
     first = 2 if name.endswith("a3a2") else 1
     stage = machine(first, Reading())
     made = load_controller(f"builtin:ghaffari/{name}.toml", stage)
@@ -60,16 +60,16 @@ def swap_rows() -> Iterator[Row]:
         star = study.variants.best * _MICRO
         note = (
             f"{study.verdict.text}; J {values[0]:.3g} and {values[1]:.3g} um s against J* {star[0]:.3g} and {star[1]:.3g}, J_tol 2 um s; "
-            f"{study.variants.runs} runs, gain margin 6 dB and phase margin 30 deg kept, bounds a factor of 4 around Table III"
+            f"{study.variants.runs} runs, gain margin at least 6 dB, phase margin at least 30 deg, bounds a factor of 4 around Table III"
         )
         if observer:
-            reason = f"the paper finds full modularity near 18.4 um s; here J* is far below, and 3 % of J_tol is a mean of 0.03 um: {note}"
+            reason = f"the paper finds full modularity near 18.4 um s; here J* is far lower, and 3 % of J_tol is a mean of 0.03 um: {note}"
             yield printed("local parameters needed with observer", CASE, 0.0, needed, "", 0.0, note, reason=reason)
         else:
             yield ours("local parameters needed without observer", CASE, needed, "", note)
         searches = "; searches of 4000 to 300 000 candidates gave 0.029 to 0.137, since longer searches also lower J*" if observer else ""
-        yield ours(f"swap loss {words}", CASE, study.base.swap_loss, "", f"of 1; nothing local, the controller shared{searches}")
+        yield ours(f"swap loss {words}", CASE, study.base.swap_loss, "", f"of 1; no local parameters{searches}")
         yield ours(f"swap loss {words}, all of the axis local", CASE, study.choices[-1].swap_loss, "", "of 1")
         given = study.given.values * _MICRO
-        note = f"of 1; {given[0]:.4g} and {given[1]:.4g} um s: nearly equal, and both far from the optimum of a model without noise"
+        note = f"of 1; {given[0]:.4g} and {given[1]:.4g} um s: nearly equal, but both far from the optimum of a model without noise"
         yield ours(f"swap loss {words}, Table III as printed", CASE, study.given.swap_loss, "", note)

@@ -1,8 +1,8 @@
 """Circle criterion: absolute stability of a loop with a gap, for any torque in the sector between 0 and the stiffness.
 
 It requires Re G(j w) > -1/k at all frequencies. The minimum comes from eigenvalues of a Hamiltonian matrix; a grid would miss a resonance
-narrower than its steps. A gap leaves the load without a position of its own, G(s) = g/s + G1(s): the pole at zero is removed exactly, the
-rest must be Hurwitz, and motions end at rest somewhere in the gap.
+narrower than its steps. In the gap nothing fixes the load position, so G(s) = g/s + G1(s). The pole at zero is removed exactly, the rest
+must be Hurwitz, and motions end at rest somewhere in the gap.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from contourlab.arrays import Array
 from contourlab.papers.shahin.common_lyapunov import characteristic, has_hurwitz_roots, kernel, rational, transpose
 
 NEAR_END = 1e-3
-"""At infinity the locus is 1/k from the line. Minima closer to that than this share are not resolved (ill-conditioned Hamiltonian)."""
+"""At infinity the locus is 1/k from the line. Minima within this share of 1/k are not resolved (ill-conditioned Hamiltonian)."""
 LEAST = 1e-9
-"""Margin over 1/k below which rounding could decide."""
+"""Margin relative to 1/k below which rounding could decide."""
 
 
 @dataclass(frozen=True)
@@ -33,9 +33,9 @@ class AbsoluteStability:
     margin : float
         Distance of the locus G from the line at -1/k, times k; at most 0.999; nan if the criterion does not apply.
     frequency : float [rad/s]
-        Where the locus is closest.
+        Frequency at which the locus is closest.
     largest_stiffness : float
-        Up to which the criterion holds; 1000 times the loop's own means at least that.
+        Stiffness up to which the criterion holds; 1000 times the loop's stiffness means at least that.
     explanation : str
     """
 
@@ -52,7 +52,7 @@ class AbsoluteStability:
 def circle_criterion(loop: BacklashLoop) -> AbsoluteStability:
     """Apply the circle criterion Re G(j w) > -1/k; it also covers gaps and stiffnesses that vary in time.
 
-    With little damping of the load it is undecided.
+    With little load damping the verdict is "undecided".
 
     Raises
     ------
@@ -74,7 +74,7 @@ def circle_criterion(loop: BacklashLoop) -> AbsoluteStability:
         end = "every motion ends at rest with the gap unloaded" if linear.residue else "every motion ends at rest"
         text = f"by the circle criterion {end}, for any torque in the sector up to a stiffness of {largest:.4g}; {where}"
         return AbsoluteStability("stable", margin, frequency, largest, text)
-    text = f"the circle criterion does not hold: {where}; it is sufficient only and proves nothing against the loop"
+    text = f"the circle criterion does not hold: {where}; it is only sufficient, so the loop may still be stable"
     return AbsoluteStability("undecided", margin, frequency, largest, text)
 
 
@@ -88,7 +88,7 @@ class _Linear:
     residue: float
 
     def minimum(self) -> tuple[float, float]:
-        """Return the least of 1 + k Re G over all frequencies, and its frequency."""
+        """Return the minimum of 1 + k Re G over all frequencies, and its frequency."""
         rates = np.abs(np.linalg.eigvals(self.a))
         tested = (0.0, *rates, *np.geomspace(1e-3 * rates.min(), 1e3 * rates.max(), 40))
         least, at = min([*((self._value(float(w)), float(w)) for w in tested), (1.0 - NEAR_END, math.inf)])
@@ -103,7 +103,7 @@ class _Linear:
         return least, at
 
     def is_clear(self) -> bool:
-        """Whether no frequency reaches 0: the Hamiltonian has no eigenvalue on the imaginary axis."""
+        """Return whether 1 + k Re G reaches 0 at no frequency: the Hamiltonian has no eigenvalue on the imaginary axis."""
         values = np.linalg.eigvals(self._hamiltonian(0.0))
         return bool((np.abs(values.real) > 1e-10 * np.abs(values).max() * np.finfo(float).eps ** 0.25).all())
 
@@ -112,7 +112,7 @@ class _Linear:
         return 1.0 + float((self.row @ response).real)
 
     def _crossings(self, level: float) -> Array:
-        """Return the frequencies near which a level may be reached, ascending."""
+        """Return the frequencies near which 1 + k Re G may reach a level, ascending."""
         values = np.linalg.eigvals(self._hamiltonian(level))
         near = np.abs(values.real) <= 1e-4 * np.abs(values)
         return np.unique(np.abs(values.imag[near & (np.abs(values) > 0.0)]))
@@ -126,10 +126,10 @@ class _Linear:
 def _linear_part(loop: BacklashLoop) -> _Linear | str:
     """Return the linear part without its pole at zero, or why the criterion does not apply; decided in rational arithmetic.
 
-    With v in the kernel of a, u in that of a', u'v = 1: x = y + v xi, xi = u'x, xi' = -(u'b) T. The rest, y, must decay by itself.
+    With v in the kernel of a, u in that of a', u'v = 1: x = y + v xi, xi = u'x, xi' = -(u'b) T. The rest y must decay.
     """
     if loop.shaft_damping > 0.0:
-        return "the torque of a damped shaft depends on its past, not on the motor-load difference alone"
+        return "the torque of a damped shaft depends on its history, not only on the motor-load difference"
     exact = rational(loop.a)
     right, left = kernel(exact), kernel(transpose(exact))
     if not right:
@@ -138,13 +138,13 @@ def _linear_part(loop: BacklashLoop) -> _Linear | str:
         return _balanced(loop, np.eye(loop.n), np.eye(loop.n), 0.0)
     overlap = sum(x * y for x, y in zip(right[0], left[0], strict=True))
     if len(right) > 1 or overlap == 0:
-        return "the linear part has a double pole at zero: a load that nothing slows in the gap, or a motor that runs on while it rests"
+        return "the linear part has a double pole at zero: nothing slows the load in the gap, or the motor moves on while the load rests"
     if not has_hurwitz_roots(characteristic(exact)[:-1]):
         return "the linear part without its pole at zero is not Hurwitz"
     v, u = np.array([float(x) for x in right[0]]), np.array([float(x / overlap) for x in left[0]])
     residue = float(loop.c @ v) * float(u @ loop.b)
     if residue <= 0.0:
-        return "the pole at zero has the wrong sign: a constant difference does not draw motor and load together"
+        return "the pole at zero has the wrong sign: a constant difference does not pull motor and load together"
     from scipy.linalg import null_space
 
     scale = loop.balance

@@ -1,8 +1,8 @@
 """Common quadratic Lyapunov functions of switched linear systems: found and proved, or refuted with a certificate.
 
 P > 0 with A_i' P + P A_i < 0 for all i exists only if there are no Z_i >= 0, not all zero, with sum(A_i Z_i + Z_i A_i') >= 0. A vector v
-with A_i v = 0 gives such a certificate, Z_i = v v'. Otherwise a solver proposes P. Rational arithmetic on the given floats proves or
-rejects it, so that no verdict depends on a solver's status or on rounding.
+with A_i v = 0 gives such a certificate, Z_i = v v'. Otherwise a solver proposes P, and rational arithmetic on the given floats proves or
+rejects it. So the verdict depends neither on the status of a solver nor on rounding.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ class CommonLyapunov:
     ----------
     verdict : "feasible", "infeasible" or "undecided"
     p : ndarray (n, n) or None
-        V = x' P x, in the states as given, scaled to a largest eigenvalue of 1.
+        V = x' P x, in the given states, scaled to a largest eigenvalue of 1.
     overshoot, rate : float
         alpha_1 and alpha_2 [1/s] of |x(t)| <= alpha_1 exp(-alpha_2 t) |x(0)|, eq (17) of the paper, under any switching; nan unless
-        feasible. The norm is that of the states as given, so alpha_1 depends on their units.
+        feasible. The norm is that of the given states, so alpha_1 depends on their units.
     certificate : tuple of ndarray (n, n)
         Z_i, one for each matrix, if infeasible.
     explanation : str
@@ -58,14 +58,14 @@ def common_quadratic(matrices: Sequence[Array], names: Sequence[str] = (), state
     matrices : sequence of ndarray (n, n)
         A_i [1/s], taken as exact.
     names : sequence of str, optional
-        Of the matrices, for example "gap" and "contact".
+        Names of the matrices, for example "gap" and "contact".
     states : sequence of str, optional
         Names of the states.
 
     Returns
     -------
     CommonLyapunov
-        "undecided" if neither answer could be proved.
+        "undecided" if neither "feasible" nor "infeasible" can be proved.
     """
     given = list(matrices)
     labels = tuple(names) or tuple(f"matrix {i + 1}" for i in range(len(given)))
@@ -79,12 +79,12 @@ def common_quadratic(matrices: Sequence[Array], names: Sequence[str] = (), state
         p = candidate / scale[:, None] / scale
         if _proves(exact, p):
             return _feasible(given, exact, scaled, scale, p, labels)
-    text = f"no common P could be proved for {_joined(labels)}"
+    text = f"no common P is proved for {_joined(labels)}"
     return CommonLyapunov("undecided", None, math.nan, math.nan, (), text)
 
 
 def _proves(exact: list[Rational], p: Array) -> bool:
-    """Whether P > 0 and all -(A' P + P A) > 0, in rational arithmetic."""
+    """Return whether P > 0 and all -(A' P + P A) > 0, in rational arithmetic."""
     if not np.isfinite(p).all():
         return False
     fractions = rational(0.5 * (p + p.T))
@@ -116,7 +116,7 @@ def _feasible(
 
 
 def _rate(given: list[Array], p: Array, scale: Array) -> float:
-    """Return the largest alpha with A' P + P A <= -2 alpha P for all A, rounded to the safe side."""
+    """Return the largest alpha with A' P + P A <= -2 alpha P for all A, rounded down."""
     from scipy.linalg import solve_triangular
 
     balanced = p * scale * scale[:, None]
@@ -126,7 +126,7 @@ def _rate(given: list[Array], p: Array, scale: Array) -> float:
         return 0.0
     worst = math.inf
     for a in given:
-        # In coordinates in which V is the squared length, the rate is that of the symmetric part.
+        # In coordinates in which V is the squared norm, the symmetric part gives the rate.
         inside = factor.T @ (a * scale / scale[:, None])
         moved = solve_triangular(factor, inside.T, lower=True).T
         growth = float(np.linalg.eigvalsh(0.5 * (moved + moved.T))[-1])
@@ -137,8 +137,8 @@ def _rate(given: list[Array], p: Array, scale: Array) -> float:
 def _with_zero(given: list[Array], i: int, name: str, v: Array, states: Sequence[str]) -> CommonLyapunov:
     """Return the certificate Z = v v' of a matrix that maps v to zero."""
     text = (
-        f"the {name} matrix maps {_named(v, states)} to zero exactly (eigenvalue 0): nothing moves along it, so x'Px cannot fall there for "
-        "any P. No strict common quadratic Lyapunov function exists"
+        f"the {name} matrix maps {_named(v, states)} to exactly zero (eigenvalue 0): nothing moves in this direction, so x'Px cannot fall "
+        "there for any P. No strict common quadratic Lyapunov function exists"
     )
     certificate = tuple(np.outer(v, v) if j == i else np.zeros_like(a) for j, a in enumerate(given))
     return CommonLyapunov("infeasible", None, math.nan, math.nan, certificate, text)
@@ -155,7 +155,7 @@ def _joined(labels: tuple[str, ...]) -> str:
 
 
 def _balanced(matrices: list[Array]) -> tuple[list[Array], Array]:
-    """Return the matrices over states divided by powers of 2 (n,) that balance rows and columns, and those powers."""
+    """Return the matrices with states scaled by powers of 2 (n,) that balance rows and columns, and these powers."""
     from scipy.linalg import matrix_balance
 
     sizes = np.sum([np.abs(a) / max(float(np.abs(a).max()), 1e-300) for a in matrices], axis=0)
@@ -164,7 +164,7 @@ def _balanced(matrices: list[Array]) -> tuple[list[Array], Array]:
 
 
 def _candidates(matrices: list[Array]) -> Iterator[Array]:
-    """Yield proposals for P: closed forms first, then the solver's in the coordinates of each."""
+    """Yield proposals for P: closed forms first, then those of the solver in the coordinates of each closed form."""
     coordinates = list(_frames(matrices))
     for frame in coordinates:
         yield frame.T @ frame
@@ -190,12 +190,12 @@ def _faster(matrices: list[Array]) -> Iterator[Array]:
 
 
 def _unit(matrix: Array) -> Array:
-    """Return a matrix over its largest entry, which does not change the inequalities."""
+    """Divide a matrix by its largest entry, which does not change the inequalities."""
     return np.asarray(matrix / max(float(np.abs(matrix).max()), 1e-300))
 
 
 def _frames(matrices: list[Array]) -> Iterator[Array]:
-    """Yield coordinates in which a matrix, or the mean, contracts: factors of solutions of its Lyapunov equation."""
+    """Yield coordinates in which a matrix, or the sum, contracts: factors of solutions of its Lyapunov equation."""
     from scipy.linalg import LinAlgError, solve_continuous_lyapunov
 
     units = [_unit(a) for a in matrices]
@@ -218,7 +218,7 @@ def _frames(matrices: list[Array]) -> Iterator[Array]:
 
 
 def _margin(matrices: list[Array]) -> Array | None:
-    """Return the P between 0 and 1 with the largest margin of contraction."""
+    """Return the P between 0 and the identity with the largest contraction margin."""
     cvxpy = extra_module("cvxpy")
 
     n = len(matrices[0])
@@ -232,7 +232,7 @@ def _margin(matrices: list[Array]) -> Array | None:
 
 
 def rational(matrix: Array) -> Rational:
-    """Return a matrix in exact fractions, so that all that follows is proof and not estimate."""
+    """Return a matrix as exact fractions."""
     return tuple(tuple(Fraction(float(value)) for value in row) for row in matrix)
 
 
@@ -254,7 +254,7 @@ def lyapunov(a: Rational, p: Rational) -> Rational:
 
 
 def is_positive_definite(matrix: Rational) -> bool:
-    """Whether a symmetric matrix is positive definite: all pivots of its elimination are above 0.
+    """Return whether a symmetric matrix is positive definite: all pivots of its elimination are above 0.
 
     >>> is_positive_definite(rational(np.array([[2.0, 1.0], [1.0, 1.0]])))
     True
@@ -274,7 +274,7 @@ def is_positive_definite(matrix: Rational) -> bool:
 
 
 def has_hurwitz_roots(polynomial: tuple[Fraction, ...]) -> bool:
-    """Whether all roots of a monic polynomial, highest power first, have negative real parts, by Routh's table.
+    """Return whether all roots of a monic polynomial, highest power first, have negative real parts (Routh's table).
 
     >>> has_hurwitz_roots(characteristic(rational(np.array([[0.0, 1.0], [-1.0, -1e-300]]))))
     True
@@ -294,7 +294,7 @@ def has_hurwitz_roots(polynomial: tuple[Fraction, ...]) -> bool:
 
 
 def characteristic(matrix: Rational) -> tuple[Fraction, ...]:
-    """Return the characteristic polynomial, highest power first: Faddeev and LeVerrier."""
+    """Return the characteristic polynomial, highest power first (Faddeev-LeVerrier)."""
     n = len(matrix)
     coefficients = [Fraction(1)]
     m: Rational = tuple(tuple(Fraction(0) for _ in range(n)) for _ in range(n))
@@ -307,7 +307,7 @@ def characteristic(matrix: Rational) -> tuple[Fraction, ...]:
 
 
 def kernel(matrix: Rational) -> tuple[tuple[Fraction, ...], ...]:
-    """Return a basis of the vectors that a matrix takes to 0, by row reduction; empty for a regular matrix.
+    """Return a basis of the kernel of a matrix, by row reduction; empty for a regular matrix.
 
     >>> [[float(x) for x in v] for v in kernel(rational(np.array([[0.0, 1.0], [0.0, 0.0]])))]
     [[1.0, 0.0]]

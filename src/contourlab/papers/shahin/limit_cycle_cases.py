@@ -1,4 +1,4 @@
-"""Limit cycles of stated cases two ways: describing function and exact periodic orbit.
+"""Limit cycles of test cases, by describing function and as exact periodic orbits.
 
 The drive of Table 1 (half gap 4.91 mrad: 12.5 um on a 16 mm screw) under P-PI cascades. Six cases have a limit cycle, from 1.1 to 24
 half-gaps. Three have none, though the describing function predicts one for two of them.
@@ -49,7 +49,7 @@ CASES = (
     LimitCycleCase("load side, K_v 60, K_p 5, K_i 200, load damped", replace(DRIVE, load_damping=0.01), p_pi_cascade(60.0, 5.0, 200.0)),
     LimitCycleCase("load side, K_v 20, K_p 5, load damped", replace(DRIVE, load_damping=0.02), p_pi_cascade(20.0, 5.0)),
 )
-"""By falling amplitude."""
+"""Cases by falling amplitude."""
 
 CASES_WITHOUT = (
     LimitCycleCase("motor side, K_v 60, K_p 1, K_i 1400", DRIVE, p_pi_cascade(60.0, 1.0, 1400.0, "motor")),
@@ -61,7 +61,7 @@ CASES_WITHOUT = (
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """One case, two ways.
+    """One case by both methods.
 
     Attributes
     ----------
@@ -78,12 +78,12 @@ class Comparison:
 
     @property
     def frequency_error(self) -> float:
-        """Relative frequency error of the describing function against the orbit; nan without either."""
+        """Relative frequency error of the describing function against the orbit; nan if one is missing."""
         return math.nan if self.predicted is None or self.orbit is None else self.predicted.frequency / self.orbit.frequency - 1.0
 
     @property
     def amplitude_error(self) -> float:
-        """Relative amplitude error of the describing function against the orbit; nan without either."""
+        """Relative amplitude error of the describing function against the orbit; nan if one is missing."""
         return math.nan if self.predicted is None or self.orbit is None else self.predicted.ratio / self.orbit.ratio - 1.0
 
 

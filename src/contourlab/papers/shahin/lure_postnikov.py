@@ -1,8 +1,8 @@
 """Lur'e-Postnikov function: energy plus the integral of the gap's torque, for loops without a quadratic Lyapunov function.
 
-A load that is free in its gap leaves x'Px no room to fall. But V = x'Px/2 + k dz(theta_d)^2/2 falls wherever P b = a'c' (the torque puts
-into the spring what it takes from the quadratic part) and a'P + P a <= 0. With shaft damping the spring's energy is that of its twist,
-which the damper only lowers. V bounds every state it contains; LaSalle's principle says where motions end.
+While the load is free in its gap, x'Px cannot fall. But V = x'Px/2 + k dz(theta_d)^2/2 never rises if P b = a'c' (the torque moves energy
+from the quadratic part to the spring) and a'P + P a <= 0. With shaft damping, the spring energy is that of the twist, which the damper only
+lowers. V bounds every state that it contains; LaSalle's principle shows where motions end.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ class EnergyFunction:
     ----------
     loop : BacklashLoop
     p : ndarray (n, n) or None
-        None if the energy is no such function: the verdict is then "undecided".
+        None if the energy is not such a function; the verdict is then "undecided".
     dissipation : ndarray (n, n) or None
-        -(a'P + P a): in the gap V' is -x' dissipation x / 2, less what the shaft's damper takes.
+        -(a'P + P a): in the gap V' is -x' dissipation x / 2, minus the loss in the shaft's damper.
     settles : bool
         Whether every motion ends at rest with the gap unloaded (LaSalle).
     explanation : str
@@ -66,17 +66,17 @@ class EnergyFunction:
         return np.asarray(0.5 * np.einsum("mi,ij,mj->m", states, self.p, states) + 0.5 * self.loop.stiffness * wound**2)
 
     def difference_bound(self, start: ArrayLike) -> float:
-        """Return the largest motor-load difference reachable from a start: half of the gap plus sqrt(2 V(start)/k) (dead-zone model)."""
+        """Return the largest motor-load difference reachable from a start: half the gap plus sqrt(2 V(start)/k) (dead-zone model)."""
         return self.loop.half_gap + math.sqrt(2.0 * float(self.value(start)[0]) / self.loop.stiffness)
 
 
 def energy_function(loop: BacklashLoop) -> EnergyFunction:
-    """Check the mechanical energy of two inertias under a controller on the motor as a Lur'e-Postnikov function.
+    """Check whether the mechanical energy of two inertias with a controller on the motor is a Lur'e-Postnikov function.
 
     Returns
     -------
     EnergyFunction
-        "stable" if P >= 0, P b = a'c' and a'P + P a <= 0 hold to the rounding of the matrices; else "undecided".
+        "stable" if P >= 0, P b = a'c' and a'P + P a <= 0 hold up to rounding; else "undecided".
 
     Raises
     ------
@@ -97,11 +97,11 @@ def energy_function(loop: BacklashLoop) -> EnergyFunction:
     dissipation = _cleared(loop, p, -(loop.a.T @ p + p @ loop.a))
     text = (
         "V = x'Px/2 + k dz(theta_d)^2/2 never rises, so from any start |dz(theta_d)| <= sqrt(2 V(0)/k) and every state in V stays bounded, "
-        "although no quadratic function can show it"
+        "which no quadratic function can show"
     )
     settles = bool(dissipation.any() and _settles(loop, dissipation))
     if settles:
-        text += "; V is constant only at rest with the gap unloaded, so every motion ends there (LaSalle): there is no limit cycle"
+        text += "; V is constant only at rest with the gap unloaded, so every motion ends there (LaSalle) and no limit cycle exists"
     return EnergyFunction(loop, p, dissipation, settles, text)
 
 
@@ -117,19 +117,19 @@ def _mechanical_energy(loop: BacklashLoop) -> Array | None:
 
 
 def _failure(loop: BacklashLoop, p: Array) -> str:
-    """Return which condition P violates; empty if none."""
+    """Return which condition P violates; an empty text if none."""
     scale = loop.balance
     a, c, b = loop.a * scale / scale[:, None], loop.c * scale, loop.b / scale
     q = p * scale * scale[:, None]
     if np.abs(q - q.T).max() > ROUNDING * np.abs(q).max() or np.linalg.eigvalsh(q)[0] < -ROUNDING * np.abs(q).max():
         return "P is not positive semidefinite"
     if np.abs(q @ b - a.T @ c).max() > ROUNDING * (np.abs(q) @ np.abs(b) + np.abs(a.T) @ np.abs(c)).max():
-        return "P b = a'c' does not hold: the torque puts energy in"
+        return "P b = a'c' does not hold: the torque adds energy"
     flow = a.T @ q + q @ a
     if np.linalg.eigvalsh(flow)[-1] > ROUNDING * (np.abs(a.T) @ np.abs(q)).max():
-        return "a'P + P a has an eigenvalue above 0: the linear part puts energy in"
+        return "a'P + P a has an eigenvalue above 0: the linear part adds energy"
     if np.linalg.matrix_rank(q + np.outer(c, c) * np.abs(q).max(), tol=1e-13 * np.abs(q).max()) < loop.n:
-        return "some states are held by neither P nor the spring: V does not bound them"
+        return "V does not bound all states: neither P nor the spring contains them"
     return ""
 
 
@@ -140,7 +140,7 @@ def _cleared(loop: BacklashLoop, p: Array, dissipation: Array) -> Array:
 
 
 def _settles(loop: BacklashLoop, dissipation: Array) -> bool:
-    """Whether V' = 0 allows only rest without torque, for motions that stay in contact and motions that stay in the gap."""
+    """Return whether V' = 0 allows only rest without torque, both for motions in contact and for motions in the gap."""
     scale = loop.balance
     contact, gap = loop.contact_matrix * scale / scale[:, None], loop.a * scale / scale[:, None]
     taken, c = dissipation * scale * scale[:, None], loop.c * scale
@@ -150,7 +150,7 @@ def _settles(loop: BacklashLoop, dissipation: Array) -> bool:
         return False
     if np.linalg.cond(contact) > 1e14 or _unseen(taken, contact).shape[1] > 0:
         return False
-    # In the gap: bounded motions that V' does not see and that do not oscillate have a constant difference; they must be at rest.
+    # In the gap: bounded motions that do not change V and do not oscillate have a constant difference; they must be at rest.
     quiet = _unseen(taken, gap)
     inside = quiet.T @ gap @ quiet
     if np.abs(np.linalg.eigvals(inside)).max(initial=0.0) > 1e-6 * np.abs(gap).max():
@@ -170,7 +170,7 @@ def _kernel(matrix: Array) -> Array:
 def _unseen(rows: Array, a: Array) -> Array:
     """Return an orthonormal basis (n, m) of the unobservable subspace of (rows, a)."""
     unit, basis = a / np.abs(a).max(), _kernel(rows)
-    # Invariant part of the kernel: what a keeps inside it, repeatedly.
+    # Invariant part of the kernel under a, by iteration.
     while basis.shape[1]:
         outside = unit @ basis - basis @ (basis.T @ unit @ basis)
         kept = _kernel(outside) if np.abs(outside).max() > 1e-12 else np.eye(basis.shape[1])

@@ -20,9 +20,9 @@ def draw(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
     """Write the figures into a folder; return the files."""
     gap, none = Setting(), Setting(gap=0.0)
     baselines = {
-        "on the motors, no backlash": third_lap("PI", none),
-        "on the motors, 25 um": third_lap("PI", gap),
-        "closed over the loads, 25 um": third_lap("PI on the load", gap),
+        "motor feedback, no backlash": third_lap("PI", none),
+        "motor feedback, 25 um backlash": third_lap("PI", gap),
+        "load feedback, 25 um backlash": third_lap("PI on the load", gap),
     }
     charts: list[Chart | PolarChart] = [_circle("fig-7-8", "Figs 7, 8: PI on the circle at 8000 mm/min", baselines)]
     schemes = {name: third_lap(name, gap) for name in setup.SCHEMES}
@@ -51,5 +51,5 @@ def _circle(key: str, title: str, runs: Mapping[str, Mapping[str, Array]]) -> Po
         deviation = (np.hypot(x, y) - setup.RADIUS) * 1e6
         curves.append(Curve(np.degrees(np.unwrap(np.arctan2(y, x))), deviation, name, *scheme_style(i, len(runs))))
     division, span = ring_spacing(max(float(np.abs(curve.y).max()) for curve in curves))
-    caption = f"One ring is {division:g} um of radial deviation."
+    caption = f"Ring spacing {division:g} um of radial deviation."
     return PolarChart(key, title, caption, tuple(curves), division, (-2.0 * span, span), setup.RADIUS)

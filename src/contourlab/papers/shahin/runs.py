@@ -1,4 +1,4 @@
-"""Runs of Shahin, ElMaraghy & ElBeheiry: circular tests reduced to the paper's figures, traces for pictures, ramps."""
+"""Runs of Shahin, ElMaraghy & ElBeheiry: figures of circular tests, traces for pictures, ramps."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from contourlab.papers.shahin import setup
 from contourlab.papers.shahin.setup import Setting
 
 WINDOW = (1.0, 10.0)
-"""Time that the paper evaluates [s]."""
+"""Time window that the paper evaluates [s]."""
 SIGNALS = ("axis_position", "axis_velocity", "reference", "reference_velocity")
 STRIDE = 100
-"""Samples of 2 us between points of a picture: sixty in a period of the shaft."""
+"""Samples of 2 us between points of a picture: sixty points per period of the shaft."""
 LENGTH, ACCELERATION = 0.2, 2.0
 """Length of the ramp [m] and acceleration of its run-up [m/s^2]."""
 STEADY = (0.5, 1.4)
@@ -41,11 +41,11 @@ class Figures:
     contour_error : float [m]
         Largest distance from the circle.
     feed_ripple, axis_feed_error : float [m/s]
-        Largest deviation of the path's feedrate, and of an axis velocity.
+        Largest deviation of the feedrate along the path, and of an axis velocity.
     switches : int
         Controller switches of all axes.
     diverged : float [s]
-        Time at which the following error passed its limit; infinite if it did not.
+        Time at which the following error exceeds its limit; infinite if it never does.
     """
 
     axis_error: Array = field(default_factory=lambda: np.zeros(2))
@@ -97,7 +97,7 @@ def controller_of(name: str, setting: Setting) -> Controller:
 
 
 def prepare(tests: Sequence[tuple[Any, ...]]) -> None:
-    """Run circular tests on all processors, so that `circular` finds them in its cache; the first one compiles."""
+    """Run circular tests in parallel to fill the cache of `circular`; the first test compiles."""
     circular(*tests[0])
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
         list(pool.map(lambda test: circular(*test), dict.fromkeys(tests)))
@@ -122,13 +122,13 @@ def third_lap(name: str, setting: Setting) -> dict[str, Array]:
 
 @cache
 def _ramp() -> Reference:
-    """Return a straight motion of x at the feedrate after a run-up at constant acceleration; y stands still."""
+    """Return a straight motion of x at the feedrate after a run-up at constant acceleration; y is at rest."""
     limits = AxisLimits([1.0, 1.0], [ACCELERATION, ACCELERATION], [math.inf, math.inf])
     return plan(route_from_path(Path([Line((0.0, 0.0), (LENGTH, 0.0))]), setup.FEED), limits, setup.SERVO_PERIOD)
 
 
 def ramp(name: str, setting: Setting) -> tuple[float, float]:
-    """Return largest error [m] and feedrate deviation [m/s] of the x load in the ramp's steady part; `name` as in `controller_of`."""
+    """Return the largest error [m] and feedrate deviation [m/s] of the x load in the ramp's steady part; `name` as in `controller_of`."""
     machine = setup.machine(setting, setup.SERVO_PERIOD)
     run = simulate(machine, controller_of(name, setting), _ramp(), signals=("axis_position", "axis_velocity", "reference"))
     steady = slice(*(round(time / setup.SERVO_PERIOD) for time in STEADY))

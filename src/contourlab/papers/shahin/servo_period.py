@@ -19,13 +19,13 @@ LONGEST = 0.1
 PER_DECADE = 100
 PER_TURN = 100
 SAFE = 1e-9
-"""Growth, over the fastest rate, up to which a mode counts as stable: rounding of an eigenvalue on the unit circle."""
+"""Growth relative to the fastest rate up to which a mode counts as stable: rounding of an eigenvalue on the unit circle."""
 
 
 def servo_period_limit(drive: TwoInertias, feedback: Feedback) -> tuple[float, float]:
     """Return the largest stable servo periods [s] in the gap and in contact: 0 if always unstable, inf if stable up to `LONGEST`.
 
-    Each is the limit of a mode that lasts; switching between the modes is not covered.
+    Each limit holds for a mode that lasts, not for switching between modes.
     """
     return _limit(drive.a, drive.command, feedback), _limit(drive.contact_a, drive.command, feedback)
 
@@ -47,7 +47,7 @@ def sampled_matrix(a: Array, command: Array, gain: Array, integral: Array, perio
     step = exponentials(held, periods)
     matrix = np.zeros((*periods.shape, m, m))
     matrix[..., :n, :n] = step[..., :n, :n]
-    # The integrals act on the next command, as in a controller with a state.
+    # The integrals act on the next command.
     matrix[..., n:m, :m] = periods[..., None, None] * integral
     matrix[..., n:m, n:m] += np.eye(m - n)
     matrix[..., :n, :] += step[..., :n, n, None] * -gain
@@ -65,7 +65,7 @@ def _limit(a: Array, command: Array, feedback: Feedback) -> float:
     rate = max(float(np.abs(np.linalg.eigvals(_continuous(inner, entering, gain, integral))).max()), 1e-300)
 
     def growth(period: ArrayLike) -> Array:
-        """Rate of the fastest growing mode beyond what counts as stable [1/s]."""
+        """Return the growth rate [1/s] of the fastest growing mode, above the limit for stability."""
         values = np.abs(np.linalg.eigvals(sampled_matrix(inner, entering, gain, integral, period)))
         return np.asarray(np.log(np.maximum(values.max(axis=-1), 1e-300)) / period) - SAFE * rate
 
@@ -81,7 +81,7 @@ def _limit(a: Array, command: Array, feedback: Feedback) -> float:
 
 
 def _in_the_loop(a: Array, command: Array, feedback: Feedback) -> list[int]:
-    """Return the mechanical states that the command moves and the controller sees."""
+    """Return the mechanical states that are controllable from the command and observable by the controller."""
     n = len(a)
     moved, seen = command != 0.0, np.zeros(n, dtype=bool)
     for row in (feedback.gain, *feedback.integral):
@@ -103,7 +103,7 @@ def _continuous(a: Array, command: Array, gain: Array, integral: Array) -> Array
 
 
 def _periods(rate: float, oscillation: float) -> Array:
-    """Return test periods: dense in ratio from far below the fastest time constant, and dense in each oscillation of the mechanics."""
+    """Return test periods: spaced geometrically from far below the fastest time constant, and densely over mechanical oscillations."""
     first = min(1e-3 / rate, 1e-3 * LONGEST)
     count = max(2, int(PER_DECADE * math.log10(LONGEST / first)))
     grids = [np.geomspace(first, LONGEST, count)]

@@ -41,7 +41,7 @@ _ZONES: dict[str, tuple[Any, Any]] = {"I": (ContactZone1, GapZone1), "II": (Cont
 
 @dataclass(frozen=True)
 class Setting:
-    """What the paper leaves open.
+    """Choices that the paper leaves open.
 
     Attributes
     ----------
@@ -122,9 +122,9 @@ def baseline(*, forward: bool = False, feedback: str = "motor") -> Controller:
 
 
 def free_flight(gap: float, feed: float = FEED) -> float:
-    """Return the impact speed [m/s] of a frictionless load that was released where its axis is fastest.
+    """Return the impact speed [m/s] of a frictionless load that is released where its axis is fastest.
 
-    To first order the reference lags straight motion by v w^2 t^3/6. Impact is where this equals the gap; the speed difference is then
+    To first order the reference lags uniform motion by v w^2 t^3/6. The impact is when this equals the gap; the speed difference is then
     v w^2 t^2/2.
     """
     jerk = feed * (feed / RADIUS) ** 2

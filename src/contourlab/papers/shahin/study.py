@@ -42,7 +42,7 @@ def _needed() -> list[tuple[Any, ...]]:
 
 
 def _tables() -> Iterator[Row]:
-    """Tables 1 and 2, read back from the machine and its controllers."""
+    """Yield Tables 1 and 2, read back from the machine and its controllers."""
     plant = setup.machine(Setting(), setup.SERVO_PERIOD).axes[0].plant
     shown = (("J_m", 5.2e-3, "motor_inertia", "kg m^2"), ("J_l", 4.4e-3, "load_inertia", "kg m^2"), ("K_s", 950.0, "stiffness", "N m/rad"))
     for symbol, paper, name, unit in (*shown, ("l", 0.016, "lead", "m/rev")):
@@ -61,35 +61,35 @@ def _tables() -> Iterator[Row]:
     yield derived("half of the gap as an angle", "25 um in all", printed_half, half * 1e3, "mrad", 1e-9, note)
     yield derived("angular velocity on the circle", "8000 mm/min, eq (19)", 8000.0 / 60.0 / 25.0, setup.FEED / setup.RADIUS, "rad/s", 1e-9)
     rate = gains["K_1', K_4'"][2] / plant.values()["motor_inertia"]
-    yield ours("rate of the motor under K_1'", "K_1'/J_m", rate, "1/s", "requires a servo period of microseconds")
+    yield ours("rate of the motor under K_1'", "K_1'/J_m", rate, "1/s", "needs a servo period of microseconds")
 
 
 def _baseline() -> Iterator[Row]:
     with_gap, without = circular("PI", Setting()), circular("PI", Setting(gap=0.0))
-    chosen = "P-PI cascade on the motors with K_v = v/946.3 um = 140.9 1/s: chosen to give this lag, so agreement proves nothing"
+    chosen = "P-PI cascade on the motors with K_v = v/946.3 um = 140.9 1/s, chosen for this lag: agreement proves nothing"
     yield printed("PI max error", READ, 946.3, with_gap.largest * 1e6, "um", 0.02 * 946.3, chosen)
     yield printed("PI max error", "without backlash (Fig 7a): the lag alone", 946.3, without.largest * 1e6, "um", 0.02 * 946.3, chosen)
-    yield ours("PI max error", "what backlash adds", (with_gap.largest - without.largest) * 1e6, "um", "half of the free travel")
+    yield ours("PI max error", "what backlash adds", (with_gap.largest - without.largest) * 1e6, "um", "half the free travel")
     note = "a fair baseline: with velocity and acceleration feedforward the same loop has no lag"
     for words, setting in (("without backlash", Setting(gap=0.0)), (READ, Setting())):
         yield ours("PI max error", f"with feedforward, {words}", circular("PI with feedforward", setting).largest * 1e6, "um", note)
     note = "with the position loop closed over the loads: limit cycles along the whole circle (Figs 7b, 8)"
     for words, setting in (("total gap 25 um", Setting()), ("total gap 50 um", WHOLE_GAP)):
         yield ours("PI max error", f"closed over the loads, {words}", circular("PI on the load", setting).largest * 1e6, "um", note)
-    note = "the lag shrinks the circle; free loads swing out by half of the gap, which compensates most of it"
+    note = "the lag shrinks the circle; free loads swing out by half the gap, which compensates most of the lag"
     for words, setting in (("without backlash (Fig 7a)", Setting(gap=0.0)), ("with backlash (Fig 7b)", Setting())):
         yield ours("PI contour error", f"on the motors, {words}", circular("PI", setting).contour_error * 1e6, "um", note)
         yield ours("PI contour error", f"closed over the loads, {words}", circular("PI on the load", setting).contour_error * 1e6, "um")
 
 
 def _schemes() -> Iterator[Row]:
-    chaos = "32.6 um is printed for 'all of the proposed schemes'; a lossless load is chaotic and changes it by a fifth"
+    chaos = "32.6 um is printed for 'all of the proposed schemes'; a lossless load is chaotic, which changes the error by a fifth"
     for name in setup.SCHEMES:
         found = circular(name, Setting())
         for axis, largest in zip(setup.AXES, found.axis_error, strict=True):
             case = f"{axis} axis, {READ}"
             if name == "I":
-                note = "follows the reference in the gap; as printed it runs away. No worse than II and III on x, worse on y"
+                note = "follows the reference in the gap; as printed it diverges. No worse than II and III on x, worse on y"
                 yield ours("I max error", case, largest * 1e6, "um", note)
             else:
                 yield printed(f"{name} max error", case, 32.6, largest * 1e6, "um", CHAOS, chaos)
@@ -101,7 +101,7 @@ def _schemes() -> Iterator[Row]:
 
 
 def _readings() -> Iterator[Row]:
-    """Other readings: 25 um as the half gap, start in mid-gap, Table 2's columns exchanged."""
+    """Yield other readings: 25 um as half the gap, start in mid-gap, Table 2's columns exchanged."""
     readings = (
         ("total gap 25 um, motors in mid-gap at the start", Setting(start_in_gap=0.0)),
         ("total gap 50 um, motors on the forward flanks", WHOLE_GAP),
@@ -115,7 +115,7 @@ def _readings() -> Iterator[Row]:
 
 
 def _reduction() -> Iterator[Row]:
-    why = "this needs 70 to 72 um of scheme I, as no reading gives: with K' = J_m K, 52 instead of 1000, scheme I is the law of scheme II"
+    why = "scheme I would need 70 to 72 um, which no reading gives: with K' = J_m K, 52 instead of 1000, scheme I is the law of scheme II"
     for paper, name in ((53.6, "II"), (54.5, "III")):
         for words, setting in ((READ, Setting()), ("gains exchanged, total gap 50 um", EXCHANGED)):
             first, other = circular("I", setting), circular(name, setting)
@@ -133,7 +133,7 @@ def _feedrates() -> Iterator[Row]:
     yield printed("feedrate error of scheme I", f"largest of an axis, {READ}", 0.936217, axis, "m/min", 0.1, reason=why)
     yield printed("I feed ripple", READ, 0.25, ripple["I"], "m/min", 0.05, reason=why)
     yield ours("II feed ripple", READ, ripple["II"], "m/min")
-    smooth = "stiffer on the motor's rate than I, it hits harder; without any damping the 464.7 rad/s oscillation hardly decays"
+    smooth = "with a higher gain on the motor's rate than I, impacts are harder; without damping the 464.7 rad/s oscillation hardly decays"
     yield printed("III feed ripple", READ, 0.027, ripple["III"], "m/min", 0.005, reason=smooth)
     largest = 100.0 * max(ripple.values()) / 8.0
     note = "the paper's figure is an upper limit"
@@ -156,12 +156,12 @@ def _over_feeds() -> Iterator[Row]:
 
 def _ramps() -> Iterator[Row]:
     lag, _ = ramp("PI", Setting(gap=0.0))
-    note = "the lag of a cascade; its K_v is chosen for it"
+    note = "the lag of a cascade, for which its K_v is chosen"
     yield derived("PI error on a ramp", "without backlash: f/K_v", 946.3, lag * 1e6, "um", 0.5, note)
     for name in ("PI", *setup.SCHEMES):
         error, ripple = ramp(name, Setting(start_in_gap=0.0))
         case = "total gap 25 um, motors in mid-gap at the start"
-        yield ours(f"{name} error on a ramp", case, error * 1e6, "um", "0.5 to 1.4 s after a run-up at 2 m/s^2")
+        yield ours(f"{name} error on a ramp", case, error * 1e6, "um", "from 0.5 to 1.4 s, after a run-up at 2 m/s^2")
         yield ours(f"{name} feed ripple on a ramp", case, ripple * 60.0, "m/min", "a lossless load keeps bouncing in its gap")
 
 

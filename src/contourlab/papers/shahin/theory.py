@@ -38,12 +38,12 @@ def _stability() -> Iterator[Row]:
     energy = energy_function(loop)
     yield ours("Lur'e-Postnikov function", "scheme II: 1 found, nan not", 1.0 if energy.p is not None else math.nan, "", str(energy))
     if energy.p is not None:
-        # At rest, the shaft wound up by one gap width.
+        # At rest, motor ahead by one gap width.
         start = np.zeros(loop.n)
         start[0] = 2.0 * HALF_GAP
         bound = energy.difference_bound(start) * setup.LEAD / (2.0 * math.pi)
         case = "scheme II, from the motor one whole gap ahead, at rest"
-        yield ours("bound of motor less load", case, bound * 1e6, "um", "by that function")
+        yield ours("bound of motor less load", case, bound * 1e6, "um", "from the Lur'e-Postnikov function")
     linear = two_inertia_loop(DAMPED, SCHEME_II)
     alone = common_quadratic([linear.contact_matrix], ("contact",), linear.names)
     words = "contact mode with 0.01 N m s/rad on the load and 0.1 in the shaft"
@@ -61,7 +61,7 @@ def _coded(verdict: str) -> float:
 
 
 def _pi_of_position() -> Iterator[Row]:
-    """Yield the growth of eq (9) without its derivative on the rigid, undamped drive: J s^3 + K_P s + K_I has no stable roots."""
+    """Yield the growth rate of eq (9) without derivative part on the rigid, undamped drive: J s^3 + K_P s + K_I is never stable."""
     inertia = setup.MOTOR_INERTIA + setup.LOAD_INERTIA
     for gain, integral in ((200.0, 25.0), (1000.0, 5000.0)):
         growth = float(np.roots([inertia, 0.0, gain, integral]).real.max())
@@ -72,7 +72,7 @@ def _pi_of_position() -> Iterator[Row]:
 def _periods() -> Iterator[Row]:
     gap, contact = servo_period_limit(DRIVE, SCHEME_II)
     held = 2.0 * setup.MOTOR_INERTIA / 1000.0
-    note = "2 J_m/K_1': above it a held command reverses the motor's rate in each period"
+    note = "2 J_m/K_1': above it the held command reverses and enlarges the motor's rate in each period"
     yield derived("largest stable servo period", "scheme II in the gap", held * 1e6, gap * 1e6, "us", 0.01, note)
     yield ours("largest stable servo period", "scheme II in contact", contact * 1e6, "us")
     others = {"I": motor_pid(2e3 * setup.MOTOR_INERTIA, 1e4 * setup.MOTOR_INERTIA), "III": motor_pid(200.0, 1000.0, 25.0)}
@@ -87,5 +87,5 @@ def _limit_cycles() -> Iterator[Row]:
         ratio = 0.0 if found.orbit is None else found.orbit.ratio
         off = "" if math.isnan(found.amplitude_error) else f" ({100.0 * found.amplitude_error:+.2g} %)"
         predicted = "none" if found.predicted is None else f"{found.predicted.ratio:.4g}{off}"
-        note = f"by the describing function {predicted}"
+        note = f"describing function: {predicted}"
         yield ours("limit cycle, amplitude over half of the gap", case.name, ratio, "", note)

@@ -23,7 +23,7 @@ MECHANICAL = ("motor position", "motor velocity", "load position", "load velocit
 
 @dataclass(frozen=True)
 class TwoInertias:
-    """The mechanics: a motor and a load, joined by a spring with a gap.
+    """A motor and a load, joined by a spring with a gap.
 
     Attributes
     ----------
@@ -72,17 +72,17 @@ class TwoInertias:
 
     @property
     def torque(self) -> Array:
-        """Input vector of the transmitted torque, its sign inverted (4,)."""
+        """Input vector (4,) of the transmitted torque, with inverted sign."""
         return np.array([0.0, 1.0 / self.motor_inertia, 0.0, -1.0 / self.load_inertia])
 
     @property
     def difference(self) -> Array:
-        """Row of the motor-load difference (4,)."""
+        """Output row (4,) of the motor-load difference."""
         return np.array([1.0, 0.0, -1.0, 0.0])
 
     @property
     def contact_a(self) -> Array:
-        """Dynamics (4, 4) without command in contact, about the point of rest."""
+        """Dynamics (4, 4) in contact without command, about the point of rest."""
         rate = np.array([0.0, 1.0, 0.0, -1.0])
         return self.a - np.outer(self.torque, self.stiffness * self.difference + self.shaft_damping * rate)
 
@@ -94,9 +94,9 @@ class Feedback:
     Attributes
     ----------
     gain : tuple (4 + n_z,) of float
-        On motor position, motor velocity, load position, load velocity, and the integrals.
+        Gains on motor position, motor velocity, load position, load velocity, and the integrals.
     reference : tuple (3,) of float
-        On the reference, its velocity and its acceleration.
+        Gains on the reference, its velocity and its acceleration.
     integral : tuple (n_z,) of tuples (4 + n_z,) of float
         Rows of the integrands.
     integral_reference : tuple (n_z,) of tuples (3,) of float
@@ -143,7 +143,7 @@ def p_pi_cascade(
     integral_gain : float [N m/rad]
         K_i of the velocity loop; 0 leaves out the integral state.
     position_from : "motor" or "load"
-        Side that the position loop measures.
+        Side whose position the loop measures.
     velocity_feedforward : float
         Share of the reference velocity added to the commanded velocity.
     """
@@ -157,15 +157,15 @@ def p_pi_cascade(
 
 
 def two_inertia_loop(drive: TwoInertias, feedback: Feedback, contact_feedback: Feedback | None = None) -> BacklashLoop:
-    """Join two inertias and a linear controller to a loop around a gap.
+    """Join two inertias and a linear controller into a loop around a gap.
 
     Parameters
     ----------
     drive : TwoInertias
     feedback : Feedback
-        In the gap, and in contact by default.
+        Controller in the gap, and by default in contact.
     contact_feedback : Feedback, optional
-        In contact, for a scheme that switches; with as many integrals.
+        Controller in contact, for a scheme that switches; with the same number of integrals.
 
     Raises
     ------

@@ -1,1 +1,1 @@
-"""Two measured contouring runs of an XY table beside their simulation."""
+"""Two measured contouring runs of an XY table, compared with simulations."""

@@ -22,6 +22,6 @@ def draw(logs: str | Path | None, folder: str | Path, formats: Sequence[str]) ->
         errors = {}
         for label, judged in (("measured", run.judged()), ("simulated", run.judged(signals))):
             errors[label] = 1e3 * judged.result["foot_arc_length"], 1e6 * judged.result["contour_error"]
-        labels = "place along the path [mm]", "contour error [um]"
+        labels = "distance along the path [mm]", "contour error [um]"
         charts.append(traces_chart(f"ubc-{name}-contour", f"UBC table, {name}: contour error", labels, errors))
     return write_charts(charts, folder, formats)

@@ -1,4 +1,4 @@
-"""Line-circle runs of the UBC XY table: logs, the library's machine along them, and fits validated on unseen data."""
+"""Line-circle runs of the UBC XY table: logs, simulations along them, and fits validated on unseen data."""
 
 from __future__ import annotations
 
@@ -37,17 +37,17 @@ CONTROLLERS = {
     "pole-placement": tuple(f"controller.axes.*.controller.{name}" for name in ("position_gain", "velocity_gain")),
 }
 QUICK = RefineSettings(starts=1, rounds=1, descent=DescentSettings(least_gain=1e-3))
-"""Settings of fits that only serve validation."""
+"""Settings of fits for validation only."""
 
 
 @dataclass(frozen=True)
 class Unseen:
-    """Agreement of a fit with data that it has not seen.
+    """Agreement of a fit with unseen data.
 
     Attributes
     ----------
     case : str
-        What was fitted, and what was not.
+        Which data is fitted, and which is unseen.
     agreement : tuple of Agreement
         Tracking errors of both axes over the unseen part.
     rms, largest : float [m]
@@ -65,18 +65,18 @@ class Unseen:
 
 
 def read_runs(folder: str | Path | None) -> dict[str, LogRun]:
-    """Return the library's machine along both logs, by name of the controller.
+    """Return the shipped machine along both logs, by name of the controller.
 
     Raises
     ------
     LogError
-        If there is no folder, or a log is missing or cannot be read.
+        If no folder is given, or a log is missing or cannot be read.
     """
     if folder is None:
         raise LogError(f"no folder given: {WANTED}", file="--log-folder")
     missing = [name for name in FILES.values() if not (Path(folder) / name).is_file()]
     if missing:
-        raise LogError(f"holds no {' and no '.join(missing)}: {WANTED}", file=folder)
+        raise LogError(f"has no {' and no '.join(missing)}: {WANTED}", file=folder)
     runs = {}
     for name, file in FILES.items():
         scenario = load_scenario(f"builtin:ubc/{name}")
@@ -87,9 +87,9 @@ def read_runs(folder: str | Path | None) -> dict[str, LogRun]:
 def unseen(runs: dict[str, LogRun], stage: Callable[[str], object] | None = None) -> list[Unseen]:
     """Fit parts of the runs and validate on the rest.
 
-    Halves: physics and gains from the lines of both runs, validated on both circles, and vice versa. Runs: physics from one run; the gains
-    of the other, which were not recorded, from its lines; its circle is unseen. Friction and ripple start as if these logs were unknown.
-    Gains and the orders of the ripple start from the library. `stage` receives the name of each fit.
+    By halves: physics and gains from the lines of both runs, validated on both circles, and vice versa. By runs: physics from one run,
+    gains of the other run (not recorded) from its lines, validated on its circle. Friction and ripple start as if these logs were unknown.
+    Gains and ripple orders start from the shipped files. `stage` is called with the name of each fit.
     """
     begun = {name: _forgotten(run) for name, run in runs.items()}
     begin = stage or (lambda name: None)
@@ -100,7 +100,7 @@ def unseen(runs: dict[str, LogRun], stage: Callable[[str], object] | None = None
         fit = refine(list(begun.values()), wanted, windows=[take(run) for run in runs.values()], settings=QUICK)
         found += [_judged(f"{run.label}, {words}", run, _other(run, take(run))) for run in fit.runs]
     for fitted, other in (("pole-placement", "lead-lag"), ("lead-lag", "pole-placement")):
-        begin(f"physics of the {fitted} run, held against the other")
+        begin(f"physics of the {fitted} run, validated on the other")
         physics = refine([begun[fitted]], [*PHYSICS, *CONTROLLERS[fitted]], settings=QUICK).runs[0].machine
         gains = refine([replace(runs[other], machine=physics)], CONTROLLERS[other], windows=[_lines(runs[other])], settings=QUICK)
         words = f"{other}, physics of the {fitted} run, gains of its lines, circle unseen"
@@ -109,7 +109,7 @@ def unseen(runs: dict[str, LogRun], stage: Callable[[str], object] | None = None
 
 
 def _forgotten(run: LogRun) -> LogRun:
-    """Return the run with the friction of the course's jog test and no ripple: the knowledge before these logs."""
+    """Return the run with the friction of the course's jog test and no ripple, as known before these logs."""
     jog = {"plant.damping": 1630.0, "friction.coulomb": 103.0, "friction.breakaway": 103.0, "friction.stiffness": 3e7}
     none = dict.fromkeys((f"disturbance.{name}" for name in ("offset", "sine", "cosine", "order_sine", "order_cosine")), 0.0)
     values = {f"axes.{axis}.{name}": value for axis in run.machine.axis_names for name, value in (jog | none).items()}

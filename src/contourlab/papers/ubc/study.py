@@ -12,12 +12,12 @@ from contourlab.papers.ubc.runs import Unseen, read_runs, unseen
 MEASURED = {"lead-lag": (76.4, 77.7, 84.7, 262.4), "pole-placement": (1277.4, 1082.7, 48.3, 95.4)}
 """From the raw logs by another program [um]: tracking rms of x and y, contour rms and maximum."""
 WITHIN = 0.01
-"""Relative tolerance of these."""
+"""Relative tolerance of these figures."""
 EXPLAINED = {"lead-lag": 80.0, "pole-placement": 99.0}
-"""Least share [percent] of the variance of the tracking errors that the model must explain."""
+"""Smallest share [percent] of the variance of the tracking errors that the model must explain."""
 CONTOUR = {"lead-lag": 0.25, "pole-placement": 0.15}
-"""Relative tolerance of its contour rms."""
-FITTED = "the library's machine along the log's own reference"
+"""Relative tolerance of the simulated contour errors."""
+FITTED = "the shipped machine along the reference of the log"
 
 
 def parts_of(folder: str | Path | None, *, with_unseen: bool = True, stage: Callable[[str], object] | None = None) -> list[Part]:
@@ -28,9 +28,9 @@ def parts_of(folder: str | Path | None, *, with_unseen: bool = True, stage: Call
     folder : str or Path
         With line_circle_lli.mat and line_circle_pp.mat.
     with_unseen : bool
-        Include fits of parts of the runs; they take a few minutes.
+        Include fits to parts of the runs; they take a few minutes.
     stage : callable, optional
-        Receives the name of each fit.
+        Called with the name of each fit.
 
     Raises
     ------
@@ -57,12 +57,12 @@ def _measured(runs: dict[str, LogRun]) -> Iterator[Row]:
     for k, title in enumerate(titles):
         for name, here in figures.items():
             known = MEASURED[name][k]
-            yield measured(title, name, known, here[k], "um", WITHIN * known, "over the move; beside it another program's figure")
+            yield measured(title, name, known, here[k], "um", WITHIN * known, "over the move; compared with the figure of another program")
 
 
 def _explained(runs: dict[str, LogRun]) -> Iterator[Row]:
     agreements = [agreement for run in runs.values() for agreement in run.agreement(run.once())]
-    note = "of the measured tracking error over the move; 100 would be all"
+    note = "of the measured tracking error over the move"
     for part in agreements:
         yield asked("variance explained", f"{part.run}, {part.axis}", EXPLAINED[part.run], 100.0 * part.explained, "%", 100.0, note)
     for part in agreements:

@@ -1,7 +1,7 @@
 "use strict";
 (function () {
   const figures = JSON.parse(document.getElementById("figures").textContent);
-  // A list of what is allowed, not of what is removed: plotly.js would also offer to upload the picture with its data.
+  // List the allowed buttons: the default set of plotly.js includes an upload of the data.
   const buttons = [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"], ["toImage"]];
   const config = { displaylogo: false, showSendToCloud: false, plotlyServerURL: "", responsive: true, modeBarButtons: buttons,
     toImageButtonOptions: { format: "svg", filename: "contourlab" } };
@@ -13,7 +13,7 @@
     return array.dtype === "f8" ? new Float64Array(bytes.buffer) : new Float32Array(bytes.buffer);
   }
 
-  // foot [mm] + error [um], enlarged
+  // foot point [mm] + magnified error [um]
   function enlarged(curve, column) {
     const foot = curve.foot[column], error = curve.error[column], out = new Float64Array(foot.length);
     for (let i = 0; i < foot.length; i += 1) { out[i] = foot[i] + error[i] * 1e-3 * scale; }
@@ -44,11 +44,11 @@
     });
   }
 
-  function say() {
+  function showScale() {
     const magnify = Object.values(figures).map(function (spec) { return spec.magnify; }).filter(Boolean)[0];
     document.getElementById("magnification").textContent = "error × " + scale.toLocaleString("en").replace(/,/g, "\u2009");
     const worth = magnify.bar * 1e3 / scale;
-    document.getElementById("bar").textContent = magnify.bar + " mm beside the path are " + Number(worth.toPrecision(3)) + " um of error";
+    document.getElementById("bar").textContent = magnify.bar + " mm from the path = " + Number(worth.toPrecision(3)) + " um of error";
   }
 
   // 1, 2, 5, 10, 20, 50 ...: the next step up or down
@@ -61,7 +61,7 @@
 
   function rescale(way) {
     scale = next(scale, way);
-    say();
+    showScale();
     document.querySelectorAll("#path .plot[data-drawn]").forEach(function (place) {
       const curves = figures[place.id].magnify.curves;
       Plotly.restyle(place, { x: curves.map(function (c) { return enlarged(c, 0); }), y: curves.map(function (c) { return enlarged(c, 1); }) },
@@ -77,11 +77,11 @@
 
   const places = Array.from(document.querySelectorAll(".plot"));
   const first = Object.values(figures).filter(function (spec) { return spec.magnify; })[0];
-  if (first) { scale = first.magnify.start; say(); }
+  if (first) { scale = first.magnify.start; showScale(); }
   document.querySelectorAll("[data-step]").forEach(function (b) { b.addEventListener("click", function () { rescale(Number(b.dataset.step)); }); });
   document.querySelectorAll("[data-view]").forEach(function (b) { b.addEventListener("click", function () { show(b); }); });
 
-  // Pictures are drawn when they come near the window: a page of many axes opens at once.
+  // Draw each picture when it comes near the window, so that a long page opens quickly.
   const watch = new IntersectionObserver(function (entries) {
     entries.forEach(function (entry) { if (entry.isIntersecting) { watch.unobserve(entry.target); draw(entry.target); } });
   }, { rootMargin: "800px 0px" });

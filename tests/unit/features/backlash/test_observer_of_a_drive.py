@@ -1,4 +1,4 @@
-"""What the study of backlash tells an observer of a drive, and which gap it holds its answer against."""
+"""The observer that the backlash study sets up for a drive, and the gap that it is compared with."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ def axis(disturbance: dict[str, float] | None = None, viscous: float = 0.0, **va
     return cl.Axis("x", plant, friction, disturbance=force)
 
 
-def test_a_force_that_is_known_is_reckoned_with_in_full() -> None:
+def test_a_known_force_counts_in_full_as_unmodelled() -> None:
     assert observer_of(axis(), 1e-3).unmodelled_force == 1.0
     assert observer_of(axis({"force": -100.0}), 1e-3).unmodelled_force == 100.0
 
 
-def test_viscous_friction_of_the_guides_is_the_load_s() -> None:
+def test_viscous_friction_of_the_guides_belongs_to_the_load() -> None:
     assert observer_of(axis(viscous=200.0), 1e-3).load_damping == pytest.approx(200.0 * (0.01 / (2.0 * np.pi)) ** 2)
 
 
-def test_guesses_reach_beyond_the_widest_gap_and_lie_close() -> None:
+def test_guesses_extend_beyond_the_widest_gap_and_are_dense() -> None:
     for gap in (10e-6, 100e-6, 900e-6):
         seen = observer_of(axis(backlash_gap=gap), 1e-3)
         assert seen.largest_gap > 1.4 * gap
@@ -38,7 +38,7 @@ def test_guesses_reach_beyond_the_widest_gap_and_lie_close() -> None:
     assert varying.plant.widest_gap == pytest.approx(80e-6)  # type: ignore[attr-defined]
 
 
-def test_a_gap_that_varies_is_that_of_where_the_axis_turns() -> None:
+def test_a_varying_gap_is_taken_where_the_axis_turns() -> None:
     plant = axis(gap_profile=(2.0, 0.0, 2.0), profile_start=-0.02, profile_step=0.02).plant
     time = np.linspace(0.0, 4.0 * np.pi, 4001)
     assert _gap_where_it_turns(plant, -np.sin(time), 0.01 * np.cos(time)) == pytest.approx(40e-6, rel=1e-4)  # type: ignore[arg-type]

@@ -28,7 +28,7 @@ def test_json_lists_every_component_with_every_parameter(capsys):
             assert shown["doc"] == parameter.doc
 
 
-def test_a_family_a_kind_and_both_choose(capsys):
+def test_family_and_kind_select_components(capsys):
     assert {entry["family"] for entry in listed(capsys, "plant")} == {"plant"}
     (entry,) = listed(capsys, "rigid-axis")
     assert (entry["family"], entry["kind"]) == ("plant", "rigid-axis")
@@ -91,13 +91,13 @@ def plugin(tmp_path, monkeypatch):
     return file
 
 
-def test_a_plugin_is_listed_with_its_brackets(plugin, capsys):
+def test_a_plugin_is_listed_with_literal_brackets(plugin, capsys):
     assert main(["components", "cli-test-step", "--plugin", str(plugin)]) == 0
     shown = capsys.readouterr().out
     assert "[with brackets]" in shown
     assert "[any]" in shown
 
 
-def test_a_plugin_that_is_not_there_is_2(tmp_path, capsys):
+def test_a_missing_plugin_exits_with_2(tmp_path, capsys):
     assert main(["components", "--plugin", str(tmp_path / "none.py")]) == 2
     assert "none.py" in capsys.readouterr().err

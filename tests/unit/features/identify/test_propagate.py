@@ -1,4 +1,4 @@
-"""What is known of a fit's parameters, carried to the numbers of an axis file."""
+"""The covariance of a fit's parameters, propagated to the numbers of an axis file."""
 
 import math
 
@@ -8,7 +8,7 @@ import pytest
 from contourlab.features.identify.result import propagate
 
 
-def test_mass_and_damping_out_of_a_and_b() -> None:
+def test_mass_and_damping_from_a_and_b() -> None:
     """For m = 1/a and c = b/a: var c = (b/a^2)^2 var a + var b/a^2 - 2 b/a^3 cov, cov(m, c) = b/a^4 var a - cov/a^3."""
     a, b, da, db, r = 2.0, 6.0, 0.02, 0.3, 0.6
     found = propagate(
@@ -27,6 +27,6 @@ def test_mass_and_damping_out_of_a_and_b() -> None:
     assert value == pytest.approx((b / a**4 * da**2 - both / a**3) / (mass * damping), abs=2e-4)
 
 
-def test_what_has_no_deviation_adds_nothing_and_goes_with_nothing() -> None:
+def test_a_parameter_without_deviation_adds_no_variance_or_correlation() -> None:
     found = propagate(lambda x: {"p": x["a"], "q": x["b"]}, ("a", "b"), np.array([1.0, 0.0]), np.array([0.1, 0.0]), np.eye(2))
     assert found.deviations == {"p": pytest.approx(0.1), "q": 0.0} and found.correlations == ()

@@ -1,4 +1,4 @@
-"""How learning converges and diverges, beside what the frequency response of the loop says."""
+"""Convergence and divergence of learning, compared with predictions from the frequency response of the loop."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ Array = NDArray[np.float64]
 ON = Stopping(improvement=0.0)
 LONG = Stopping(improvement=0.0, growth=10**6, divergence=100.0)
 FAR = Stopping(improvement=0.0, growth=10**6, divergence=1e4)
-"""Go on until what grows has left all else behind."""
+"""Continue until the growing part dominates."""
 
 
 def errors_of(machine: cl.Machine, controller: cl.Controller, reference: cl.Reference, law: object, trials: int) -> list[Array]:
-    """Return the tracking error of each trial of the first axis, stopping for nothing."""
+    """Return the tracking error of the first axis in each trial, without stopping."""
     runner = Trials(machine, controller, reference, target=law.target)  # type: ignore[attr-defined]
     problem = learning_problem(machine, controller, reference, law.target, runner.arc_length)  # type: ignore[attr-defined]
     beforehand = feedforward_command(machine, controller, reference)
@@ -39,7 +39,7 @@ def errors_of(machine: cl.Machine, controller: cl.Controller, reference: cl.Refe
 
 
 def plant_response(machine: cl.Machine, controller: cl.Controller, w: Array) -> NDArray[np.complex128]:
-    """Return G, position over what is added to the command, from the loop gain: P/(1 + P C) = T/C for a proportional controller C."""
+    """Return G, position over the command added by learning, from the loop gain: P/(1 + P C) = T/C for a proportional controller C."""
     axis = machine.axes[0]
     response = sampled_loop(axis, controller.axes[axis.name], machine.servo_period).response(w)
     gain = controller.axes[axis.name].controller.position_gain  # type: ignore[attr-defined]
@@ -48,7 +48,7 @@ def plant_response(machine: cl.Machine, controller: cl.Controller, w: Array) -> 
 
 @pytest.mark.parametrize("delay", [0.0, 15e-3])
 def test_p_type_multiplies_the_error_by_q_times_one_less_l_g(delay: float) -> None:
-    """At five frequencies within 2 %: of the increments, since the error itself has the limit that Q leaves beside it."""
+    """Within 2 % at five frequencies, for the increments: the error itself has a limit that Q leaves."""
     drive = {"drive": make("drive", "delayed-saturation", delay=delay)} if delay else {}
     machine, controller, reference = stage(1, **drive), proportional(1), rough()
     gain, bandwidth = 100.0, 2.0 * np.pi * 2.5
@@ -58,7 +58,7 @@ def test_p_type_multiplies_the_error_by_q_times_one_less_l_g(delay: float) -> No
     hertz = np.fft.rfftfreq(reference.n_sample, PERIOD)
     for f in (0.5, 1.0, 1.75, 2.5, 4.0):
         k = int(np.argmin(np.abs(hertz - f)))
-        near = slice(k - 2, k + 3)  # what lies between two frequencies of the record is shared by its neighbours
+        near = slice(k - 2, k + 3)  # neighbours share a frequency that falls between two bins
         measured = np.linalg.norm(spectra[1][near]) / np.linalg.norm(spectra[0][near])
         w = 2.0 * np.pi * hertz[near]
         q = 1.0 / (1.0 + (np.tan(w * PERIOD / 2.0) / np.tan(bandwidth * PERIOD / 2.0)) ** 4)
@@ -67,7 +67,7 @@ def test_p_type_multiplies_the_error_by_q_times_one_less_l_g(delay: float) -> No
         assert measured == pytest.approx(predicted, rel=0.02)
 
 
-def test_p_type_without_q_diverges_where_predicted_and_is_rolled_back() -> None:
+def test_p_type_without_q_diverges_as_predicted_and_is_rolled_back() -> None:
     machine, controller, reference = stage(1), proportional(1), rough()
     gain = 300.0
     w = 2.0 * np.pi * np.linspace(0.2, 100.0, 4000)
@@ -78,7 +78,7 @@ def test_p_type_without_q_diverges_where_predicted_and_is_rolled_back() -> None:
     assert run.status.endswith(f" {run.best}")
     assert run.growth is not None
     assert run.growth.low > 0.9 * passes_one
-    # The factor is flat about its largest value, so that what was there more at first is seen a little longer.
+    # The factor is flat around its maximum, so frequencies with more initial error dominate a little longer.
     at_peak = float(np.interp(2.0 * np.pi * run.growth.peak, w, factor))
     assert at_peak > 1.0 + 0.8 * (factor.max() - 1.0)
     assert run.growth.factor == pytest.approx(at_peak, rel=0.01)
@@ -86,17 +86,17 @@ def test_p_type_without_q_diverges_where_predicted_and_is_rolled_back() -> None:
     assert run.findings[-1].values["peak"] == run.growth.peak
     merits = [trial.merit for trial in run.trials]
     assert run.trials[run.best].merit == min(merits)
-    # The table that is handed back gives the best trial again.
+    # The returned table reproduces the best trial.
     again = learn(machine, controller, reference, make("learning", "p-type", gain=gain), trials=0, start=run.table)
     assert again.trials[0].merit == run.trials[run.best].merit
-    # With Q below that frequency it does not.
+    # With Q below that frequency it converges.
     quiet = make("learning", "p-type", gain=gain, bandwidth=2.0 * np.pi * 0.3 * passes_one)
     assert not learn(machine, controller, reference, quiet, trials=60, stopping=ON).diverged
 
 
 @pytest.mark.slow
 def test_the_average_of_the_paper_amplifies_its_side_lobe() -> None:
-    """M = 11 at 30 ms, gamma = 0.2, T = 1/(1 + 0.1 s): |1 - gamma H T| is 1.017 at 2 Hz, and a long run grows there by as much."""
+    """M = 11 at 30 ms, gamma = 0.2, T = 1/(1 + 0.1 s): |1 - gamma H T| is 1.017 at 2 Hz, and a long run grows by this factor there."""
     period = 0.03
     w = 2.0 * np.pi * np.linspace(0.05, 16.0, 20000)
     average = np.sin(23.0 * w * period / 2.0) / (23.0 * np.sin(w * period / 2.0))
@@ -113,13 +113,13 @@ def test_the_average_of_the_paper_amplifies_its_side_lobe() -> None:
     assert once.growth is not None
     assert once.growth.factor == pytest.approx(factor.max(), abs=2e-3)
     assert once.growth.peak == pytest.approx(w[factor.argmax()] / (2.0 * np.pi), rel=0.1)
-    # The average taken twice is never negative: here it goes on for as long.
+    # The repeated average is never negative: learning does not diverge in as many trials.
     twice = make("learning", "zero-phase", gain=0.2, half_width=11, passes=2)
     assert not learn(machine, controller, reference, twice, trials=400, stopping=ON).diverged
 
 
 @pytest.mark.slow
-def test_at_one_millisecond_with_its_delay_the_average_of_the_paper_diverges() -> None:
+def test_with_its_delay_at_one_millisecond_the_average_of_the_paper_diverges() -> None:
     """Brief figures for T_s = 1 ms, T_a = 0.1 s, delay 15 ms: 1.025 at 9.3 Hz, by first-order T."""
     w = 2.0 * np.pi * np.linspace(0.1, 100.0, 50000)
     average = np.sin(23.0 * w * PERIOD / 2.0) / (23.0 * np.sin(w * PERIOD / 2.0))
@@ -138,7 +138,7 @@ def test_at_one_millisecond_with_its_delay_the_average_of_the_paper_diverges() -
 
 
 @pytest.mark.parametrize("coupled", [0.0, 1.0])
-def test_learning_lowers_the_contour_error_of_the_system_of_the_paper_eightfold(coupled: float) -> None:
+def test_learning_reduces_the_contour_error_of_the_paper_eightfold(coupled: float) -> None:
     reference = eased()
     law = make("learning", "zero-phase", gain=0.2, half_width=11)
     run = learn(stage(2), control(2, TIME_CONSTANT, coupled), reference, law, trials=30, stopping=ON)
@@ -147,8 +147,8 @@ def test_learning_lowers_the_contour_error_of_the_system_of_the_paper_eightfold(
     assert "CL300" in {one.code for one in run.findings}
 
 
-def test_the_laws_all_learn() -> None:
-    """Each law with sensible numbers takes most of the error away within 25 trials."""
+def test_every_law_learns() -> None:
+    """Each law, with sensible settings, removes most of the error within 25 trials."""
     stiffness = 1.0 / (0.05 * TIME_CONSTANT)
     laws = (
         ("zero-phase", {"gain": 0.4, "half_width": 11, "passes": 2}, ("command", "reference")),
@@ -177,7 +177,7 @@ def test_the_laws_all_learn() -> None:
 
 @pytest.mark.slow
 def test_norm_optimal_on_thirty_thousand_samples_needs_no_matrix() -> None:
-    """A matrix of 60 000 by 60 000 would take 29 GB; steadily better in each trial."""
+    """A matrix of 60 000 by 60 000 would take 29 GB; every trial improves."""
     reference = eased(28.0)
     assert reference.n_sample == 30000
     law = make("learning", "norm-optimal", contour_weight=2.0, change_weight=1e-2)
@@ -199,8 +199,8 @@ def test_norm_optimal_on_thirty_thousand_samples_needs_no_matrix() -> None:
     assert errors[-1] < 0.02 * errors[0]
 
 
-def test_a_wrong_model_is_survived_by_a_small_q() -> None:
-    """The model's delay is 15 ms short: the inverse diverges above the frequency where that is 60 degrees, and learns with Q below."""
+def test_with_a_low_q_a_wrong_model_still_converges() -> None:
+    """The model's delay is 15 ms too short: the inverse diverges above the frequency where this is 60 degrees; with Q below, it learns."""
     machine = stage(1, drive=make("drive", "delayed-saturation", delay=15e-3))
     believed = learning_problem(stage(1), control(1), rough(), "command", np.zeros(rough().n_sample))
     reference, nothing = rough(), np.zeros((rough().n_sample, 1))
@@ -221,7 +221,7 @@ def test_a_wrong_model_is_survived_by_a_small_q() -> None:
 
 
 def test_a_drive_at_its_limit_does_not_wind_the_table_up() -> None:
-    """The move wants 1.3 times what the drive has: over a hundred trials the table stays within reach of the drive."""
+    """The move needs 1.3 times the drive's limit: over a hundred trials the table stays within the drive's range."""
     reference = there_and_rest(move=1.0)
     free = learn(stage(1), control(1), reference, make("learning", "zero-phase"), trials=60, stopping=ON)
     limit = free.trials[-1].command_peak[0] / 1.3
@@ -246,7 +246,7 @@ def test_a_drive_at_its_limit_does_not_wind_the_table_up() -> None:
 
 @pytest.mark.slow
 def test_the_cost_grows_no_faster_than_axes_and_samples() -> None:
-    """Time of the processor for a trial, the least of three: five axes over two, and four times the samples."""
+    """Processor time of a trial, the minimum of three: five axes against two, and four times the samples."""
 
     def cost(n_axis: int, seconds: float) -> float:
         t = np.arange(0.0, seconds, PERIOD) / seconds

@@ -1,4 +1,4 @@
-"""The course of learning: verdicts, the split, and the table that is kept."""
+"""A learning run: verdicts, the split, and the saved table."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ ON = Stopping(improvement=0.0)
 
 
 def course(merits: list[float], tracking: list[float] | None = None, changes: list[float] | None = None) -> list[TrialFigures]:
-    """Return figures as learning might have them."""
+    """Return figures of a plausible learning run."""
     follow, steps = tracking or [1.0 + m for m in merits], changes or [1.0] * len(merits)
     return [
         TrialFigures(i, m, m, m, (t / math.sqrt(2.0),) * 2, (t, t), (1.0, 1.0), 0, change=c)
@@ -41,11 +41,11 @@ def word(figures: list[TrialFigures], stopping: Stopping, explained: bool = Fals
     return "" if found is None else found.status
 
 
-def test_learning_goes_on_while_it_improves() -> None:
+def test_learning_continues_while_it_improves() -> None:
     assert word(course([0.9**i for i in range(40)]), Stopping()) == ""
 
 
-def test_learning_has_converged_when_nothing_is_gained() -> None:
+def test_learning_converges_when_nothing_more_is_gained() -> None:
     falling = [1.0, 0.5, 0.25, 0.2]
     flat = [*falling, *[0.2 * (1.0 + 1e-4 * (-1) ** i) for i in range(10)]]
     assert word(course(flat), Stopping(patience=10)) == "converged"
@@ -53,22 +53,22 @@ def test_learning_has_converged_when_nothing_is_gained() -> None:
     assert word(course(flat), Stopping(patience=10, improvement=0.0)) == ""
 
 
-def test_chance_that_explains_the_changes_ends_learning() -> None:
+def test_learning_ends_when_chance_explains_the_changes() -> None:
     merits = [0.996**i for i in range(12)]
     assert word(course(merits), Stopping(), explained=True) == "converged"
     assert word(course(merits), Stopping(explained=False), explained=True) == ""
-    # However much the trials differ, an error that falls by a fifth is not there by chance.
+    # However much the trials differ, chance cannot explain an error that falls by a fifth.
     assert word(course([0.98**i for i in range(12)]), Stopping(), explained=True) == ""
 
 
-def test_trials_that_are_never_better_than_the_first_are_not_called_converged() -> None:
+def test_trials_never_better_than_the_first_are_not_called_converged() -> None:
     rising = [1.0, *[1.0 + 0.9 * (1.0 - 0.5**i) for i in range(1, 12)]]
     settled = [math.nan, *[0.5**i for i in range(1, 12)]]
     assert word(course(rising, changes=settled), Stopping()) == "diverged"
     assert word(course([1.0, *[1.01] * 11], changes=settled), Stopping()) == "converged"
 
 
-def test_a_contour_error_that_rises_while_the_axes_follow_better_is_not_the_end() -> None:
+def test_learning_continues_while_tracking_improves_although_the_contour_error_rises() -> None:
     merits = [27.0, 14.6, 5.2, 4.8, 9.5, 12.9, 14.0, 14.8, 15.2, 15.1, 14.8, 14.4, 13.9, 13.2]
     falls = [1159.0 * 0.8**i for i in range(14)]
     assert word(course(merits, tracking=falls), Stopping()) == ""
@@ -89,22 +89,22 @@ def test_a_slow_rise_and_a_quick_one_are_divergence() -> None:
     assert word(course(slow), Stopping(growth=5)) == "diverged"
     assert word(course(slow[:-2]), Stopping(growth=5)) == ""
     assert word(course([1.0, 0.1, 0.25, 0.3]), Stopping(divergence=2.0)) == "diverged"
-    assert word(course([1.0, 0.1, 0.25]), Stopping(divergence=2.0)) == ""  # a single one may be chance
+    assert word(course([1.0, 0.1, 0.25]), Stopping(divergence=2.0)) == ""  # a single rise may be chance
     assert word(course([1.0, 0.1, 0.19, 0.19]), Stopping(divergence=2.0)) == ""
 
 
-def test_what_falls_in_tracking_or_comes_to_a_limit_is_no_divergence() -> None:
+def test_falling_tracking_or_a_limit_is_no_divergence() -> None:
     merits = [0.1, 0.2, 0.3, 0.4]
     assert word(course(merits, tracking=[4.0, 3.0, 2.0, 1.0]), ON) == ""
     assert word(course(merits, changes=[math.nan, 1.0, 0.1, 0.01]), ON) == ""
     assert word(course(merits, changes=[math.nan, 1.0, 1.0, 1.1]), ON) == "diverged"
 
 
-def test_what_lies_below_rounding_is_neither_better_nor_worse() -> None:
+def test_changes_below_rounding_are_neither_better_nor_worse() -> None:
     assert word(course([1.0, 1e-17, 1e-15, 1e-14]), ON) == ""
 
 
-def test_the_best_is_the_first_of_equals_and_never_one_that_failed() -> None:
+def test_the_best_trial_is_the_first_of_equals_and_never_a_failed_one() -> None:
     assert best_of(course([3.0, 1.0, 1.0, 2.0])) == 1
     assert best_of([*course([3.0]), *[replace(course([math.nan])[0], trial=1, failed="x")]]) == 0
 
@@ -117,11 +117,11 @@ def test_settings_out_of_range_are_named(name: str, value: Any) -> None:
         Stopping(**{name: value})
 
 
-# --- what grows ----------------------------------------------------------------------------------------------------------------------
+# --- growth --------------------------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("hertz", [0.7, 3.5, 40.0])
-def test_the_band_of_growth_is_where_it_was_put(hertz: float) -> None:
+def test_the_planted_band_of_growth_is_found(hertz: float) -> None:
     t = np.arange(8000)[:, None] * PERIOD
     rng = np.random.default_rng(1)
     fixed = rng.normal(size=(8000, 2))
@@ -151,20 +151,20 @@ def _remembered(noise: float, decay: float, seed: int = 4) -> tuple[Memory, Lear
     return memory, LearningProblem(PERIOD, np.tile((1.0, 0.0), (n, 1)), lambda: impulse)
 
 
-def test_the_split_finds_the_noise_that_was_put_in_and_its_bound() -> None:
+def test_the_split_finds_the_planted_noise_and_its_bound() -> None:
     memory, problem = _remembered(0.01, 0.8)
     split = memory.split(make("learning", "zero-phase", half_width=11), problem)
     assert split is not None
     assert split.non_repeatable == pytest.approx((0.01, 0.01), rel=0.03)
     assert split.floor == pytest.approx(0.01, rel=0.03)
-    # 28 000 numbers whose average over 23 has a deviation of 0.01/sqrt(23): their largest lies between 3.5 and 5 deviations.
+    # 28 000 numbers whose average over 23 has a deviation of 0.01/sqrt(23): their maximum lies between 3.5 and 5 deviations.
     assert all(3.5 < bound / (0.01 / math.sqrt(23.0)) < 5.0 for bound in split.bound)
     assert split.bound_position == pytest.approx(2.0 * np.array(split.bound))
     size = math.sqrt(np.mean(np.sin(np.arange(4000) * 1e-3) ** 2))
     assert split.repeatable[0] == pytest.approx(size * (1.0 + np.mean(0.8 ** np.arange(10))), rel=1e-2)
 
 
-def test_a_steady_course_is_no_chance_and_chance_is_no_steady_course() -> None:
+def test_steady_learning_is_not_taken_for_chance_nor_chance_for_learning() -> None:
     for noise, decay, by_chance in ((0.01, 0.9, False), (0.01, 0.0, False), (0.0, 0.9, False)):
         assert _remembered(noise, decay)[0].explained() == by_chance
     memory, rng = Memory(6), np.random.default_rng(0)
@@ -175,7 +175,7 @@ def test_a_steady_course_is_no_chance_and_chance_is_no_steady_course() -> None:
     assert _remembered(0.0, 0.8)[0].split(make("learning", "zero-phase"), _remembered(0.0, 0.8)[1]).floor < 0.002  # type: ignore[union-attr]
 
 
-def test_a_machine_without_chance_has_no_floor_and_noise_has_one() -> None:
+def test_only_a_noisy_machine_has_a_floor() -> None:
     reference = eased(3.0)
     law = make("learning", "zero-phase", gain=0.5, half_width=5, passes=2)
     still = learn(stage(), control(), reference, law, trials=25, stopping=ON)
@@ -196,7 +196,7 @@ def reference() -> cl.Reference:
     return cl.uniform(cl.contour("ellipse"), 0.5, 1, PERIOD)
 
 
-def test_the_same_seed_learns_the_same_and_another_one_does_not(reference: cl.Reference) -> None:
+def test_equal_seeds_learn_the_same_and_different_ones_do_not(reference: cl.Reference) -> None:
     law = make("learning", "zero-phase", gain=0.3, half_width=5, passes=2)
     runs = [learn(*full_stage(), reference, law, trials=3, seed=seed) for seed in (1, 1, 2)]
     assert [t.contour_rms for t in runs[0].trials] == [t.contour_rms for t in runs[1].trials]
@@ -204,7 +204,7 @@ def test_the_same_seed_learns_the_same_and_another_one_does_not(reference: cl.Re
     assert runs[0].trials[0].contour_rms != runs[2].trials[0].contour_rms
 
 
-def test_what_is_told_while_it_runs(reference: cl.Reference) -> None:
+def test_progress_is_reported_during_a_run(reference: cl.Reference) -> None:
     told: list[int] = []
     seen: list[TrialFigures] = []
     run = learn(stage(), control(), reference, make("learning", "zero-phase"), trials=2, progress=told.append, on_trial=seen.append)
@@ -216,14 +216,14 @@ def test_what_is_told_while_it_runs(reference: cl.Reference) -> None:
         learn(stage(), control(), reference, make("learning", "zero-phase"), trials=-1)
 
 
-def test_a_loop_that_runs_away_is_rolled_back_to_the_best(reference: cl.Reference) -> None:
+def test_a_diverging_loop_is_rolled_back_to_the_best_trial(reference: cl.Reference) -> None:
     run = learn(stage(), control(), reference, make("learning", "p-type", gain=1e5), trials=20)
     assert run.diverged and run.best == 0
     assert run.findings[0].code in ("CL303", "CL304")
     assert not run.table.values.any()
 
 
-def test_the_part_error_is_worked_out_where_the_path_is_blended() -> None:
+def test_the_part_error_is_computed_on_a_blended_path() -> None:
     program = cl.parse_program("G21 G90 G64 P0.5\nG1 X20 F1500\nG1 Y20\nM2\n")
     route = cl.blended(cl.route_from_program(program, axes=("x", "y")))
     planned = cl.plan(route, AxisLimits([0.2] * 2, [1.0] * 2, [50.0] * 2), PERIOD)
@@ -237,7 +237,7 @@ def test_the_part_error_is_worked_out_where_the_path_is_blended() -> None:
 
 
 @pytest.mark.parametrize("n_axis", [1, 3, 5])
-def test_any_number_of_axes_learns(n_axis: int) -> None:
+def test_any_number_of_axes_can_learn(n_axis: int) -> None:
     t = np.linspace(0.0, 1.0, 2001)
     s = t**3 * (10.0 - 15.0 * t + 6.0 * t**2)
     line = np.array([0.02 / (j + 1.0) for j in range(n_axis)])
@@ -258,7 +258,7 @@ def learned(reference: cl.Reference) -> LearnedTable:
     return learn(stage(), control(), reference, make("learning", "zero-phase"), trials=4).table
 
 
-def test_a_table_comes_back_as_it_was(learned: LearnedTable, reference: cl.Reference, tmp_path: Path) -> None:
+def test_a_table_survives_a_round_trip(learned: LearnedTable, reference: cl.Reference, tmp_path: Path) -> None:
     learned.save(tmp_path / "sub" / "table.nc")
     again = LearnedTable.load(tmp_path / "sub" / "table.nc")
     assert np.array_equal(again.values, learned.values)
@@ -271,7 +271,7 @@ def test_a_table_comes_back_as_it_was(learned: LearnedTable, reference: cl.Refer
     assert goes_on.trials[0].contour_rms == pytest.approx(float(learned.figures["contour_rms"].min()), rel=1e-12)
 
 
-def test_a_table_is_refused_for_anything_else(learned: LearnedTable, reference: cl.Reference) -> None:
+def test_a_table_is_refused_on_any_other_setup(learned: LearnedTable, reference: cl.Reference) -> None:
     stiffer = replace(stage(), axes=(stage().axes[0], replace(stage().axes[1], plant=stage().axes[1].plant.replace(damping_ratio=0.7))))
     renamed = replace(stage(), axes=tuple(replace(a, name=n) for a, n in zip(stage().axes, "ab", strict=True)))
     faster, larger = cl.uniform(cl.contour("ellipse"), 1.0, 1, PERIOD), cl.uniform(cl.contour("circle"), 0.5, 1, PERIOD)
@@ -290,7 +290,7 @@ def test_a_table_is_refused_for_anything_else(learned: LearnedTable, reference: 
         learn(stage(), control(), reference, make("learning", "zero-phase", target="reference"), start=learned)
 
 
-def test_files_that_are_no_tables_are_refused(learned: LearnedTable, reference: cl.Reference, tmp_path: Path) -> None:
+def test_files_that_are_not_tables_are_refused(learned: LearnedTable, reference: cl.Reference, tmp_path: Path) -> None:
     with pytest.raises(ResultError, match=r"nothing\.nc"):
         LearnedTable.load(tmp_path / "nothing.nc")
     (tmp_path / "text.nc").write_text("no table")
@@ -307,16 +307,16 @@ def test_files_that_are_no_tables_are_refused(learned: LearnedTable, reference: 
         learned.save(tmp_path / "file" / "table.nc")
 
 
-def test_a_law_goes_on_from_what_another_has_learned(learned: LearnedTable, reference: cl.Reference) -> None:
+def test_a_law_continues_from_the_table_of_another(learned: LearnedTable, reference: cl.Reference) -> None:
     run = learn(stage(), control(), reference, make("learning", "plant-inversion", bandwidth=80.0), trials=1, start=learned)
     assert run.trials[0].contour_rms < 1.01 * float(learned.figures["contour_rms"].min())
     assert run.trials[1].tracking < run.trials[0].tracking
 
 
-# --- interrupted, and laws that look too far -------------------------------------------------------------------------------------------
+# --- interrupts, and laws that look too far ahead ----------------------------------------------------------------------------------------
 
 
-def test_what_was_learned_until_an_interrupt_stands() -> None:
+def test_an_interrupt_keeps_the_learned_table() -> None:
     machine, controller = stage(), control()
     reference = eased(2.0)
 

@@ -1,4 +1,4 @@
-"""Trials give what `simulate` and the judge give; the model of learning is that of the loop."""
+"""Trials equal `simulate` with the judge; the model for learning is that of the loop."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_a_trial_is_a_simulation_to_the_last_bit(target: str, jit: bool) -> None
         assert run.command - run.excess == pytest.approx(np.clip(whole["command"], -0.6, 0.6), abs=1e-12)
 
 
-def test_trials_differ_in_noise_and_are_told_apart_by_their_number(circle: cl.Reference) -> None:
+def test_the_trial_number_selects_the_noise(circle: cl.Reference) -> None:
     trials = Trials(*full_stage(), circle, seed=3)
     one, other, again = (trials.run(None, i).measured for i in (1, 2, 1))
     assert np.array_equal(one, again)
@@ -79,7 +79,7 @@ def test_a_machine_with_an_error_map_is_judged_at_the_tool(circle: cl.Reference)
     assert run.contour_max > 1.005 * Trials(plain, control(), circle).run(None, 0).contour_max
 
 
-def test_stretches_do_not_show(circle: cl.Reference, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_number_of_segments_changes_nothing(circle: cl.Reference, monkeypatch: pytest.MonkeyPatch) -> None:
     from contourlab.loop import judging
 
     many = Trials(*full_stage(), circle, vector=True).run(None, 0)
@@ -90,7 +90,7 @@ def test_stretches_do_not_show(circle: cl.Reference, monkeypatch: pytest.MonkeyP
     assert many.contour_error == pytest.approx(one.contour_error, abs=1e-12)
 
 
-def test_a_trial_that_runs_away_says_where(circle: cl.Reference) -> None:
+def test_a_diverging_trial_says_where(circle: cl.Reference) -> None:
     trials = Trials(stage(), control(), circle)
     run = trials.run(np.full((circle.n_sample, 2), 1e4), 1)
     assert not run.status.ok
@@ -101,7 +101,7 @@ def test_a_trial_that_runs_away_says_where(circle: cl.Reference) -> None:
 
 def test_a_controller_that_cannot_learn_is_named(circle: cl.Reference) -> None:
     class Deaf(type(control().axes["x"].controller)):  # type: ignore[misc]
-        """A controller without a port for what is learned."""
+        """A controller without a port for the learned command."""
 
         inputs = tuple(port for port in type(control().axes["x"].controller).inputs if port.name != "feedforward")
         kind = ""
@@ -111,10 +111,10 @@ def test_a_controller_that_cannot_learn_is_named(circle: cl.Reference) -> None:
         Trials(stage(), deaf, circle)
 
 
-# --- what is known beforehand --------------------------------------------------------------------------------------------------------
+# --- prior knowledge -----------------------------------------------------------------------------------------------------------------
 
 
-def test_the_feedforward_of_a_model_is_found_and_that_of_pure_feedback_is_nothing() -> None:
+def test_the_feedforward_of_a_model_is_found_and_pure_feedback_has_none() -> None:
     """Eq (15) of Ghaffari & Ulsoy without errors: (r_a + b' r_v)/a'."""
     reference = there_and_rest()
     block = reference.block(0, reference.n_sample)
@@ -127,8 +127,8 @@ def test_the_feedforward_of_a_model_is_found_and_that_of_pure_feedback_is_nothin
 
 
 @pytest.mark.parametrize("observer", [False, True])
-def test_learning_beside_a_wrong_feedforward_still_ends_at_no_error(observer: bool) -> None:
-    """Were the feedforward, or the observer's estimate, taken for feedback, the table would settle where they cancel: with an error."""
+def test_learning_with_a_wrong_feedforward_still_converges_to_zero_error(observer: bool) -> None:
+    """If the feedforward or the observer's estimate counted as feedback, the table would settle where they cancel, with an error."""
     gains = {"velocity_gain": 70.0, "position_gain": 2800.0, "integral_gain": 0.0, "model_gain": 0.5, "model_damping": 25.0}
     watch = make("observer", "disturbance-observer", bandwidth=60.0, model_gain=0.8, model_damping=25.0) if observer else None
     machine = cl.Machine("one", (cl.Axis("x", make("plant", "rigid-axis", gain=1.0, damping=6.0)),), PERIOD)
@@ -145,7 +145,7 @@ def test_learning_beside_a_wrong_feedforward_still_ends_at_no_error(observer: bo
 
 @pytest.mark.parametrize("target", ["command", "reference"])
 @pytest.mark.parametrize("kind", ["plain", "delayed", "observed"])
-def test_the_response_to_what_is_learned_is_that_of_the_run(target: str, kind: str) -> None:
+def test_the_response_to_a_table_is_that_of_a_run(target: str, kind: str) -> None:
     parts: dict[str, Any] = {"drive": make("drive", "delayed-saturation", delay=15.4e-3)} if kind == "delayed" else {}
     machine, controller = stage(1, **parts), control(1)
     if kind == "observed":

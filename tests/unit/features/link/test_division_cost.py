@@ -1,4 +1,4 @@
-"""What a division costs: limits of the links, and the message rate that a swap asks for."""
+"""The cost of a division: limits of the links, and the message rate that a swap needs."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def controller(machine: cl.Machine) -> cl.Controller:
 
 @pytest.fixture(scope="module")
 def circle(machine: cl.Machine) -> cl.Reference:
-    """The circle of the paper, as in Fig 9."""
+    """Return the circle of the paper, as in Fig 9."""
     return cl.uniform(cl.contour("circle", radius=0.02), 0.5, 2, machine.servo_period)
 
 
@@ -48,7 +48,7 @@ def test_the_undivided_error_is_that_of_a_run(machine: cl.Machine, controller: c
 
 
 def test_the_axes_of_the_paper_hold_at_125_messages_a_second(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
-    """Table III with the observer in the axis: what the study says, held against runs of its own on both sides of the limit."""
+    """Table III with the observer in the axis: the result of the study against separate runs on both sides of the limit."""
     found = message_rate(machine, controller, circle)
     assert found.rate == pytest.approx(125.0)
     assert found.limited and found.error <= found.allowed == pytest.approx(1.1 * found.undivided)
@@ -63,7 +63,7 @@ def test_the_axes_of_the_paper_hold_at_125_messages_a_second(machine: cl.Machine
 
 
 @pytest.mark.parametrize("longest", [1.0, 10.0])
-def test_looking_far_does_not_lose_what_is_near(
+def test_a_wide_search_finds_a_small_limit_too(
     machine: cl.Machine, controller: cl.Controller, circle: cl.Reference, longest: float
 ) -> None:
     assert message_rate(machine, controller, circle, longest=longest).rate == pytest.approx(125.0)
@@ -73,7 +73,7 @@ def test_looking_far_does_not_lose_what_is_near(
 
 
 class Known(LinkSetting):
-    """Links whose limits are known in servo periods: the last one with a small error, with a stable model, and with a stable run."""
+    """Links with known limits in servo periods: the last period with a small error, a stable model, and a stable run."""
 
     def __init__(self, machine: cl.Machine, error: int, linear: int, simulated: int) -> None:
         self.machine, self.allowed, self.asked = machine, 1.0, 0
@@ -94,8 +94,8 @@ class Known(LinkSetting):
 @pytest.mark.parametrize(
     ("error", "linear", "simulated"), [(6, 14, 12), (2, 100, 90), (300, 500, 333), (700, 641, 900), (999, 199, 77), (450, 500, 640)]
 )
-def test_limits_do_not_hang_on_how_far_one_looks(quantity: str, error: int, linear: int, simulated: int, machine: cl.Machine) -> None:
-    """Of the error and of stability alike, also where the linear model is large and known here and there only."""
+def test_limits_do_not_depend_on_the_search_range(quantity: str, error: int, linear: int, simulated: int, machine: cl.Machine) -> None:
+    """For error and stability alike, even where the linear model is large and partly unknown."""
     for longest in (2.0, 3.3, 10.0):
         setting = Known(machine, error, linear, simulated)
         sweep = swept(setting, quantity, longest)
@@ -108,7 +108,7 @@ def test_limits_do_not_hang_on_how_far_one_looks(quantity: str, error: int, line
 @pytest.mark.parametrize(
     ("division", "ways", "delay"), [("drive", "both", 1e-3), ("drive", "one", 3e-3), ("observer", "both", 1e-3), ("observer", "one", 3e-3)]
 )
-def test_delay_that_holds_is_that_of_the_linear_model(
+def test_the_delay_limit_is_that_of_the_linear_model(
     division: str, ways: str, delay: float, machine: cl.Machine, controller: cl.Controller, circle: cl.Reference
 ) -> None:
     allowed = allowed_error(undivided_error(machine, controller, circle), 0.1)
@@ -120,14 +120,14 @@ def test_delay_that_holds_is_that_of_the_linear_model(
     assert sweep.stable_linear == pytest.approx(delay) == sweep.stable_simulated
 
 
-def test_a_reference_may_be_as_late_as_it_likes(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
-    """One way with the whole controller in the axis: both axes are late together, and the contour stays."""
+def test_a_reference_may_have_any_delay(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    """One way with the whole controller in the axis: both axes are equally late, so the contour stays."""
     found = link_limit(machine, divided(controller, "controller", "one"), circle, "delay", longest=0.05)
     assert not found.limited
     assert found.value == pytest.approx(0.05)
 
 
-def test_chance_counts_by_its_worst(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+def test_the_worst_seed_counts(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     made = divided(controller, "observer", "both")
     one, many = (link_limit(machine, made, circle, "loss", seeds=seeds) for seeds in (1, 8))
     assert 0.0 < many.value <= one.value < 1.0
@@ -135,14 +135,14 @@ def test_chance_counts_by_its_worst(machine: cl.Machine, controller: cl.Controll
     assert (again.value, again.error) == (many.value, many.error)
 
 
-def test_more_allowed_is_never_less_network(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+def test_a_larger_allowed_error_never_needs_more_messages(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     rates = [message_rate(machine, controller, circle, "controller", within=within).rate for within in (0.05, 0.2, 0.5)]
     assert rates[0] >= rates[1] >= rates[2]
     none = message_rate(machine, controller, circle, "controller", allowed=1e-9)
     assert math.isnan(none.value) and math.isnan(none.rate) and none.limited
 
 
-def test_a_link_that_is_slow_already_leaves_less_for_delay(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+def test_a_slow_link_leaves_less_delay(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     fast, slow = (
         link_limit(machine, divided(controller, "observer", "one", Network(message_period=period)), circle, "delay")
         for period in (1e-3, 6e-3)
@@ -159,7 +159,7 @@ def test_ways_of_dividing(controller: cl.Controller) -> None:
     assert blind.axes["1"].link == Division("controller", Network(), None) and blind.estimator is None and blind.coupling is None
 
 
-def test_what_makes_no_sense_is_refused(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+def test_invalid_settings_are_refused(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     for given in ({"ways": "three"}, {"axes": ("7",)}, {"division": "half"}):
         with pytest.raises(ParameterError):
             divided(controller, **{"division": "drive", **given})  # type: ignore[arg-type]
@@ -172,18 +172,18 @@ def test_what_makes_no_sense_is_refused(machine: cl.Machine, controller: cl.Cont
         link_limit(machine, whole, circle)
 
 
-def test_rounding_of_a_message_period_is_said(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+def test_rounding_of_a_message_period_is_reported(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     made = divided(controller, "observer", link=Network(message_period=2.4e-3))
     cost = delay_cost(machine, made, circle, 1e-5, 2e-3)
     assert cost.findings[0].code == "CL750" and cost.findings[0].values == {"asked": 2.4e-3, "sent": pytest.approx(3e-3)}
     assert set(cost.local_parameters["1"]) >= {"observer.model_gain", "velocity.bandwidth"}
 
 
-def test_limits_are_read_off_the_values_in_order() -> None:
+def test_limits_are_read_from_the_values_in_order() -> None:
     unknown = np.full(5, np.nan)
     sweep = LinkSweep("delay", np.arange(5.0), np.array([1.0, 2.0, 9.0, 1.0, 1.0]), np.ones(5), unknown, unknown, 3.0)
     assert sweep.holds.tolist() == [True, True, False, True, True]
-    assert (sweep.most, sweep.limited) == (1.0, True)  # what holds beyond a gap is none to build on
+    assert (sweep.most, sweep.limited) == (1.0, True)  # values that hold beyond a gap do not count
     assert math.isnan(sweep.stable_linear)
     stable = replace(sweep, error=np.ones(5), growth=np.array([0.9, 0.95, 0.99, 1.01, np.nan]))
     assert (stable.most, stable.stable_linear) == (2.0, 2.0)
@@ -195,7 +195,7 @@ def test_limits_are_read_off_the_values_in_order() -> None:
     assert math.isnan(lost.most) and lost.limited
 
 
-def test_links_that_differ_are_run_as_they_are_given(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+def test_different_links_are_run_as_given(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     slow, quick = (divided(controller, "observer", link=Network(delay=delay)).axes for delay in (3e-3, 1e-3))
     made = replace(controller, axes={"1": slow["1"], "3": quick["3"]})
     cost = delay_cost(machine, made, circle, 1e-4, 4e-3)
@@ -207,8 +207,8 @@ def test_links_that_differ_are_run_as_they_are_given(machine: cl.Machine, contro
     assert (cost.division, cost.ways) == ("observer, drive", "both, one")
 
 
-def test_what_is_asked_of_a_drive_is_what_comes_to_it(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
-    """Not what the base sent some ticks before, nor ahead of the estimate that the axis takes off: the same as the signals of a run say."""
+def test_command_figures_refer_to_the_command_at_the_drive(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    """Neither an older command of the base nor one before the observer's estimate is subtracted: the figures equal the signals of a run."""
     for division in ("drive", "observer", "controller"):
         made = divided(controller, division, link=Network(delay=2e-3))
         lanes = simulate_batch(machine, made, circle, {"axes.1.plant.damping": [10.1]}, effort=True).figures
@@ -220,7 +220,7 @@ def test_what_is_asked_of_a_drive_is_what_comes_to_it(machine: cl.Machine, contr
         assert lanes["command_largest"][0] == pytest.approx((asked / limits).max(), rel=1e-9)
 
 
-def test_a_loop_that_fails_undivided_says_where(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+def test_an_undivided_loop_that_fails_says_where(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     tight = replace(machine, axes=tuple(replace(axis, limits=replace(axis.limits, following_error=1e-6)) for axis in machine.axes))
     with pytest.raises(DivergenceError, match="sample"):
         undivided_error(tight, controller, circle)

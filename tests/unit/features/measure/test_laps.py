@@ -1,4 +1,4 @@
-"""The last of several laps is found, and none where a path does not repeat itself to its end."""
+"""The last lap is found, or none if the path does not repeat itself to its end."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ def test_a_line_there_and_back_is_one_lap() -> None:
 
 
 @pytest.mark.parametrize("place", [round_trips(1.0), round_trips(1.7), round_trips(3.0) * np.linspace(1.0, 1.2, 3001)[:, None]])
-def test_a_path_that_does_not_repeat_itself_has_none(place: Array) -> None:
+def test_a_path_without_repetition_has_no_lap(place: Array) -> None:
     assert last_lap(*path_of_samples(place)) is None
 
 
-def test_the_figures_of_the_last_lap_are_told_beside_those_with_the_start() -> None:
-    """A tool 10 um outside that begins a lap 100 um inside: the whole run says 100 um, its last lap 10 um."""
+def test_figures_of_the_last_lap_are_reported_next_to_those_of_the_whole_run() -> None:
+    """A tool 10 um outside that begins a lap 100 um inside: the whole run gives 100 um, its last lap 10 um."""
     wanted = round_trips(2.0)
     off = np.where(np.arange(len(wanted)) < 200, -100e-6, 10e-6)
     held = {"position": wanted * (1.0 + off / 0.02)[:, None], "reference": wanted}

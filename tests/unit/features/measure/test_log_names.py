@@ -1,4 +1,4 @@
-"""What logs are called: as much of their path as tells them apart."""
+"""Names of logs: the shortest part of their path that distinguishes them."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from contourlab.features.measure.log_choice import distinct_names
         (["a/x/run.csv", "b/x/run.csv"], ["a/x/run.csv", "b/x/run.csv"]),
         (["run.csv", "a/run.csv"], ["run.csv", "a/run.csv"]),
         (["/a/run.csv", "/b/run.csv"], ["a/run.csv", "b/run.csv"]),
-        (["a/run.csv", "./a/run.csv"], ["run.csv", "run.csv"]),  # one and the same
+        (["a/run.csv", "./a/run.csv"], ["run.csv", "run.csv"]),  # the same file
     ],
 )
 def test_names_are_as_short_as_they_can_be(files: list[str], names: list[str]) -> None:
     assert distinct_names(files) == names
 
 
-def test_runs_are_called_without_their_endings_where_that_tells_them_apart() -> None:
+def test_endings_are_dropped_where_names_stay_distinct() -> None:
     assert _names([Path("a/run.csv"), Path("b/run.csv")]) == ["a/run", "b/run"]
     assert _names([Path("a/run.csv"), Path("a/run.mat")]) == ["run.csv", "run.mat"]
     with pytest.raises(LogError, match="given twice"):

@@ -1,4 +1,4 @@
-"""Where on a path a measured tool was: paths that close, cross themselves, go laps or back over themselves; runs of a part of them."""
+"""The place of a measured tool on its path: closed paths, crossings, laps, ways back, and partial runs."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ PATHS = {
 
 
 def tool_on(path: Path, part: tuple[float, float], late: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return arc lengths from a part of the path, with rests at both ends, and a tool 10 um beside and late along the tangent."""
+    """Return arc lengths of a part of the path, with rests at both ends, and a tool 10 um off the path that lags along the tangent."""
     along = np.linspace(part[0] * path.length, part[1] * path.length, 6000)
     along = np.concatenate([np.full(500, along[0]), along, np.full(500, along[-1])])
     noise = np.random.default_rng(3).normal(0.0, 0.3e-6, (along.size, 2))
@@ -42,7 +42,7 @@ def tool_on(path: Path, part: tuple[float, float], late: float) -> tuple[np.ndar
 @pytest.mark.parametrize("part", [(0.0, 1.0), (0.0, 0.55), (0.3, 1.0)])
 @pytest.mark.parametrize("name", PATHS)
 def test_progress_stays_on_its_branch(name: str, part: tuple[float, float], late: float) -> None:
-    """A closed path's end is as near to its first sample as its start; laps, crossings and ways back are all near it."""
+    """Nearness is ambiguous: the end of a closed path is as near to the first sample as its start; so are laps, crossings and ways back."""
     along, tool = tool_on(PATHS[name], part, late)
     found, _ = progress_along(PATHS[name], tool)
     assert np.abs(found - along).max() < abs(late) + 100e-6
@@ -51,14 +51,14 @@ def test_progress_stays_on_its_branch(name: str, part: tuple[float, float], late
 
 @pytest.mark.parametrize("part", [(0.0, 1.0), (0.0, 0.6)])
 @pytest.mark.parametrize("name", ["three laps", "eight", "rows"])
-def test_a_shift_is_found_from_a_part_of_the_run_too(name: str, part: tuple[float, float]) -> None:
-    """On these paths 10 um to the left is no shift but for what the normals do not average to; a tool at rest weighs nothing."""
+def test_a_shift_is_found_from_a_partial_run_too(name: str, part: tuple[float, float]) -> None:
+    """On these paths 10 um to the left is no shift, except for the part that the normals do not average out; rests have no weight."""
     _, tool = tool_on(PATHS[name], part, 20e-6)
     rest = np.repeat(tool[-1:], 20_000, axis=0)
     assert fitted_shift(PATHS[name], np.vstack([tool, rest]) + np.array([0.1, -0.05])) == pytest.approx([0.1, -0.05], abs=11e-6)
 
 
-def test_a_tool_that_is_elsewhere() -> None:
+def test_a_tool_far_from_the_path() -> None:
     path = PATHS["closed"]
     _, tool = tool_on(path, (0.0, 1.0), 0.0)
     for wrong in (tool + 0.01, tool * 1e3, tool[:, ::-1]):
@@ -66,7 +66,7 @@ def test_a_tool_that_is_elsewhere() -> None:
             progress_along(path, wrong)
 
 
-def test_the_way_that_a_straight_part_of_a_run_does_not_tell() -> None:
+def test_a_straight_partial_run_does_not_determine_the_shift_along_it() -> None:
     _, tool = tool_on(PATHS["there and back"], (0.0, 0.5), 0.0)
     with pytest.raises(ResultError, match="straight"):
         fitted_shift(PATHS["there and back"], tool + 0.3)

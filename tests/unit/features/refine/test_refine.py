@@ -1,4 +1,4 @@
-"""Refinement against logs that were simulated with known numbers, through an encoder."""
+"""Refinement against logs simulated with known numbers, through an encoder."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def parts(resolution: float = 1e-7, **axis: object) -> tuple[Machine, Controller
 
 
 def way(seconds: float = 2.0) -> np.ndarray:
-    """Positions to and fro that begin and end at rest."""
+    """Return positions back and forth that begin and end at rest."""
     time = np.arange(0.0, seconds, PERIOD)
     fade = np.sin(np.pi * time / seconds) ** 2
     moved = 0.02 * fade * np.sin(2.0 * np.pi * 1.3 * time)
@@ -61,17 +61,17 @@ def result() -> Result:
     return log_of(*parts())
 
 
-def test_known_numbers_come_back_within_what_is_said_of_them(result: Result) -> None:
+def test_known_numbers_are_recovered_within_their_deviations(result: Result) -> None:
     found = refine([guessed(result)], WANTED, settings=RefineSettings(starts=2))
     for one in found.parameters:
         true = TRUE[one.sought.name]
         assert abs(one.value - true) < 4.0 * one.deviation + 1e-4 * abs(true), one.sought.name
         assert one.deviation < 0.02 * abs(true)
     assert found.usable and found.after[0].explained > 0.9999 > found.before[0].explained
-    assert found.after[0].rms < 1e-7  # an encoder's count
+    assert found.after[0].rms < 1e-7  # one encoder count
 
 
-def test_what_moves_outside_a_window_is_unseen(result: Result) -> None:
+def test_motion_outside_a_window_is_ignored(result: Result) -> None:
     found = refine([guessed(result)], WANTED, windows=[(0.0, 1.0)], settings=RefineSettings(starts=1))
     (unseen,) = found.unseen
     (before,) = found.unseen_before
@@ -93,8 +93,8 @@ def test_one_machine_under_two_controllers_shares_its_numbers(result: Result) ->
     assert {one.run for one in found.after} == {"log", "soft"}
 
 
-def test_deviations_are_those_of_many_logs() -> None:
-    """Thirty logs with noise that remembers ten rows: the spread of what is found is what each says of itself."""
+def test_deviations_match_the_scatter_over_many_logs() -> None:
+    """Thirty logs with noise correlated over ten rows: the estimates scatter by their stated deviation."""
     from scipy.signal import lfilter
 
     machine, controller = parts()
@@ -108,7 +108,7 @@ def test_deviations_are_those_of_many_logs() -> None:
         found = refine([run], WANTED, settings=settings)
         values.append([one.value for one in found.parameters])
         told.append([one.deviation for one in found.parameters])
-    # Standard deviations of 30 draws are themselves known to 13 percent: three times that.
+    # A standard deviation from 30 draws is itself known to 13 percent: allow three times that.
     assert np.sqrt(np.mean(np.square(told), axis=0)) == pytest.approx(np.std(values, axis=0, ddof=1), rel=0.4)
     assert np.mean(values, axis=0) == pytest.approx(list(TRUE.values()), abs=4.0 * np.max(told, axis=0).max() / np.sqrt(30.0))
 
@@ -126,12 +126,12 @@ def test_a_command_in_the_log_is_compared_too(result: Result) -> None:
     assert [one.code for one in guessed(strange).findings] == ["CL562"]
 
 
-def test_what_cannot_be_told_and_what_goes_together_is_said(result: Result) -> None:
+def test_unidentifiable_and_correlated_numbers_are_reported(result: Result) -> None:
     wanted = [*WANTED, "axes.x.friction.viscous=0 N*s/m..100 N*s/m"]
     machine, controller = parts()
     run = log_run(*with_values(machine, controller, GUESS | {"axes.x.friction.viscous": 50.0}), result, "log")
     found = refine([run], wanted, settings=RefineSettings(starts=1))
-    # Two ways to write one damper, told apart by encoder counts alone.
+    # Two ways to write one damper: only encoder counts distinguish them.
     values = [one.values for one in found.findings if one.code == "CL553" and "plant.damping" in one.place and "viscous" in one.place]
     assert [-1.0 < one["correlation"] < -0.9 for one in values] == [True]
     total = found.parameters[0].value + found.parameters[3].value
@@ -144,7 +144,7 @@ def test_what_cannot_be_told_and_what_goes_together_is_said(result: Result) -> N
     assert idle.usable and np.isinf(deviations[3]) and np.isfinite(deviations[:3]).all()
 
 
-def test_a_bound_that_holds_is_said(result: Result) -> None:
+def test_an_active_bound_is_reported(result: Result) -> None:
     wanted = [WANTED[0], "axes.x.friction.coulomb=20 N..40 N", WANTED[2]]
     found = refine([guessed(result)], wanted, settings=RefineSettings(starts=1))
     held = found.parameters[1]
@@ -152,8 +152,8 @@ def test_a_bound_that_holds_is_said(result: Result) -> None:
     assert ("CL550", "axes.x.friction.coulomb") in {(one.code, one.place) for one in found.findings}
 
 
-def test_lanes_that_diverge_are_no_crash(result: Result) -> None:
-    """Gains up to a hundred times too large are tried, and run away."""
+def test_diverging_lanes_are_handled(result: Result) -> None:
+    """The search tries gains up to a hundred times too large, which diverge."""
     machine, controller = parts()
     run = log_run(*with_values(machine, controller, GUESS), result, "log")
     gain = run.controller.axes["x"].controller.values()["gain"]
@@ -164,7 +164,7 @@ def test_lanes_that_diverge_are_no_crash(result: Result) -> None:
     assert found.parameters[3].value == pytest.approx(gain, rel=0.01)
 
 
-def test_bad_questions_are_refused_in_words(result: Result) -> None:
+def test_invalid_settings_are_refused_in_words(result: Result) -> None:
     run = guessed(result)
     for wanted, said in (
         (["axes.x.plant.dampings"], "axes.x.plant.dampings"),
@@ -203,10 +203,10 @@ def test_a_log_that_does_not_fit_the_machine_is_refused_in_words(result: Result)
         log_run(machine, controller, result.with_signals(position=Signal(hurt, ("sample", "axis"), "m")), "log")
 
 
-def test_a_log_that_begins_in_motion_is_said(result: Result) -> None:
+def test_a_log_that_begins_in_motion_is_reported(result: Result) -> None:
     cut = {name: Signal(signal.data[400:], signal.dims, signal.unit) for name, signal in result.signals.items()}
     machine, controller = parts()
     run = log_run(machine, controller, Result("log", ("x",), PERIOD, cut), "log")
     assert run.steady and run.findings[0].code == "CL561"
-    late = run.moves[0] + 300  # what came before has faded
+    late = run.moves[0] + 300  # the initial transient has decayed
     assert run.agreement(run.once(), slice(late, run.moves[1]))[0].explained > 0.99

@@ -1,4 +1,4 @@
-"""The one change that helps most: what is tried, and that the figure told is the one that comes out."""
+"""The most helpful single change: the candidates, and agreement of the promised figure with a run."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def largest(one: cl.Machine, by: cl.Controller) -> float:
 
 
 def test_poles_are_scaled() -> None:
-    """Of s^3 + (b + a K_V) s^2 + a K_P s + a K_P K_I, whatever the gains were placed by."""
+    """Of s^3 + (b + a K_V) s^2 + a K_P s + a K_P K_I, however the gains were placed."""
     found = dict(candidates(machine(), controller()))
     faster = found["raising the poles of the position loops by a quarter"].axes["x"].controller.values()
     before = controller().axes["x"].controller.values()
@@ -56,19 +56,19 @@ def test_poles_are_scaled() -> None:
     np.testing.assert_allclose(poles(faster), 1.25 * poles(before), rtol=1e-9)
 
 
-def test_models_have_what_stands_on_the_axis() -> None:
+def test_models_include_the_carried_mass() -> None:
     """A module of 30 kg on an axis of 10 kg: a quarter of the acceleration."""
     x, y = machine().axes
     stacked = cl.Machine("stack", (x, replace(y, mounted_on="x", stage_mass=30.0)), PERIOD)
     found = dict(candidates(stacked, controller()))
-    forward = found["feeding forward the model that the loop really follows"].axes
+    forward = found["matching the feedforward model to the loop"].axes
     observed = found["adding a disturbance observer"].axes
     for part in (forward["x"].controller, observed["x"].observer):
         assert (part.model_gain, part.model_damping) == (pytest.approx(A / 4.0), pytest.approx(B / 4.0))  # type: ignore[union-attr]
     assert observed["y"].observer.model_gain == pytest.approx(A)  # type: ignore[union-attr]
 
 
-def test_what_there_is_already_is_not_tried() -> None:
+def test_existing_parts_are_not_tried() -> None:
     part = controller(model_gain=A, model_damping=B).axes["x"]
     watched = replace(part, observer=make("observer", "disturbance-observer", model_gain=A, model_damping=B, bandwidth=100.0))
     full = cl.Controller(dict.fromkeys("xy", watched), make("estimator", "newton"), make("coupling", "modified-reference", weight=0.5))
@@ -78,7 +78,7 @@ def test_what_there_is_already_is_not_tried() -> None:
     assert bandwidths == [150.0]
 
 
-def test_without_feedforward_the_model_is_what_helps() -> None:
+def test_without_feedforward_the_advice_is_a_model() -> None:
     one, by = machine(), controller()
     before = largest(one, by)
     values = advice(one, by, circle(), before).values
@@ -89,22 +89,22 @@ def test_without_feedforward_the_model_is_what_helps() -> None:
     assert (values["before"], values["after"]) == (before, pytest.approx(min(trials.values())))
 
 
-def test_against_friction_it_is_an_observer() -> None:
+def test_against_friction_the_advice_is_an_observer() -> None:
     rubbing = machine(friction=make("friction", "coulomb", coulomb=30.0, breakaway=30.0, stribeck_velocity=1e-3))
     by = controller(model_gain=A, model_damping=B)
     change = advice(rubbing, by, circle(), largest(rubbing, by)).values["change"]
     assert by.axes["x"].observer is None and dict(candidates(rubbing, by))[change].axes["x"].observer is not None
 
 
-def test_where_nothing_helps_it_says_so() -> None:
+def test_without_a_helpful_change_it_says_so() -> None:
     assert advice(machine(), controller(), circle(), 0.0).code == "CL204"
 
 
 CORNER = "G21 G17 G90 F1500\nG64 P0.2\nG1 X10\nG1 X18 Y6\nM2\n"
 
 
-def test_where_planning_is_the_cause_a_closer_plan_is_tried(tmp_path: Path) -> None:
-    """A turn of 37 degrees blended within 200 um: no controller mends that, a blend within a quarter of the tolerance does."""
+def test_a_planning_error_leads_to_a_closer_plan(tmp_path: Path) -> None:
+    """A turn of 37 degrees blended within 200 um: no controller helps, but a blend within a quarter of the tolerance does."""
     part = tmp_path / "corner.ngc"
     part.write_text(CORNER, encoding="ascii")
     case = scenario_from_parts(part, "xyz", "xyz-controller", run={"tolerance": "40 um"}).base

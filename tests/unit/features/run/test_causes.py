@@ -1,4 +1,4 @@
-"""What the verdict says of causes, on machines made so that the answer is known."""
+"""The causes named by the verdict, on machines with a known answer."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def loop(velocity_gain: float = 40.0, position_gain: float = 2000.0, model_gain:
 
 
 def followed(*axes: cl.Axis, loops: dict[str, cl.AxisController] | None = None, reference: Reference | None = None) -> Any:
-    """Run, judge, and say what the worst place's error is made of: (contributions, names not told apart, error)."""
+    """Run, judge, and split the error at the worst place: (contributions, causes that cannot be separated, error)."""
     machine = cl.Machine("made", axes, PERIOD)
     controller = cl.Controller(loops or dict.fromkeys(machine.axis_names, loop(model_gain=FORCE / MASS)))
     reference = reference or cl.uniform(cl.contour("circle", radius=0.02), 0.5, 2, PERIOD)
@@ -50,7 +50,7 @@ def followed(*axes: cl.Axis, loops: dict[str, cl.AxisController] | None = None, 
 
 
 def only(found: dict[str, float], name: str, of: float) -> None:
-    """Check that one cause makes up all but a hundredth of the error."""
+    """Check that one cause explains the error to a hundredth."""
     assert found[name] == pytest.approx(of, rel=0.01)
     assert all(abs(value) < 0.01 * of for other, value in found.items() if other != name)
 
@@ -69,8 +69,8 @@ def test_coarse_encoders_are_quantisation() -> None:
     assert found["quantisation"] > 0.95 * error
 
 
-def test_a_load_from_outside_is_a_disturbance_and_no_reversal() -> None:
-    """A proportional loop gives way by load / stiffness: 100 N against 2000 A/m * 50 N/A is a millimetre."""
+def test_an_external_load_is_a_disturbance_and_not_reversal() -> None:
+    """A proportional loop yields by load / stiffness: 100 N against 2000 A/m * 50 N/A is a millimetre."""
     pushed = axis("x", disturbance=make("disturbance", "constant", force=100.0))
     found, _, error = followed(pushed, axis("y"))
     assert error == pytest.approx(1e-3, rel=0.03)
@@ -87,7 +87,7 @@ def test_friction_is_reversal() -> None:
 
 
 def test_a_drive_at_its_limit_is_saturation() -> None:
-    """The circle wants 4.93 m/s^2 at 2.5 Hz of a drive that gives 4.5."""
+    """The circle needs 4.93 m/s^2 at 2.5 Hz from a drive that gives 4.5."""
     weak = make("drive", "saturation", limit=0.9)
     fast = cl.uniform(cl.contour("circle", radius=0.02), 2.5, 3, PERIOD)
     found, _, error = followed(axis("x", drive=weak), axis("y", drive=weak), reference=fast)
@@ -104,7 +104,7 @@ def lag_gain(velocity_gain: float, position_gain: float) -> float:
 
 
 def test_equal_loops_without_feedforward_only_lag() -> None:
-    """Both axes go too far alike: the circle grows by |G| - 1."""
+    """Both axes overshoot equally: the circle grows by |G| - 1."""
     found, _, error = followed(axis("x"), axis("y"), loops=dict.fromkeys("xy", loop(40.0, 300.0)))
     grown = 0.02 * (lag_gain(40.0, 300.0) - 1.0)
     assert error == pytest.approx(grown, rel=0.02) and grown > 50e-6
@@ -112,7 +112,7 @@ def test_equal_loops_without_feedforward_only_lag() -> None:
 
 
 def test_unequal_loops_are_a_mismatch() -> None:
-    """At the worst place the error is of one axis' kind; a machine of copies has the mean of both kinds there."""
+    """At the worst place one axis causes the error; a machine of equal axes has the mean of both there."""
     loops = {"x": loop(40.0, 300.0), "y": loop(40.0, 900.0)}
     found, _, error = followed(axis("x"), axis("y"), loops=loops)
     assert abs(found["servo mismatch"]) > 0.3 * error
@@ -120,8 +120,8 @@ def test_unequal_loops_are_a_mismatch() -> None:
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
-def test_a_planned_path_beside_the_programmed_one_is_planning(side: float) -> None:
-    """The planner drives a circle of another radius than the program's, which a stiff loop follows: inside or outside, it counts up."""
+def test_a_planned_path_off_the_programmed_one_is_planning(side: float) -> None:
+    """The planner drives a circle of another radius than programmed, and a stiff loop follows: inside or outside, it counts as positive."""
     programmed = cl.contour("circle", radius=0.02)
     planned = cl.contour("circle", radius=0.02 + side * 100e-6)
     reference = replace(cl.uniform(planned, 0.5, 2, PERIOD), programmed=programmed)
@@ -130,8 +130,8 @@ def test_a_planned_path_beside_the_programmed_one_is_planning(side: float) -> No
     assert found["planning"] == pytest.approx(100e-6, rel=0.01)
 
 
-def test_what_runs_away_without_friction_is_named_and_the_sum_still_holds() -> None:
-    """A loop that only its viscous friction holds: without it the poles leave the unit circle."""
+def test_a_cause_whose_removal_diverges_is_named_and_the_sum_still_holds() -> None:
+    """Only viscous friction stabilises this loop: without it the poles leave the unit circle."""
     held = make("friction", "coulomb", coulomb=1.0, breakaway=1.0, stribeck_velocity=1e-3, viscous=900.0)
     wild = cl.AxisController(make("controller", "position", velocity_gain=1e-3, position_gain=2000.0, integral_gain=20.0, structure="ipv"))
     found, untold, error = followed(axis("x", friction=held), axis("y", friction=held), loops=dict.fromkeys("xy", wild))

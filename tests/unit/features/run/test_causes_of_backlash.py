@@ -1,4 +1,4 @@
-"""Backlash among the causes of an error."""
+"""Backlash as a cause of an error."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def rig(plant: TwoInertia, compensation: BacklashOffset | None = None) -> tuple[
     return machine, cl.Controller({"x": mine, "y": mine}), cl.uniform(cl.contour("circle", radius=0.02), 0.25, 1, PERIOD)
 
 
-def test_a_gap_is_named_and_is_what_the_error_changes_by_without_it() -> None:
+def test_the_contribution_of_a_gap_is_the_change_of_error_without_it() -> None:
     machine, controller, reference = rig(DRIVE)
     judged = cl.judge(cl.simulate(machine, controller, reference), reference)
     sample = int(np.abs(judged["part_error"][1000:]).argmax()) + 1000
@@ -45,7 +45,7 @@ def test_a_machine_without_a_gap_has_no_such_cause() -> None:
     assert "backlash" not in {cause.name for cause in found}
 
 
-def test_what_reckons_with_the_gap_is_told_that_it_has_gone() -> None:
+def test_without_the_gap_its_compensation_is_zero_too() -> None:
     machine, controller, _ = rig(DRIVE, BacklashOffset(backlash_gap=60e-6, backlash_velocity=0.01, backlash_acceleration=1.0))
     tight, told = without_backlash(machine, controller)
     assert all(axis.plant.gap_at(0.0) == 0.0 for axis in tight.axes)  # type: ignore[attr-defined]
@@ -55,14 +55,14 @@ def test_what_reckons_with_the_gap_is_told_that_it_has_gone() -> None:
     assert again is tight and same is controller
 
 
-def test_an_offset_is_tried_where_nothing_takes_the_gap_up() -> None:
+def test_an_offset_is_tried_where_the_gap_has_no_compensation() -> None:
     from contourlab.features.run.causes.advice import advice, candidates
 
     machine, controller, reference = rig(DRIVE)
     words = "compensating the backlash by an offset on reversal"
     assert words in {said for said, _ in candidates(machine, controller)}
     judged = cl.judge(cl.simulate(machine, controller, reference), reference)
-    # Past the start from rest into a moving reference.
+    # After the start from rest into a moving reference.
     said = advice(machine, controller, reference, float(np.abs(judged["part_error"]).max()))
     assert said
     offset = BacklashOffset(backlash_gap=60e-6, backlash_velocity=0.01, backlash_acceleration=1.0)

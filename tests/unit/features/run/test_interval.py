@@ -1,4 +1,4 @@
-"""The interval of contour error that stated deviations imply, against closed forms."""
+"""The interval of contour error from stated deviations, against closed forms."""
 
 from __future__ import annotations
 
@@ -40,12 +40,12 @@ def machine(*axes: Axis) -> Machine:
 
 
 def controller() -> Controller:
-    law = PositionController(position_gain=GAIN, velocity_gain=100.0)  # overdamped: nothing overshoots
+    law = PositionController(position_gain=GAIN, velocity_gain=100.0)  # overdamped: no overshoot
     return Controller({name: AxisController(law) for name in ("x", "y")})
 
 
 def along_x(n: int = 2000) -> Reference:
-    """A motion along x, so that the contour error is how far y is from zero."""
+    """Return a motion along x: the contour error is the distance of y from zero."""
     x = 0.1 * np.linspace(0.0, 1.0, n) ** 2
     line = Path([Line(np.zeros(2), np.array([0.2, 0.0]))])
     return Reference.from_samples(np.column_stack([x, np.zeros(n)]), PERIOD, line)
@@ -55,8 +55,8 @@ def uncertain(found: Machine, law: Controller) -> list:
     return [number for number in numbers_of(found, law) if number.drawn]
 
 
-def test_a_push_across_the_path_gives_the_quantiles_of_its_normal_distribution() -> None:
-    """The loop is linear and settles at F/(K_P K_f): the largest contour error of a sample is that, and the rms goes with it."""
+def test_a_force_across_the_path_gives_the_quantiles_of_its_normal_distribution() -> None:
+    """The loop is linear and settles at F/(K_P K_f): this is a sample's largest contour error, and the rms is proportional to it."""
     law, force, deviation = controller(), 40.0, 5.0
     found = contour_interval(machine(axis("x"), axis("y", force, force=Origin(**FITTED, deviation=deviation))), law, along_x())
     pushes = found.values["axes.y.disturbance.force"]
@@ -64,7 +64,7 @@ def test_a_push_across_the_path_gives_the_quantiles_of_its_normal_distribution()
     assert found.figures["max"] == pytest.approx(pushes / (GAIN * FORCE_CONSTANT), rel=1e-9)
     share = found.figures["rms"] / found.figures["max"]
     assert share == pytest.approx(np.full(SAMPLES, share[0]), rel=1e-9)
-    # One point lies in each of 64 strata of equal probability, so that a quantile of the sample is at most two strata off.
+    # Each of 64 strata of equal probability holds one point, so a quantile of the sample is at most two strata off.
     for spread, factor in ((found.max, 1.0 / (GAIN * FORCE_CONSTANT)), (found.rms, share[0] / (GAIN * FORCE_CONSTANT))):
         assert spread is not None
         for value, level in ((spread.low, 0.05), (spread.median, 0.5), (spread.high, 0.95)):
@@ -75,7 +75,7 @@ def test_a_push_across_the_path_gives_the_quantiles_of_its_normal_distribution()
     assert [one.code for one in found.findings] == ["CL225", "CL228"]
 
 
-def test_a_number_without_a_part_in_it_has_no_rank_that_stands_out() -> None:
+def test_a_number_without_effect_has_no_significant_rank() -> None:
     pushed = axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))
     moving = axis("x", mass=Origin(**FITTED, deviation=1.0))
     found = contour_interval(machine(moving, pushed), controller(), along_x())
@@ -85,16 +85,16 @@ def test_a_number_without_a_part_in_it_has_no_rank_that_stands_out() -> None:
     assert found.ranks[1].rms == pytest.approx(told)
 
 
-def test_the_size_of_chance_is_that_of_a_test_at_five_percent() -> None:
-    """Of independent numbers one correlation in twenty is beyond it."""
+def test_the_threshold_of_chance_is_that_of_a_test_at_five_percent() -> None:
+    """For independent numbers one correlation in twenty exceeds it."""
     found = contour_interval(machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller(), along_x(50))
     rng = np.random.default_rng(1)
     beyond = [abs(spearmanr(*rng.standard_normal((2, SAMPLES))).statistic) > found.noticeable for _ in range(2000)]
     assert 0.03 < np.mean(beyond) < 0.07
 
 
-def test_of_many_numbers_that_do_nothing_none_stands_out() -> None:
-    """The largest of thirty correlations by chance is beyond the size in one study of twenty, not in most of them."""
+def test_of_many_numbers_without_effect_none_is_significant() -> None:
+    """The largest of thirty chance correlations exceeds the threshold in one study of twenty, not in most."""
     rng = np.random.default_rng(2)
     named = 0
     for _ in range(400):
@@ -122,7 +122,7 @@ def test_the_points_follow_from_the_seed() -> None:
 
 
 def test_samples_stay_within_the_bounds_of_the_component() -> None:
-    """Half of a mass of 1 kg +- 1 kg would be below none: the rest of the distribution is that of the normal one cut off."""
+    """A mass of 1 kg +- 1 kg stays positive: the samples follow a truncated normal distribution."""
     light = replace(axis("y"), plant=MassDamper(mass=1.0, damping=0.5, force_constant=1.0))
     plant = light.plant.traced({"mass": Origin(**FITTED, deviation=1.0), "damping": Origin(**FITTED, deviation=2.0)})
     pair, law = machine(axis("x"), replace(light, plant=plant)), controller()
@@ -134,7 +134,7 @@ def test_samples_stay_within_the_bounds_of_the_component() -> None:
         assert np.quantile(values, [0.05, 0.5, 0.95]) == pytest.approx(cut.ppf([0.05, 0.5, 0.95]), rel=0.02)
 
 
-def test_a_range_is_filled_evenly() -> None:
+def test_a_uniform_range_is_filled_evenly() -> None:
     ranged = axis("y", 40.0, force=Origin("datasheet", span=(30.0, 60.0)))
     pair, law = machine(axis("x"), ranged), controller()
     points = np.sort(draw(uncertain(pair, law), pair, law, 3)["axes.y.disturbance.force"])
@@ -142,7 +142,7 @@ def test_a_range_is_filled_evenly() -> None:
     assert np.all((points >= edges[:-1]) & (points <= edges[1:]))
 
 
-def test_numbers_that_were_fitted_together_move_together() -> None:
+def test_correlated_numbers_move_together() -> None:
     origin = Origin(**FITTED, deviation=0.5)
     fitted = replace(axis("y", 40.0, force=origin, mass=origin, damping=origin), correlations=(("plant.mass", "disturbance.force", -0.8),))
     pair, law = machine(axis("x"), fitted), controller()
@@ -152,7 +152,7 @@ def test_numbers_that_were_fitted_together_move_together() -> None:
     assert points["axes.y.plant.mass"].std() == pytest.approx(0.5, rel=0.01)
 
 
-def test_numbers_of_two_axes_that_were_fitted_together_move_together() -> None:
+def test_correlated_numbers_of_two_axes_move_together() -> None:
     origin = Origin(**FITTED, deviation=0.5)
     x, y = (replace(axis(name, 40.0, force=origin, mass=origin), correlations=(("plant.mass", "disturbance.force", 0.5),)) for name in "xy")
     pair, law = replace(machine(x, y), correlations=(("x.plant.mass", "y.plant.mass", -0.6),)), controller()
@@ -162,7 +162,7 @@ def test_numbers_of_two_axes_that_were_fitted_together_move_together() -> None:
     assert pair.swapped("x", y).correlations == (), "another axis was fitted apart"
 
 
-def test_a_controller_computes_with_the_number_it_was_given() -> None:
+def test_controller_parameters_are_not_varied() -> None:
     law = controller()
     stated = law.axes["y"].controller.traced({"position_gain": Origin(**FITTED, deviation=100.0)})
     law = replace(law, axes={**law.axes, "y": replace(law.axes["y"], controller=stated)})
@@ -171,7 +171,7 @@ def test_a_controller_computes_with_the_number_it_was_given() -> None:
     assert found.main == "" and found.rms is None
 
 
-def test_a_machine_of_nothing_but_exact_numbers_has_no_interval_and_says_why() -> None:
+def test_a_machine_of_exact_numbers_has_no_interval_and_says_why() -> None:
     def exact(one: Axis) -> Axis:
         stated = {slot: getattr(one, slot) for slot in ("plant", "disturbance")}
         return replace(one, **{slot: part.traced(dict.fromkeys(part.parameters, Origin("design"))) for slot, part in stated.items()})
@@ -182,16 +182,16 @@ def test_a_machine_of_nothing_but_exact_numbers_has_no_interval_and_says_why() -
     assert [one.code for one in found.findings] == ["CL220"]
 
 
-def test_samples_are_those_of_a_batch_and_the_tolerance_counts_them() -> None:
+def test_samples_equal_those_of_a_batch_and_are_counted_against_the_tolerance() -> None:
     pair, law = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller()
     reference, tolerance = along_x(), 40.0 / (GAIN * FORCE_CONSTANT)
     found = contour_interval(pair, law, reference, tolerance=tolerance)
     again = simulate_batch(pair, law, reference, found.values)
     assert np.array_equal(again.figures["contour_error_rms"], found.figures["rms"])
-    assert found.beyond_tolerance == SAMPLES // 2  # the mean is the tolerance, and the points lie evenly about it
+    assert found.beyond_tolerance == SAMPLES // 2  # the tolerance is the mean, and the points lie evenly around it
 
 
-def test_samples_that_trip_are_counted_and_push_the_interval_out() -> None:
+def test_failed_samples_are_counted_and_widen_the_interval() -> None:
     pair = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0)))
     tripping = replace(pair, axes=(pair.axes[0], replace(pair.axes[1], limits=Limits(following_error=40.0 / (GAIN * FORCE_CONSTANT)))))
     found = contour_interval(tripping, controller(), along_x(), tolerance=1.0)
@@ -199,21 +199,21 @@ def test_samples_that_trip_are_counted_and_push_the_interval_out() -> None:
     assert found.max is not None and found.max.high == np.inf and np.isfinite(found.max.low)
 
 
-def test_what_lanes_cannot_is_said_in_words() -> None:
+def test_changes_that_lanes_cannot_make_are_reported() -> None:
     pair, law = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller()
     assert [one.code for one in contour_interval(pair, law, along_x(50), changes=[object()]).findings] == ["CL222"]
     stiff = replace(pair.axes[0], friction=Coulomb(coulomb=1.0).traced({"stribeck_velocity": Origin("assumed", deviation=1e-3)}))
     assert contour_interval(replace(pair, axes=(stiff, pair.axes[1])), law, along_x(50)).samples == SAMPLES
 
 
-def test_a_bank_of_filters_is_left_out_unless_asked_for() -> None:
+def test_a_bank_of_filters_is_skipped_by_default() -> None:
     pair, law = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller()
     watched = replace(law.axes["y"], gap_observer=MultipleModel(**MultipleModel.example))
     found = contour_interval(pair, replace(law, axes={**law.axes, "y": watched}), along_x(50))
     assert [one.code for one in found.findings] == ["CL223"]
 
 
-def test_what_has_changed_since_has_no_deviation_any_more() -> None:
+def test_a_changed_number_loses_its_deviation() -> None:
     stated = axis("y", 40.0, force=Origin(**FITTED, deviation=5.0), mass=Origin(**FITTED, deviation=1.0))
     other = replace(stated, plant=stated.plant.replace(mass=30.0))
     names = [number.name for number in uncertain(machine(axis("x"), other), controller())]
@@ -221,7 +221,7 @@ def test_what_has_changed_since_has_no_deviation_any_more() -> None:
     assert numbers_of(machine(axis("x"), other), controller())[1].source == "not stated"
 
 
-def test_numbers_left_at_their_defaults_are_not_told() -> None:
+def test_numbers_at_their_defaults_are_not_listed() -> None:
     names = [number.name for number in numbers_of(machine(axis("x")), Controller({"x": AxisController(Cascade(**Cascade.example))}))]
     assert "axes.x.plant.mass" in names and "axes.x.plant.carried_mass" not in names
     assert "controller.axes.x.controller.position_gain" in names and "controller.axes.x.controller.anti_windup" not in names

@@ -1,4 +1,4 @@
-"""A run that is written as it is made."""
+"""A run written to a file while it runs."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def reference(laps: int) -> cl.Reference:
     return cl.uniform(cl.contour("circle", radius=2e-3), 1.0, laps, PERIOD)
 
 
-def test_the_file_holds_what_a_run_in_memory_gives(tmp_path: Path) -> None:
+def test_the_file_holds_the_same_as_a_run_in_memory(tmp_path: Path) -> None:
     machine, controller = rig()
     whole = cl.judge(cl.simulate(machine, controller, reference(3)), reference(3))
     told: list[int] = []
@@ -39,7 +39,7 @@ def test_the_file_holds_what_a_run_in_memory_gives(tmp_path: Path) -> None:
     assert told[-1] == whole.n_sample and len(told) == 5
     assert read.signals.keys() == whole.signals.keys()
     for name in whole.signals:
-        # The judge's window follows the block's largest tracking error; where the foot lies does not.
+        # The judge's search window depends on the block's largest tracking error; the foot point does not.
         assert np.max(np.abs(read[name] - whole[name])) <= (1e-15 if name in ("foot_arc_length", "contour_error", "part_error") else 0.0)
 
 
@@ -50,7 +50,7 @@ def test_chosen_signals_only(tmp_path: Path) -> None:
     assert {"command", "tool_position", "contour_error"} <= names and "axis_velocity" not in names
 
 
-def test_a_run_that_fails_leaves_no_file(tmp_path: Path) -> None:
+def test_a_failed_run_leaves_no_file(tmp_path: Path) -> None:
     machine, controller = rig(velocity_gain=1e5)
     (tmp_path / "run.nc").write_bytes(b"older")
     with pytest.raises(cl.DivergenceError):
@@ -63,7 +63,7 @@ def test_memory_does_not_grow_with_the_run(tmp_path: Path) -> None:
     machine, controller = rig()
     cl.simulate_to_file(machine, controller, reference(1), tmp_path / "run.nc")
     peaks = []
-    for laps in (40, 400):  # the first is long enough to fill what is kept of the reference
+    for laps in (40, 400):  # the first is long enough to fill the buffer of the reference
         tracemalloc.start()
         cl.simulate_to_file(machine, controller, reference(laps), tmp_path / "run.nc", block=4096)
         peaks.append(tracemalloc.get_traced_memory()[1])
@@ -72,7 +72,7 @@ def test_memory_does_not_grow_with_the_run(tmp_path: Path) -> None:
 
 
 def supervised() -> cl.Controller:
-    """Return a controller that is exchanged for a slower copy of itself at two places of each axis' path."""
+    """Return a controller that is replaced by a slower copy of itself at two places of each axis's path."""
     part = component("controller", "position")
     fast, slow = part(velocity_gain=60.0, position_gain=2000.0), part(velocity_gain=60.0, position_gain=1500.0)
     supervisor = component("supervisor", "pre-routed")(places=(0.003, 0.009, 0.02), numbers=(1.0, 0.0, 1.0))
@@ -80,7 +80,7 @@ def supervised() -> cl.Controller:
 
 
 @pytest.mark.parametrize("signals", [(), ("command",)])
-def test_every_switch_is_written_whatever_the_blocks(tmp_path: Path, signals: tuple[str, ...]) -> None:
+def test_every_switch_is_written_for_any_block_size(tmp_path: Path, signals: tuple[str, ...]) -> None:
     machine, _ = rig()
     texts = []
     for block in (7, 1 << 15):
@@ -109,7 +109,7 @@ def test_a_controller_that_takes_over_is_written_with_the_switches(tmp_path: Pat
     np.testing.assert_array_equal(cl.Result.load(tmp_path / "run.nc")["axis_position"], whole["axis_position"])
 
 
-def test_names_that_a_spreadsheet_would_trip_over_come_back(tmp_path: Path) -> None:
+def test_names_with_spreadsheet_separators_survive_a_round_trip(tmp_path: Path) -> None:
     kinds = (SwitchKind("x", 'a, "b"', "line\nbreak", "because; of"),)
     one = np.zeros(1, dtype=np.int64)
     found = Switches(("x",), PERIOD, kinds, one, one + 3, np.array([np.nan]), one + 12, {}, {})

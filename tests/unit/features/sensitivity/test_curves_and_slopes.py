@@ -1,4 +1,4 @@
-"""Curves, small changes and kept runs: against closed forms, and against runs by themselves."""
+"""Curves, local sensitivities and saved runs, against closed forms and single runs."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def around(value: float) -> Space:
 
 
 def model(columns: Columns) -> dict[str, np.ndarray]:
-    """A product of powers, which fails beyond a = 6: J = a^2 / b + a b."""
+    """A product of powers that fails beyond a = 6: J = a^2 / b + a b."""
     a, b = columns.values()
     value = np.where(a > 6.0, np.nan, a**2 / b + a * b)
     return {figure.key: value for figure in FIGURES.values()}
@@ -65,19 +65,19 @@ def test_slopes_and_interactions_are_the_derivatives() -> None:
     assert not any(one.doubt for one in found.slopes) and all(one.step <= 0.02 for one in found.slopes)
 
 
-def test_a_corner_is_told() -> None:
+def test_a_corner_is_reported() -> None:
     found = local(PLANE.only([PLANE.names[0]]), lambda columns: 1.0 + 3.0 * np.abs(next(iter(columns.values())) - 2.0)).slopes[0]
     assert found.doubt is not None and found.doubt.code == "CL672" and found.sensitivity == pytest.approx(0.0, abs=1e-9)
     assert (found.below, found.above) == (pytest.approx(-6.0), pytest.approx(6.0))
 
 
-def test_counts_are_told() -> None:
-    """A figure in steps as coarse as the changes: no two steps agree."""
+def test_a_quantised_figure_is_reported() -> None:
+    """The figure has steps as coarse as the changes: no two step sizes agree."""
     noisy = local(PLANE.only([PLANE.names[0]]), lambda columns: 1.0 + 0.3 * np.sin(2e4 * next(iter(columns.values())) ** 2)).slopes[0]
     assert noisy.doubt is not None and noisy.doubt.code == "CL673"
 
 
-def test_a_number_on_its_bound_and_one_that_fails_are_told() -> None:
+def test_a_number_on_its_bound_and_a_failing_one_are_reported() -> None:
     judge = Runs(model).judge(KEY)
     found = local(PLANE, judge, {PLANE.names[0]: (2.0, 9.0)})
     assert np.isnan(found.slopes[0].sensitivity) and found.slopes[0].doubt is not None and found.slopes[0].doubt.code == "CL670"
@@ -86,7 +86,7 @@ def test_a_number_on_its_bound_and_one_that_fails_are_told() -> None:
     assert near.slopes[0].doubt is not None and near.slopes[0].doubt.code == "CL671"
 
 
-def test_a_curve_has_its_minimum_its_flat_and_its_failed_stretches() -> None:
+def test_a_curve_has_its_minimum_and_its_flat_and_failed_segments() -> None:
     judge = Runs(model).judge(KEY)
     first, second = curves(PLANE, judge, 41)
     assert second.minimum is not None
@@ -101,8 +101,8 @@ def test_a_curve_has_its_minimum_its_flat_and_its_failed_stretches() -> None:
         Plan(values=4)
 
 
-def test_a_curve_is_made_of_runs_by_themselves() -> None:
-    """Of the compiled lanes, against one run at a time under the exact judge."""
+def test_a_curve_consists_of_single_runs() -> None:
+    """Compiled lanes against one run at a time under the exact judge."""
     runs = Runs(Evaluator(MACHINE, CONTROLLER, REFERENCE, effort=False))
     curve = curves(GAINS, runs.judge(KEY), 5)[0]
     for k in (0, 3):
@@ -115,7 +115,7 @@ def test_a_curve_is_made_of_runs_by_themselves() -> None:
 
 
 def test_contour_error_of_a_circle_is_linear_in_a_mismatch() -> None:
-    """The radius error of two equal ideal axes under a soft loop is in proportion to 1 - a/a', how far the feedforward is off."""
+    """Two equal ideal axes under a soft loop: the radius error is proportional to the feedforward mismatch 1 - a/a'."""
     axes = tuple(
         replace(axis, plant=MACHINE.axes[0].plant, friction=NoFriction(), sensor=IdealSensor(), name=name)
         for axis, name in zip(MACHINE.axes, "xy", strict=True)
@@ -135,7 +135,7 @@ def test_contour_error_of_a_circle_is_linear_in_a_mismatch() -> None:
     np.testing.assert_allclose(figures / figures[1], shares / shares[1], rtol=0.02)
 
 
-def test_runs_are_kept_found_again_and_never_taken_for_others(tmp_path: Path) -> None:
+def test_saved_runs_are_reused_only_for_the_same_study(tmp_path: Path) -> None:
     calls: list[int] = []
 
     def counted(columns: Columns) -> dict[str, np.ndarray]:
@@ -154,7 +154,7 @@ def test_runs_are_kept_found_again_and_never_taken_for_others(tmp_path: Path) ->
     assert other.made == CHUNK + 7 and other.kept is not None and other.kept.others == 1
 
 
-def test_a_damaged_file_is_told_and_made_again(tmp_path: Path) -> None:
+def test_a_damaged_file_is_reported_and_computed_again(tmp_path: Path) -> None:
     columns = {name: np.linspace(1.0, 5.0, 7) for name in PLANE.names}
     kept = Kept(tmp_path, "one")
     figures = Runs(model, kept)(columns)[KEY]
@@ -168,7 +168,7 @@ def test_a_damaged_file_is_told_and_made_again(tmp_path: Path) -> None:
         assert again.made == 7 and again.kept is not None and again.kept.damaged == 1
 
 
-def test_an_interrupted_study_goes_on_and_ends_the_same(tmp_path: Path) -> None:
+def test_an_interrupted_study_continues_with_the_same_result(tmp_path: Path) -> None:
     plan = Plan(("curves", "sobol"), base=512, values=11)
     drawn = distributions(PLANE, "log-uniform")
     whole = sensitivity_study(PLANE, Runs(model), plan, drawn, 1e3)
@@ -202,8 +202,8 @@ def test_threads_change_nothing() -> None:
     np.testing.assert_array_equal(one.sobol.total, three.sobol.total)
 
 
-def test_conclusions_say_what_they_rest_on() -> None:
-    """The same numbers by each of the four parts alone."""
+def test_conclusions_name_their_measure() -> None:
+    """Each of the four parts alone gives the same numbers."""
     flat = Space((*PLANE.numbers, number("c", 1.0, 0.5, 2.0)))
 
     def three(columns: Columns) -> dict[str, np.ndarray]:
@@ -220,7 +220,7 @@ def test_conclusions_say_what_they_rest_on() -> None:
         assert found["CL660" if part == "local" else "CL659"]["parameters"] == ("x.c",)
 
 
-def test_failures_are_told() -> None:
+def test_failures_are_reported() -> None:
     study = sensitivity_study(PLANE, Runs(model), Plan(("curves", "sobol"), base=64), distributions(PLANE, "log-uniform"), 1e3)
     assert study.sobol_sample is not None and study.sobol_sample.failed > 0
     (failed,) = [one for one in verdict(study) if one.code == "CL674"]
@@ -228,6 +228,6 @@ def test_failures_are_told() -> None:
     assert failed.values["runs"] == len(study.sobol_sample.values)
 
 
-def test_a_run_that_fails_as_it_is_has_no_sensitivities() -> None:
-    with pytest.raises(ParameterError, match="holds"):
+def test_a_failing_nominal_run_has_no_sensitivities() -> None:
+    with pytest.raises(ParameterError, match="successful"):
         sensitivity_study(around(7.0), Runs(model), Plan(("local",)), distributions(PLANE), 1.0)

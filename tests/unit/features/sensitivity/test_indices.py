@@ -27,14 +27,14 @@ PI = Space(tuple(DesignVariable(f"controller.axes.{name}.controller.p", 1.0, -ma
 
 
 def ishigami(columns: Columns) -> dict[str, np.ndarray]:
-    """The function of Ishigami as a model: the same value for each figure."""
+    """Return the function of Ishigami as a model: the same value for each figure."""
     x, y, z = columns.values()
     value = np.sin(x) + A * np.sin(y) ** 2 + B * z**4 * np.sin(x)
     return {figure.key: value for figure in FIGURES.values()}
 
 
 def shares() -> tuple[np.ndarray, np.ndarray, float]:
-    """First and total indices of Ishigami's function, and its deviation, in closed form."""
+    """Return first and total indices of Ishigami's function, and its deviation, in closed form."""
     one = 0.5 * (1.0 + B * math.pi**4 / 5.0) ** 2
     two, both = A**2 / 8.0, B**2 * math.pi**8 * 8.0 / 225.0
     total = one + two + both
@@ -47,7 +47,7 @@ def studied(base: int, second: bool = False) -> Study:
 
 
 def test_sobol_indices_of_ishigami_lie_in_their_intervals() -> None:
-    """By the whole way of a study: sampling, distributions, model, outcome, estimator."""
+    """Through a whole study: sampling, distributions, model, outcome, estimator."""
     found = studied(4096, second=True)
     first, total, deviation = shares()
     s = found.sobol
@@ -83,23 +83,23 @@ def test_elementary_effects_of_a_plane_are_its_slopes() -> None:
     np.testing.assert_allclose(found.sigma, 0.0, atol=1e-12)
 
 
-def test_more_points_begin_with_the_fewer() -> None:
-    """So that runs of a smaller base are not made again."""
+def test_a_larger_sample_begins_with_the_smaller_one() -> None:
+    """Runs of a smaller base are therefore reused."""
     np.testing.assert_array_equal(saltelli_points(4, 128, seed=5)[: 64 * 6], saltelli_points(4, 64, seed=5))
 
 
-def test_what_does_not_vary_has_no_shares() -> None:
+def test_a_constant_model_has_no_indices() -> None:
     found = sobol_indices(np.full(16 * 5, 2.0), 3)
     assert not found.total.any() and found.deviation == 0.0
 
 
 @pytest.mark.parametrize(("base", "said"), [(500, "256 or 512"), (8, "16"), (0, "16")])
-def test_a_base_that_is_no_power_of_two_is_refused(base: int, said: str) -> None:
+def test_a_base_must_be_a_power_of_two(base: int, said: str) -> None:
     with pytest.raises(ParameterError, match=said):
         Plan(base=base)
 
 
-def test_too_little_is_refused() -> None:
+def test_too_small_a_sample_is_refused() -> None:
     with pytest.raises(ParameterError, match="two"):
         Plan().check(1)
     with pytest.raises(ParameterError, match="--trajectories"):
@@ -111,7 +111,7 @@ def test_too_little_is_refused() -> None:
 NUMBER = DesignVariable("controller.axes.x.controller.gain", 3.0, 1.0, 9.0)
 
 
-def test_a_distribution_is_what_it_says() -> None:
+def test_samples_follow_their_distribution() -> None:
     places = (np.arange(20000) + 0.5) / 20000
     flat, log, normal = Distribution(NUMBER), Distribution(NUMBER, "log-uniform"), Distribution(NUMBER, "normal", 0.3)
     assert flat.values(places).mean() == pytest.approx(5.0)
@@ -122,7 +122,7 @@ def test_a_distribution_is_what_it_says() -> None:
         np.testing.assert_allclose(ends, [1.0, 9.0])
 
 
-def test_a_normal_distribution_cut_off_is_scipys() -> None:
+def test_the_truncated_normal_distribution_equals_scipys() -> None:
     from scipy.stats import truncnorm
 
     places = np.linspace(0.01, 0.99, 23)
@@ -151,13 +151,13 @@ def test_deviations_are_read_by_name_or_for_all() -> None:
         ("uniform", ("y.rate=0 %",), "--deviation"),
     ],
 )
-def test_what_is_no_distribution_is_refused(kind: str, deviation: tuple[str, ...], said: str) -> None:
+def test_invalid_distributions_are_refused(kind: str, deviation: tuple[str, ...], said: str) -> None:
     with pytest.raises(ParameterError) as caught:
         distributions(SPACE, kind, deviation)
     assert said in str(caught.value)
 
 
-def test_failed_runs_count_as_the_failure_limit_and_are_told() -> None:
+def test_failed_runs_count_as_the_failure_limit_and_are_reported() -> None:
     figures = np.array([1e-3, np.nan, 1e-2, 5.0, 1e-3, 1e-3, 1e-3, 1e-3])
     points = np.full((8, 2), 0.5)
     found = sample(figures, 0.1, True, SPACE, points)
@@ -174,6 +174,6 @@ def test_too_many_failures_are_refused_and_the_culprit_is_named() -> None:
     assert "y.rate" in str(caught.value)
 
 
-def test_a_logarithm_of_nothing_is_refused() -> None:
+def test_a_logarithm_of_zero_is_refused() -> None:
     with pytest.raises(ParameterError, match="--transform none"):
         sample(np.array([1.0, 0.0]), 1.0, True, SPACE, np.zeros((2, 2)))

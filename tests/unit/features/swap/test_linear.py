@@ -1,4 +1,4 @@
-"""What linear designs of a swap are said to be."""
+"""Statements about linear designs of a swap."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from contourlab.analysis.linear.modular_design import GAINS, LinearAxis, direct_
 from contourlab.features.swap.linear import LinearSwap
 
 
-def test_a_method_that_loses_more_with_more_local_is_said_not_to_be_optimal() -> None:
-    """The raw drives of axes 1 and 2 of the stage: position local loses more than nothing local by three steps, never by `direct`."""
+def test_a_method_that_loses_more_with_more_local_gains_is_not_called_optimal() -> None:
+    """Raw drives of axes 1 and 2 of the stage: by three steps, local position loses more than nothing local; by `direct` it never does."""
     axes = (LinearAxis(1687.0, 10.0), LinearAxis(646.0, 6.44))
     sets = ((), *((gain,) for gain in GAINS))
     found = [

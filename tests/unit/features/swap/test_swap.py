@@ -1,4 +1,4 @@
-"""Swapping: what a loss is, and cases whose answer is known."""
+"""Swapping: the definition of a loss, and cases with a known answer."""
 
 from __future__ import annotations
 
@@ -17,8 +17,7 @@ from contourlab.design import Space
 from contourlab.design.guards import Bounds
 from contourlab.errors import ParameterError
 from contourlab.features.swap import search as searches
-from contourlab.features.swap.coverage import coverage
-from contourlab.features.swap.network import network_cost
+from contourlab.features.swap.beyond import coverage, network_cost
 from contourlab.features.swap.pictures import drawing, matrices
 from contourlab.features.swap.result import swap_result, text_of
 from contourlab.features.swap.search import SharedSpace, SwapSearch, SwapSettings, merged
@@ -56,7 +55,7 @@ def studied(others: list[tuple[str, Axis]], **settings: object) -> SwapStudy:
     return swap_study(variants, candidates, SwapSettings(budget=700, **settings))  # type: ignore[arg-type]
 
 
-def test_loss_is_counted_from_the_larger_of_best_and_floor() -> None:
+def test_loss_refers_to_the_larger_of_best_and_floor() -> None:
     assert losses([3e-6, 12e-6], [1e-6, 10e-6], 2e-6) == pytest.approx([1.0, 0.2])
     assert losses([1e-6], [1e-6], 2e-6).tolist() == [0.0]
 
@@ -75,34 +74,34 @@ def unequal() -> SwapStudy:
     return studied([("strong", rigid("other", 2.0))])
 
 
-def test_axes_that_differ_in_gain_want_one_local_number(unequal: SwapStudy) -> None:
-    # A rigid frictionless axis under eq (15) follows exactly when a' is its own gain, whatever its other gains are: so one local number.
+def test_axes_of_different_gain_need_one_local_parameter(unequal: SwapStudy) -> None:
+    # A rigid frictionless axis under eq (15) follows exactly when a' is its own gain, for any other gains: so one local parameter.
     study = unequal
     assert not study.full and study.base.swap_loss > 1.0
     assert study.recommended is not None
     assert study.recommended.local == (AHEAD,)
     assert study.recommended.swap_loss < 0.03 and study.verdict.code == "CL701" and study.verdict.values["names"] == "x.model_gain"
-    # The held command moves the best a' off the gain of the plant by what half a servo period is of the loop's time.
+    # The held command moves the best a' off the plant's gain by half a servo period in relation to the loop's time.
     assert [values[AHEAD] for values in study.recommended.parameters] == pytest.approx([1.0, 2.0], rel=0.05)
 
 
-def test_best_value_counts_every_search(unequal: SwapStudy) -> None:
+def test_the_best_value_considers_every_search(unequal: SwapStudy) -> None:
     assert (unequal.variants.best <= [optimum.value for optimum in unequal.optima]).all()
     for choice in unequal.choices:
         assert (choice.losses >= 0.0).all()
 
 
-def test_more_local_numbers_never_lose_more(unequal: SwapStudy) -> None:
+def test_more_local_parameters_never_lose_more(unequal: SwapStudy) -> None:
     for less in unequal.choices:
         for more in unequal.choices:
             if set(less.local) <= set(more.local):
                 assert more.swap_loss <= less.swap_loss
 
 
-def test_the_picture_has_one_row_for_each_number_of_local_numbers(unequal: SwapStudy) -> None:
+def test_the_picture_has_one_row_per_number_of_local_parameters(unequal: SwapStudy) -> None:
     first, second = matrices(unequal)
     sizes = {len(choice.local) for choice in unequal.choices}
-    assert first.rows[0] == "nothing" and len(first.rows) == len(sizes) and first.losses.shape == (len(sizes), 2)
+    assert first.rows[0] == "nothing local" and len(first.rows) == len(sizes) and first.losses.shape == (len(sizes), 2)
     assert (first.losses.max(axis=1)[1:] <= first.losses[0].max()).all() and len(second.rows) == 3
 
 
@@ -111,7 +110,7 @@ def test_diagonal_of_the_crossed_designs_is_the_best(unequal: SwapStudy) -> None
 
 
 @pytest.mark.parametrize("settings", [{}, {"local": (frozenset({AHEAD}),)}, {"exhaustive": True}])
-def test_no_design_that_was_found_makes_a_better_shared_one(settings: dict[str, object]) -> None:
+def test_no_found_design_improves_a_shared_one(settings: dict[str, object]) -> None:
     variants = variants_under([("like", rigid("other", 1.01))], ("x.*_gain",))
     names = tuple(name for name in variants.space.names if ".axes.x." in name)
     study = swap_study(variants, names, SwapSettings(budget=100, **settings))  # type: ignore[arg-type]
@@ -123,7 +122,7 @@ def test_no_design_that_was_found_makes_a_better_shared_one(settings: dict[str, 
     assert study.base.swap_loss <= variants.losses(values.T).max(axis=1).min() + 1e-12
 
 
-def test_a_search_that_fell_short_is_inconclusive(unequal: SwapStudy) -> None:
+def test_a_stalled_search_is_inconclusive(unequal: SwapStudy) -> None:
     assert unequal.inconclusive == ()
     best, floor = unequal.variants.best, unequal.variants.floor
     above = replace(unequal.optima[1], value=float(best[1]) + 0.1 * floor)
@@ -132,17 +131,17 @@ def test_a_search_that_fell_short_is_inconclusive(unequal: SwapStudy) -> None:
         assert short.inconclusive == ("x = strong",) and short.recommended is not None
         assert short.verdict.code == "CL703" and short.verdict.values["names"] == ("x = strong",)
         assert not swap_result(short).passed
-    # A second search that reaches it independently settles it.
+    # A second, independent search that reaches it settles the result.
     assert replace(unequal, optima=(unequal.optima[0], replace(above, again=float(best[1]) + 0.01 * floor))).inconclusive == ()
 
 
-def test_what_is_inconclusive_is_hatched(unequal: SwapStudy) -> None:
+def test_inconclusive_results_are_hatched(unequal: SwapStudy) -> None:
     assert not any(matrix.uncertain.any() for matrix in matrices(unequal))
     best, floor = float(unequal.variants.best[1]), unequal.variants.floor
     short = replace(unequal, optima=(unequal.optima[0], replace(unequal.optima[1], value=best + 0.1 * floor)))
     for matrix in matrices(short):
         assert not matrix.uncertain[:, 0].any()
-        # What is over the limit is so for certain; what is under it may not be.
+        # A loss over the limit is certain; one under it may not be.
         np.testing.assert_array_equal(matrix.uncertain[:, 1], matrix.losses[:, 1] < 0.03)
     first = matrices(short)[0]
     place = drawing([first], 0.03, "a").axes[0]
@@ -164,12 +163,12 @@ def test_a_variant_whose_search_stalled_is_searched_again(tmp_path: Path, monkey
     assert study.inconclusive == ()
     for optimum, best in zip(study.optima, study.variants.best, strict=True):
         assert optimum.value - best > 0.03 * study.variants.floor > optimum.again - best >= 0.0
-    # And so it is after an interrupt.
+    # The same after an interrupt.
     kept = len(list(checkpoint.home.iterdir()))
     with pytest.raises(KeyboardInterrupt):
         kept_study(tmp_path / "again", stop_at="x = strong alone, again")
     resumed, checkpoint = kept_study(tmp_path / "again")
-    assert 0 < checkpoint.reused < kept and told(resumed) == told(study)
+    assert 0 < checkpoint.reused < kept and all_results(resumed) == all_results(study)
 
 
 def test_same_study_on_any_number_of_threads() -> None:
@@ -181,12 +180,12 @@ def test_same_study_on_any_number_of_threads() -> None:
     assert found[0] == found[1]
 
 
-def test_chosen_sets_are_looked_at_in_place_of_a_search() -> None:
+def test_given_sets_replace_the_search() -> None:
     study = studied([("strong", rigid("other", 2.0))], local=(frozenset({AHEAD}),))
     assert [len(choice.local) for choice in study.choices] == [0, 1]
 
 
-def test_guards_count() -> None:
+def test_guards_count_as_constraints() -> None:
     variants = variants_under([("strong", rigid("other", 2.0))])
     strict = replace(variants, bounds=Bounds(40.0, 0.0, 1.0))
     start = np.tile(variants.space.start, (2, 1, 1))
@@ -203,7 +202,7 @@ def test_coverage_of_a_region_of_gains() -> None:
     good = variants.values(np.tile(at, (2, 1))[:, None], whole=True)[0][0, 0]
     over = coverage(variants, at, region, full=0.03, tolerance=20.0 * good)
     gains = region.columns(over.points)["axes.x.plant.gain"]
-    # Gains are covered on either side of the one that the feedforward has, without a hole.
+    # Gains are covered on either side of the feedforward's, without a hole.
     inside = np.sort(gains)[over.values[np.argsort(gains)] <= over.tolerance]
     assert 0.0 < over.share < 1.0 and inside.min() < 1.0 < inside.max()
     assert over.covered == ((gains >= inside.min()) & (gains <= inside.max())).sum()
@@ -213,8 +212,8 @@ def test_coverage_of_a_region_of_gains() -> None:
     assert len(searched.best) == 2 and (searched.best <= searched.values).all()
 
 
-def test_a_plant_that_no_design_keeps_is_not_covered_and_is_counted() -> None:
-    """The gains stay, and with a plant a hundred times as strong no feedforward makes the loop stable."""
+def test_a_plant_without_a_feasible_design_is_counted_as_uncovered() -> None:
+    """The gains stay fixed: with a plant a hundred times as strong no feedforward makes the loop stable."""
     variants = variants_under([("strong", rigid("other", 2.0))])
     region = Space.chosen(*stage(), ["axes.x.plant.gain=0.5 m/s^2/full_scale..500 m/s^2/full_scale"])
     over = coverage(variants, variants.space.start, region, full=0.03, places=4, budget=100)
@@ -223,7 +222,7 @@ def test_a_plant_that_no_design_keeps_is_not_covered_and_is_counted() -> None:
     assert over.without_design == strong.sum() > 0 and over.covered <= 4 - over.without_design and len(over.points) == 4
 
 
-def test_each_division_has_its_finding_and_names_what_stays_in_the_base(unequal: SwapStudy) -> None:
+def test_each_division_has_its_finding_and_names_the_base_parameters(unequal: SwapStudy) -> None:
     best = unequal.recommended
     assert best is not None
     costs = [(division, ways) for division in ("drive", "controller") for ways in ("both", "one")]
@@ -236,7 +235,7 @@ def test_each_division_has_its_finding_and_names_what_stays_in_the_base(unequal:
     assert all(len(line) <= 100 for line in text_of(result).splitlines())
 
 
-def test_modules_keep_their_local_numbers_in_any_company() -> None:
+def test_local_parameters_of_a_module_do_not_depend_on_other_modules() -> None:
     machine, controller = stage()
     variants = variants_of(machine, {"x": [("b", rigid("o", 2.0))], "y": [("c", rigid("o", 3.0))]})
     assert [v.name for v in variants] == ["x = as it is, y = as it is", "x = as it is, y = c", "x = b, y = as it is", "x = b, y = c"]
@@ -250,7 +249,7 @@ def test_modules_keep_their_local_numbers_in_any_company() -> None:
     assert division.gathered(points).tolist() == [0.0, 1.0, 2.0]
 
 
-def test_a_number_of_another_axis_cannot_be_local() -> None:
+def test_a_parameter_of_another_axis_cannot_be_local() -> None:
     variants = variants_under([("strong", rigid("other", 2.0))])
     with pytest.raises(ParameterError, match="those of other axes are base"):
         SharedSpace(variants.space, variants.members, frozenset({"controller.axes.y.controller.model_gain"}))
@@ -261,15 +260,15 @@ def test_a_number_of_another_axis_cannot_be_local() -> None:
     [
         ({}, "at least one axis to swap"),
         ({"z": [("b", rigid("o", 2.0))]}, "one of x, y"),
-        ({"x": []}, "take the place of x"),
-        ({"x": [("b", rigid("o", 2.0)), ("b", rigid("o", 3.0))]}, "differ in their names"),
-        ({"x": [("b", rigid("o", 1.0))]}, "b: must be an axis that differs from axis x of the machine in a value"),
-        ({"x": [("b", rigid("o", 2.0)), ("c", rigid("p", 2.0))]}, "b, c: must be axes that differ in a value"),
-        ({"x": [("b", rigid("o", 2.0)), ("c", rigid("p", 1.0)), ("d", rigid("q", 1.0))]}, "c, d: must be axes that differ"),
+        ({"x": []}, "at least one module for axis x"),
+        ({"x": [("b", rigid("o", 2.0)), ("b", rigid("o", 3.0))]}, "modules with different names"),
+        ({"x": [("b", rigid("o", 1.0))]}, "b: must be a module that differs from axis x of the machine"),
+        ({"x": [("b", rigid("o", 2.0)), ("c", rigid("p", 2.0))]}, "b, c: must be modules of axis x that differ"),
+        ({"x": [("b", rigid("o", 2.0)), ("c", rigid("p", 1.0)), ("d", rigid("q", 1.0))]}, "c, d: must be modules of axis x that differ"),
         ({"x": [("b", Axis("o", MassDamper(mass=1.0, damping=1.0, force_constant=1.0)))]}, "takes its command in full_scale"),
     ],
 )
-def test_what_cannot_be_swapped_is_refused(swaps: dict[str, list[tuple[str, Axis]]], said: str) -> None:
+def test_invalid_swaps_are_refused(swaps: dict[str, list[tuple[str, Axis]]], said: str) -> None:
     machine, _ = stage()
     with pytest.raises(ParameterError, match=said):
         variants_of(machine, swaps)
@@ -283,7 +282,7 @@ def test_local_parameters_are_marked_in_their_axis() -> None:
 
 
 def kept_study(folder: Path, stop_after: int | None = None, model: str = "one", stop_at: str = "") -> tuple[SwapStudy, Checkpoint]:
-    """Return a study whose searches are kept, or stop at the beginning of a stage, by its number or its name."""
+    """Return a study with saved searches, or stop it at the start of a stage, given by number or name."""
     variants = variants_under([("strong", rigid("other", 2.0))], ("*.x.controller.*_gain",))
     checkpoint, begun = Checkpoint(folder, model), list[str]()
 
@@ -296,8 +295,8 @@ def kept_study(folder: Path, stop_after: int | None = None, model: str = "one", 
     return swap_study(variants, candidates, SwapSettings(budget=200), stage, checkpoint), checkpoint
 
 
-def told(study: SwapStudy) -> list[object]:
-    """Return all that a study found, bit by bit."""
+def all_results(study: SwapStudy) -> list[object]:
+    """Return all results of a study, bit by bit."""
     variants = study.variants
     choices = [[choice.name, choice.points.tobytes(), choice.values.tobytes()] for choice in study.choices]
     optima = [[optimum.value, optimum.per_start.tobytes(), str(optimum.again)] for optimum in study.optima]
@@ -306,7 +305,7 @@ def told(study: SwapStudy) -> list[object]:
 
 
 @pytest.mark.slow
-def test_an_interrupted_study_goes_on_to_the_same_bits(tmp_path: Path) -> None:
+def test_an_interrupted_study_continues_with_the_same_bits(tmp_path: Path) -> None:
     whole, kept = kept_study(tmp_path / "whole")
     stages = len(list(kept.home.iterdir()))
     assert kept.reused == 0 and stages >= 5
@@ -315,32 +314,32 @@ def test_an_interrupted_study_goes_on_to_the_same_bits(tmp_path: Path) -> None:
         with pytest.raises(KeyboardInterrupt):
             kept_study(folder, stop_after=after)
         resumed, kept = kept_study(folder)
-        assert kept.reused == after and told(resumed) == told(whole)
+        assert kept.reused == after and all_results(resumed) == all_results(whole)
 
 
-def test_searches_of_another_study_are_left_alone_and_damaged_ones_made_again(tmp_path: Path) -> None:
+def test_searches_of_another_study_are_ignored_and_damaged_ones_repeated(tmp_path: Path) -> None:
     whole, first = kept_study(tmp_path)
     other, second = kept_study(tmp_path, model="two")
-    assert second.reused == 0 and second.others == 1 and told(other) == told(whole)
+    assert second.reused == 0 and second.others == 1 and all_results(other) == all_results(whole)
     file = sorted(first.home.iterdir())[0]
     file.write_bytes(file.read_bytes()[:-40])
     again, kept = kept_study(tmp_path)
-    assert kept.damaged == 1 and kept.reused == len(list(first.home.iterdir())) - 1 and told(again) == told(whole)
+    assert kept.damaged == 1 and kept.reused == len(list(first.home.iterdir())) - 1 and all_results(again) == all_results(whole)
 
 
-def test_numbers_that_are_not_missed_are_dropped() -> None:
-    # The other gains of a rigid frictionless axis do not move with its strength, only a' does.
+def test_superfluous_local_parameters_are_dropped() -> None:
+    # The other gains of a rigid frictionless axis do not depend on its strength; only a' does.
     variants = variants_under([("strong", rigid("other", 2.0))], ("x.*_gain",))
     names = tuple(name for name in variants.space.names if ".axes.x." in name)
     study = swap_study(variants, names, SwapSettings(budget=600))
     assert len(names) == 4 and study.recommended is not None and study.recommended.local == (AHEAD,)
     assert study.choices[0].local == () and len(study.choices[-1].local) == 4
-    # Nothing was tried within a set that failed.
+    # No subset of a failed set was tried.
     failed = [set(choice.local) for choice in study.choices if 0 < len(choice.local) < 4 and choice.swap_loss >= 0.03]
     assert not any(one < other for one in failed for other in failed)
 
 
-def test_a_known_design_is_started_from() -> None:
+def test_the_search_starts_from_a_known_design() -> None:
     variants = variants_under([("strong", rigid("other", 2.0))])
     known = ({AHEAD: 1.0, "controller.axes.y.controller.model_gain": 1.0}, {AHEAD: 2.0, "controller.axes.y.controller.model_gain": 1.0})
     points = np.vstack([variants.space.points(one) for one in known])

@@ -1,4 +1,4 @@
-"""Calibration where the answer is known, within bounds, and the same again."""
+"""Calibration with a known answer, within bounds, and reproducible."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ def searched(names: list[str], bounds: Bounds = FREE, rule: LineRule = BEST, goa
 
 
 @pytest.mark.parametrize("wrong", [0.6, 1.7])
-def test_the_feedforward_of_a_rigid_axis_becomes_its_own(wrong: float) -> None:
-    """Without friction the plant's own gain is the inverse; the tracking error takes each axis for itself. The hold is half a tick late."""
+def test_the_feedforward_gain_converges_to_that_of_the_rigid_axis(wrong: float) -> None:
+    """Without friction the plant's own gain is the inverse; the tracking error separates the axes. The hold is half a tick late."""
     found = searched(["model_gain"], goal="tracking", model_gain=wrong * GAIN)
     assert found.before.figures["tracking_error_rms"] > 20.0 * found.after.figures["tracking_error_rms"]
     assert list(found.values.values()) == pytest.approx([GAIN] * 2, rel=0.01)
@@ -46,7 +46,7 @@ def test_the_damping_of_a_rigid_axis_is_found() -> None:
     assert list(found.values.values()) == pytest.approx([DAMPING] * 2, rel=0.01)
 
 
-def test_each_step_moves_one_number_and_never_up() -> None:
+def test_each_step_moves_one_number_and_never_increases_the_error() -> None:
     stage, made = rigid_stage(), position_control(model_gain=0.7, model_damping=4.0)
     space, evaluator = Space.chosen(stage, made), Evaluator(stage, made, circle())
     values = {number.name: number.value for number in space.numbers}
@@ -63,8 +63,8 @@ def test_each_step_moves_one_number_and_never_up() -> None:
     assert now == path.values
 
 
-def test_a_guard_holds_where_the_error_would_fall_further() -> None:
-    """A wrong feedforward is fought by the position gain: the error falls with it up to the margin, and beyond."""
+def test_a_guard_stops_where_the_error_would_fall_further() -> None:
+    """The position gain works against a wrong feedforward: the error falls with it up to the margin, and beyond."""
     names, wrong = ["x.position_gain=1 full_scale/mm..500 full_scale/mm"], {"model_gain": 0.5 * GAIN}
     free = searched(names, **wrong)
     kept = searched(names, Bounds(gain_margin=0.0, phase_margin=50.0), **wrong)
@@ -78,8 +78,8 @@ def test_a_guard_holds_where_the_error_would_fall_further() -> None:
     assert math.degrees(free.after.margins["x"].phase) < 50.0
 
 
-def test_a_drive_bounds_a_gain() -> None:
-    """Counts of the encoder times the position gain reach the drive: what is allowed there ends the gain, ahead of any margin."""
+def test_the_drive_limits_a_gain() -> None:
+    """Encoder counts times the position gain reach the drive: its limit stops the gain before any margin does."""
     stage = rigid_stage()
     coarse = replace(stage, axes=tuple(replace(axis, sensor=Encoder(resolution=4e-6)) for axis in stage.axes))
     made = position_control(model_gain=0.8 * GAIN)
@@ -94,7 +94,7 @@ def test_a_drive_bounds_a_gain() -> None:
     assert not kept.after.violations
 
 
-def test_margins_that_the_start_lacks_are_restored_first() -> None:
+def test_missing_margins_of_the_start_are_restored_first() -> None:
     found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), TuneSettings(bounds=Bounds(6.0, 40.0)))
     assert any("phase margin" in words and "axis x" in words for words in found.before.violations)
     assert found.path.steps[0].stage == "repair"
@@ -102,7 +102,7 @@ def test_margins_that_the_start_lacks_are_restored_first() -> None:
     assert all(math.degrees(margins.phase) >= 40.0 for margins in found.after.margins.values())
 
 
-def test_a_number_on_an_end_of_its_range_is_told_whoever_put_it_there() -> None:
+def test_a_number_at_the_end_of_its_range_is_reported_in_every_stage() -> None:
     found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), TuneSettings(bounds=Bounds(6.0, 40.0)))
     ends = {number.short: number.end(found.values[number.name]) for number in found.space.numbers}
     assert ends["y.velocity_gain"] == ends["x.velocity_gain"] != "" and sum(map(bool, ends.values())) == 2
@@ -111,11 +111,11 @@ def test_a_number_on_an_end_of_its_range_is_told_whoever_put_it_there() -> None:
         assert len(moved) == 2 and all("upper end" in step.bound for step in moved)
     (ended,) = [one for one in found.findings if one.code == "CL602"]
     assert ended.values["parameters"] == ("y.velocity_gain", "x.velocity_gain")
-    # The other number of the repair stopped at the margins, within its range.
+    # The other repaired number stopped at the margins, within its range.
     assert {step.bound for step in found.path.steps if step.stage == "repair" and "position_gain" in step.variable.name} == {"margins"}
 
 
-def test_a_start_that_runs_away_is_brought_back() -> None:
+def test_a_diverging_start_is_repaired() -> None:
     found = tune(rigid_stage(), position_control(position_gain=3e5), circle(), TuneSettings(width=10.0))
     assert found.before.run is None and "diverges" in found.before.violations[0]
     assert {step.variable.short.partition(".")[0] for step in found.path.steps if step.stage == "repair"} == {"x", "y"}
@@ -124,13 +124,13 @@ def test_a_start_that_runs_away_is_brought_back() -> None:
     assert "diverges" in lost.after.violations[0]
 
 
-def test_what_cannot_be_kept_is_said() -> None:
+def test_violated_margins_are_reported() -> None:
     settings = TuneSettings(parameters=("x.model_gain",), bounds=Bounds(6.0, 60.0))
     found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), settings)
     assert any("phase margin" in words and "axis x" in words for words in found.after.violations)
 
 
-def test_margins_of_the_answer_are_those_of_the_loop_itself() -> None:
+def test_margins_of_the_result_are_those_of_the_loop() -> None:
     found = searched(["x.velocity_gain"], Bounds())
     stage, made = with_values(rigid_stage(), position_control(), found.values)
     assert found.controller == made
@@ -139,7 +139,7 @@ def test_margins_of_the_answer_are_those_of_the_loop_itself() -> None:
 
 
 @pytest.mark.parametrize("method", ["sequential", "both"])
-def test_the_same_call_gives_the_same_answer_on_any_number_of_threads(method: str) -> None:
+def test_the_result_is_the_same_on_any_number_of_threads(method: str) -> None:
     names = ("model_gain", "model_damping")
     made = position_control(model_gain=0.8, model_damping=5.0)
     one, two = (
@@ -155,13 +155,13 @@ def test_the_global_search_is_no_worse_and_keeps_the_bounds() -> None:
     made = position_control(model_gain=0.8, model_damping=5.0)
     found = tune(rigid_stage(), made, circle(), TuneSettings(method="both", budget=1500))
     assert found.global_result is not None
-    # One of its starts is that answer, put into the box and back.
+    # One of its starts is that answer, normalised and back.
     assert found.global_result.objective <= found.path.steps[-1].objective_after * (1.0 + 1e-9)
     assert not found.after.violations
     assert len(found.global_result.search.per_start) == 5
 
 
-def test_a_single_run_and_the_lanes_agree_on_the_answer() -> None:
+def test_a_single_run_and_the_lanes_agree_on_the_result() -> None:
     found = searched(["model_gain"], model_gain=0.7)
     evaluator = Evaluator(rigid_stage(), found.controller, circle())
     lanes = evaluator({name: np.array([value]) for name, value in found.values.items()})
@@ -181,8 +181,8 @@ def test_the_worst_of_several_machines_counts() -> None:
 
 
 @pytest.mark.parametrize("order", [(0, 1), (1, 0)])
-def test_of_several_machines_one_that_falls_short_counts_before_one_nearer_to_instability(order: tuple[int, int]) -> None:
-    """A loop may keep its phase margin and yet come nearer to -1 than one that does not."""
+def test_a_machine_with_a_violated_margin_counts_before_one_nearer_to_instability(order: tuple[int, int]) -> None:
+    """A loop may keep its phase margin and yet be nearer to -1 than one that does not."""
     made, stages = position_control(), [rigid_stage(5.0 * GAIN), rigid_stage()]
     strong, weak = (Guards([(stage, made)], FREE).exact({})["x"] for stage in stages)
     assert strong.modulus < weak.modulus and strong.phase > weak.phase
@@ -190,7 +190,7 @@ def test_of_several_machines_one_that_falls_short_counts_before_one_nearer_to_in
     assert Guards([(stages[i], made) for i in order], wanted).exact({})["x"] == weak
 
 
-def test_a_drive_without_a_limit_is_never_at_it() -> None:
+def test_an_unlimited_drive_never_saturates() -> None:
     """Its commands are large numbers, in the plant's own unit."""
     gains = {"velocity_gain": 4e4, "position_gain": 1.5e6, "model_gain": 1e-3 * GAIN}
     settings = TuneSettings(parameters=("x.integral_gain",), bounds=FREE)
@@ -200,13 +200,13 @@ def test_a_drive_without_a_limit_is_never_at_it() -> None:
     assert not found.after.violations
 
 
-def test_a_machine_is_not_calibrated() -> None:
+def test_machine_parameters_cannot_be_calibrated() -> None:
     with pytest.raises(ParameterError, match=r"x\.plant\.gain.*controller"):
         searched(["x.plant.gain"])
 
 
-def test_margins_that_nothing_keeps_leave_a_placed_start_all_the_same() -> None:
-    """The slowest parts of the fastest poles may not be placed at all: these are passed over."""
+def test_with_unreachable_margins_a_placed_start_still_works() -> None:
+    """Some fractions of the fastest poles cannot be placed; they are skipped."""
     reading = Reading()
     settings = TuneSettings(start="placed", parameters=("3.integral_gain",), bounds=Bounds(gain_margin=50.0), rule=BEST)
     laps = uniform(contour("circle", radius=0.02), 0.5, 2, 1e-3)
@@ -214,7 +214,7 @@ def test_margins_that_nothing_keeps_leave_a_placed_start_all_the_same() -> None:
     assert any("gain margin" in words for words in found.after.violations)
 
 
-def test_weights_count_in_parts_of_the_start() -> None:
+def test_weights_refer_to_figures_relative_to_the_start() -> None:
     stage, made = rigid_stage(), position_control(model_gain=0.8)
     name = "controller.axes.x.controller.model_gain"
     goal = Goal.parse("integral=1,energy=0.5")
@@ -227,7 +227,7 @@ def test_weights_count_in_parts_of_the_start() -> None:
 
 @pytest.mark.parametrize("plateau", ["robust", "largest"])
 def test_on_a_plateau_the_rule_decides(plateau: str) -> None:
-    """With the right feedforward the gains hardly matter: there the rule says which is taken."""
+    """With the right feedforward the gains hardly matter, so the rule chooses."""
     stage, made = rigid_stage(), position_control(model_gain=0.9 * GAIN)
     space = Space.chosen(stage, made, ["x.integral_gain"])
     values, evaluator = {space.names[0]: 5.0}, Evaluator(stage, made, circle())
@@ -239,10 +239,10 @@ def test_on_a_plateau_the_rule_decides(plateau: str) -> None:
     if plateau == "largest":
         assert found.after == good.max()
     else:
-        assert found.after == good.min()  # less integral, more margin
+        assert found.after == good.min()  # less integral gain, more margin
 
 
-def test_placed_poles_keep_the_margins_and_are_a_start() -> None:
+def test_placed_poles_keep_the_margins_and_serve_as_a_start() -> None:
     made = position_control(position_gain=100.0)
     found = tune(rigid_stage(), made, circle(), TuneSettings(start="placed"))
     assert not found.after.violations
@@ -267,7 +267,7 @@ def test_settings_out_of_range_are_refused(settings: dict[str, object], said: st
 
 
 @pytest.mark.parametrize("text", ["", "speed", "integral=0", "integral=x", "integral,integral", "integral=nan"])
-def test_objectives_that_mean_nothing_are_refused(text: str) -> None:
+def test_invalid_objectives_are_refused(text: str) -> None:
     with pytest.raises(ParameterError, match="objective"):
         Goal.parse(text)
 
@@ -278,7 +278,7 @@ def test_bounds_out_of_range_are_refused(bounds: dict[str, float]) -> None:
         Bounds(**bounds)
 
 
-def test_a_controller_with_nothing_to_calibrate_is_refused() -> None:
+def test_a_controller_without_tunable_parameters_is_refused() -> None:
     nothing = position_control(velocity_gain=0.0, position_gain=0.0, integral_gain=0.0, model_gain=math.inf, model_damping=0.0)
     with pytest.raises(ParameterError, match="bounds"):
         tune(rigid_stage(), nothing, circle())

@@ -1,4 +1,4 @@
-"""Gains in LinuxCNC's terms: its law, fed with what our controller saw, gives the command that ours gave."""
+"""Gains in LinuxCNC's terms: its law, fed with the signals of our controller, gives the command of our controller."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def made(part: Component, **slots: Any) -> Controller:
 
 
 def straight_from_the_manual(gains: LinuxCNCGains, command: list[float], feedback: list[float], period: float) -> list[float]:
-    """The equations of the manual page, one sample after another."""
+    """Return the command by the equations of the manual page, sample by sample."""
     found, total = [], 0.0
     before = {"command": command[0], "feedback": feedback[0], "rate": 0.0, "second": 0.0}
     for to, at in zip(command, feedback, strict=True):
@@ -59,7 +59,7 @@ def test_the_law_is_that_of_the_manual() -> None:
 @pytest.mark.parametrize(
     ("part", "slots", "apart"),
     [
-        # Accelerations are differences of the planner's velocity there: half a tick late, which is 0.3 % of a command at 1 Hz.
+        # There accelerations are differences of the planner's velocity: half a tick late, or 0.3 % of a command at 1 Hz.
         (position_control(velocity_gain=30.0).axes["x"].controller, {}, 5e-3),
         (PositionController(position_gain=1500.0, velocity_gain=40.0, integral_gain=5.0, structure="ipv"), {}, 1e-6),
         (StateFeedback(position_gain=900.0, velocity_gain=40.0, integral_gain=3000.0, velocity_feedforward=7.0), {}, 1e-6),
@@ -71,7 +71,7 @@ def test_the_law_is_that_of_the_manual() -> None:
         (PID(proportional_gain=1500.0, derivative_gain=40.0, derivative_bandwidth=20000.0, derivative_on="measurement"), {}, 5e-3),
         (PID(proportional_gain=1500.0), {"feedforward": InverseDynamics(velocity_gain=7.0, acceleration_gain=0.8)}, 5e-3),
         (Cascade(position_gain=40.0, velocity_gain=60.0), {}, 1e-6),
-        # The integral of the velocity's error is taken for that of the position, which is half a tick apart.
+        # The integral of the velocity error replaces that of the position; they are half a tick apart.
         (Cascade(position_gain=40.0, velocity_gain=60.0, integral_time=0.05, velocity_feedforward=0.9), {}, 1e-2),
         (LeadLag(gain=1200.0, lead_time=0.03, lag_time=0.003, integral_rate=5.0), {}, 0.05),
     ],
@@ -83,13 +83,13 @@ def test_mapped_gains_give_the_same_command(part: Component, slots: dict[str, An
         gains = linuxcnc_gains(control.axes[axis.name], control)
         assert gains is not None
         assert law_difference(gains, control.axes[axis.name], run, i)[0] < apart
-        # It can fail: gains that are off by half are seen.
+        # The test can fail: gains off by half are detected.
         names = ("p", "i", "d", "ff0", "ff1", "ff2", "ff3")
         off = replace(gains, **{name: 1.5 * getattr(gains, name) for name in names})
         assert law_difference(off, control.axes[axis.name], run, i)[0] > 0.07
 
 
-def test_what_has_no_likeness_is_said() -> None:
+def test_controllers_without_an_equivalent_pid_are_reported() -> None:
     speed = made(SpeedPID(dc_gain=1.0, damping_ratio=1.0, natural_frequency=100.0, time_constant=0.01))
     assert linuxcnc_gains(speed.axes["x"], speed) is None
     lag = made(LeadLag(gain=1200.0, lead_time=0.03, lag_time=0.003))
@@ -119,12 +119,12 @@ def test_kv_and_the_velocity_loop_of_a_cascade() -> None:
 
 
 def test_kv_is_speed_over_lag() -> None:
-    """At a steady speed the integral and the reference's velocity left out, the axis lags by v/Kv."""
+    """At a steady speed, without integral and velocity feedforward, the axis lags by v/Kv."""
     part = StateFeedback(position_gain=1500.0, velocity_gain=40.0, following="position")
     control = made(part)
     run = simulate(rigid_stage(), control, circle(6))
     kv = drive_terms(rigid_stage(), control)[0].kv
     assert kv == pytest.approx(1500.0 / (40.0 + 9.0 / 1.2))
-    # At 1 Hz, well below Kv, the lag of a sine is that of its speed.
+    # At 1 Hz, well below Kv, the lag of a sine corresponds to its speed.
     lag = np.abs(run["reference"] - run["position"])[3000:, 0].max()
     assert 2.0 * np.pi * 0.01 / lag == pytest.approx(kv, rel=0.05)

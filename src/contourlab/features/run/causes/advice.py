@@ -78,7 +78,7 @@ def candidates(machine: Machine, controller: Controller) -> list[tuple[str, Cont
     changes = [
         ("raising the poles of the position loops by a quarter", every(lambda name, part: _faster(machine, name, part, 1.25))),
         ("lowering the poles of the position loops by a fifth", every(lambda name, part: _faster(machine, name, part, 0.8))),
-        ("feeding forward the model that the loop really follows", every(lambda name, part: _own_model(machine, name, part))),
+        ("matching the feedforward model to the loop", every(lambda name, part: _own_model(machine, name, part))),
     ]
     if all(part.observer is None for part in controller.axes.values()):
         changes.append(("adding a disturbance observer", every(lambda name, part: _observed(machine, name, part))))
@@ -112,7 +112,7 @@ def _own_model(machine: Machine, name: str, part: AxisController) -> AxisControl
 
 
 def _seen_model(machine: Machine, name: str, part: AxisController) -> tuple[float, float]:
-    """With an observer the loop follows the observer's model; without, the plant with all that stands on it."""
+    """Return gain and damping of the model that the loop sees: the observer's, or without an observer the loaded plant's."""
     seen = part.observer.values() if part.observer is not None else {}
     return (seen["model_gain"], seen["model_damping"]) if "model_gain" in seen else _model_of(machine, name)
 
@@ -130,7 +130,7 @@ def _faster_observer(name: str, part: AxisController) -> AxisController:
 
 
 def _compensated(machine: Machine, name: str, part: AxisController) -> AxisController:
-    """Add an offset where nothing compensates the backlash: a loop closed over the motor, and no part that knows a gap."""
+    """Add an offset where the loop is closed over the motor and no part compensates the backlash."""
     axis = machine.axis(name)
     lost_motion = lost_motion_of(axis)
     aware = part.compensation is not None or any("backlash_gap" in law.parameters for law in part.controllers.values())
@@ -140,12 +140,12 @@ def _compensated(machine: Machine, name: str, part: AxisController) -> AxisContr
 
 
 def _model_of(machine: Machine, name: str) -> tuple[float, float]:
-    """Return acceleration per command and decay of an axis with all that stands on it."""
+    """Return acceleration per command and damping of an axis with the axes that it carries."""
     return machine.loaded_plant(name).rigid_model()
 
 
 def lost_motion_of(axis: Axis) -> float:
-    """Return the lost motion of an axis [m]: its free travel, and what friction winds the shaft up by on either side; 0 without a gap."""
+    """Return the lost motion of an axis [m]: its free travel plus twice the wind-up of the shaft under friction; 0 without a gap."""
     if not isinstance(axis.plant, TwoInertia) or not axis.plant.widest_gap > 0.0:
         return 0.0
     friction = float(axis.friction.values().get("coulomb", 0.0))
@@ -153,7 +153,7 @@ def lost_motion_of(axis: Axis) -> float:
 
 
 def offset_of(axis: Axis, lost_motion: float) -> tuple[BacklashOffset, BacklashInverse]:
-    """Return offset and inverse for a lost motion [m], as fast as the axis may be accelerated: half of the way up, half of it down."""
+    """Return offset and inverse for a lost motion [m]: half of it accelerating, half braking, at the limit of the axis."""
     most = axis.limits.acceleration
     acceleration = most if math.isfinite(most) else 1.0
     speed = math.sqrt(acceleration * lost_motion)

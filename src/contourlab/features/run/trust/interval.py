@@ -107,9 +107,9 @@ def contour_interval(
 
 
 def noticeable(numbers: int, samples: int) -> float:
-    """Return the size from which the largest of so many numbers' rank correlations is more than chance, at 5 % for all (Bonferroni).
+    """Return the smallest rank correlation that is significant at 5 % when so many numbers are tested (Bonferroni).
 
-    Those of a number with rms and maximum count as one: the two go together.
+    The correlations of a number with rms and with maximum count as one test, as they go together.
     """
     from scipy.stats import t
 
@@ -119,7 +119,7 @@ def noticeable(numbers: int, samples: int) -> float:
 
 
 def main_contributor(ranks: Sequence[Rank], chance: float) -> str:
-    """Return the name of the first number if its rank correlation is more than chance; else nothing."""
+    """Return the name of the first number if its rank correlation is significant; else an empty string."""
     return ranks[0].name if ranks and max(abs(ranks[0].rms), abs(ranks[0].max)) >= chance else ""
 
 

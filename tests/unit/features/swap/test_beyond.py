@@ -14,7 +14,7 @@ from contourlab.design import Space
 from contourlab.design.guards import Bounds
 from contourlab.errors import ParameterError
 from contourlab.features.link.cost import message_rate
-from contourlab.features.swap.network import NetworkCost, least_division, network_cost
+from contourlab.features.swap.beyond import NetworkCost, least_division, network_cost
 from contourlab.features.swap.variants import Variants, variants_of
 from contourlab.feed import uniform
 from contourlab.geometry import contour
@@ -42,14 +42,14 @@ def cost_of(variants: Variants, division: str = "drive", ways: str = "both", lin
     return network_cost(variants, np.tile(variants.space.start, (2, 1)), frozenset({AHEAD}), division, ways, link, **options)  # type: ignore[arg-type]
 
 
-def test_a_network_that_loses_no_time_costs_nothing(variants: Variants) -> None:
+def test_a_perfect_network_costs_nothing(variants: Variants) -> None:
     cost = cost_of(variants)
     alone, _ = variants.values(np.tile(variants.space.start, (2, 1, 1)), whole=True)
     assert [(one.as_given, one.undivided) for one in cost.variants] == [(value, value) for value in alone[:, 0].tolist()]
     assert cost.loss == 0.0 and cost.holds and cost.local_in_base == (AHEAD,)
 
 
-def test_the_rate_that_holds_is_the_largest_of_the_variants(variants: Variants) -> None:
+def test_the_required_rate_is_the_largest_of_the_variants(variants: Variants) -> None:
     cost = cost_of(variants, within=0.5)
     each = []
     for variant, one in zip(variants, cost.variants, strict=True):
@@ -61,12 +61,12 @@ def test_the_rate_that_holds_is_the_largest_of_the_variants(variants: Variants) 
         assert one.allowed == pytest.approx(one.undivided + 0.5 * max(one.undivided, variants.floor))
 
 
-def test_what_is_late_does_not_hold(variants: Variants) -> None:
+def test_too_long_a_delay_does_not_hold(variants: Variants) -> None:
     cost = cost_of(variants, link=Network(delay=0.05))
     assert not cost.holds and np.isnan(cost.rate) and any(one.unstable for one in cost.variants)
 
 
-def test_the_least_division_has_all_that_is_local() -> None:
+def test_the_smallest_division_contains_all_local_parameters() -> None:
     assert least_division(frozenset()) == "drive"
     assert least_division(frozenset({"controller.axes.x.observer.model_gain"})) == "observer"
     assert least_division(frozenset({"controller.axes.x.observer.model_gain", AHEAD})) == "controller"
@@ -80,7 +80,7 @@ def test_an_unknown_division_is_refused(variants: Variants) -> None:
 def test_exact_margins_of_each_variant(variants: Variants) -> None:
     values = variants.space.values(variants.space.start)
     first, second = (guards.exact(values) for guards in variants.guards)
-    # The second axis is the same in both; twice the gain of the plant takes a factor of two off the gain margin.
+    # The second axis is the same in both; twice the plant gain takes a factor of two off the gain margin.
     assert first["y"] == second["y"]
     assert first["x"].gain == pytest.approx(2.0 * second["x"].gain, rel=1e-6)
     strict = replace(variants, bounds=Bounds(60.0, 0.0))
