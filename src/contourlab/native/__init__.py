@@ -1,5 +1,5 @@
-"""Machine code for the rooms above.
+"""Machine code for other packages.
 
-`store` keeps machine code on disk, keyed on its sources. `compile` compiles a plain function through it. Only these two import Numba, so
-that a room that needs a kernel imports them late.
+`store` keeps machine code on disk, keyed on its sources. `compile` compiles a plain function through it. Both import Numba, so a package
+that needs a kernel imports them late.
 """

@@ -26,7 +26,7 @@ from contourlab.native import store
 
 OPTIONS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False}
 INNER: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-"""For functions that only compiled code calls: wrappers for Python and C are half of the compile time."""
+"""For functions that only compiled code calls: wrappers for Python and C take half of the compile time."""
 _KINDS: dict[str, tuple[Any, Any, Any]] = {
     "i8": (types.int64, ctypes.c_int64, np.int64),
     "f8": (types.float64, ctypes.c_double, np.float64),
@@ -41,11 +41,11 @@ def compiled(function: Any, signature: str, *, sources: Iterable[str], options: 
     function : callable
         Returns nothing.
     signature : str
-        Kinds of its arguments with a blank in between, of ``i8`` (a whole number or an address) and ``f8``.
+        Kinds of the arguments, separated by blanks: ``i8`` (a whole number or an address) or ``f8``.
     sources : iterable of str
-        The source text of all that is compiled in; it makes the key.
+        Source text of everything compiled in; it determines the key.
     options : dict, optional
-        Of Numba; by default plain IEEE arithmetic without checks of bounds.
+        Options of Numba; by default plain IEEE arithmetic without bounds checks.
 
     Returns
     -------
@@ -53,7 +53,7 @@ def compiled(function: Any, signature: str, *, sources: Iterable[str], options: 
     """
     kinds = [_KINDS[word] for word in signature.split()]
     chosen = OPTIONS if options is None else options
-    # A set has no order of its own: it would give another key in every process.
+    # A set has no fixed order: it would give another key in every process.
     settings = repr(sorted((name, sorted(value) if isinstance(value, set) else value) for name, value in chosen.items()))
     words = (function.__name__, signature, settings, *sources, inspect.getsource(compiled), store.toolchain())
     key = hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
@@ -63,7 +63,7 @@ def compiled(function: Any, signature: str, *, sources: Iterable[str], options: 
 
 
 def _wrapper(function: Any, kinds: list[str]) -> str:
-    """Return the source of a C function that makes arrays of addresses and lengths, and hands them on."""
+    """Return the source of a C function that builds arrays from addresses and lengths and calls the kernel."""
     names, lines, passed = [], [], []
     for i, kind in enumerate(kinds):
         dims = kind.count(":")
@@ -79,7 +79,7 @@ def _wrapper(function: Any, kinds: list[str]) -> str:
 
 
 def _twin(function: Any, done: dict[Any, Any]) -> Any:
-    """Return the compiled twin of a function, those of its module that it calls included."""
+    """Return the compiled twin of a function, with the functions of its module that it calls."""
     if function not in done:
         scope = dict(function.__globals__)
         for name in function.__code__.co_names:
@@ -112,9 +112,9 @@ def kernel(function: Any, signature: str) -> Callable[..., None]:
     Parameters
     ----------
     function : callable
-        Returns nothing; results go into arrays. Its module is part of the key, and so is all that it may call.
+        Returns nothing; results go into arrays. The key covers its module, and so everything it may call.
     signature : str
-        Kinds of its arguments with a blank in between: ``i8``, ``f8``, and with ``[:]`` or ``[:,:]`` arrays of them.
+        Kinds of the arguments, separated by blanks: ``i8`` or ``f8``, or arrays of them with ``[:]`` or ``[:,:]``.
 
     Returns
     -------
@@ -136,7 +136,7 @@ def kernel(function: Any, signature: str) -> Callable[..., None]:
     for kind in kinds:
         c_types += [ctypes.c_void_p, *(ctypes.c_int64,) * kind.count(":")] if ":" in kind else [_KINDS[kind][1]]
     prototype: Any = ctypes.CFUNCTYPE(None, *c_types)
-    rtsys.initialize(cpu_target.target_context)  # code that hands arrays on counts who holds them
+    rtsys.initialize(cpu_target.target_context)  # code that passes arrays counts references
     run = prototype(store.address(key, lambda: _build(function, kinds), function.__name__.strip("_")))
 
     def call(*arguments: Any) -> None:

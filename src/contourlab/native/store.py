@@ -1,16 +1,24 @@
-"""Machine code on disk, keyed by what it was made from.
+"""Machine code on disk, filed by what it was made from.
 
-Numba's own cache does not notice an edit in a callee and cannot keep generated source; this one is keyed on the transitive sources, the
-versions of the tools and the processor. Files appear by atomic rename, so two processes may fill it at once.
+Numba's own cache does not notice an edit in a callee and cannot keep generated source. Here the key is made of the transitive sources, the
+versions of the tools and the processor. Files appear by atomic rename, so two processes may write at once.
+
+Code from the cache runs with the rights of the user. So the folder must belong to the user alone, and each file carries a digest of its key
+and content that is checked before anything is loaded. A file that fails a check is compiled again and replaced.
 """
 
 from __future__ import annotations
 
+import atexit
 import contextlib
 import gc
+import hashlib
+import logging
 import os
-import pickle
 import platform
+import shutil
+import stat
+import struct
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
@@ -23,7 +31,10 @@ import llvmlite.binding as llvm
 import numba
 from numba.core.registry import cpu_target
 
-_FORMAT = 2
+_MAGIC = b"contourlab machine code 3\n"
+_DIGEST = hashlib.sha256().digest_size
+_LENGTH = struct.Struct("<Q")
+_OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
 _addresses: dict[str, int] = {}
 _alive: list[Any] = []  # libraries whose code is in use: dropping one would free the code
 
@@ -32,31 +43,59 @@ _alive: list[Any] = []  # libraries whose code is in use: dropping one would fre
 def toolchain() -> str:
     """Return the versions and the processor that machine code is valid for."""
     features = llvm.get_host_cpu_features().flatten() if hasattr(llvm, "get_host_cpu_features") else ""
-    versions = (_FORMAT, numba.__version__, llvmlite.__version__, sys.version, platform.machine(), platform.system())
+    versions = (_MAGIC, numba.__version__, llvmlite.__version__, sys.version, platform.machine(), platform.system())
     return repr((*versions, llvm.get_host_cpu_name(), features))
 
 
 @cache
 def folder() -> Path:
-    """Return the cache folder: ``CONTOURLAB_CACHE``, else the user's cache, else a temporary folder."""
+    """Return the cache folder: ``CONTOURLAB_CACHE``, else one in the user's cache; a private temporary one if that is not safe."""
+    wanted = _wanted_folder()
+    fault = _fault_of(wanted)
+    if not fault:
+        return wanted
+    private = Path(tempfile.mkdtemp(prefix="contourlab-"))
+    atexit.register(shutil.rmtree, private, ignore_errors=True)
+    _warn(f"{wanted}: {fault}. Each process compiles again: set CONTOURLAB_CACHE to a folder of your own")
+    return private
+
+
+def _wanted_folder() -> Path:
     chosen = os.environ.get("CONTOURLAB_CACHE")
+    if chosen:
+        return Path(chosen)
     home = os.environ.get("LOCALAPPDATA") or os.environ.get("XDG_CACHE_HOME")
-    candidates = [Path(chosen)] if chosen else []
-    with contextlib.suppress(RuntimeError):
-        candidates.append(Path(home) / "contourlab" if home else Path.home() / ".cache" / "contourlab")
-    candidates.append(Path(tempfile.gettempdir()) / f"contourlab-{os.getuid() if hasattr(os, 'getuid') else 'user'}")
-    for candidate in candidates:
-        with contextlib.suppress(OSError):
-            candidate.mkdir(parents=True, exist_ok=True)
-            handle, probe = tempfile.mkstemp(dir=candidate)
-            os.close(handle)
-            Path(probe).unlink()
-            return candidate
-    return Path(tempfile.mkdtemp(prefix="contourlab-"))
+    return Path(home or os.path.expanduser("~/.cache")) / "contourlab"  # noqa: PTH111  Path.expanduser raises where there is no home
+
+
+def _fault_of(wanted: Path) -> str:
+    """Make the folder if needed; return why it is not safe to use, or nothing."""
+    try:
+        wanted.mkdir(mode=0o700, parents=True, exist_ok=True)
+        state = wanted.lstat()
+        if not stat.S_ISDIR(state.st_mode):
+            return "a link, not a folder"
+        if _foreign(state):
+            return "other users own it or may write there"
+        wanted.chmod(0o700)
+        tempfile.TemporaryFile(dir=wanted).close()
+    except OSError as error:
+        return f"not usable ({error.strerror})"
+    return ""
+
+
+def _foreign(state: os.stat_result) -> bool:
+    """Return whether another user may have written a file or folder."""
+    return hasattr(os, "geteuid") and (state.st_uid != os.geteuid() or bool(state.st_mode & _OTHERS_WRITE))
+
+
+@cache
+def _warn(message: str) -> None:
+    logging.getLogger("contourlab").warning("contourlab: %s", message)
 
 
 def address(key: str, build: Callable[[], Any], name: str, inner: bool = False) -> int:
-    """Return the address of the code filed under `key`; build and file it first where it is missing.
+    """Return the address of the code filed under `key`; build and file it first if it is not there.
 
     Parameters
     ----------
@@ -66,31 +105,38 @@ def address(key: str, build: Callable[[], Any], name: str, inner: bool = False) 
     name : str
         Kept with the code, for people.
     inner : bool
-        Whether the function inside the C wrapper is wanted, which the tick loop calls without a detour.
+        Whether to return the function inside the C wrapper, which the tick loop calls directly.
     """
-    if key in _addresses:
-        return _addresses[key]
-    _addresses[key] = found = _loaded(key, build, name, inner)
-    return found
+    if key not in _addresses:
+        _addresses[key] = _loaded(key, build, name, inner)
+    return _addresses[key]
 
 
 def _loaded(key: str, build: Callable[[], Any], name: str, inner: bool) -> int:
-    file = folder() / f"{key}.bin"
-    with contextlib.suppress(OSError, EOFError, pickle.UnpicklingError, ValueError, KeyError, RuntimeError):
-        return _restore(file.read_bytes())
+    parts = read(key)
+    if parts is not None:
+        with contextlib.suppress(RuntimeError, ValueError, UnicodeError):
+            return _restored(*parts)
     with _without_collector():
         compiled = build()
     _alive.append(compiled)
     library = compiled._library
     symbol = compiled._wrapper_name
     symbol = symbol.removeprefix("cfunc.") if inner else symbol
-    _write(file, pickle.dumps((symbol, name, library.serialize_using_object_code())))
+    title, _, (code, shared) = library.serialize_using_object_code()
+    write(key, [symbol.encode(), name.encode(), title.encode(), code, shared])
     return int(library.get_pointer_to_function(symbol))
+
+
+def _restored(symbol: bytes, _: bytes, title: bytes, code: bytes, shared: bytes) -> int:
+    library = cpu_target.target_context.codegen().unserialize_library((title.decode(), "object", (code, shared)))
+    _alive.append(library)
+    return int(library.get_pointer_to_function(symbol.decode()))
 
 
 @contextlib.contextmanager
 def _without_collector() -> Iterator[None]:
-    """Hold the garbage collector: a compiler makes much, next to none of it garbage before it is done, and is looked through in vain."""
+    """Pause the garbage collector: a compiler makes many objects, and nearly all live until it is done."""
     held = gc.isenabled()
     gc.disable()
     try:
@@ -100,20 +146,56 @@ def _without_collector() -> Iterator[None]:
             gc.enable()
 
 
-def _restore(data: bytes) -> int:
-    symbol, _, state = pickle.loads(data)
-    library = cpu_target.target_context.codegen().unserialize_library(state)
-    _alive.append(library)
-    return int(library.get_pointer_to_function(symbol))
+def _file(key: str) -> Path:
+    return folder() / f"{key}.code"
 
 
-def _write(file: Path, data: bytes) -> None:
-    with contextlib.suppress(OSError):  # a cache that cannot be written costs time, nothing else
-        handle, temporary = tempfile.mkstemp(dir=file.parent)
+def read(key: str) -> list[bytes] | None:
+    """Return what `write` filed under a key; None if there is nothing, or it fails a check."""
+    try:
+        return _checked(key)
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError):
+        _warn(f"{folder()}: damaged or foreign machine code is compiled again")
+        return None
+
+
+def _checked(key: str) -> list[bytes]:
+    # A link is not followed, and a pipe does not block.
+    handle = os.open(_file(key), os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    with os.fdopen(handle, "rb") as stream:
+        if _foreign(os.fstat(handle)):
+            raise ValueError("written by another user")
+        head, digest, body = stream.read(len(_MAGIC)), stream.read(_DIGEST), stream.read()
+    if head != _MAGIC or digest != _digest(key, body):
+        raise ValueError("damaged")
+    return _parts(body)
+
+
+def _digest(key: str, body: bytes) -> bytes:
+    return hashlib.sha256(key.encode() + body).digest()
+
+
+def _parts(body: bytes) -> list[bytes]:
+    parts, at = [], 0
+    while at < len(body):
+        (length,) = _LENGTH.unpack_from(body, at)
+        at += _LENGTH.size
+        parts.append(body[at : at + length])
+        at += length
+    return parts
+
+
+def write(key: str, parts: list[bytes]) -> None:
+    """File some bytes under a key. A folder that cannot be written costs time, nothing else."""
+    body = b"".join(_LENGTH.pack(len(part)) + part for part in parts)
+    with contextlib.suppress(OSError):
+        handle, temporary = tempfile.mkstemp(dir=folder())
         try:
             with os.fdopen(handle, "wb") as stream:
-                stream.write(data)
-            Path(temporary).replace(file)
+                stream.write(_MAGIC + _digest(key, body) + body)
+            Path(temporary).replace(_file(key))
         except OSError:
             Path(temporary).unlink(missing_ok=True)
             raise

@@ -1,4 +1,4 @@
-"""The door to machine code: what goes through it, what is refused, and that a plain function and its twin agree."""
+"""The interface to machine code: arguments, refusals, and agreement of each plain function with its compiled form."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def greedy(table, out, factor, count):  # type: ignore[no-untyped-def]
     out[:] = np.zeros(out.size)
 
 
-def test_a_kernel_does_what_its_source_says() -> None:
+def test_a_kernel_agrees_with_its_source() -> None:
     table = np.random.default_rng(3).normal(size=(5, 3))
     plain, native = np.empty(5), np.empty(5)
     counts = np.zeros(1, np.int64), np.zeros(1, np.int64)
@@ -46,11 +46,11 @@ def test_other_arrays_are_refused(table: np.ndarray) -> None:
         kernel(sums, SUM)(table, np.empty(5), 1.0, np.zeros(1, np.int64))
 
 
-def test_a_kernel_that_asks_for_memory_is_refused() -> None:
+def test_a_kernel_that_allocates_memory_is_refused() -> None:
     with pytest.raises(EngineError, match=r"greedy.*array"):
         kernel(greedy, SUM)
 
 
-def test_the_compiler_is_not_loaded_before_something_is_planned() -> None:
+def test_the_compiler_is_loaded_only_for_planning() -> None:
     script = "import sys, contourlab.feed, contourlab.native; sys.exit('numba' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0

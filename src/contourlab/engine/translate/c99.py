@@ -1,0 +1,161 @@
+"""Print the graph of a step as C99: one function without allocation, on <math.h> alone."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+
+from contourlab.engine.translate.graph import CONDITION, TABLE, Block, Op
+from contourlab.engine.translate.step_graph import StepGraph
+
+_SYMBOLS = {"fadd": "+", "fsub": "-", "fmul": "*", "fdiv": "/", "and": "&", "or": "|"}
+_LIBRARY = {"sqrt", "fabs", "floor", "rint", "copysign", "fma", "exp", "log", "tanh", "sin", "cos"}
+_LEAVES = {"parameter": "par", "state": "x", "input": "inp", "table": "tables"}
+_TYPES = {CONDITION: "int", TABLE: "const double *"}
+_HASH = """
+static double uniform(double stream, double k, double draw)
+{
+    uint64_t z = (uint64_t)(int64_t)stream * 0x9E3779B97F4A7C15u + (uint64_t)(int64_t)k * 0xD1342543DE82EF95u
+               + (uint64_t)(int64_t)draw * 0x2545F4914F6CDD1Du;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    z ^= z >> 31;
+    return ((double)(z >> 12) + 0.5) * 0x1p-52;
+}
+"""
+
+
+def source_of(made: StepGraph, name: str = "") -> str:
+    """Return C99 source of a step.
+
+    Parameters
+    ----------
+    made : StepGraph
+    name : str
+        Name of the function; by default made of the name of the step.
+
+    Returns
+    -------
+    str
+        Compile it without contraction of products and sums (``-ffp-contract=off``): then it computes what Python computes, as far as both
+        use the same mathematical library.
+    """
+    step = made.step
+    called = name or re.sub(r"\W+", "_", step.name)
+    writer = _Writer()
+    writer.block(made.graph.top, "    ")
+    ends = [f"    x_next[{row}] = {writer.value(value)};" for row, value in enumerate(made.states)]
+    ends += [f"    out[{row}] = {writer.value(value)};" for row, value in enumerate(made.outputs)]
+    arguments = ["const double *par", "const double *x", "const double *inp", "double k", "double t", "double dt"]
+    arguments += ["const double *const *tables"] if step.tables else []
+    arguments += ["const double *ring", "int64_t mask"] if step.ring else []
+    arguments += ["double *x_next", "double *out"]
+    unused = "".join(f" (void){word};" for word in ("par", "x", "inp", "k", "t", "dt", "x_next", "out"))
+    return "\n".join(
+        [
+            f"/* {step.name}, written by contourlab. Compile with -ffp-contract=off.",
+            *_comment("par", step.parameters),
+            *_comment("x", [port.name for port in step.states for _ in range(port.rows)]),
+            *_comment("inp", [port.name for port in step.inputs for _ in range(port.rows)]),
+            *_comment("out", [port.name for port in step.outputs for _ in range(port.rows)]),
+            *_comment("tables", step.tables),
+            *([f"   ring: past values of {step.ring}, at index tick & mask; store the present value first."] if step.ring else []),
+            "*/",
+            "#include <math.h>",
+            "#include <stdint.h>",
+            *([_HASH] if any(op.kind == "uniform" for op in made.graph.top.every()) else [""]),
+            f"void {called}({', '.join(arguments)})",
+            "{",
+            f"   {unused}",
+            *writer.lines,
+            *ends,
+            "}",
+            "",
+        ]
+    )
+
+
+def _comment(name: str, fields: Sequence[str]) -> list[str]:
+    return [f"   {name}: {', '.join(fields)}"] if fields else []
+
+
+class _Writer:
+    """Writes operations as statements; each value is a variable."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+        self._names: dict[int, str] = {}
+
+    def value(self, op: Op) -> str:
+        if op.kind == "constant":
+            return str(int(op.extra)) if op.type == CONDITION else _literal(op.extra)
+        return op.kind if op.kind in ("k", "t", "dt", "ring") else self._names[id(op)]
+
+    def _name(self, op: Op) -> str:
+        return self._names.setdefault(id(op), f"v{len(self._names)}")
+
+    def block(self, block: Block, pad: str) -> None:
+        for op in block.ops:
+            if op.kind == "branch":
+                self._branch(op, pad)
+            elif op.kind == "loop":
+                self._loop(op, pad)
+            elif op.kind not in ("constant", "k", "t", "dt", "ring"):
+                text = self._text(op)
+                self.lines.append(f"{pad}const {_type(op)} {self._name(op)} = {text};".replace("const const", "const"))
+
+    def _text(self, op: Op) -> str:
+        args = [self.value(arg) for arg in op.args]
+        if op.kind in _SYMBOLS:
+            return f"{args[0]} {_SYMBOLS[op.kind]} {args[1]}"
+        if op.kind in _LEAVES:
+            return f"{_LEAVES[op.kind]}[{op.extra}]"
+        if op.kind in _LIBRARY or op.kind == "uniform":
+            return f"{op.kind}({', '.join(args)})"
+        if op.kind == "compare":
+            return f"{args[0]} {op.extra} {args[1]}"
+        if op.kind == "select":
+            return f"{args[0]} ? {args[1]} : {args[2]}"
+        if op.kind == "lookup":
+            return f"{args[0]}[(int64_t){args[1]}]"
+        if op.kind == "delayed":
+            return f"ring[(int64_t){args[0]} & mask]"
+        return {"fneg": f"-{args[0]}", "not": f"!{args[0]}"}[op.kind]
+
+    def _branch(self, op: Op, pad: str) -> None:
+        self.lines += [f"{pad}{_type(result)} {self._name(result)};" for result in op.results]
+        for head, block in ((f"if ({self.value(op.args[0])}) {{", op.blocks[0]), ("} else {", op.blocks[1])):
+            self.lines.append(pad + head)
+            self.block(block, pad + "    ")
+            for result, end in zip(op.results, block.ends, strict=True):
+                self.lines.append(f"{pad}    {self._name(result)} = {self.value(end)};")
+        self.lines.append(f"{pad}}}")
+
+    def _loop(self, op: Op, pad: str) -> None:
+        test, round_ = op.blocks
+        for carried, result, start in zip(op.extra, op.results, op.args, strict=True):
+            self._names[id(result)] = self._name(carried)
+            self.lines.append(f"{pad}{_type(carried)} {self._name(carried)} = {self.value(start)};")
+        self.lines.append(f"{pad}for (;;) {{")
+        self.block(test, pad + "    ")
+        self.lines.append(f"{pad}    if (!{self.value(test.ends[0])}) break;")
+        self.block(round_, pad + "    ")
+        # All of the next values are computed before the first is stored.
+        after = [self.value(end) for end in round_.ends]
+        for n, (carried, end) in enumerate(zip(op.extra, after, strict=True)):
+            self.lines.append(f"{pad}    const {_type(carried)} {self._name(carried)}_{n} = {end};")
+        self.lines += [f"{pad}    {self._name(carried)} = {self._name(carried)}_{n};" for n, carried in enumerate(op.extra)]
+        self.lines.append(f"{pad}}}")
+
+
+def _type(op: Op) -> str:
+    return _TYPES.get(op.type, "double")
+
+
+def _literal(number: float) -> str:
+    if math.isnan(number):
+        return "NAN"
+    if math.isinf(number):
+        return "INFINITY" if number > 0.0 else "(-INFINITY)"
+    return repr(number) if math.copysign(1.0, number) > 0.0 else f"({number!r})"

@@ -1,0 +1,166 @@
+"""Run a function of the scalar language over graph values: what is known now is computed now, the rest becomes operations.
+
+Tuples, named tuples, closures, loops over a known range and whole numbers are Python's own and leave no trace. Numbers and conditions that
+are not known become operations; an ``if`` over them becomes a branch, a ``while``, or a ``for`` that breaks, becomes a loop.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from contourlab.engine.translate.expressions import NOTHING, Expressions, words_of
+from contourlab.engine.translate.graph import UNSET, MismatchError, Op
+from contourlab.engine.translate.names import Closure, Frame, assign, assigned, flat, is_numeric, shaped
+
+_ON = "the loop goes on"
+"""Name, within a round of a loop, of the condition that no break was met."""
+
+
+class Evaluator(Expressions):
+    """Runs the bodies of functions; see `Expressions`."""
+
+    def body(self, statements: Sequence[ast.stmt], frame: Frame) -> Any:
+        for i, statement in enumerate(statements):
+            try:
+                if isinstance(statement, ast.Return):
+                    return self.expression(statement.value, frame) if statement.value else None
+                if isinstance(statement, ast.If):
+                    found = self._if(statement, statements[i + 1 :], frame)
+                    if found is not NOTHING:
+                        return found[0]
+                    continue
+                found = self._statement(statement, frame)
+            except MismatchError as error:
+                if not hasattr(error, "line"):
+                    error.line = statement.lineno  # type: ignore[attr-defined]
+                raise
+            if found is not NOTHING:
+                return found
+        return NOTHING
+
+    def _if(self, statement: ast.If, rest: Sequence[ast.stmt], frame: Frame) -> Any:
+        """Run an if; return a tuple of the returned value if a side returns, else `NOTHING`."""
+        test = self.graph.condition(self.expression(statement.test, frame))
+        if not isinstance(test, Op):
+            found = self.body(statement.body if test else statement.orelse, frame)
+            return NOTHING if found is NOTHING else (found,)
+        if any(isinstance(node, ast.Return) for node in ast.walk(statement)):
+            # The statements after it belong to the side that goes on.
+            def side(part: Sequence[ast.stmt]) -> Any:
+                found = self.body([*part, *rest], frame.copy())
+                if found is NOTHING:
+                    raise MismatchError("one side of an if returns, the other does not")
+                return found
+
+            return (self.one_of(test, lambda: side(statement.body), lambda: side(statement.orelse)),)
+        self._both_sides(test, statement, self.body, assigned(statement), frame)
+        return NOTHING
+
+    def _both_sides(self, test: Op, statement: ast.If, run: Callable[[Any, Frame], Any], names: Sequence[str], frame: Frame) -> None:
+        """Run both sides of an if over copies of the names, and join those that either may change."""
+
+        def outcome(part: Sequence[ast.stmt]) -> tuple[Any, ...]:
+            own = frame.copy()
+            run(part, own)
+            return tuple(own.env.get(name, UNSET) for name in names)
+
+        joined = self.graph.branch(test, lambda: outcome(statement.body), lambda: outcome(statement.orelse))
+        frame.env.update(zip(names, joined, strict=True))
+
+    def _statement(self, statement: ast.stmt, frame: Frame) -> Any:
+        if isinstance(statement, ast.Assign):
+            value = self.expression(statement.value, frame)
+            for target in statement.targets:
+                assign(target, value, frame.env)
+        elif isinstance(statement, ast.AnnAssign):
+            if statement.value is not None:
+                assign(statement.target, self.expression(statement.value, frame), frame.env)
+        elif isinstance(statement, ast.AugAssign):
+            assert isinstance(statement.target, ast.Name)
+            here = frame.name(statement.target.id)
+            frame.env[statement.target.id] = self.operation(statement.op, here, self.expression(statement.value, frame))
+        elif isinstance(statement, ast.For):
+            return self._for(statement, frame)
+        elif isinstance(statement, ast.While):
+            self._loop(statement, frame, lambda own: self.expression(statement.test, own), None)
+        elif isinstance(statement, ast.FunctionDef):
+            frame.env[statement.name] = Closure(statement, frame)
+        elif not isinstance(statement, ast.Pass) and not (isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)):
+            raise MismatchError(f"a step cannot use {words_of(statement)}")
+        return NOTHING
+
+    # --- loops
+
+    def _for(self, statement: ast.For, frame: Frame) -> Any:
+        items = self.expression(statement.iter, frame)
+        if isinstance(items, Op):
+            raise MismatchError("a loop needs a known range or tuple")
+        if any(isinstance(node, ast.Break) for node in ast.walk(statement)):
+            if not isinstance(items, range):
+                raise MismatchError("a loop that breaks needs a range")
+            self._loop(statement, frame, None, items)
+            return NOTHING
+        for item in items:
+            assign(statement.target, item, frame.env)
+            found = self.body(statement.body, frame)
+            if found is not NOTHING:
+                return found
+        return NOTHING
+
+    def _loop(self, statement: ast.For | ast.While, frame: Frame, test: Callable[[Frame], Any] | None, items: range | None) -> None:
+        """Make a loop of a ``while``, or of a ``for`` over a range that may break."""
+        if any(isinstance(node, ast.Return) for node in ast.walk(statement)):
+            raise MismatchError("a return inside a loop: set a name, break, and return after the loop")
+        names = [name for name in assigned(statement) if is_numeric(frame.env.get(name, UNSET))]
+        shapes = [frame.env[name] for name in names]
+        own = frame.copy()
+
+        def enter(values: Sequence[Op]) -> None:
+            own.env = {**frame.env, **dict.fromkeys(assigned(statement), UNSET)}
+            own.env.update(zip(names, shaped(shapes, values[2:]), strict=True))
+            if items is not None:
+                assert isinstance(statement, ast.For)
+                index = self.graph.arithmetic("fadd", items.start, self.graph.arithmetic("fmul", values[1], float(items.step)))
+                assign(statement.target, index, own.env)
+
+        def goes_on(values: Sequence[Op]) -> Any:
+            enter(values)
+            if items is not None:
+                return self.graph.logic("and", values[0], self.graph.compare("<", values[1], float(len(items))))
+            assert test is not None
+            return self.graph.logic("and", values[0], self.graph.condition(test(own)))
+
+        def round_(values: Sequence[Op]) -> list[Any]:
+            enter(values)
+            on = self._until_break(statement.body, own)
+            count = self.graph.arithmetic("fadd", values[1], 1.0) if items is not None else values[1]
+            return [on, count, *flat(own.name(name) for name in names)]
+
+        start = [True, 0.0, *flat(shapes)]
+        after = self.graph.loop(start, goes_on, round_)
+        frame.env.update(dict.fromkeys(assigned(statement), UNSET))
+        frame.env.update(zip(names, shaped(shapes, after[2:]), strict=True))
+
+    def _until_break(self, statements: Sequence[ast.stmt], frame: Frame) -> Any:
+        """Run one round; return whether the loop goes on."""
+        for i, statement in enumerate(statements):
+            if isinstance(statement, ast.Break):
+                return False
+            if not any(isinstance(node, ast.Break) for node in ast.walk(statement)):
+                self.body([statement], frame)
+                continue
+            if not isinstance(statement, ast.If):
+                raise MismatchError("a break inside a loop within the loop")
+            test = self.graph.condition(self.expression(statement.test, frame))
+            rest = statements[i + 1 :]
+            if not isinstance(test, Op):
+                return self._until_break([*(statement.body if test else statement.orelse), *rest], frame)
+
+            def side(part: Sequence[ast.stmt], own: Frame, rest: Sequence[ast.stmt] = rest) -> None:
+                own.env[_ON] = self._until_break([*part, *rest], own)
+
+            self._both_sides(test, statement, side, [*assigned(ast.Module([statement, *rest], [])), _ON], frame)
+            return frame.env.pop(_ON)
+        return True

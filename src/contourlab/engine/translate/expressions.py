@@ -1,0 +1,243 @@
+"""Expressions and calls of the scalar language over graph values."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from types import BuiltinFunctionType, FunctionType
+from typing import Any
+
+from contourlab.engine.translate.graph import Graph, MismatchError, Op
+from contourlab.engine.translate.names import Closure, Frame, assign, has_unset, outer_names
+from contourlab.engine.translate.source import tree_of
+from contourlab.errors import EngineError
+
+NOTHING: Any = object()
+"""What a body returns that ends without a return."""
+_ARITHMETIC = {ast.Add: "fadd", ast.Sub: "fsub", ast.Mult: "fmul", ast.Div: "fdiv"}
+_SIGNS = {ast.Lt: "<", ast.Gt: ">", ast.LtE: "<=", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
+_KNOWN_ONLY = (range, len, int, bool, str, isinstance, round, min, max)
+_DEEPEST = 60
+"""Most calls within each other: more is a recursion."""
+_PYTHON: dict[type, Callable[[Any, Any], Any]] = {
+    ast.Add: lambda a, b: a + b,
+    ast.Sub: lambda a, b: a - b,
+    ast.Mult: lambda a, b: a * b,
+    ast.Div: lambda a, b: a / b,
+    ast.FloorDiv: lambda a, b: a // b,
+    ast.Mod: lambda a, b: a % b,
+    ast.Pow: lambda a, b: a**b,
+    ast.Lt: lambda a, b: a < b,
+    ast.Gt: lambda a, b: a > b,
+    ast.LtE: lambda a, b: a <= b,
+    ast.GtE: lambda a, b: a >= b,
+    ast.Eq: lambda a, b: a == b,
+    ast.NotEq: lambda a, b: a != b,
+    ast.Is: lambda a, b: a is b,
+    ast.IsNot: lambda a, b: a is not b,
+    ast.In: lambda a, b: a in b,
+    ast.NotIn: lambda a, b: a not in b,
+}
+
+
+class Expressions:
+    """Evaluates expressions; a subclass runs the bodies of functions.
+
+    Parameters
+    ----------
+    graph : Graph
+        Receives the operations.
+    primitives : mapping
+        Python functions that become operations: function -> ``made(evaluator, *values)``.
+    """
+
+    def __init__(self, graph: Graph, primitives: Mapping[Any, Callable[..., Any]]) -> None:
+        self.graph, self.primitives = graph, primitives
+        self._depth = 0
+
+    def body(self, statements: Sequence[ast.stmt], frame: Frame) -> Any:
+        """Run statements; return the value that is returned, or `NOTHING`."""
+        raise NotImplementedError
+
+    def call(self, function: Any, args: Sequence[Any], named: Mapping[str, Any] | None = None) -> Any:
+        """Return the value of a function over graph values.
+
+        Raises
+        ------
+        EngineError
+            If the function uses what cannot be translated; names file and line.
+        """
+        try:
+            primitive = self.primitives.get(function)
+        except TypeError:
+            primitive = None
+        if primitive is not None:
+            return primitive(self, *args)
+        if isinstance(function, Closure):
+            return self._run(function.node, Frame(function.around.file, function.around.name), args, named or {}, ())
+        if isinstance(function, FunctionType):
+            frame = Frame(function.__code__.co_filename, outer_names(function))
+            return self._run(tree_of(function), frame, args, named or {}, function.__defaults__ or ())
+        return self._builtin(function, args, named or {})
+
+    def _builtin(self, function: Any, args: Sequence[Any], named: Mapping[str, Any]) -> Any:
+        unknown = any(isinstance(arg, Op) for arg in args)
+        if function is float:
+            return self.graph.number(args[0]) if unknown else float(args[0])
+        if function is abs:
+            return self.graph.arithmetic("fabs", args[0])
+        if function is sum:
+            total = args[1] if len(args) > 1 else 0
+            for value in args[0]:
+                total = self.operation(ast.Add(), total, value)
+            return total
+        if function in (tuple, zip, enumerate, reversed):
+            return tuple(function(*args, **named))
+        if isinstance(function, type) and issubclass(function, tuple):
+            return function(*args, **named)
+        if not unknown and (function in _KNOWN_ONLY or (isinstance(function, BuiltinFunctionType) and function.__module__ == "math")):
+            return function(*args, **named)
+        raise MismatchError(f"{getattr(function, '__name__', function)} cannot be called here: use the functions of contourlab.primitives")
+
+    def _run(self, node: Any, frame: Frame, args: Sequence[Any], named: Mapping[str, Any], defaults: Sequence[Any]) -> Any:
+        names = [arg.arg for arg in (*node.args.posonlyargs, *node.args.args)]
+        frame.env.update(zip(names[::-1], defaults[::-1], strict=False))
+        frame.env.update(zip(names, args, strict=False))
+        if node.args.vararg:
+            frame.env[node.args.vararg.arg] = tuple(args[len(names) :])
+        frame.env.update(named)
+        self._depth += 1
+        try:
+            if self._depth > _DEEPEST:
+                raise MismatchError("a function calls itself")
+            if isinstance(node, ast.Lambda):
+                return self.expression(node.body, frame)
+            found = self.body(node.body, frame)
+            return None if found is NOTHING else found
+        except MismatchError as error:
+            raise EngineError(f"{frame.file}:{getattr(error, 'line', node.lineno)}: {error}") from error
+        finally:
+            self._depth -= 1
+
+    def expression(self, tree: ast.expr, frame: Frame) -> Any:
+        """Return the value of an expression."""
+        handler = getattr(self, f"_{type(tree).__name__.lower()}", None)
+        if handler is None:
+            raise MismatchError(f"a step cannot use {words_of(tree)}")
+        return handler(tree, frame)
+
+    def _constant(self, tree: ast.Constant, frame: Frame) -> Any:
+        return tree.value
+
+    def _name(self, tree: ast.Name, frame: Frame) -> Any:
+        return frame.name(tree.id)
+
+    def _attribute(self, tree: ast.Attribute, frame: Frame) -> Any:
+        value = self.expression(tree.value, frame)
+        if not hasattr(value, tree.attr):
+            raise MismatchError(f"there is no {tree.attr} here")
+        return getattr(value, tree.attr)
+
+    def _binop(self, tree: ast.BinOp, frame: Frame) -> Any:
+        return self.operation(tree.op, self.expression(tree.left, frame), self.expression(tree.right, frame))
+
+    def operation(self, operator: ast.operator, a: Any, b: Any) -> Any:
+        """Return the result of an operator; of plain values as Python computes it."""
+        if not isinstance(a, Op) and not isinstance(b, Op):
+            return _PYTHON[type(operator)](a, b)
+        kind = _ARITHMETIC.get(type(operator))
+        if kind is None:
+            raise MismatchError(f"{type(operator).__name__.lower()} of numbers that are not known")
+        return self.graph.arithmetic(kind, a, b)
+
+    def _unaryop(self, tree: ast.UnaryOp, frame: Frame) -> Any:
+        value = self.expression(tree.operand, frame)
+        if isinstance(tree.op, ast.Not):
+            return self.graph.logic("not", self.graph.condition(value))
+        if isinstance(tree.op, ast.USub):
+            return self.graph.arithmetic("fneg", value) if isinstance(value, Op) else -value
+        return value
+
+    def _compare(self, tree: ast.Compare, frame: Frame) -> Any:
+        left, held = self.expression(tree.left, frame), None
+        for operator, item in zip(tree.ops, tree.comparators, strict=True):
+            right = self.expression(item, frame)
+            if type(operator) in _SIGNS and (isinstance(left, Op) or isinstance(right, Op)):
+                one = self.graph.compare(_SIGNS[type(operator)], left, right)
+            else:
+                one = _PYTHON[type(operator)](left, right)
+            held = one if held is None else self.graph.logic("and", held, one)
+            left = right
+        return held
+
+    def _boolop(self, tree: ast.BoolOp, frame: Frame) -> Any:
+        kind, held = ("and" if isinstance(tree.op, ast.And) else "or"), None
+        for part in tree.values:
+            one = self.graph.condition(self.expression(part, frame))
+            held = one if held is None else self.graph.logic(kind, held, one)
+            if not isinstance(held, Op) and held == (kind == "or"):
+                return held
+        return held
+
+    def _ifexp(self, tree: ast.IfExp, frame: Frame) -> Any:
+        test = self.graph.condition(self.expression(tree.test, frame))
+        return self.one_of(test, lambda: self.expression(tree.body, frame), lambda: self.expression(tree.orelse, frame))
+
+    def one_of(self, test: Any, then: Callable[[], Any], other: Callable[[], Any]) -> Any:
+        """Return the value of one of two sides, which must be of one kind."""
+        value = self.graph.branch(test, then, other)
+        if has_unset(value):
+            raise MismatchError("the two sides of an if give values of different kinds")
+        return value
+
+    def _tuple(self, tree: ast.Tuple | ast.List, frame: Frame) -> Any:
+        return tuple(self._items(tree.elts, frame))
+
+    def _items(self, trees: Iterable[ast.expr], frame: Frame) -> Any:
+        for item in trees:
+            if isinstance(item, ast.Starred):
+                yield from self.expression(item.value, frame)
+            else:
+                yield self.expression(item, frame)
+
+    def _subscript(self, tree: ast.Subscript, frame: Frame) -> Any:
+        value = self.expression(tree.value, frame)
+        if isinstance(tree.slice, ast.Slice):
+            parts = (tree.slice.lower, tree.slice.upper, tree.slice.step)
+            return tuple(value)[slice(*(None if part is None else self.expression(part, frame) for part in parts))]
+        index = self.expression(tree.slice, frame)
+        if isinstance(index, Op):
+            raise MismatchError("an index that is not known: use lookup")
+        return value[index]
+
+    def _call(self, tree: ast.Call, frame: Frame) -> Any:
+        function = self.expression(tree.func, frame)
+        args = list(self._items(tree.args, frame))
+        return self.call(function, args, {word.arg: self.expression(word.value, frame) for word in tree.keywords if word.arg})
+
+    def _lambda(self, tree: ast.Lambda, frame: Frame) -> Any:
+        return Closure(tree, frame)
+
+    def _generatorexp(self, tree: ast.GeneratorExp | ast.ListComp, frame: Frame) -> Any:
+        made: list[Any] = []
+
+        def fill(depth: int, own: Frame) -> None:
+            if depth == len(tree.generators):
+                made.append(self.expression(tree.elt, own))
+                return
+            part = tree.generators[depth]
+            for item in self.expression(part.iter, own):
+                inner = own.copy()
+                assign(part.target, item, inner.env)
+                if all(self.expression(test, inner) for test in part.ifs):
+                    fill(depth + 1, inner)
+
+        fill(0, frame.copy())
+        return tuple(made)
+
+    _list, _listcomp = _tuple, _generatorexp
+
+
+def words_of(tree: ast.AST) -> str:
+    """Return the name of a construct, in words."""
+    return "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in type(tree).__name__).strip()

@@ -1,0 +1,375 @@
+"""A graph of operations on numbers and conditions, with branches and loops.
+
+Operations are hash-consed: the same operation on the same values is one. Constants are folded only where the result is exact for every
+input, signs of zero and non-finite numbers included, so the graph computes bit for bit what Python computes. With `contract`, a product
+that is added becomes a fused multiply-add: faster, and rounded once instead of twice.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from typing import Any
+
+NUMBER, CONDITION, TABLE = "f", "b", "p"
+"""Types of values: a float64, a truth value, the address of a table."""
+
+_FOLDED: dict[str, Callable[..., float]] = {
+    "fadd": lambda a, b: a + b,
+    "fsub": lambda a, b: a - b,
+    "fmul": lambda a, b: a * b,
+    "fdiv": lambda a, b: a / b,
+    "fneg": lambda a: -a,
+    "fabs": math.fabs,
+    "sqrt": math.sqrt,
+    "copysign": math.copysign,
+}
+_COMPARED: dict[str, Callable[[float, float], bool]] = {
+    "<": lambda a, b: a < b,
+    ">": lambda a, b: a > b,
+    "<=": lambda a, b: a <= b,
+    ">=": lambda a, b: a >= b,
+    "==": lambda a, b: a == b,
+    "!=": lambda a, b: a != b,
+}
+_COSTS = {"fdiv": 8, "sqrt": 10, "exp": 40, "tanh": 50, "log": 40, "sin": 40, "cos": 40, "uniform": 15}
+_FIXED = ("constant", "parameter", "table", "period")
+"""Values that are the same in every tick; what is computed from them alone is computed once."""
+_GUARDED = ("lookup", "delayed", "branch", "loop")
+"""Operations that must not run where their branch is not taken: an index may lie outside, a loop may not end."""
+LIGHT = 24
+"""Up to this cost both sides of a branch are computed, and one is selected."""
+
+
+class MismatchError(Exception):
+    """What cannot be translated; the evaluator adds file and line."""
+
+
+UNSET: Any = type("Unset", (), {"__repr__": lambda self: "unset"})()
+"""The value of a name that has none, or not the same kind of value, on both sides of a branch."""
+
+
+class Op:
+    """An operation: `kind`, the operations that it takes, its type, and what else identifies it.
+
+    A branch has two blocks and a loop has two (the test, and one round). `results` are the values that come out of either. What is `fixed`
+    is the same in every tick. What is `sealed` crosses the border of a step: it is not contracted with what comes after.
+    """
+
+    __slots__ = ("args", "blocks", "extra", "fixed", "kind", "results", "sealed", "type")
+
+    def __init__(self, kind: str, args: tuple[Op, ...], type_: str, extra: Any = None) -> None:
+        self.kind, self.args, self.type, self.extra = kind, args, type_, extra
+        self.blocks: tuple[Block, ...] = ()
+        self.results: tuple[Op, ...] = ()
+        self.sealed = self.fixed = False
+
+    def __repr__(self) -> str:
+        return f"<{self.kind} {self.extra}>" if self.extra is not None else f"<{self.kind}>"
+
+
+class Block:
+    """Operations in order; `ends` are the values that leave a side of a branch, or a round of a loop."""
+
+    def __init__(self, parent: Block | None = None) -> None:
+        self.parent = parent
+        self.ops: list[Op] = []
+        self.known: dict[Any, Op] = {}
+        self.ends: tuple[Op, ...] = ()
+
+    def every(self) -> Iterator[Op]:
+        """Yield all operations, those of inner blocks included."""
+        for op in self.ops:
+            yield op
+            for block in op.blocks:
+                yield from block.every()
+
+
+class Graph:
+    """Builds operations into the current block.
+
+    Parameters
+    ----------
+    contract : bool
+        Whether to make fused multiply-adds, and to multiply by reciprocals of what is fixed: faster, and rounded otherwise than Python.
+    """
+
+    def __init__(self, contract: bool = False) -> None:
+        self.contract = contract
+        self.top = self.block = Block()
+        self.scope: Any = None
+
+    # --- operations
+
+    def op(self, kind: str, args: Sequence[Op] = (), type_: str = NUMBER, extra: Any = None) -> Op:
+        """Return an operation: the one that is there already, or a new one in the current block."""
+        mark = extra.hex() if isinstance(extra, float) else extra
+        # A product of another step may be sealed already: each step has its own.
+        key = (kind, tuple(map(id, args)), mark, self.scope if kind == "fmul" else None)
+        block: Block | None = self.block
+        while block is not None:
+            if key in block.known:
+                return block.known[key]
+            block = block.parent
+        made = Op(kind, tuple(args), type_, extra)
+        made.fixed = kind in _FIXED or (bool(args) and kind not in _GUARDED and all(arg.fixed for arg in args))
+        home = self.top if made.fixed else self.block
+        home.known[key] = made
+        home.ops.append(made)
+        return made
+
+    def effect(self, kind: str, args: Sequence[Op], extra: Any) -> None:
+        """Append an operation that changes memory."""
+        self.block.ops.append(Op(kind, tuple(args), "", extra))
+
+    def constant(self, value: float) -> Op:
+        """Return a constant: a condition if the value is a bool, else a number."""
+        if isinstance(value, bool):
+            return self.op("constant", (), CONDITION, value)
+        return self.op("constant", (), NUMBER, float(value))
+
+    def number(self, value: Any) -> Op:
+        """Return a value as a number; a condition counts 1 or 0, as in Python."""
+        if isinstance(value, Op) and value.type == NUMBER:
+            return value
+        if isinstance(value, Op) and value.type == CONDITION:
+            return self.op("select", (value, self.constant(1.0), self.constant(0.0)))
+        if isinstance(value, (int, float)):
+            return self.constant(float(value))
+        raise MismatchError(f"a number is needed, not {value!r}")
+
+    def condition(self, value: Any) -> Op | bool:
+        """Return the truth of a value."""
+        if isinstance(value, Op):
+            return value if value.type == CONDITION else self.compare("!=", value, 0.0)
+        return bool(value)
+
+    def arithmetic(self, kind: str, *values: Any) -> Any:
+        """Return the result of an arithmetic operation; of plain numbers a plain number."""
+        if not any(isinstance(value, Op) for value in values):
+            return _FOLDED[kind](*values)
+        args = [self.number(value) for value in values]
+        if all(op.kind == "constant" for op in args):
+            with suppress(ArithmeticError, ValueError):
+                return self.constant(_FOLDED[kind](*(op.extra for op in args)))
+        if kind == "fmul" and _is(args[0], 1.0):
+            return args[1]
+        if (kind in ("fmul", "fdiv") and _is(args[1], 1.0)) or (kind == "fsub" and _is(args[1], 0.0)):
+            return args[0]
+        if kind == "fneg" and args[0].kind == "fneg":
+            return args[0].args[0]
+        if kind == "fdiv" and self.contract and args[1].fixed and not args[0].fixed:
+            return self.op("fmul", (args[0], self.arithmetic("fdiv", 1.0, args[1])))
+        return self.op(kind, args)
+
+    def compare(self, sign: str, a: Any, b: Any) -> Any:
+        """Return a comparison; of plain numbers a bool."""
+        if not isinstance(a, Op) and not isinstance(b, Op):
+            return _COMPARED[sign](a, b)
+        return self.op("compare", (self.number(a), self.number(b)), CONDITION, sign)
+
+    def logic(self, kind: str, *values: Any) -> Any:
+        """Return ``and``, ``or`` or ``not`` of conditions."""
+        if kind == "not":
+            (value,) = values
+            return self.op("not", (value,), CONDITION) if isinstance(value, Op) else not value
+        decides = kind == "or"
+        for one, other in (values, values[::-1]):
+            if not isinstance(one, Op):
+                return bool(one) if bool(one) == decides else other
+        return self.op(kind, values, CONDITION)
+
+    def select(self, condition: Any, a: Any, b: Any) -> Any:
+        """Return a where the condition holds, else b; both are computed. Tuples are joined item by item."""
+        if not isinstance(condition, Op):
+            return a if condition else b
+        return self._joined(a, b, lambda p, q: self.op("select", (condition, p, q), p.type))
+
+    def fuse_products(self, wanted: Sequence[Op], *more: Block) -> None:
+        """Make fused multiply-adds of products that are used once, in the step that makes them; call it before `prune`.
+
+        A product with two uses stays: a number less itself must be 0.
+        """
+        blocks = (self.top, *more)
+        ops = [op for block in blocks for op in block.every()]
+        uses = Counter(id(arg) for op in ops for arg in op.args)
+        uses.update(id(end) for op in ops for block in op.blocks for end in block.ends)
+        uses.update(map(id, wanted))
+        for block in blocks:
+            self._fuse_in(block, uses)
+
+    def _fuse_in(self, block: Block, uses: Counter[int]) -> None:
+        made: list[Op] = []
+        for op in block.ops:
+            for inner in op.blocks:
+                self._fuse_in(inner, uses)
+            free = [arg.kind == "fmul" and not arg.sealed and uses[id(arg)] == 1 for arg in op.args]
+            if op.kind in ("fadd", "fsub") and any(free):
+                (a, b), first = op.args, free[0]
+                product, other = (a, b) if first else (b, a)
+                left = product.args[0]
+                if op.kind == "fsub":
+                    negative = Op("fneg", (other if first else left,), NUMBER)
+                    negative.fixed = negative.args[0].fixed
+                    made.append(negative)
+                    left, other = (left, negative) if first else (negative, other)
+                op.kind, op.args = "fma", (left, product.args[1], other)
+            made.append(op)
+        block.ops = made
+
+    def prune(self, wanted: Sequence[Op], *more: Block) -> None:
+        """Remove every operation that the wanted values do not need, from the top and from more blocks."""
+        needed: set[int] = set()
+        rest = [*wanted]
+        while rest:
+            op = rest.pop()
+            if id(op) in needed:
+                continue
+            needed.add(id(op))
+            if op.kind == "loop":
+                rest += op.blocks[0].ends
+                continue
+            rest += op.args
+            if op.kind in ("result", "carried"):
+                made = op.args[0]
+                at = (made.results if op.kind == "result" else made.extra).index(op)
+                if made.kind == "branch":
+                    rest += [block.ends[at] for block in made.blocks]
+                else:
+                    rest += [made.args[at], made.extra[at], made.blocks[1].ends[at]]
+        for block in (self.top, *more):
+            self._keep(block, needed)
+
+    def _keep(self, block: Block, needed: set[int]) -> None:
+        block.ops = [op for op in block.ops if id(op) in needed]
+        for op in block.ops:
+            if op.kind in ("branch", "loop"):
+                values = op.results if op.kind == "branch" else op.extra
+                kept = [i for i, value in enumerate(values) if id(value) in needed]
+                op.results = tuple(op.results[i] for i in kept)
+                for side in op.blocks if op.kind == "branch" else op.blocks[1:]:
+                    side.ends = tuple(side.ends[i] for i in kept)
+                if op.kind == "loop":
+                    op.args, op.extra = tuple(op.args[i] for i in kept), tuple(op.extra[i] for i in kept)
+            for inner in op.blocks:
+                self._keep(inner, needed)
+
+    # --- branches and loops
+
+    def branch(self, condition: Any, then: Callable[[], Any], other: Callable[[], Any]) -> Any:
+        """Return the value of one of two functions, each evaluated in a block of its own.
+
+        If both sides are light, both are computed and one is selected.
+        """
+        if not isinstance(condition, Op):
+            return then() if condition else other()
+        blocks, values = [], []
+        for side in (then, other):
+            self.block = Block(self.block)
+            try:
+                values.append(side())
+            finally:
+                blocks.append(self.block)
+                self.block = self.block.parent or self.top
+        if all(map(_is_light, blocks)):
+            for block in blocks:
+                self.block.ops += block.ops
+                for key, op in block.known.items():
+                    self.block.known.setdefault(key, op)
+            return self.select(condition, *values)
+        made = Op("branch", (condition,), "")
+        made.blocks = tuple(blocks)
+        pairs: list[tuple[Op, Op]] = []
+        results: list[Op] = []
+
+        def join(p: Op, q: Op) -> Op:
+            pairs.append((p, q))
+            results.append(Op("result", (made,), p.type))
+            return results[-1]
+
+        value = self._joined(values[0], values[1], join)
+        blocks[0].ends, blocks[1].ends = tuple(p for p, _ in pairs), tuple(q for _, q in pairs)
+        made.results = tuple(results)
+        self.block.ops.append(made)
+        return value
+
+    def loop(self, start: Sequence[Any], test: Callable[[list[Op]], Any], body: Callable[[list[Op]], Sequence[Any]]) -> list[Op]:
+        """Repeat a body while a test holds.
+
+        Parameters
+        ----------
+        start : sequence
+            Numbers and conditions before the first round.
+        test, body : callable
+            Take the values before a round; return a condition, and the values after the round.
+
+        Returns
+        -------
+        list of Op
+            The values after the last round.
+        """
+        begin = [value if isinstance(value, Op) else self.constant(value) for value in start]
+        made = Op("loop", tuple(begin), "")
+        carried = [Op("carried", (made,), op.type) for op in begin]
+        blocks = (Block(self.block), Block(self.block))
+        outer = self.block
+        try:
+            self.block = blocks[0]
+            held = test(carried)
+            self.block = blocks[1]
+            after = body(carried)
+            ends = [self.number(v) if op.type == NUMBER else self._as_condition(v) for v, op in zip(after, carried, strict=True)]
+        finally:
+            self.block = outer
+        blocks[0].ends = (held if isinstance(held, Op) else self._constant_in(blocks[0], bool(held)),)
+        blocks[1].ends = tuple(ends)
+        made.blocks, made.extra = blocks, tuple(carried)
+        made.results = tuple(Op("result", (made,), op.type) for op in begin)
+        self.block.ops.append(made)
+        return list(made.results)
+
+    def _as_condition(self, value: Any) -> Op:
+        value = self.condition(value)
+        return value if isinstance(value, Op) else self.constant(bool(value))
+
+    def _constant_in(self, block: Block, value: bool) -> Op:
+        held, self.block = self.block, block
+        try:
+            return self.constant(value)
+        finally:
+            self.block = held
+
+    def _joined(self, a: Any, b: Any, join: Callable[[Op, Op], Op]) -> Any:
+        """Return two values joined: what is the same on both sides stays as it is, what cannot be joined is `UNSET`."""
+        if isinstance(a, tuple) and isinstance(b, tuple) and len(a) == len(b):
+            items = [self._joined(p, q, join) for p, q in zip(a, b, strict=True)]
+            return type(a)(*items) if hasattr(a, "_fields") else tuple(items)
+        if a is b or (not isinstance(a, Op) and not isinstance(b, Op) and type(a) is type(b) and _same(a, b)):
+            return a
+        if isinstance(a, (Op, int, float)) and isinstance(b, (Op, int, float)):
+            if _is_condition(a) and _is_condition(b):
+                pair = (self._as_condition(a), self._as_condition(b))
+            else:
+                pair = (self.number(a), self.number(b))
+            return pair[0] if pair[0] is pair[1] else join(*pair)
+        return UNSET
+
+
+def _is(op: Op, value: float) -> bool:
+    return op.kind == "constant" and op.extra == value and math.copysign(1.0, op.extra) == math.copysign(1.0, value)
+
+
+def _is_condition(value: Any) -> bool:
+    return isinstance(value, bool) or getattr(value, "type", "") == CONDITION
+
+
+def _same(a: Any, b: Any) -> bool:
+    return bool(a == b) and (not isinstance(a, float) or math.copysign(1.0, a) == math.copysign(1.0, b))
+
+
+def _is_light(block: Block) -> bool:
+    return all(op.kind not in _GUARDED and op.type for op in block.ops) and sum(_COSTS.get(op.kind, 1) for op in block.ops) <= LIGHT
+
+

@@ -1,0 +1,115 @@
+"""The names of a running function, and the values behind them."""
+
+from __future__ import annotations
+
+import ast
+import builtins
+from collections.abc import Callable, Iterable, Sequence
+from types import FunctionType
+from typing import Any
+
+from contourlab.engine.translate.graph import CONDITION, NUMBER, UNSET, MismatchError, Op
+
+Env = dict[str, Any]
+
+
+class Closure:
+    """A function defined inside another one, with the names around it."""
+
+    def __init__(self, node: ast.FunctionDef | ast.Lambda, around: Frame) -> None:
+        self.node, self.around = node, around
+
+
+class Frame:
+    """The names of a running function, and where its source is."""
+
+    def __init__(self, file: str, outer: Callable[[str], Any]) -> None:
+        self.file, self.outer = file, outer
+        self.env: Env = {}
+
+    def copy(self) -> Frame:
+        """Return a frame with the same names, to be changed apart from this one."""
+        made = Frame(self.file, self.outer)
+        made.env = dict(self.env)
+        return made
+
+    def name(self, wanted: str) -> Any:
+        """Return the value of a name, here or around."""
+        value = self.env[wanted] if wanted in self.env else self.outer(wanted)
+        if value is UNSET:
+            raise MismatchError(f"{wanted} may have no value here")
+        return value
+
+
+def assigned(tree: ast.AST) -> list[str]:
+    """Return the names that a tree assigns to."""
+    return sorted({node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)})
+
+
+def assign(target: ast.expr, value: Any, env: Env) -> None:
+    """Assign a value to a name, or its items to a tuple of names."""
+    if isinstance(target, ast.Name):
+        env[target.id] = value
+        return
+    if not isinstance(target, (ast.Tuple, ast.List)):
+        raise MismatchError(f"a step cannot assign to {type(target).__name__.lower()}")
+    values, targets = list(value), list(target.elts)
+    for i, item in enumerate(targets):
+        if isinstance(item, ast.Starred):
+            n = len(values) - len(targets) + 1
+            values[i : i + n] = [tuple(values[i : i + n])]
+            targets[i] = item.value
+            break
+    if len(values) != len(targets):
+        raise MismatchError(f"{len(values)} values for {len(targets)} names")
+    for item, part in zip(targets, values, strict=True):
+        assign(item, part, env)
+
+
+def is_numeric(value: Any) -> bool:
+    """Return whether a value is a number, a condition, or a tuple of them."""
+    if isinstance(value, tuple):
+        return all(map(is_numeric, value))
+    return isinstance(value, (int, float)) or (isinstance(value, Op) and value.type in (NUMBER, CONDITION))
+
+
+def has_unset(value: Any) -> bool:
+    """Return whether a value or an item of it is `UNSET`."""
+    return value is UNSET or (isinstance(value, tuple) and any(map(has_unset, value)))
+
+
+def flat(values: Iterable[Any]) -> list[Any]:
+    """Return the numbers and conditions within tuples, in order."""
+    leaves: list[Any] = []
+    for value in values:
+        leaves += flat(value) if isinstance(value, tuple) else [value]
+    return leaves
+
+
+def shaped(shapes: Iterable[Any], leaves: Sequence[Any]) -> list[Any]:
+    """Return leaves in the tuples that they came from."""
+    rest = iter(leaves)
+
+    def shape(like: Any) -> Any:
+        if not isinstance(like, tuple):
+            return next(rest)
+        items = [shape(item) for item in like]
+        return type(like)(*items) if hasattr(like, "_fields") else tuple(items)
+
+    return [shape(like) for like in shapes]
+
+
+def outer_names(function: FunctionType) -> Callable[[str], Any]:
+    """Return the lookup of names around a function: its closure, its module, the builtins."""
+    cells = dict(zip(function.__code__.co_freevars, function.__closure__ or (), strict=True))
+
+    def lookup(wanted: str) -> Any:
+        if wanted in cells:
+            return cells[wanted].cell_contents
+        if wanted in function.__globals__:
+            return function.__globals__[wanted]
+        if hasattr(builtins, wanted):
+            return getattr(builtins, wanted)
+        raise MismatchError(f"no name {wanted}")
+
+    return lookup

@@ -1,0 +1,59 @@
+"""The syntax tree of a function, from its file or from source that the program generated."""
+
+from __future__ import annotations
+
+import ast
+import linecache
+from functools import cache
+from types import CodeType, FunctionType
+
+from contourlab.errors import EngineError
+
+Function = ast.FunctionDef | ast.Lambda
+
+
+@cache
+def tree_of(function: FunctionType) -> Function:
+    """Return the syntax tree of a plain function; its line numbers are those of the file.
+
+    Raises
+    ------
+    EngineError
+        If there is no source.
+    """
+    code = function.__code__
+    linecache.checkcache(code.co_filename)  # the file of a plugin may have changed since
+    found = [node for node in _functions("".join(linecache.getlines(code.co_filename))) if _matches(node, code)]
+    if len(found) > 1:
+        found = [node for node in found if _start(node) == _start_of_code(code)]
+    if len(found) != 1:
+        raise EngineError(f"{code.co_filename}:{code.co_firstlineno}: no source of {function.__qualname__}: define it in a file")
+    return found[0]
+
+
+@cache
+def _functions(source: str) -> list[Function]:
+    try:
+        tree = ast.parse(source)
+    except SyntaxError:  # edited since it was imported
+        return []
+    return [node for node in ast.walk(tree) if isinstance(node, (ast.FunctionDef, ast.Lambda))]
+
+
+def _matches(node: Function, code: CodeType) -> bool:
+    is_lambda = isinstance(node, ast.Lambda)
+    first = min([node.lineno, *(mark.lineno for mark in getattr(node, "decorator_list", ()))])
+    names = [arg.arg for arg in (*node.args.posonlyargs, *node.args.args)]
+    called = "<lambda>" if is_lambda else getattr(node, "name", "")
+    return first == code.co_firstlineno and called == code.co_name and names == list(code.co_varnames[: code.co_argcount])
+
+
+def _start(node: Function) -> tuple[int, int]:
+    """Return line and column of the first expression in a body."""
+    body = node.body if isinstance(node.body, list) else [node.body]
+    return min((part.lineno, part.col_offset) for tree in body for part in ast.walk(tree) if isinstance(part, ast.expr))
+
+
+def _start_of_code(code: CodeType) -> tuple[int, int]:
+    places = [(line, column) for line, _, column, end in code.co_positions() if line is not None and column is not None and end]
+    return min(places)

@@ -1,0 +1,167 @@
+"""One tick of a whole schedule as a graph: wires become values, states and late signals are carried from tick to tick."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from contourlab.engine.schedule import Node, Schedule
+from contourlab.engine.step import Step, rows
+from contourlab.engine.translate.evaluate import Evaluator
+from contourlab.engine.translate.graph import TABLE, Block, Graph, Op
+from contourlab.engine.translate.step_graph import once as step_once
+from contourlab.engine.translate.step_graph import record_of
+from contourlab.primitives import Clock
+
+_UNROLLED = 2
+"""Most sub-steps that are written out; more are a loop."""
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Rows of memory: the first of each node's states, parameters and ring, and the length of each ring."""
+
+    states: Sequence[int]
+    parameters: Sequence[int]
+    rings: Sequence[int]
+    ring_lengths: Sequence[int]
+
+
+@dataclass
+class TickGraph:
+    """A tick.
+
+    Attributes
+    ----------
+    graph : Graph
+        Its top holds what is the same in every tick.
+    body : Block
+        The operations of a tick.
+    carried : list of (Op, int, Op)
+        A value before the tick, its row of memory, and the value after the tick.
+    signals : list of (int, Op)
+        Rows of signals and their values after the tick.
+    log : list of Op
+        Values to record.
+    """
+
+    graph: Graph
+    body: Block
+    carried: list[tuple[Op, int, Op]] = field(default_factory=list)
+    signals: list[tuple[int, Op]] = field(default_factory=list)
+    log: list[Op] = field(default_factory=list)
+
+
+class _Builder:
+    """Builds the graph of a tick, node by node."""
+
+    def __init__(self, schedule: Schedule, places: Rows, primitives: Mapping[Any, Any], contract: bool) -> None:
+        self.schedule, self.places = schedule, places
+        graph = Graph(contract)
+        self.made = TickGraph(graph, Block(graph.top))
+        self.graph, self.run = graph, Evaluator(graph, primitives)
+        graph.block = self.made.body
+        self.n_external = rows(schedule.externals)
+        self.now: dict[int, Op] = {}
+        self.late: dict[int, Op] = {}
+        self.tables = 0
+
+    def signal(self, row: int) -> Op:
+        """Return the value of a row: of this tick if it is there already, else of the last one."""
+        if row < self.n_external:
+            return self.graph.op("external", extra=row)
+        if row in self.now:
+            return self.now[row]
+        if row not in self.late:
+            self.late[row] = Op("before", (), "f", row)
+        return self.late[row]
+
+    def node(self, i: int, node: Node) -> None:
+        graph, step = self.graph, node.step
+        graph.scope = i
+        first = self.places.parameters[i]
+        values: list[Any] = [graph.op("parameter", extra=first + r) for r in range(len(step.parameters))]
+        values += [graph.op("table", (), TABLE, self.tables + n) for n in range(len(step.tables))]
+        self.tables += len(step.tables)
+        taken = [graph.constant(s) if isinstance(s, float) else self.signal(s) for s in self.schedule.sources[i]]
+        if step.ring:
+            values.append(Op("ring", (), TABLE, (self.places.rings[i], self.places.ring_lengths[i])))
+            graph.effect("store_ring", [taken[_row_of(step, step.ring)]], values[-1].extra)
+        par, inputs = step.par_type(*values), record_of(step.inputs, taken)
+        states = [Op("before", (), "f", self.places.states[i] + r) for r in range(step.n_state)]
+        out = [self.signal(self.schedule.first_row[i] + r) for r in range(rows(step.outputs))] if node.repeat > _UNROLLED else []
+        after = self._repeated(node, par, states, inputs, out)
+        for value in after:
+            value.sealed = True
+        self.made.carried += [(op, op.extra, value) for op, value in zip(states, after, strict=False)]
+        self.now |= {self.schedule.first_row[i] + r: value for r, value in enumerate(after[step.n_state :])}
+
+    def _repeated(self, node: Node, par: Any, states: list[Op], inputs: Any, out: list[Op]) -> list[Op]:
+        """Return next states and outputs after all sub-steps of a node."""
+        graph = self.graph
+        period = graph.op("period")
+        held = graph.arithmetic("fdiv", period, float(node.repeat)) if node.repeat > 1 else period
+        tick, time = graph.op("tick"), graph.op("time")
+
+        def once(part: Any, before: Sequence[Op]) -> list[Op]:
+            at = graph.arithmetic("fadd", time, graph.arithmetic("fmul", part, held)) if node.repeat > 1 else time
+            following, after = step_once(self.run, node.step, par, before, inputs, Clock(tick, at, held))  # type: ignore[arg-type]
+            return [*following, *after]
+
+        if node.repeat <= _UNROLLED:
+            after: list[Op] = [*states]
+            for r in range(node.repeat):
+                after = once(float(r), after[: len(states)])
+            return after
+
+        def body(values: list[Op]) -> list[Any]:
+            return [graph.arithmetic("fadd", values[0], 1.0), *once(values[0], values[1 : 1 + len(states)])]
+
+        return graph.loop([0.0, *states, *out], lambda values: graph.compare("<", values[0], float(node.repeat)), body)[1:]
+
+
+def _row_of(step: Step, name: str) -> int:
+    names = [port.name for port in step.inputs for _ in range(port.rows)]
+    return names.index(name)
+
+
+def tick_graph(
+    schedule: Schedule, places: Rows, log_rows: Sequence[int], primitives: Mapping[Any, Any], *, contract: bool = True
+) -> TickGraph:
+    """Return one tick of a schedule as a graph.
+
+    Parameters
+    ----------
+    schedule : Schedule
+    places : Rows
+        Where the memory of a group has everything.
+    log_rows : sequence of int
+        Rows of signals to record, at the record point.
+    primitives : mapping
+        Functions that become operations.
+    contract : bool
+        Whether to make fused multiply-adds within each node.
+
+    Raises
+    ------
+    EngineError
+        If a step uses what cannot be translated.
+    """
+    builder = _Builder(schedule, places, primitives, contract)
+    made = builder.made
+    for i, node in enumerate(schedule.nodes):
+        if i == schedule.record_point:
+            made.log = [builder.signal(row) for row in log_rows]
+        builder.node(i, node)
+    if schedule.record_point >= len(schedule.nodes):
+        made.log = [builder.signal(row) for row in log_rows]
+    made.carried += [(op, row, builder.now.get(row, op)) for row, op in builder.late.items()]
+    fed = {row: made.graph.op("external", extra=row) for row in range(builder.n_external)}
+    made.signals = [(row, op) for row, op in (fed | builder.now).items() if row not in builder.late]
+    effects = [op for op in made.body.ops if not op.type and op.kind.startswith("store")]
+    wanted = [*(op for _, _, op in made.carried), *(op for _, op in made.signals), *made.log, *effects]
+    if contract:
+        made.graph.fuse_products(wanted, made.body)
+    made.graph.prune(wanted, made.body)
+    return made

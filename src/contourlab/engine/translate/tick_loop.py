@@ -1,0 +1,112 @@
+"""The tick loop of a schedule as one function, for one variant or for lanes: its LLVM IR."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+
+from contourlab.engine.translate.graph import Op
+from contourlab.engine.translate.llvm_text import Writer
+from contourlab.engine.translate.tick_graph import TickGraph
+
+SIGNATURE = ctypes.CFUNCTYPE(
+    None, *(ctypes.c_void_p,) * 3, *(ctypes.c_int64,) * 2, ctypes.c_void_p, *(ctypes.c_int64,) * 2, ctypes.c_double, ctypes.c_int64
+)
+_HEAD = (
+    "define void @run(ptr noalias %memory, ptr noalias %tables, ptr noalias %external, i64 %tick_stride, i64 %signal_stride, "
+    "ptr noalias %logs, i64 %first, i64 %n_tick, double %period, i64 %lane) #0 {"
+)
+_FOOT = 'attributes #0 = { nounwind "prefer-vector-width"="512" "no-trapping-math"="true" }'
+
+
+class _LoopWriter(Writer):
+    """Writes the operations of a tick; memory has rows of `width` numbers."""
+
+    def __init__(self, lanes: int, width: int) -> None:
+        super().__init__(lanes)
+        self.width = width
+
+    def row(self, row: int) -> str:
+        return str(row * self.width)
+
+    def _parameter(self, op: Op, args: Sequence[str]) -> str:
+        return self.load("%mem", self.row(op.extra))
+
+    def _period(self, op: Op, args: Sequence[str]) -> str:
+        return self.spread("%period")
+
+    def _tick(self, op: Op, args: Sequence[str]) -> str:
+        return self.spread("%tick")
+
+    def _time(self, op: Op, args: Sequence[str]) -> str:
+        return self.spread("%time")
+
+    def _external(self, op: Op, args: Sequence[str]) -> str:
+        place = self.let(f"mul i64 %signal_stride, {op.extra}")
+        place = self.let(f"getelementptr double, ptr %fed, i64 {place}")
+        return self.spread(self.let(f"load double, ptr {place}, align 8"))
+
+    def _store_ring(self, op: Op, args: Sequence[str]) -> str:
+        first, length = op.extra
+        slot = self.let(f"and i64 %k, {length - 1}")
+        slot = self.let(f"mul i64 {slot}, {self.width}")
+        self.store(args[0], "%mem", self.let(f"add i64 {slot}, {first * self.width}"))
+        return ""
+
+    def _delayed(self, op: Op, args: Sequence[str]) -> str:
+        first, length = op.extra
+        index = self.let(f"and {self.whole} {self.truncated(args[0])}, {self.spread_constant('i64', str(length - 1))}")
+        index = self.let(f"mul {self.whole} {index}, {self.spread_constant('i64', str(self.width))}")
+        if self.lanes == 1:
+            start = str(first * self.width)
+        else:
+            start = f"<{', '.join(f'i64 {first * self.width + lane}' for lane in range(self.lanes))}>"
+        return self.gather("%mem", self.let(f"add {self.whole} {index}, {start}"))
+
+
+def source_of(made: TickGraph, lanes: int, width: int) -> str:
+    """Return the LLVM IR of ``run(memory, tables, external, tick_stride, signal_stride, logs, first, n_tick, period, lane)``.
+
+    It runs `n_tick` ticks of the lanes that begin at `lane`, records into ``logs`` (n_tick, n_log, width), and leaves states and signals of
+    the last tick in memory.
+    """
+    w = _LoopWriter(lanes, width)
+    w.start("entry")
+    w.put("%mem = getelementptr double, ptr %memory, i64 %lane")
+    w.put("%log = getelementptr double, ptr %logs, i64 %lane")
+    w.put("%some = icmp sgt i64 %n_tick, 0")
+    w.put("br i1 %some, label %enter, label %done")
+    w.start("enter")
+    starts = [w.load("%mem", w.row(row)) for _, row, _ in made.carried]
+    w.block(made.graph.top)
+    w.put("br label %ticks")
+    w.start("ticks")
+    w.put("%step = phi i64 [ 0, %enter ], [ %next, %latch ]")
+    at = len(w.lines)
+    for i, (op, _, _) in enumerate(made.carried):
+        w.names[id(op)] = f"%c{i}"
+    w.put("%k = add i64 %first, %step")
+    w.put("%tick = sitofp i64 %k to double")
+    w.put("%time = fmul double %tick, %period")
+    w.put("%fed_at = mul i64 %step, %tick_stride")
+    w.put("%fed = getelementptr double, ptr %external, i64 %fed_at")
+    w.block(made.body)
+    w.put(f"%logged = mul i64 %step, {len(made.log) * width}")
+    w.put("%entry_of_log = getelementptr double, ptr %log, i64 %logged")
+    for j, op in enumerate(made.log):
+        w.store(w.value(op), "%entry_of_log", str(j * width))
+    w.put("br label %latch")
+    w.start("latch")
+    w.put("%next = add i64 %step, 1")
+    w.put("%more = icmp slt i64 %next, %n_tick")
+    w.put("br i1 %more, label %ticks, label %leave")
+    w.lines[at:at] = [
+        f"  %c{i} = phi {w.number} [ {start}, %enter ], [ {w.value(after)}, %latch ]"
+        for i, ((_, _, after), start) in enumerate(zip(made.carried, starts, strict=True))
+    ]
+    w.start("leave")
+    for row, op in [*((row, after) for _, row, after in made.carried), *made.signals]:
+        w.store(w.value(op), "%mem", w.row(row))
+    w.put("br label %done")
+    w.start("done")
+    return "\n".join([*w.declared.values(), _HEAD, *w.lines, "  ret void", "}", _FOOT]) + "\n"

@@ -1,0 +1,60 @@
+"""A group whose steps run as translated code, one node and one tick at a time: to compare with plain Python bit for bit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from contourlab.engine.runner import InterpretedGroup
+from contourlab.engine.schedule import Schedule
+from contourlab.engine.step import Step, rows
+from contourlab.engine.translate import llvm_ir
+from contourlab.engine.translate.step_graph import StepGraph, graph_of
+
+Maker = Callable[[StepGraph], Any]
+
+
+@cache
+def in_machine_code(made: StepGraph) -> Any:
+    return llvm_ir.compiled(llvm_ir.source_of(made))
+
+
+class TranslatedGroup(InterpretedGroup):
+    """One variant; `make` turns the graph of a step into a function with the arguments of `llvm_ir.SIGNATURE`."""
+
+    def __init__(self, schedule: Schedule, make: Maker = in_machine_code) -> None:
+        super().__init__(schedule, 1, slice(0, 1))
+        self._functions = [make(graph_of(node.step)) for node in schedule.nodes]
+
+    def _run_node(self, n: int) -> None:
+        node = self.schedule.nodes[n]
+        step, held = node.step, self.schedule.period / node.repeat
+        tables = [np.ascontiguousarray(node.tables[name], dtype=float) for name in step.tables]
+        words = np.array([table.ctypes.data for table in tables], dtype=np.int64)
+        par = self.parameters[n][:, 0].copy()
+        for r in range(node.repeat):
+            taken = np.array([s if isinstance(s, float) else float(self.signals[s, 0]) for s in self._sources[n]])
+            ring = self._pushed(n, taken)
+            x = self.state[n][:, 0].copy()
+            following, out = np.empty(step.n_state), np.empty(rows(step.outputs))
+            time = (float(self.tick), self.tick * self.schedule.period + r * held, held)
+            before, after = (par, words, ring, x, taken), (following, out)
+            self._functions[n](*(a.ctypes.data for a in before), len(ring) - 1, *time, *(a.ctypes.data for a in after))
+            self.state[n][:, 0] = following
+            first = self._first[n]
+            self.signals[first : first + out.size, 0] = out
+
+    def _pushed(self, n: int, taken: np.ndarray) -> np.ndarray:
+        """Store the present value of the ring port; return the ring."""
+        step: Step = self.schedule.nodes[n].step
+        if step.ring:
+            at = 0
+            for port in step.inputs:
+                if port.name == step.ring:
+                    break
+                at += port.rows
+            self.rings[n][self.tick % len(self.rings[n]), 0] = taken[at]
+        return np.ascontiguousarray(self.rings[n][:, 0])

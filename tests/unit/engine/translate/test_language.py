@@ -1,0 +1,178 @@
+"""The scalar language: what a step may use, what is refused with its line, and what the graph looks like."""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from contourlab.engine.step import Port, Step
+from contourlab.engine.translate import llvm_ir
+from contourlab.engine.translate.step_graph import graph_of
+from contourlab.errors import EngineError
+from contourlab.primitives import clip, copysign, exp, fabs, floor, maximum, minimum, rint, select, sqrt
+
+FLOATS = st.floats(allow_nan=True, allow_infinity=True, width=64)
+
+
+def step_of(function: Callable[[float, float], float]) -> Step:
+    """Return a step that computes one number of two inputs."""
+    return Step("made", lambda par, x, inp, clock: ((), (function(inp.a, inp.b),)), inputs=(Port("a"), Port("b")), outputs=(Port("y"),))
+
+
+def compiled(function: Callable[[float, float], float]) -> Callable[[float, float], float]:
+    native = llvm_ir.compiled(llvm_ir.source_of(graph_of(step_of(function))))
+
+    def run(a: float, b: float) -> float:
+        inputs, out = np.array([a, b]), np.empty(1)
+        native(None, None, None, None, inputs.ctypes.data, 0, 0.0, 0.0, 1e-3, None, out.ctypes.data)
+        return float(out[0])
+
+    return run
+
+
+def bits(value: float) -> bytes:
+    return b"nan" if math.isnan(value) else struct.pack("<d", value)
+
+
+def early(a: float, b: float) -> float:
+    if a > b:
+        return a - b
+    if a == b:
+        return 0.0
+    difference = b - a
+    return difference * difference
+
+
+def counted(a: float, b: float) -> float:
+    total, i = 0.0, 0.0
+    while i < 5.0 and total < b:
+        total += fabs(a)
+        i += 1.0
+    return total - i
+
+
+def bisected(a: float, b: float) -> float:
+    low, high = 0.0, 1.0 + fabs(a)
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        if middle * middle > fabs(a):
+            high = middle
+        else:
+            low = middle
+        if high - low <= 1e-9:
+            break
+    return high
+
+
+def indexed(a: float, b: float) -> float:
+    total = 0.0
+    for i in range(2, 40, 3):
+        if total > b:
+            break
+        total += i * a
+    return total
+
+
+def tuples(a: float, b: float) -> float:
+    pair, third = ((a, b), 1.0) if a < b else ((b, a), 2.0)
+    (low, high), *rest = pair, third
+    return high - low + rest[0] + sum(v for v in (a, b) if True)
+
+
+def rounding(a: float, b: float) -> float:
+    return floor(a) + rint(b) + copysign(0.0, rint(a)) + minimum(a, b) - maximum(a, b) + clip(a, -1.0, 1.0)
+
+
+def mixed(a: float, b: float) -> float:
+    return select((a > 0.0 and not b > 0.0) or a == b, sqrt(fabs(a)), exp(-fabs(b))) if -1.0 < a <= 8.0 else -(a * 1.0 - 0.0)
+
+
+@pytest.mark.parametrize("function", [early, counted, bisected, indexed, tuples, rounding, mixed])
+def test_a_function_computes_the_same_bits(function: Callable[[float, float], float]) -> None:
+    native = compiled(function)
+
+    @given(FLOATS, FLOATS)
+    @example(0.0, -0.0)
+    @example(-0.3, 0.5)
+    @example(2.0, 1.0)
+    def agrees(a: float, b: float) -> None:
+        assert bits(native(a, b)) == bits(function(a, b))
+
+    agrees()
+
+
+def test_a_division_by_zero_is_the_only_difference() -> None:
+    """Python raises; machine code returns infinity, as every number of a loop that diverges."""
+    assert compiled(lambda a, b: a / b)(1.0, 0.0) == math.inf
+
+
+def endless(a: float, b: float) -> float:
+    return endless(a - 1.0, b)
+
+
+def half_set(a: float, b: float) -> float:
+    if a > 0.0:
+        c = a
+    return c
+
+
+def refusing(a: float, b: float) -> float:
+    raise ValueError(a)
+
+
+@pytest.mark.parametrize(
+    ("function", "line", "reason"),
+    [
+        (lambda a, b: (1.0, 2.0)[int(a)], 0, "int"),
+        (lambda a, b: math.gamma(a), 0, "gamma"),
+        (lambda a, b: (a, b) if a > b else a, 0, "different kinds"),
+        (endless, 0, "calls itself"),
+        (half_set, 3, "c may have no value"),
+        (refusing, 1, "cannot use raise"),
+        (lambda a, b: a**b, 0, "pow"),
+        (lambda a, b: a + "b", 0, "a number is needed"),
+    ],
+)
+def test_what_cannot_be_translated_is_refused_with_its_line(function: Any, line: int, reason: str) -> None:
+    with pytest.raises(EngineError) as refusal:
+        graph_of(step_of(function))
+    where, _, words = str(refusal.value).partition(": ")
+    assert where == f"{__file__}:{function.__code__.co_firstlineno + line}"
+    assert reason in words
+
+
+def test_two_lambdas_in_one_line_are_told_apart() -> None:
+    first, second = (lambda a, b: a - b), (lambda a, b: b - a)
+    assert (compiled(first)(3.0, 1.0), compiled(second)(3.0, 1.0)) == (2.0, -2.0)
+
+
+def kinds(function: Callable[[float, float], float], contract: bool) -> list[str]:
+    return [op.kind for op in graph_of(step_of(function), contract=contract).graph.top.every()]
+
+
+def test_products_are_contracted_on_request_only() -> None:
+    def product_sum(a: float, b: float) -> float:
+        return a * b + a - b * b
+
+    assert kinds(product_sum, False).count("fma") == 0
+    assert kinds(product_sum, True).count("fma") == 2
+
+
+def test_what_is_known_is_computed_now() -> None:
+    def known(a: float, b: float) -> float:
+        weights = tuple(1.0 / (1.0 + i) for i in range(4))
+        return sum(weights) * a if len(weights) == 4 else b
+
+    assert sorted(set(kinds(known, False))) == ["constant", "fmul", "input"]
+
+
+def test_a_long_loop_stays_a_loop() -> None:
+    assert len(kinds(bisected, False)) < 60
+    assert kinds(bisected, False).count("loop") == 1
