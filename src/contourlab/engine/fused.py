@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import inspect
-from collections.abc import Sequence
 from functools import cache
 from types import ModuleType
 from typing import Any
@@ -28,8 +27,6 @@ from contourlab.engine.translate import (
 from contourlab.engine.translate.tick_graph import Rows
 from contourlab.native import store
 
-VECTOR = 32
-"""Lanes that run together; more run one group after another."""
 _TRANSLATOR: tuple[ModuleType, ...] = (
     evaluate, expressions, graph, llvm_ir, llvm_text, maths, names, polynomials, step_graph, tick_graph, tick_loop
 )  # fmt: skip
@@ -37,18 +34,21 @@ _loops: dict[str, Any] = {}
 
 
 @cache
-def _translator_sources() -> str:
-    """Return the sources of translator and primitives, so that an edit there discards all machine code."""
-    return "".join(map(inspect.getsource, (primitives, *_TRANSLATOR)))
+def _translator() -> str:
+    """Return a digest of translator, primitives and tools: a change of any of them discards all machine code."""
+    return _digest((*map(inspect.getsource, (primitives, *_TRANSLATOR)), store.toolchain()))
 
 
-def _key(schedule: Schedule, places: Rows, log_rows: Sequence[int], width: int) -> str:
-    nodes = [(source_key(node.step), node.repeat) for node in schedule.nodes]
-    words = (nodes, schedule.sources, schedule.record_point, places, tuple(log_rows), width, _translator_sources(), store.toolchain())
+def _digest(words: object) -> str:
     return hashlib.sha256(repr(words).encode()).hexdigest()[:32]
 
 
-def tick_loop_of(schedule: Schedule, places: Rows, log_rows: Sequence[int], width: int) -> Any:
+def _key(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], width: int) -> str:
+    nodes = [(source_key(node.step), node.repeat) for node in schedule.nodes]
+    return _digest((nodes, schedule.sources, schedule.record_point, places, log_rows, width, _translator()))
+
+
+def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], width: int) -> Any:
     """Return the tick loop of a schedule as a C function of `tick_loop.SIGNATURE`.
 
     Parameters
@@ -56,10 +56,10 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: Sequence[int], widt
     schedule : Schedule
     places : Rows
         Where the memory of a group has everything.
-    log_rows : sequence of int
+    log_rows : tuple of int
         Rows of signals to record.
     width : int
-        Lanes of the memory.
+        Lanes of the memory; all run together.
 
     Raises
     ------
@@ -70,9 +70,8 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: Sequence[int], widt
     if key not in _loops:
         parts = store.read(key)
         if parts is None:
-            lanes = min(width, VECTOR)
             made = tick_graph.tick_graph(schedule, places, log_rows, maths.SINGLE if width == 1 else maths.LANES)
-            parts = [llvm_ir.object_code(tick_loop.source_of(made, lanes, width))]
+            parts = [llvm_ir.object_code(tick_loop.source_of(made, width))]
             store.write(key, parts)
         _loops[key] = llvm_ir.loaded(parts[0], "run", tick_loop.SIGNATURE)
     return _loops[key]

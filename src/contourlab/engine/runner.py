@@ -11,6 +11,7 @@ import numpy as np
 from contourlab.arrays import Array, Flags
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Bank, Port, pack, record, rows, unpack
+from contourlab.engine.translate.tick_graph import Rows
 from contourlab.primitives import Clock
 
 _NUMBER = (float, int)
@@ -20,15 +21,15 @@ _CACHE_LINE = 64
 class Group:
     """The memory of `width` variants and the tick loop over it.
 
-    One array holds, row by row, the signals, states, parameters, constants on wires and rings of all nodes. It is aligned to cache lines,
-    and everything that changes is copied in one piece.
+    One array holds, row by row, the signals, states, parameters and rings of all nodes. It is aligned to cache lines, and everything that
+    changes is copied in one piece.
 
     Parameters
     ----------
     schedule : Schedule
         What to run.
     width : int
-        Lanes: 1, or a multiple of 16.
+        Lanes: 1, or the length of the vectors that run together.
     lanes : slice
         The variants in this group; parameter arrays are cut to it and padded with their last value.
     """
@@ -46,13 +47,12 @@ class Group:
         for node in nodes:
             values += [node.parameters[name] for name in node.step.parameters]
             sizes.append(len(node.step.parameters))
-        constants = [source for sources in schedule.sources for source in sources if isinstance(source, float)]
-        sizes += [len(constants), *(1 << max(node.ring_length - 1, 0).bit_length() if node.step.ring else 0 for node in nodes)]
-        self.memory = self._filled(values + constants, sum(sizes))
+        sizes += [1 << max(node.ring_length - 1, 0).bit_length() if node.step.ring else 0 for node in nodes]
+        self.memory = self._filled(values, sum(sizes))
         self.borders = list(accumulate(sizes, initial=0))
         parts = [self.memory[a:b] for a, b in pairwise(self.borders)]
         n = len(nodes)
-        self.signals, self.state, self.parameters, self.rings = parts[0], parts[1 : n + 1], parts[n + 1 : 2 * n + 1], parts[2 * n + 2 :]
+        self.signals, self.state, self.parameters, self.rings = parts[0], parts[1 : n + 1], parts[n + 1 : 2 * n + 1], parts[2 * n + 1 :]
 
     def _signal_values(self) -> Iterator[Any]:
         yield from _rows_of(self.schedule.externals, {})
@@ -123,83 +123,32 @@ def _rows_of(ports: tuple[Port, ...], values: Any) -> Iterator[Any]:
 
 
 class CompiledGroup(Group):
-    """A group whose steps are machine code."""
+    """A group whose whole tick is machine code."""
 
     def __init__(self, schedule: Schedule, width: int, lanes: slice) -> None:
-        from contourlab.engine.compiler import compile_step
-        from contourlab.engine.kernel import kernel
-
         super().__init__(schedule, width, lanes)
-        self._kernel = kernel(width)
-        self._base = self.memory.ctypes.data
-        self._tables: list[Array] = []
-        n = len(schedule.nodes)
-        constant = self.borders[2 * n + 1]
-        words: list[int] = []
-        places: list[tuple[int, int]] = []
-        for i, sources in enumerate(schedule.sources):
-            tables = len(words)
-            words += self._table_words(i)
-            places.append((tables, len(words)))
-            for source in sources:
-                row, constant = (constant, constant + 1) if isinstance(source, float) else (source, constant)
-                words.append(self._row_address(row))
-        self._words = np.array(words, dtype=np.int64)
-        first = self._words.ctypes.data
-        self._records = np.array(
-            [
-                (
-                    compile_step(node.step, width),
-                    self._row_address(self.borders[n + 1 + i]),
-                    first + 8 * places[i][0],
-                    self._row_address(self.borders[1 + i]),
-                    first + 8 * places[i][1],
-                    self._row_address(schedule.first_row[i]),
-                    node.repeat,
-                )
-                for i, node in enumerate(schedule.nodes)
-            ],
-            dtype=np.int64,
-        )
-
-    def _row_address(self, row: int) -> int:
-        return self._base + 8 * self.width * row
-
-    def _table_words(self, i: int) -> list[int]:
-        """Return the addresses of a node's tables, and of its ring with the mask of its index."""
-        node = self.schedule.nodes[i]
-        tables = [np.ascontiguousarray(node.tables[name], dtype=float) for name in node.step.tables]
-        self._tables += tables  # the machine code holds addresses only: keep the arrays alive
-        words = [table.ctypes.data for table in tables]
-        if node.step.ring:
-            words += [self._row_address(self.borders[2 * len(self.schedule.nodes) + 2 + i]), len(self.rings[i]) - 1]
-        return words
+        self._tables = [np.ascontiguousarray(node.tables[name], dtype=float) for node in schedule.nodes for name in node.step.tables]
+        self._addresses = np.array([table.ctypes.data for table in self._tables], dtype=np.int64)
+        n, first = len(schedule.nodes), tuple(self.borders)
+        self._places = Rows(first[1 : n + 1], first[n + 1 : 2 * n + 1], first[2 * n + 1 :], tuple(map(len, self.rings)))
+        self._loops: dict[tuple[int, ...], Any] = {}
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
         external = np.asarray(external, dtype=float)
-        n_tick = len(external)
-        tick_stride, signal_stride = (stride // external.itemsize for stride in external.strides)
-        log = np.empty((n_tick, len(log_rows), self.width)) if out is None else out
+        strides = [stride // external.itemsize for stride in external.strides]
+        log = np.empty((len(external), len(log_rows), self.width)) if out is None else out
         assert log.flags.c_contiguous  # the tick loop has no strides for the log
-        addresses = np.array([self._row_address(row) for row in log_rows], dtype=np.int64)
-        self._kernel(
-            self._records.ctypes.data,
-            len(self._records),
-            self.schedule.record_point,
-            external.ctypes.data,
-            external.shape[1],
-            tick_stride,
-            signal_stride,
-            self._base,
-            log.ctypes.data,
-            addresses.ctypes.data,
-            len(log_rows),
-            self.tick,
-            n_tick,
-            self.schedule.period,
-        )
-        self.tick += n_tick
+        data = [array.ctypes.data for array in (self.memory, self._addresses, external)]
+        self._loop(tuple(log_rows))(*data, *strides, log.ctypes.data, self.tick, len(external), self.schedule.period)
+        self.tick += len(external)
         return log
+
+    def _loop(self, log_rows: tuple[int, ...]) -> Any:
+        from contourlab.engine.fused import tick_loop_of
+
+        if log_rows not in self._loops:
+            self._loops[log_rows] = tick_loop_of(self.schedule, self._places, log_rows, self.width)
+        return self._loops[log_rows]
 
 
 class _PastOf:

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.engine import intrinsics, memory
-from contourlab.engine.intrinsics import OPTIONS, maximum, minimum, poly_cos, poly_sin
-from contourlab.engine.memory import load_input, load_parameter, store_output, truncate
+from contourlab.engine import intrinsics
+from contourlab.engine.intrinsics import OPTIONS, load_input, load_parameter, maximum, minimum, poly_cos, poly_sin, store_output, truncate
+from contourlab.engine.translate import polynomials
 from contourlab.native.compile import compiled
 
 SPAN_FIELDS = ("first", "last", "t0", "s0", "v0", "a0", "j", "end")
@@ -60,7 +60,7 @@ def _curves(curves, n_curve, n_axis, progress, speed, acceleration, out, stride)
 
 @cache
 def _compiled(function: Any, signature: str) -> Any:
-    sources = [inspect.getsource(part) for part in (function, intrinsics, memory)]
+    sources = [inspect.getsource(part) for part in (function, intrinsics, polynomials)]
     return compiled(function, signature, sources=[*sources, str((_SPANS, _CURVES))], options=OPTIONS)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from hypothesis import assume, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -29,6 +29,7 @@ def zeros(y0: float, y1: float, d0: float, d1: float) -> NDArray[np.float64]:
 
 
 @given(y0=SIZES, y1=SIZES, d0=SLOPES, d1=SLOPES)
+@example(y0=1.0, y1=1.0, d0=-1.0, d1=-1.0)  # Newton's method goes from one end to the other and back
 def test_the_first_fall_through_zero_is_found(y0: float, y1: float, d0: float, d1: float) -> None:
     u = first_zero(y0, -y1, d0, d1)
     # As accurate as the rounding of the cubic allows.

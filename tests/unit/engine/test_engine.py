@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from contourlab import primitives
-from contourlab.engine import compiler
+from contourlab.engine import fused
+from contourlab.engine.keys import source_key
 from contourlab.engine.runner import make_group
 from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Bank, Port, Step
@@ -277,16 +278,6 @@ def test_wiring_errors_say_what_is_wrong():
         Schedule((node, node), (Port("u"),), 1.0, 1)
 
 
-def test_a_step_that_cannot_be_compiled_is_named():
-    culprit = object()
-
-    def bad(par, x, inp, clock):
-        return (), (culprit,)
-
-    with pytest.raises(EngineError, match=r"\.bad .*compiled"):
-        compiler._compile(Step("bad", bad, outputs=(Port("y"),)), 1)
-
-
 def test_the_cache_key_follows_the_source_of_callees():
     def made(constant):
         def helper(u):
@@ -297,25 +288,22 @@ def test_the_cache_key_follows_the_source_of_callees():
 
         return Step("s", step, inputs=(Port("u"),), outputs=(Port("y"),))
 
-    assert compiler.source_key(made(2.0), 1) == compiler.source_key(made(2.0), 1)
-    assert compiler.source_key(made(2.0), 1) != compiler.source_key(made(3.0), 1)
-    assert compiler.source_key(made(2.0), 1) != compiler.source_key(made(2.0), 32)
-    assert compiler.source_key(members(2.0), 1) == compiler.source_key(members(2.0), 1)
-    assert compiler.source_key(members(2.0), 1) != compiler.source_key(members(3.0), 1)
+    assert source_key(made(2.0)) == source_key(made(2.0))
+    assert source_key(made(2.0)) != source_key(made(3.0))
+    assert source_key(members(2.0)) == source_key(members(2.0))
+    assert source_key(members(2.0)) != source_key(members(3.0))
 
 
 def test_the_cache_survives_corrupt_files_and_serves_a_second_process(tmp_path, monkeypatch):
     monkeypatch.setattr(store, "folder", lambda: tmp_path)
-    monkeypatch.setattr(store, "_addresses", {})
-    key = compiler.source_key(GAIN, 1)
-    (tmp_path / f"{key}.code").write_bytes(b"rubbish")
-    compiler.compile_step.cache_clear()
     schedule = Schedule((Node("g", GAIN, {"u": "in.u"}, {"factor": 2.0}),), (Port("u"),), 1.0, 1)
-    assert run(schedule, [[21.0]], ["g.y"], True)[0, 0, 0] == 42.0
-    assert (tmp_path / f"{key}.code").stat().st_size > 100
-    compiler.compile_step.cache_clear()
-    store._addresses.clear()
-    assert run(schedule, [[4.0]], ["g.y"], True)[0, 0, 0] == 8.0
+    for fed in (21.0, 4.0, 5.0):  # compiled, compiled again, loaded
+        monkeypatch.setattr(fused, "_loops", {})
+        assert run(schedule, [[fed]], ["g.y"], True)[0, 0, 0] == 2.0 * fed
+        (file,) = tmp_path.glob("*.code")
+        assert file.stat().st_size > 100
+        if fed == 21.0:
+            file.write_bytes(b"rubbish")
     assert not list(tmp_path.glob("tmp*"))
 
 
@@ -347,11 +335,19 @@ def global_step(par, x, inp, clock):
     return (), (LAST,)
 
 
-@pytest.mark.parametrize(("function", "said"), [(growing_step, "tuples"), (undefined_step, "missing"), (global_step, "odd")])
-def test_a_compilation_error_is_reported_in_one_line(function, said):
+def foreign_step(par, x, inp, clock):
+    return (), (ANYTHING,)
+
+
+ANYTHING = object()
+
+
+@pytest.mark.parametrize("function", [growing_step, undefined_step, global_step, foreign_step])
+def test_a_step_that_cannot_be_compiled_is_reported_in_one_line(function):
     step = Step("odd", function, inputs=(Port("u"),), outputs=(Port("y"),))
-    with pytest.raises(EngineError, match=said) as caught:
-        compiler.compile_step(step, 1)
+    schedule = Schedule((Node("odd", step, {"u": "in.u"}),), (Port("u"),), 1.0, 1)
+    with pytest.raises(EngineError, match=r"test_engine\.py:\d+: .+$") as caught:
+        run(schedule, [[1.0]], ["odd.y"], True)
     assert "\n" not in str(caught.value)
 
 

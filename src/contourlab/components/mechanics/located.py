@@ -38,8 +38,9 @@ def first_zero(y0: float, y1: float, d0: float, d1: float) -> float:
         slope = d0 + u * (2.0 * c2 + 3.0 * u * c3)
         low, high = select(value > 0.0, u, low), select(value > 0.0, high, u)
         wanted = u - value / select(slope == 0.0, 1.0, slope)
-        inside = select(wanted >= low, select(wanted <= high, 1.0, 0.0), 0.0)
-        following = select(value == 0.0, u, select(inside > 0.5, wanted, 0.5 * (low + high)))
+        # A step from one bound to the other would come back, and so forever.
+        inside = wanted >= low and wanted <= high and fabs(wanted - u) < high - low
+        following = select(value == 0.0, u, select(inside, wanted, 0.5 * (low + high)))
         moved, u = fabs(following - u), following
         if moved <= SETTLED:
             break

@@ -101,6 +101,8 @@ class _Writer:
                 self._branch(op, pad)
             elif op.kind == "loop":
                 self._loop(op, pad)
+            elif op.kind == "store_member":
+                self.lines.append(f"{pad}x_next{self._member_row(op)} = {self.value(op.args[0])};")
             elif op.kind not in ("constant", "k", "t", "dt", "ring"):
                 text = self._text(op)
                 self.lines.append(f"{pad}const {_type(op)} {self._name(op)} = {text};".replace("const const", "const"))
@@ -121,7 +123,13 @@ class _Writer:
             return f"{args[0]}[(int64_t){args[1]}]"
         if op.kind == "delayed":
             return f"ring[(int64_t){args[0]} & mask]"
+        if op.kind == "member":
+            return f"x{self._member_row(op)}"
         return {"fneg": f"-{args[0]}", "not": f"!{args[0]}"}[op.kind]
+
+    def _member_row(self, op: Op) -> str:
+        first, size = op.extra
+        return f"[{first} + {size} * {self.value(op.args[-1])}_n]"
 
     def _branch(self, op: Op, pad: str) -> None:
         self.lines += [f"{pad}{_type(result)} {self._name(result)};" for result in op.results]
@@ -137,9 +145,14 @@ class _Writer:
         for carried, result, start in zip(op.extra, op.results, op.args, strict=True):
             self._names[id(result)] = self._name(carried)
             self.lines.append(f"{pad}{_type(carried)} {self._name(carried)} = {self.value(start)};")
-        self.lines.append(f"{pad}for (;;) {{")
-        self.block(test, pad + "    ")
-        self.lines.append(f"{pad}    if (!{self.value(test.ends[0])}) break;")
+        if op.index:
+            index = self._name(op.index)
+            self.lines.append(f"{pad}for (int64_t {index}_n = 0; {index}_n < {op.index.extra}; ++{index}_n) {{")
+            self.lines.append(f"{pad}    const double {index} = (double){index}_n;")
+        else:
+            self.lines.append(f"{pad}for (;;) {{")
+            self.block(test, pad + "    ")
+            self.lines.append(f"{pad}    if (!{self.value(test.ends[0])}) break;")
         self.block(round_, pad + "    ")
         # All of the next values are computed before the first is stored.
         after = [self.value(end) for end in round_.ends]

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from typing import Any
 
 NUMBER, CONDITION, TABLE = "f", "b", "p"
@@ -37,7 +37,7 @@ _COMPARED: dict[str, Callable[[float, float], bool]] = {
 _COSTS = {"fdiv": 8, "sqrt": 10, "exp": 40, "tanh": 50, "log": 40, "sin": 40, "cos": 40, "uniform": 15}
 _FIXED = ("constant", "parameter", "table", "period")
 """Values that are the same in every tick; what is computed from them alone is computed once."""
-_GUARDED = ("lookup", "delayed", "branch", "loop")
+_GUARDED = ("lookup", "delayed", "member", "branch", "loop")
 """Operations that must not run where their branch is not taken: an index may lie outside, a loop may not end."""
 LIGHT = 24
 """Up to this cost both sides of a branch are computed, and one is selected."""
@@ -54,16 +54,18 @@ UNSET: Any = type("Unset", (), {"__repr__": lambda self: "unset"})()
 class Op:
     """An operation: `kind`, the operations that it takes, its type, and what else identifies it.
 
-    A branch has two blocks and a loop has two (the test, and one round). `results` are the values that come out of either. What is `fixed`
-    is the same in every tick. What is `sealed` crosses the border of a step: it is not contracted with what comes after.
+    A branch has two blocks and a loop has two (the test, and one round). `results` are the values that come out of either. A loop with a
+    known number of rounds has an `index` in place of a test; its `extra` is that number. What is `fixed` is the same in every tick. What is
+    `sealed` crosses the border of a step: it is not contracted with what comes after.
     """
 
-    __slots__ = ("args", "blocks", "extra", "fixed", "kind", "results", "sealed", "type")
+    __slots__ = ("args", "blocks", "extra", "fixed", "index", "kind", "results", "sealed", "type")
 
     def __init__(self, kind: str, args: tuple[Op, ...], type_: str, extra: Any = None) -> None:
         self.kind, self.args, self.type, self.extra = kind, args, type_, extra
         self.blocks: tuple[Block, ...] = ()
         self.results: tuple[Op, ...] = ()
+        self.index: Op | None = None
         self.sealed = self.fixed = False
 
     def __repr__(self) -> str:
@@ -85,6 +87,15 @@ class Block:
             yield op
             for block in op.blocks:
                 yield from block.every()
+
+    def effects(self) -> list[Op]:
+        """Return the operations that change memory, and the branches and loops around them."""
+        found: list[Op] = []
+        for op in self.ops:
+            inner = [effect for block in op.blocks for effect in block.effects()]
+            if inner or op.kind.startswith("store"):
+                found += [op, *inner]
+        return found
 
 
 class Graph:
@@ -220,9 +231,9 @@ class Graph:
         block.ops = made
 
     def prune(self, wanted: Sequence[Op], *more: Block) -> None:
-        """Remove every operation that the wanted values do not need, from the top and from more blocks."""
+        """Remove every operation that neither the wanted values nor memory need, from the top and from more blocks."""
         needed: set[int] = set()
-        rest = [*wanted]
+        rest = [*wanted, *(op for block in (self.top, *more) for op in block.effects())]
         while rest:
             op = rest.pop()
             if id(op) in needed:
@@ -267,12 +278,9 @@ class Graph:
             return then() if condition else other()
         blocks, values = [], []
         for side in (then, other):
-            self.block = Block(self.block)
-            try:
+            with self._within(Block(self.block)) as block:
                 values.append(side())
-            finally:
-                blocks.append(self.block)
-                self.block = self.block.parent or self.top
+            blocks.append(block)
         if all(map(_is_light, blocks)):
             for block in blocks:
                 self.block.ops += block.ops
@@ -310,36 +318,60 @@ class Graph:
         list of Op
             The values after the last round.
         """
-        begin = [value if isinstance(value, Op) else self.constant(value) for value in start]
-        made = Op("loop", tuple(begin), "")
-        carried = [Op("carried", (made,), op.type) for op in begin]
-        blocks = (Block(self.block), Block(self.block))
-        outer = self.block
-        try:
-            self.block = blocks[0]
-            held = test(carried)
-            self.block = blocks[1]
-            after = body(carried)
-            ends = [self.number(v) if op.type == NUMBER else self._as_condition(v) for v, op in zip(after, carried, strict=True)]
-        finally:
-            self.block = outer
-        blocks[0].ends = (held if isinstance(held, Op) else self._constant_in(blocks[0], bool(held)),)
-        blocks[1].ends = tuple(ends)
-        made.blocks, made.extra = blocks, tuple(carried)
+        made = self._new_loop(start)
+        with self._within(made.blocks[0]) as block:
+            block.ends = (self._as_condition(test([*made.extra])),)
+        return self._rounds(made, body)
+
+    def repeat(self, count: int, start: Sequence[Any], body: Callable[[Op, list[Op]], Sequence[Any]]) -> list[Op]:
+        """Repeat a body `count` times, at least once.
+
+        Parameters
+        ----------
+        count : int
+        start : sequence
+            Numbers and conditions before the first round.
+        body : callable
+            Takes the number of the round, from 0, and the values before the round; returns the values after the round.
+
+        Returns
+        -------
+        list of Op
+            The values after the last round.
+        """
+        made = self._new_loop(start)
+        index = made.index = Op("index", (made,), NUMBER, count)
+        return self._rounds(made, lambda values: body(index, values))
+
+    def _new_loop(self, start: Sequence[Any]) -> Op:
+        begin = tuple(value if isinstance(value, Op) else self.constant(value) for value in start)
+        made = Op("loop", begin, "")
+        made.blocks = (Block(self.block), Block(self.block))
+        made.extra = tuple(Op("carried", (made,), op.type) for op in begin)
         made.results = tuple(Op("result", (made,), op.type) for op in begin)
+        return made
+
+    def _rounds(self, made: Op, body: Callable[[list[Op]], Sequence[Any]]) -> list[Op]:
+        with self._within(made.blocks[1]) as block:
+            after = body([*made.extra])
+            block.ends = tuple(
+                self.number(v) if op.type == NUMBER else self._as_condition(v) for v, op in zip(after, made.extra, strict=True)
+            )
         self.block.ops.append(made)
         return list(made.results)
+
+    @contextmanager
+    def _within(self, block: Block) -> Iterator[Block]:
+        """Build into another block for a while."""
+        held, self.block = self.block, block
+        try:
+            yield block
+        finally:
+            self.block = held
 
     def _as_condition(self, value: Any) -> Op:
         value = self.condition(value)
         return value if isinstance(value, Op) else self.constant(bool(value))
-
-    def _constant_in(self, block: Block, value: bool) -> Op:
-        held, self.block = self.block, block
-        try:
-            return self.constant(value)
-        finally:
-            self.block = held
 
     def _joined(self, a: Any, b: Any, join: Callable[[Op, Op], Op]) -> Any:
         """Return two values joined: what is the same on both sides stays as it is, what cannot be joined is `UNSET`."""

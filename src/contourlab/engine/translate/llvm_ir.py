@@ -28,6 +28,13 @@ class _StepWriter(Writer):
 
     _t = _dt = _ring = _k
 
+    def _member(self, op: Op, args: Sequence[str]) -> str:
+        return self.load("%x", self.member_row(op))
+
+    def _store_member(self, op: Op, args: Sequence[str]) -> str:
+        self.store(args[0], "%next", self.member_row(op))
+        return ""
+
     def _delayed(self, op: Op, args: Sequence[str]) -> str:
         return self.gather("%ring", self.let(f"and i64 {self.truncated(args[0])}, %mask"))
 

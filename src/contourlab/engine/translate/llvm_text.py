@@ -30,6 +30,7 @@ class Writer:
         self.lanes = lanes
         self.lines: list[str] = []
         self.names: dict[int, str] = {}
+        self.counters: dict[int, str] = {}
         self.declared: dict[str, str] = {}
         self.label = "entry"
         self.number, self.truth, self.whole = (self.vector(kind) for kind in ("double", "i1", "i64"))
@@ -115,7 +116,7 @@ class Writer:
             if op.kind == "branch":
                 (self._branch if self.lanes == 1 else self._masked_branch)(op)
             elif op.kind == "loop":
-                self._loop(op)
+                (self._repeat if op.index else self._loop)(op)
             elif op.kind != "constant" and id(op) not in self.names:
                 self.names[id(op)] = self._operation(op)
 
@@ -273,6 +274,35 @@ class Writer:
         self.lines[at:at] = heads
         self.start(f"done{n}")
         self._mask = outer
+
+    def _repeat(self, op: Op) -> None:
+        assert op.index
+        n, before = self.new(), self.label
+        start = [self.value(arg) for arg in op.args]
+        self.put(f"br label %round{n}")
+        self.start(f"round{n}")
+        at = len(self.lines)
+        for one in op.extra:
+            self.names[id(one)] = f"%v{self.new()}"
+        self.counters[id(op.index)] = f"%i{n}"
+        self.names[id(op.index)] = self.spread(self.let(f"sitofp i64 %i{n} to double"))
+        self.block(op.blocks[1])
+        after = [self.value(end) for end in op.blocks[1].ends]
+        following = self.let(f"add i64 %i{n}, 1")
+        more = self.let(f"icmp slt i64 {following}, {op.index.extra}")
+        self.put(f"br i1 {more}, label %round{n}, label %done{n}")
+        heads = [f"  %i{n} = phi i64 [ 0, %{before} ], [ {following}, %{self.label} ]"]
+        for one, result, p, q in zip(op.extra, op.results, start, after, strict=True):
+            heads.append(f"  {self.names[id(one)]} = phi {self._type(one)} [ {p}, %{before} ], [ {q}, %{self.label} ]")
+            self.names[id(result)] = q
+        self.lines[at:at] = heads
+        self.start(f"done{n}")
+
+    def member_row(self, op: Op) -> str:
+        """Return where in memory a number of a bank's member is."""
+        first, size = op.extra
+        row = self.let(f"mul i64 {self.counters[id(op.args[-1])]}, {size * self.lanes}")
+        return self.let(f"add i64 {row}, {first * self.lanes}")
 
     def _type(self, op: Op) -> str:
         return {CONDITION: self.truth, TABLE: "ptr"}.get(op.type, self.number)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from contourlab.engine.step import Port, Step, pack, record, rows, unpack
+from contourlab.engine.step import Bank, Port, Step, pack, record, rows, unpack
 from contourlab.engine.translate.evaluate import Evaluator
 from contourlab.engine.translate.graph import TABLE, Graph, MismatchError, Op
 from contourlab.engine.translate.maths import EXACT
@@ -24,7 +24,7 @@ class StepGraph:
     graph : Graph
         Its leaves are ``parameter``, ``state``, ``input`` (``extra`` is the row), ``table``, and ``k``, ``t``, ``dt``.
     states : tuple of Op
-        Next states, one for each row.
+        Next states, one for each row except those of a bank, which the graph itself reads (``member``) and stores (``store_member``).
     outputs : tuple of Op
     """
 
@@ -60,45 +60,52 @@ def graph_of(step: Step, *, contract: bool = False, primitives: Mapping[Any, Any
     values += [graph.op("table", (), TABLE, i) for i in range(len(step.tables))]
     values += [graph.op("ring", (), TABLE, 0)] if step.ring else []
     par = step.par_type(*values)
-    states = leaves("state", rows(step.states))
+    states = leaves("state", rows(step.own_states))
     inputs = record_of(step.inputs, leaves("input", rows(step.inputs)))
     clock = Clock(*(graph.op(name) for name in Clock._fields))  # type: ignore[arg-type]
-    following, out = once(run, step, par, states, inputs, clock)
+    following, out = once(run, step, par, states, len(states), inputs, clock)
     if contract:
         graph.fuse_products([*following, *out])
     graph.prune([*following, *out])
     return StepGraph(step, graph, following, out)
 
 
-def once(run: Evaluator, step: Step, par: Any, states: Sequence[Op], inputs: Any, clock: Any) -> tuple[tuple[Op, ...], tuple[Op, ...]]:
-    """Return next states and outputs of a step, its bank included, one value for each row.
+def once(
+    run: Evaluator, step: Step, par: Any, states: Sequence[Op], members: int, inputs: Any, clock: Any
+) -> tuple[tuple[Op, ...], tuple[Op, ...]]:
+    """Return next states and outputs of a step, one value for each row; its bank advances in memory, from the row `members` on.
 
     Raises
     ------
     EngineError
         If the step uses what cannot be translated; names file and line.
     """
-    n_own, size = rows(step.own_states), step.bank.size if step.bank else 0
-    own = record_of(step.own_states, list(states[:n_own]))
-    found: tuple[Any, ...] = ()
-    kept: list[Any] = []
-    if step.bank:
-        member: Any = (0.0,) * step.bank.n_found
-        for m in range(step.bank.count):
-            before = tuple(states[n_own + m * size : n_own + (m + 1) * size])
-            after, member = run.call(step.bank.function, [par, own, before, member, float(m), inputs, clock])
-            kept += after
-        found = (member,)
+    own = record_of(step.own_states, list(states))
+    found = (_bank(run, step.bank, par, own, members, inputs, clock),) if step.bank else ()
     result = run.call(step.function, [par, own, inputs, clock, *found])
     try:
         following, out = result
-        ended = [*pack(step.own_states, following), *kept], pack(step.outputs, out)
+        ended = pack(step.own_states, following), pack(step.outputs, out)
         first, second = (tuple(run.graph.number(value) for value in values) for values in ended)
     except (MismatchError, TypeError, ValueError) as error:
         code = step.function.__code__
         where = f"{code.co_filename}:{code.co_firstlineno}"
         raise EngineError(f"{where}: {step.name} must return its next states and its outputs as numbers: {error}") from error
     return first, second
+
+
+def _bank(run: Evaluator, bank: Bank, par: Any, own: Any, first: int, inputs: Any, clock: Any) -> tuple[Op, ...]:
+    """Advance the members of a bank in memory; return what the last one found."""
+    graph = run.graph
+
+    def one(index: Op, found: list[Op]) -> Sequence[Any]:
+        kept = tuple(graph.op("member", (index,), extra=(first + j, bank.size)) for j in range(bank.size))
+        after, found_next = run.call(bank.function, [par, own, kept, tuple(found), index, inputs, clock])
+        for j, value in enumerate(after):
+            graph.effect("store_member", [graph.number(value), index], (first + j, bank.size))
+        return found_next  # type: ignore[no-any-return]
+
+    return tuple(graph.repeat(bank.count, (0.0,) * bank.n_found, one))
 
 
 def record_of(ports: tuple[Port, ...], values: list[Any]) -> Any:

@@ -89,24 +89,26 @@ class _Builder:
             values.append(Op("ring", (), TABLE, (self.places.rings[i], self.places.ring_lengths[i])))
             graph.effect("store_ring", [taken[_row_of(step, step.ring)]], values[-1].extra)
         par, inputs = step.par_type(*values), record_of(step.inputs, taken)
-        states = [Op("before", (), "f", self.places.states[i] + r) for r in range(step.n_state)]
+        states = [Op("before", (), "f", self.places.states[i] + r) for r in range(rows(step.own_states))]
         out = [self.signal(self.schedule.first_row[i] + r) for r in range(rows(step.outputs))] if node.repeat > _UNROLLED else []
-        after = self._repeated(node, par, states, inputs, out)
+        after = self._repeated(i, par, states, inputs, out)
         for value in after:
             value.sealed = True
         self.made.carried += [(op, op.extra, value) for op, value in zip(states, after, strict=False)]
-        self.now |= {self.schedule.first_row[i] + r: value for r, value in enumerate(after[step.n_state :])}
+        self.now |= {self.schedule.first_row[i] + r: value for r, value in enumerate(after[len(states) :])}
 
-    def _repeated(self, node: Node, par: Any, states: list[Op], inputs: Any, out: list[Op]) -> list[Op]:
+    def _repeated(self, i: int, par: Any, states: list[Op], inputs: Any, out: list[Op]) -> list[Op]:
         """Return next states and outputs after all sub-steps of a node."""
-        graph = self.graph
+        graph, node = self.graph, self.schedule.nodes[i]
+        members = self.places.states[i] + len(states)
         period = graph.op("period")
         held = graph.arithmetic("fdiv", period, float(node.repeat)) if node.repeat > 1 else period
         tick, time = graph.op("tick"), graph.op("time")
 
         def once(part: Any, before: Sequence[Op]) -> list[Op]:
             at = graph.arithmetic("fadd", time, graph.arithmetic("fmul", part, held)) if node.repeat > 1 else time
-            following, after = step_once(self.run, node.step, par, before, inputs, Clock(tick, at, held))  # type: ignore[arg-type]
+            clock = Clock(tick, at, held)  # type: ignore[arg-type]
+            following, after = step_once(self.run, node.step, par, before, members, inputs, clock)
             return [*following, *after]
 
         if node.repeat <= _UNROLLED:
@@ -115,10 +117,7 @@ class _Builder:
                 after = once(float(r), after[: len(states)])
             return after
 
-        def body(values: list[Op]) -> list[Any]:
-            return [graph.arithmetic("fadd", values[0], 1.0), *once(values[0], values[1 : 1 + len(states)])]
-
-        return graph.loop([0.0, *states, *out], lambda values: graph.compare("<", values[0], float(node.repeat)), body)[1:]
+        return graph.repeat(node.repeat, [*states, *out], lambda part, values: once(part, values[: len(states)]))
 
 
 def _row_of(step: Step, name: str) -> int:
@@ -159,8 +158,7 @@ def tick_graph(
     made.carried += [(op, row, builder.now.get(row, op)) for row, op in builder.late.items()]
     fed = {row: made.graph.op("external", extra=row) for row in range(builder.n_external)}
     made.signals = [(row, op) for row, op in (fed | builder.now).items() if row not in builder.late]
-    effects = [op for op in made.body.ops if not op.type and op.kind.startswith("store")]
-    wanted = [*(op for _, _, op in made.carried), *(op for _, op in made.signals), *made.log, *effects]
+    wanted = [*(op for _, _, op in made.carried), *(op for _, op in made.signals), *made.log]
     if contract:
         made.graph.fuse_products(wanted, made.body)
     made.graph.prune(wanted, made.body)
