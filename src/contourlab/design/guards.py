@@ -51,7 +51,7 @@ class Bounds:
 
     @property
     def words(self) -> str:
-        """The guards in words."""
+        """The guards, as text."""
         parts = [f"gain margin at least {self.gain_margin:g} dB", f"phase margin at least {self.phase_margin:g} deg"]
         limited = f"drives at their limits for at most {100.0 * self.limited:g} % of the time"
         parts.append(limited if self.limited else "drives never at their limits")

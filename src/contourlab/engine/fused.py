@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import inspect
+import threading
 from functools import cache
 from types import ModuleType
 from typing import Any
@@ -19,6 +20,7 @@ from contourlab.engine.translate import (
     llvm_text,
     maths,
     names,
+    passes,
     polynomials,
     step_graph,
     tick_graph,
@@ -28,9 +30,11 @@ from contourlab.engine.translate.tick_graph import Rows
 from contourlab.native import store
 
 _TRANSLATOR: tuple[ModuleType, ...] = (
-    evaluate, expressions, graph, llvm_ir, llvm_text, maths, names, polynomials, step_graph, tick_graph, tick_loop
+    evaluate, expressions, graph, llvm_ir, llvm_text, maths, names, passes, polynomials, step_graph, tick_graph, tick_loop
 )  # fmt: skip
 _loops: dict[str, Any] = {}
+_building = threading.Lock()
+"""Threads of a batch that need the same loop wait for the first."""
 
 
 @cache
@@ -67,11 +71,12 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], wi
         If a step uses what cannot be translated; names file and line.
     """
     key = _key(schedule, places, log_rows, width)
-    if key not in _loops:
-        parts = store.read(key)
-        if parts is None:
-            made = tick_graph.tick_graph(schedule, places, log_rows, maths.SINGLE if width == 1 else maths.LANES)
-            parts = [llvm_ir.object_code(tick_loop.source_of(made, width))]
-            store.write(key, parts)
-        _loops[key] = llvm_ir.loaded(parts[0], "run", tick_loop.SIGNATURE)
+    with _building:
+        if key not in _loops:
+            parts = store.read(key)
+            if parts is None:
+                made = tick_graph.tick_graph(schedule, places, log_rows, maths.SINGLE if width == 1 else maths.LANES)
+                parts = [llvm_ir.object_code(tick_loop.source_of(made, width))]
+                store.write(key, parts)
+            _loops[key] = llvm_ir.loaded(parts[0], "run", tick_loop.SIGNATURE)
     return _loops[key]

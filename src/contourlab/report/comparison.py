@@ -83,7 +83,7 @@ def compare(data: ReportData) -> Comparison:
 
 
 def _status_rows(data: ReportData) -> list[Row]:
-    """Return the rows in words: pass or fail, unstable loops, how learning ended."""
+    """Return the rows of text: pass or fail, unstable loops, how learning ended."""
     rows = []
     passed = [_passed(scheme, data.tolerance) for scheme in data.schemes]
     if any(answer is not None for answer in passed):

@@ -21,7 +21,7 @@ class Supervisor(Component):
     Attributes
     ----------
     reasons : tuple of str
-        Reasons in words; ``{name}`` becomes the name of the new controller.
+        Texts of the reasons; ``{name}`` becomes the name of the new controller.
     """
 
     family = "supervisor"

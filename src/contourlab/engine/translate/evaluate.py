@@ -12,7 +12,7 @@ from typing import Any
 
 from contourlab.engine.translate.expressions import NOTHING, Expressions, words_of
 from contourlab.engine.translate.graph import UNSET, MismatchError, Op
-from contourlab.engine.translate.names import Closure, Frame, assign, assigned, flat, is_numeric, shaped
+from contourlab.engine.translate.names import Frame, assign, assigned, flat, is_numeric, shaped
 
 _ON = "the loop goes on"
 """Name, within a round of a loop, of the condition that no break was met."""
@@ -86,7 +86,7 @@ class Evaluator(Expressions):
         elif isinstance(statement, ast.While):
             self._loop(statement, frame, lambda own: self.expression(statement.test, own), None)
         elif isinstance(statement, ast.FunctionDef):
-            frame.env[statement.name] = Closure(statement, frame)
+            frame.env[statement.name] = self.closure(statement, frame)
         elif not isinstance(statement, ast.Pass) and not (isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)):
             raise MismatchError(f"a step cannot use {words_of(statement)}")
         return NOTHING

@@ -8,7 +8,7 @@ from types import BuiltinFunctionType, FunctionType
 from typing import Any
 
 from contourlab.engine.translate.graph import Graph, MismatchError, Op
-from contourlab.engine.translate.names import Closure, Frame, assign, has_unset, outer_names
+from contourlab.engine.translate.names import Closure, Frame, assign, bound, has_unset, outer_names, positional
 from contourlab.engine.translate.source import tree_of
 from contourlab.errors import EngineError
 
@@ -74,10 +74,16 @@ class Expressions:
         if primitive is not None:
             return primitive(self, *args)
         if isinstance(function, Closure):
-            return self._run(function.node, Frame(function.around.file, function.around.name), args, named or {}, ())
+            frame = Frame(function.around.file, function.around.name)
+            frame.env = bound(function.node.args, function.defaults, args, named or {})
+            return self._run(function.node, frame)
         if isinstance(function, FunctionType):
             frame = Frame(function.__code__.co_filename, outer_names(function))
-            return self._run(tree_of(function), frame, args, named or {}, function.__defaults__ or ())
+            node, usual = tree_of(function), function.__defaults__ or ()
+            names = [arg.arg for arg in positional(node.args)]
+            defaults = {**dict(zip(names[len(names) - len(usual) :], usual, strict=True)), **(function.__kwdefaults__ or {})}
+            frame.env = bound(node.args, defaults, args, named or {})
+            return self._run(node, frame)
         return self._builtin(function, args, named or {})
 
     def _builtin(self, function: Any, args: Sequence[Any], named: Mapping[str, Any]) -> Any:
@@ -99,13 +105,7 @@ class Expressions:
             return function(*args, **named)
         raise MismatchError(f"{getattr(function, '__name__', function)} cannot be called here: use the functions of contourlab.primitives")
 
-    def _run(self, node: Any, frame: Frame, args: Sequence[Any], named: Mapping[str, Any], defaults: Sequence[Any]) -> Any:
-        names = [arg.arg for arg in (*node.args.posonlyargs, *node.args.args)]
-        frame.env.update(zip(names[::-1], defaults[::-1], strict=False))
-        frame.env.update(zip(names, args, strict=False))
-        if node.args.vararg:
-            frame.env[node.args.vararg.arg] = tuple(args[len(names) :])
-        frame.env.update(named)
+    def _run(self, node: Any, frame: Frame) -> Any:
         self._depth += 1
         try:
             if self._depth > _DEEPEST:
@@ -213,10 +213,21 @@ class Expressions:
     def _call(self, tree: ast.Call, frame: Frame) -> Any:
         function = self.expression(tree.func, frame)
         args = list(self._items(tree.args, frame))
-        return self.call(function, args, {word.arg: self.expression(word.value, frame) for word in tree.keywords if word.arg})
+        named: dict[str, Any] = {}
+        for word in tree.keywords:
+            value = self.expression(word.value, frame)
+            named |= value if word.arg is None else {word.arg: value}
+        return self.call(function, args, named)
 
     def _lambda(self, tree: ast.Lambda, frame: Frame) -> Any:
-        return Closure(tree, frame)
+        return self.closure(tree, frame)
+
+    def closure(self, node: ast.FunctionDef | ast.Lambda, frame: Frame) -> Closure:
+        """Return a function defined inside another one."""
+        given, names = node.args, [arg.arg for arg in positional(node.args)]
+        pairs = [*zip(names[len(names) - len(given.defaults) :], given.defaults, strict=True)]
+        pairs += [(arg.arg, value) for arg, value in zip(given.kwonlyargs, given.kw_defaults, strict=True) if value is not None]
+        return Closure(node, frame, {name: self.expression(value, frame) for name, value in pairs})
 
     def _generatorexp(self, tree: ast.GeneratorExp | ast.ListComp, frame: Frame) -> Any:
         made: list[Any] = []
@@ -239,5 +250,5 @@ class Expressions:
 
 
 def words_of(tree: ast.AST) -> str:
-    """Return the name of a construct, in words."""
+    """Return the name of a construct, as text."""
     return "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in type(tree).__name__).strip()

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import ast
 import builtins
-from collections.abc import Callable, Iterable, Sequence
+import inspect
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import FunctionType
 from typing import Any
 
@@ -14,10 +15,10 @@ Env = dict[str, Any]
 
 
 class Closure:
-    """A function defined inside another one, with the names around it."""
+    """A function defined inside another one, with the names around it and the values of its defaults, by name."""
 
-    def __init__(self, node: ast.FunctionDef | ast.Lambda, around: Frame) -> None:
-        self.node, self.around = node, around
+    def __init__(self, node: ast.FunctionDef | ast.Lambda, around: Frame, defaults: Env) -> None:
+        self.node, self.around, self.defaults = node, around, defaults
 
 
 class Frame:
@@ -64,6 +65,25 @@ def assign(target: ast.expr, value: Any, env: Env) -> None:
         raise MismatchError(f"{len(values)} values for {len(targets)} names")
     for item, part in zip(targets, values, strict=True):
         assign(item, part, env)
+
+
+def bound(arguments: ast.arguments, defaults: Env, args: Sequence[Any], named: Mapping[str, Any]) -> Env:
+    """Return the values of a function's arguments, by name."""
+    made = inspect.Parameter
+    takes = [made(a.arg, made.POSITIONAL_OR_KEYWORD, default=defaults.get(a.arg, made.empty)) for a in positional(arguments)]
+    takes += [made(arguments.vararg.arg, made.VAR_POSITIONAL)] if arguments.vararg else []
+    takes += [made(a.arg, made.KEYWORD_ONLY, default=defaults.get(a.arg, made.empty)) for a in arguments.kwonlyargs]
+    try:
+        found = inspect.Signature(takes).bind(*args, **named)
+    except (TypeError, ValueError) as error:
+        raise MismatchError(str(error)) from error
+    found.apply_defaults()
+    return found.arguments
+
+
+def positional(arguments: ast.arguments) -> list[ast.arg]:
+    """Return the arguments that may be given without a name."""
+    return [*arguments.posonlyargs, *arguments.args]
 
 
 def is_numeric(value: Any) -> bool:

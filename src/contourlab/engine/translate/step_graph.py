@@ -10,6 +10,7 @@ from contourlab.engine.step import Bank, Port, Step, pack, record, rows, unpack
 from contourlab.engine.translate.evaluate import Evaluator
 from contourlab.engine.translate.graph import TABLE, Graph, MismatchError, Op
 from contourlab.engine.translate.maths import EXACT
+from contourlab.engine.translate.passes import fuse_products, prune
 from contourlab.errors import EngineError
 from contourlab.primitives import Clock
 
@@ -65,8 +66,8 @@ def graph_of(step: Step, *, contract: bool = False, primitives: Mapping[Any, Any
     clock = Clock(*(graph.op(name) for name in Clock._fields))  # type: ignore[arg-type]
     following, out = once(run, step, par, states, len(states), inputs, clock)
     if contract:
-        graph.fuse_products([*following, *out])
-    graph.prune([*following, *out])
+        fuse_products([graph.top], [*following, *out])
+    prune([graph.top], [*following, *out])
     return StepGraph(step, graph, following, out)
 
 

@@ -10,6 +10,7 @@ from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Step, rows
 from contourlab.engine.translate.evaluate import Evaluator
 from contourlab.engine.translate.graph import TABLE, Block, Graph, Op
+from contourlab.engine.translate.passes import fuse_products, prune
 from contourlab.engine.translate.step_graph import once as step_once
 from contourlab.engine.translate.step_graph import record_of
 from contourlab.primitives import Clock
@@ -159,7 +160,8 @@ def tick_graph(
     fed = {row: made.graph.op("external", extra=row) for row in range(builder.n_external)}
     made.signals = [(row, op) for row, op in (fed | builder.now).items() if row not in builder.late]
     wanted = [*(op for _, _, op in made.carried), *(op for _, op in made.signals), *made.log]
+    blocks = (made.graph.top, made.body)
     if contract:
-        made.graph.fuse_products(wanted, made.body)
-    made.graph.prune(wanted, made.body)
+        fuse_products(blocks, wanted)
+    prune(blocks, wanted)
     return made

@@ -107,7 +107,7 @@ class Analysis:
         """The result for the terminal."""
         parts = [text for name, scheme in self.schemes.items() for text in (_table(name, scheme), paragraphs(map(str, scheme.findings)))]
         bad = [name for name, scheme in self.schemes.items() if not scheme.good]
-        verdict = f"FAIL: {listing(bad)}. A loop is unstable, or learning diverges." if bad else "PASS"
+        verdict = f"FAIL: {listing(bad)}." if bad else "PASS"
         return "\n\n".join(filter(None, [*parts, verdict, "\n".join(map(str, self.files))]))
 
 

@@ -77,7 +77,7 @@ class LearningRun:
 
     @property
     def reason(self) -> str:
-        """The findings in words."""
+        """The findings, as one text."""
         return " ".join(finding.text for finding in self.findings)
 
     @property

@@ -144,7 +144,7 @@ def _stable(sweep: LinkSweep) -> str:
 
 
 def words(quantity: str) -> str:
-    """Return a quantity in words."""
+    """Return the name of a quantity as text."""
     return quantity.replace("_", " ")
 
 

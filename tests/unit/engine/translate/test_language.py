@@ -94,7 +94,21 @@ def mixed(a: float, b: float) -> float:
     return select((a > 0.0 and not b > 0.0) or a == b, sqrt(fabs(a)), exp(-fabs(b))) if -1.0 < a <= 8.0 else -(a * 1.0 - 0.0)
 
 
-@pytest.mark.parametrize("function", [early, counted, bisected, indexed, tuples, rounding, mixed])
+FACTOR = {"factor": 3.5}
+
+
+def weighted(a: float, b: float = 2.0, *more: float, factor: float = 3.0) -> float:
+    return factor * (a + b) + sum(more)
+
+
+def called(a: float, b: float) -> float:
+    def inner(x: float, y: float = a, *, z: float = 4.0) -> float:
+        return x - y * z
+
+    return weighted(a) + weighted(a, b, a, b) + weighted(b=a, a=b, factor=0.5) + weighted(a, **FACTOR) + inner(b) + inner(a, z=b)
+
+
+@pytest.mark.parametrize("function", [early, counted, bisected, indexed, tuples, rounding, mixed, called])
 def test_a_function_computes_the_same_bits(function: Callable[[float, float], float]) -> None:
     native = compiled(function)
 
@@ -138,6 +152,9 @@ def refusing(a: float, b: float) -> float:
         (refusing, 1, "cannot use raise"),
         (lambda a, b: a**b, 0, "pow"),
         (lambda a, b: a + "b", 0, "a number is needed"),
+        (lambda a, b: weighted(a, b, width=1.0), 0, "width"),
+        (lambda a, b: half_set(a), 0, "'b'"),
+        (lambda a, b: half_set(a, b, a), 0, "too many"),
     ],
 )
 def test_what_cannot_be_translated_is_refused_with_its_line(function: Any, line: int, reason: str) -> None:
