@@ -32,6 +32,8 @@ from contourlab.native import store
 _TRANSLATOR: tuple[ModuleType, ...] = (
     evaluate, expressions, graph, llvm_ir, llvm_text, maths, names, passes, polynomials, step_graph, tick_graph, tick_loop
 )  # fmt: skip
+VECTOR = 16
+"""Lanes that run together: two of the longest registers; with more of them the processor runs out of registers."""
 _loops: dict[str, Any] = {}
 _building = threading.Lock()
 """Threads of a batch that need the same loop wait for the first."""
@@ -49,7 +51,7 @@ def _digest(words: object) -> str:
 
 def _key(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], width: int) -> str:
     nodes = [(source_key(node.step), node.repeat) for node in schedule.nodes]
-    return _digest((nodes, schedule.sources, schedule.record_point, places, log_rows, width, _translator()))
+    return _digest((nodes, schedule.sources, schedule.record_point, places, log_rows, width, VECTOR, _translator()))
 
 
 def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], width: int) -> Any:
@@ -63,7 +65,7 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], wi
     log_rows : tuple of int
         Rows of signals to record.
     width : int
-        Lanes of the memory; all run together.
+        Lanes of the memory: 1, or a multiple of `VECTOR`, which run together.
 
     Raises
     ------
@@ -76,7 +78,7 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], wi
             parts = store.read(key)
             if parts is None:
                 made = tick_graph.tick_graph(schedule, places, log_rows, maths.SINGLE if width == 1 else maths.LANES)
-                parts = [llvm_ir.object_code(tick_loop.source_of(made, width))]
+                parts = [llvm_ir.object_code(tick_loop.source_of(made, min(width, VECTOR), width))]
                 store.write(key, parts)
             _loops[key] = llvm_ir.loaded(parts[0], "run", tick_loop.SIGNATURE)
     return _loops[key]

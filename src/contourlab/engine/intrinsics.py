@@ -16,9 +16,9 @@ from contourlab.native.compile import INNER
 
 # No nnan/ninf: a flag that assumes finite numbers would fold away every check for them.
 OPTIONS: dict[str, Any] = {"fastmath": {"contract", "nsz", "arcp"}, "error_model": "numpy", "boundscheck": False}
-_INLINE: dict[str, Any] = {**OPTIONS, **INNER, "forceinline": True}
+INLINE: dict[str, Any] = {**OPTIONS, **INNER, "forceinline": True}
 _DOUBLE, _INT = ir.DoubleType(), ir.IntType(64)
-_REGIONS = ("parameter", "input", "output")
+_REGIONS = ("parameter", "input", "scratch", "output")
 _WORD, _NUMBER = types.int64, types.float64
 
 
@@ -62,13 +62,19 @@ def _load(region: str) -> Any:
     return load_at
 
 
-load_parameter, load_input = _load("parameter"), _load("input")
+def _store(region: str) -> Any:
+    """Return ``store(address, index, value)`` for one region of memory."""
+
+    @_instruction(types.void, _WORD, _WORD, _NUMBER)
+    def store_at(builder: Any, address: Any, index: Any, value: Any) -> None:
+        base = builder.inttoptr(address, _DOUBLE.as_pointer())
+        _tagged(builder, builder.store(value, builder.gep(base, [index], inbounds=True)), region)
+
+    return store_at
 
 
-@_instruction(types.void, _WORD, _WORD, _NUMBER)
-def store_output(builder: Any, address: Any, index: Any, value: Any) -> None:
-    base = builder.inttoptr(address, _DOUBLE.as_pointer())
-    _tagged(builder, builder.store(value, builder.gep(base, [index], inbounds=True)), "output")
+load_parameter, load_input, load_scratch = _load("parameter"), _load("input"), _load("scratch")
+store_scratch, store_output = _store("scratch"), _store("output")
 
 
 @_instruction(_WORD, _NUMBER)
@@ -118,7 +124,7 @@ _OPERATIONS: dict[str, Any] = {"fma": _fma, "rint": _rint, "select": _select, "o
 def _compiled(function: Any) -> Any:
     """Return a polynomial in machine code."""
     called = {name: _compiled(value) for name, value in _functions_of(function).items() if name not in _OPERATIONS}
-    return njit(**_INLINE)(FunctionType(function.__code__, _OPERATIONS | called, function.__name__))
+    return njit(**INLINE)(FunctionType(function.__code__, _OPERATIONS | called, function.__name__))
 
 
 def _functions_of(function: Any) -> dict[str, Any]:

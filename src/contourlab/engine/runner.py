@@ -8,14 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array, Flags, aligned
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Bank, Port, pack, record, rows, unpack
 from contourlab.engine.translate.tick_graph import Rows
 from contourlab.primitives import Clock
 
 _NUMBER = (float, int)
-_CACHE_LINE = 64
 
 
 class Group:
@@ -29,7 +28,7 @@ class Group:
     schedule : Schedule
         What to run.
     width : int
-        Lanes: 1, or the length of the vectors that run together.
+        Lanes: 1, or a multiple of 16.
     lanes : slice
         The variants in this group; parameter arrays are cut to it and padded with their last value.
     """
@@ -61,10 +60,8 @@ class Group:
 
     def _filled(self, values: list[Any], n_row: int) -> Array:
         """Return memory (n_row, width) whose first rows hold `values`, one for all lanes or one for each variant."""
-        spare = _CACHE_LINE // 8
-        raw = np.zeros(n_row * self.width + spare)
-        first = -raw.ctypes.data % _CACHE_LINE // 8
-        memory = raw[first : first + n_row * self.width].reshape(n_row, self.width)
+        memory = aligned((n_row, self.width))
+        memory[len(values) :] = 0.0
         memory[: len(values)] = np.array([value if isinstance(value, _NUMBER) else 0.0 for value in values])[:, None]
         for row, value in enumerate(values):
             if not isinstance(value, _NUMBER):
@@ -134,12 +131,17 @@ class CompiledGroup(Group):
         self._loops: dict[tuple[int, ...], Any] = {}
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
+        from contourlab.engine.fused import VECTOR
+
         external = np.asarray(external, dtype=float)
         strides = [stride // external.itemsize for stride in external.strides]
-        log = np.empty((len(external), len(log_rows), self.width)) if out is None else out
-        assert log.flags.c_contiguous  # the tick loop has no strides for the log
+        log = aligned((len(external), len(log_rows), self.width)) if out is None else out
+        # The tick loop has no strides for the log, and stores whole cache lines.
+        assert log.flags.c_contiguous and (self.width == 1 or not log.size or log.ctypes.data % 64 == 0)
         data = [array.ctypes.data for array in (self.memory, self._addresses, external)]
-        self._loop(tuple(log_rows))(*data, *strides, log.ctypes.data, self.tick, len(external), self.schedule.period)
+        loop = self._loop(tuple(log_rows))
+        for lane in range(0, self.width, VECTOR):
+            loop(*data, *strides, log.ctypes.data, self.tick, len(external), self.schedule.period, lane)
         self.tick += len(external)
         return log
 

@@ -3,14 +3,29 @@
 from __future__ import annotations
 
 import inspect
+import sys
 from functools import cache
 from typing import Any
 
 import numpy as np
+from numba import njit
 
 from contourlab.arrays import Array
 from contourlab.engine import intrinsics
-from contourlab.engine.intrinsics import OPTIONS, load_input, load_parameter, maximum, minimum, poly_cos, poly_sin, store_output, truncate
+from contourlab.engine.intrinsics import (
+    INLINE,
+    OPTIONS,
+    load_input,
+    load_parameter,
+    load_scratch,
+    maximum,
+    minimum,
+    poly_cos,
+    poly_sin,
+    store_output,
+    store_scratch,
+    truncate,
+)
 from contourlab.engine.translate import polynomials
 from contourlab.native.compile import compiled
 
@@ -22,6 +37,8 @@ CURVE_FIELDS = ("first", "last", "offset", "angle", "rate")
 position = base + d s + u cos(angle + rate s) + v sin(angle + rate s).
 """
 _SPANS, _CURVES = len(SPAN_FIELDS), len(CURVE_FIELDS)
+_BLOCK = 1024
+"""Samples of a curve that stay in the processor's cache."""
 
 
 def _spans(spans, n_span, period, origin, progress, speed, acceleration):  # type: ignore[no-untyped-def]
@@ -37,31 +54,54 @@ def _spans(spans, n_span, period, origin, progress, speed, acceleration):  # typ
             store_output(acceleration, k, a0 + dt * jerk)
 
 
-def _curves(curves, n_curve, n_axis, progress, speed, acceleration, out, stride):  # type: ignore[no-untyped-def]
-    fields = _CURVES + 4 * n_axis
+def _curves(curves, n_curve, n_axis, progress, speed, acceleration, out, stride, scratch):  # type: ignore[no-untyped-def]
     for i in range(n_curve):
-        row = curves + 8 * fields * i
-        first, last = truncate(load_parameter(row, 0)), truncate(load_parameter(row, 1))
-        offset, angle, rate = load_parameter(row, 2), load_parameter(row, 3), load_parameter(row, 4)
-        square = rate * rate
-        for j in range(n_axis):
-            at = _CURVES + 4 * j
-            base, d, u, v = load_parameter(row, at), load_parameter(row, at + 1), load_parameter(row, at + 2), load_parameter(row, at + 3)
-            here, change, rise = out + 8 * stride * j, out + 8 * stride * (n_axis + j), out + 8 * stride * (2 * n_axis + j)
-            for k in range(first, last):
-                s = load_input(progress, k) - offset
-                c, w = poly_cos(angle + rate * s), poly_sin(angle + rate * s)
-                moved, first_derivative = u * c + v * w, d + rate * (v * c - u * w)
-                pace = load_input(speed, k)
-                store_output(here, k, moved + (base + s * d))
-                store_output(change, k, pace * first_derivative)
-                store_output(rise, k, first_derivative * load_input(acceleration, k) - square * moved * (pace * pace))
+        row = curves + 8 * (_CURVES + 4 * n_axis) * i
+        last = truncate(load_parameter(row, 1))
+        for first in range(truncate(load_parameter(row, 0)), last, _BLOCK):
+            part = min(_BLOCK, last - first)
+            _turned(row, part, progress + 8 * first, scratch)
+            for j in range(n_axis):
+                here = out + 8 * (stride * j + first)
+                _moved(row, j, part, progress + 8 * first, speed + 8 * first, acceleration + 8 * first, here, 8 * stride * n_axis, scratch)
+
+
+@njit(**INLINE)
+def _turned(row, n, progress, scratch):  # type: ignore[no-untyped-def]
+    """Compute progress on the curve, cosine and sine, which all axes share."""
+    offset, angle, rate = load_parameter(row, 2), load_parameter(row, 3), load_parameter(row, 4)
+    if rate == 0.0:  # a line
+        for k in range(n):
+            store_scratch(scratch, k, load_input(progress, k) - offset)
+            store_scratch(scratch, _BLOCK + k, 1.0)
+            store_scratch(scratch, 2 * _BLOCK + k, 0.0)
+    else:
+        for k in range(n):
+            s = load_input(progress, k) - offset
+            store_scratch(scratch, k, s)
+            store_scratch(scratch, _BLOCK + k, poly_cos(angle + rate * s))
+            store_scratch(scratch, 2 * _BLOCK + k, poly_sin(angle + rate * s))
+
+
+@njit(**INLINE)
+def _moved(row, j, n, progress, speed, acceleration, here, step, scratch):  # type: ignore[no-untyped-def]
+    """Compute position, velocity and acceleration of one axis."""
+    rate, at = load_parameter(row, 4), _CURVES + 4 * j
+    base, d, u, v = load_parameter(row, at), load_parameter(row, at + 1), load_parameter(row, at + 2), load_parameter(row, at + 3)
+    square = rate * rate
+    for k in range(n):
+        s, c, w = load_scratch(scratch, k), load_scratch(scratch, _BLOCK + k), load_scratch(scratch, 2 * _BLOCK + k)
+        moved, first_derivative = u * c + v * w, d + rate * (v * c - u * w)
+        pace = load_input(speed, k)
+        store_output(here, k, moved + (base + s * d))
+        store_output(here + step, k, pace * first_derivative)
+        store_output(here + 2 * step, k, first_derivative * load_input(acceleration, k) - square * moved * (pace * pace))
 
 
 @cache
 def _compiled(function: Any, signature: str) -> Any:
-    sources = [inspect.getsource(part) for part in (function, intrinsics, polynomials)]
-    return compiled(function, signature, sources=[*sources, str((_SPANS, _CURVES))], options=OPTIONS)
+    sources = [inspect.getsource(part) for part in (sys.modules[__name__], intrinsics, polynomials)]
+    return compiled(function, signature, sources=sources, options=OPTIONS)
 
 
 def along_spans(spans: Array, period: float, origin: int, progress: Array, speed: Array, acceleration: Array) -> None:
@@ -96,6 +136,7 @@ def along_curves(curves: Array, progress: Array, speed: Array, acceleration: Arr
         Output at the samples of the curves: positions, velocities, accelerations; each row is contiguous.
     """
     curves = np.ascontiguousarray(curves)
-    run = _compiled(_curves, " ".join(["i8"] * 8))
+    scratch = np.empty((3, _BLOCK))
+    run = _compiled(_curves, " ".join(["i8"] * 9))
     addresses = (progress.ctypes.data, speed.ctypes.data, acceleration.ctypes.data, out.ctypes.data)
-    run(curves.ctypes.data, len(curves), len(out) // 3, *addresses, out.strides[0] // out.itemsize)
+    run(curves.ctypes.data, len(curves), len(out) // 3, *addresses, out.strides[0] // out.itemsize, scratch.ctypes.data)

@@ -12,7 +12,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Index
+from contourlab.arrays import Array, Index, aligned
 from contourlab.components.contract import Component
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.runner import Group, make_group
@@ -142,7 +142,7 @@ def simulate_batch(
     groups = [make_group(loop.schedule, LANES, slice(i, i + LANES), compiled) for i in range(0, n, LANES)]
     rows = [loop.schedule.row(signal) for name in keep for signal in _signal(loop, name)]
     shape = (len(groups), reference.n_sample, len(rows), LANES)
-    log = reuse.log if reuse is not None and reuse.log.shape == shape else np.empty(shape)
+    log = reuse.log if reuse is not None and reuse.log.shape == shape else aligned(shape)
     failed = _advance_all(groups, feed, rows, log, threads or os.cpu_count() or 1, progress)[:n]
     sums = sums_of(groups, "judge", n)[1:] if judge else np.zeros((len(SUMS), n))
     figures = error_figures(sums, failed, machine.servo_period) if judge else {}

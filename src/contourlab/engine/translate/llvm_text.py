@@ -24,10 +24,12 @@ class Writer:
     ----------
     lanes : int
         1, or the length of the vectors.
+    width : int
+        Numbers in a row of memory.
     """
 
-    def __init__(self, lanes: int = 1) -> None:
-        self.lanes = lanes
+    def __init__(self, lanes: int = 1, width: int = 1) -> None:
+        self.lanes, self.width = lanes, width
         self.lines: list[str] = []
         self.names: dict[int, str] = {}
         self.counters: dict[int, str] = {}
@@ -301,8 +303,8 @@ class Writer:
     def member_row(self, op: Op) -> str:
         """Return where in memory a number of a bank's member is."""
         first, size = op.extra
-        row = self.let(f"mul i64 {self.counters[id(op.args[-1])]}, {size * self.lanes}")
-        return self.let(f"add i64 {row}, {first * self.lanes}")
+        row = self.let(f"mul i64 {self.counters[id(op.args[-1])]}, {size * self.width}")
+        return self.let(f"add i64 {row}, {first * self.width}")
 
     def _type(self, op: Op) -> str:
         return {CONDITION: self.truth, TABLE: "ptr"}.get(op.type, self.number)

@@ -63,10 +63,15 @@ def _saturated_exp(run: Any, x: Any) -> Any:
     return graph.branch(graph.compare(">", x, -700.0), lambda: run.call(polynomials.exp, [x]), lambda: 0.0)
 
 
-def _saturated_tanh(run: Any, x: Any) -> Any:
-    graph = run.graph
-    within = graph.compare("<", graph.arithmetic("fabs", x), 20.0)
-    return graph.branch(within, lambda: run.call(polynomials.tanh, [x]), lambda: graph.arithmetic("copysign", 1.0, x))
+def _saturated(function: Primitive) -> Primitive:
+    """Return tanh that calls the function only where tanh is not 1 to all digits; friction laws ask mostly for it elsewhere."""
+
+    def tanh(run: Any, x: Any) -> Any:
+        graph = run.graph
+        beyond = graph.compare(">=", graph.arithmetic("fabs", x), 20.0)
+        return graph.branch(beyond, lambda: graph.arithmetic("copysign", 1.0, x), lambda: function(run, x))
+
+    return tanh
 
 
 def _bit(mask: int) -> Primitive:
@@ -81,12 +86,12 @@ _BITS: Mapping[Any, Primitive] = {
     polynomials.twos: _bit(2),
 }
 _TURNS = {primitives.sin: _polynomial(polynomials.sin), primitives.cos: _polynomial(polynomials.cos)}
-SINGLE: Mapping[Any, Primitive] = {**EXACT, **_BITS, **_TURNS}
+SINGLE: Mapping[Any, Primitive] = {**EXACT, **_BITS, **_TURNS, primitives.tanh: _saturated(_operation("tanh"))}
 """For one variant: sine and cosine together are faster as polynomials than from the library."""
 LANES: Mapping[Any, Primitive] = {
     **SINGLE,
     primitives.exp: _saturated_exp,
-    primitives.tanh: _saturated_tanh,
+    primitives.tanh: _saturated(_polynomial(polynomials.tanh)),
     primitives.log: _polynomial(polynomials.log),
 }
 """For lanes: polynomials in place of all calls."""

@@ -10,20 +10,26 @@ from contourlab.engine.translate.llvm_text import Writer
 from contourlab.engine.translate.tick_graph import TickGraph
 
 SIGNATURE = ctypes.CFUNCTYPE(
-    None, *(ctypes.c_void_p,) * 3, *(ctypes.c_int64,) * 2, ctypes.c_void_p, *(ctypes.c_int64,) * 2, ctypes.c_double
+    None, *(ctypes.c_void_p,) * 3, *(ctypes.c_int64,) * 2, ctypes.c_void_p, *(ctypes.c_int64,) * 2, ctypes.c_double, ctypes.c_int64
 )
 _HEAD = (
-    "define void @run(ptr noalias %mem, ptr noalias %tables, ptr noalias %external, i64 %tick_stride, i64 %signal_stride, "
-    "ptr noalias %logs, i64 %first, i64 %n_tick, double %period) #0 {"
+    "define void @run(ptr noalias %memory, ptr noalias %tables, ptr noalias %external, i64 %tick_stride, i64 %signal_stride, "
+    "ptr noalias %logs, i64 %first, i64 %n_tick, double %period, i64 %lane) #0 {"
 )
-_FOOT = 'attributes #0 = { nounwind "prefer-vector-width"="512" "no-trapping-math"="true" }'
+_FOOT = 'attributes #0 = { nounwind "prefer-vector-width"="512" "no-trapping-math"="true" }\n!0 = !{i32 1}'
 
 
 class _LoopWriter(Writer):
-    """Writes the operations of a tick; each row of memory has one number for each lane."""
+    """Writes the operations of a tick; each row of memory has `width` numbers."""
 
     def row(self, row: int) -> str:
-        return str(row * self.lanes)
+        return str(row * self.width)
+
+    def record(self, value: str, entry: int) -> None:
+        """Store a number of each lane in the log; vectors bypass the processor's caches, which the log would flush."""
+        place = self.let(f"getelementptr double, ptr %entry_of_log, i64 {entry * self.width}")
+        bypass = "align 8" if self.lanes == 1 else "align 64, !nontemporal !0"
+        self.put(f"store {self.number} {value}, ptr {place}, {bypass}")
 
     def _parameter(self, op: Op, args: Sequence[str]) -> str:
         return self.load("%mem", self.row(op.extra))
@@ -45,8 +51,8 @@ class _LoopWriter(Writer):
     def _store_ring(self, op: Op, args: Sequence[str]) -> str:
         first, length = op.extra
         slot = self.let(f"and i64 %k, {length - 1}")
-        slot = self.let(f"mul i64 {slot}, {self.lanes}")
-        self.store(args[0], "%mem", self.let(f"add i64 {slot}, {first * self.lanes}"))
+        slot = self.let(f"mul i64 {slot}, {self.width}")
+        self.store(args[0], "%mem", self.let(f"add i64 {slot}, {first * self.width}"))
         return ""
 
     def _member(self, op: Op, args: Sequence[str]) -> str:
@@ -59,21 +65,24 @@ class _LoopWriter(Writer):
     def _delayed(self, op: Op, args: Sequence[str]) -> str:
         first, length = op.extra
         index = self.let(f"and {self.whole} {self.truncated(args[0])}, {self.spread_constant('i64', str(length - 1))}")
-        index = self.let(f"mul {self.whole} {index}, {self.spread_constant('i64', str(self.lanes))}")
+        index = self.let(f"mul {self.whole} {index}, {self.spread_constant('i64', str(self.width))}")
         if self.lanes == 1:
-            start = str(first * self.lanes)
+            start = str(first * self.width)
         else:
-            start = f"<{', '.join(f'i64 {first * self.lanes + lane}' for lane in range(self.lanes))}>"
+            start = f"<{', '.join(f'i64 {first * self.width + lane}' for lane in range(self.lanes))}>"
         return self.gather("%mem", self.let(f"add {self.whole} {index}, {start}"))
 
 
-def source_of(made: TickGraph, lanes: int) -> str:
-    """Return the LLVM IR of ``run(memory, tables, external, tick_stride, signal_stride, logs, first, n_tick, period)``.
+def source_of(made: TickGraph, lanes: int, width: int) -> str:
+    """Return the LLVM IR of ``run(memory, tables, external, tick_stride, signal_stride, logs, first, n_tick, period, lane)``.
 
-    It runs `n_tick` ticks, records into ``logs`` (n_tick, n_log, lanes), and leaves states and signals of the last tick in memory.
+    It runs `n_tick` ticks of the `lanes` that begin at `lane`, records into ``logs`` (n_tick, n_log, width), and leaves states and signals
+    of the last tick in memory.
     """
-    w = _LoopWriter(lanes)
+    w = _LoopWriter(lanes, width)
     w.start("entry")
+    w.put("%mem = getelementptr double, ptr %memory, i64 %lane")
+    w.put("%log = getelementptr double, ptr %logs, i64 %lane")
     w.put("%some = icmp sgt i64 %n_tick, 0")
     w.put("br i1 %some, label %enter, label %done")
     w.start("enter")
@@ -91,10 +100,10 @@ def source_of(made: TickGraph, lanes: int) -> str:
     w.put("%fed_at = mul i64 %step, %tick_stride")
     w.put("%fed = getelementptr double, ptr %external, i64 %fed_at")
     w.block(made.body)
-    w.put(f"%logged = mul i64 %step, {len(made.log) * lanes}")
-    w.put("%entry_of_log = getelementptr double, ptr %logs, i64 %logged")
+    w.put(f"%logged = mul i64 %step, {len(made.log) * width}")
+    w.put("%entry_of_log = getelementptr double, ptr %log, i64 %logged")
     for j, op in enumerate(made.log):
-        w.store(w.value(op), "%entry_of_log", str(j * lanes))
+        w.record(w.value(op), j)
     w.put("br label %latch")
     w.start("latch")
     w.put("%next = add i64 %step, 1")
