@@ -37,6 +37,7 @@ $(RUNTIME): pyproject.toml constraints.txt
 	  echo "'$(PYTHON) -m venv' failed; on Debian and Ubuntu it needs: apt-get install python3-venv" >&2; exit 1; }
 	@echo "installing contourlab into $(VENV) (a minute or two, once)"
 	@$(PIP) -e .
+	@$(BIN)/python -m contourlab.app.precompile
 	@touch $@
 
 $(STAMP): $(RUNTIME)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import ctypes
+import itertools
 import json
 import math
 import os
@@ -17,6 +18,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+import backlash
 import numpy as np
 
 import contourlab as cl
@@ -63,10 +65,10 @@ def axis_numbers(gain: float, damping: float, coulomb: float, model_gain: float,
 AXES = (axis_numbers(1116.0, 5.8, 0.077, 1000.0, 25.0), axis_numbers(648.0, 6.5, 0.088, 600.0, 20.0))
 
 
-def machine_and_controller() -> tuple[cl.Machine, cl.Controller]:
-    """Return the benchmark's machine and controller in SI."""
+def machine_and_controller(names: str = "xy") -> tuple[cl.Machine, cl.Controller]:
+    """Return the benchmark's machine and controller in SI; its two axes take turns under more names."""
     axes, controllers = [], {}
-    for name, numbers in zip("xy", AXES, strict=True):
+    for name, numbers in zip(names, itertools.cycle(AXES)):
         n = dict(zip(NAMES, numbers, strict=True))
         friction = SmoothCoulomb(
             coulomb=n["coulomb"],
@@ -175,9 +177,17 @@ def circle() -> cl.Reference:
     return cl.uniform(PATH, FREQUENCY, 2, PERIOD)
 
 
-def single(name: str, reference: Callable[[], cl.Reference], note: str) -> Contender:
+Subject = tuple[cl.Machine, cl.Controller]
+
+
+def stage_with_backlash() -> Subject:
+    """Return two axes with motor, load, shaft, a gap of 25 um and sticking friction, each in four sub-steps, under a cascade."""
+    return backlash.machine("two-inertia", "coulomb", 4), backlash.controller()
+
+
+def single(name: str, reference: Callable[[], cl.Reference], note: str, subject: Subject | None = None) -> Contender:
     """Return one variant through `simulate`."""
-    machine, controller = machine_and_controller()
+    machine, controller = subject or machine_and_controller()
 
     def work() -> np.ndarray:
         return 1e3 * cl.simulate(machine, controller, reference(), signals=SIGNALS)["contour_error_estimate"]
@@ -199,21 +209,41 @@ def spread(n: int) -> dict[str, np.ndarray]:
     return found
 
 
-def batch(name: str, pieces: int | None) -> Contender:
+def batch(
+    name: str,
+    pieces: int | None = None,
+    subject: Subject | None = None,
+    reference: Callable[[], cl.Reference] = circle,
+    variants: dict[str, np.ndarray] | None = None,
+    note: str = "samples a new reference in each run",
+) -> Contender:
     """Return 32 variants in lanes through `simulate_batch`, on one thread."""
-    machine, controller = machine_and_controller()
-    view = view_of(PATH, pieces=pieces, analytic=pieces is None)
-    variants = spread(32)
+    machine, controller = subject or machine_and_controller()
+    view = view_of(reference().path, pieces=pieces, analytic=pieces is None)
     held: list[cl.BatchResult] = []
 
     def work() -> np.ndarray:
-        earlier = held[0] if held else None  # reuse its memory, as the C does
-        held[:] = [
-            cl.simulate_batch(machine, controller, circle(), variants, keep=SIGNALS, threads=1, judge=False, view=view, reuse=earlier)
-        ]
+        given = {"keep": SIGNALS, "threads": 1, "judge": False, "view": view}
+        given["reuse"] = held[0] if held else None  # its memory, as the C does
+        held[:] = [cl.simulate_batch(machine, controller, reference(), variants or spread(32), **given)]
         return 1e3 * held[0].signals["contour_error_estimate"][:, 0, 0]
 
-    return Contender(name, work, 32, "samples a new reference in each run")
+    return Contender(name, work, 32, note)
+
+
+def others() -> list[Contender]:
+    """Return a stage with backlash and a machine of five axes, each single and in a batch whose first variant is nominal."""
+    factors = 1.0 + 0.05 * np.sin(np.arange(32))
+    loose, five = stage_with_backlash(), machine_and_controller("xyzac")
+    sampled = cl.uniform(cl.contour("lissajous", axes=5), FREQUENCY, 2, PERIOD)
+    gap = {"axes.x.plant.backlash_gap": 25e-6 * factors}
+    gains = {f"axes.{axis.name}.plant.gain": axis.plant.gain * factors for axis in five[0].axes}
+    return [
+        single("contourlab backlash single", circle, "two inertias, a gap, true sticking; four sub-steps", loose),
+        batch("contourlab backlash batch 32", None, loose, circle, gap),
+        single("contourlab five axes single", lambda: sampled, "reuses the samples of one reference", five),
+        batch("contourlab five axes batch 32", None, five, lambda: sampled, gains, "reuses the samples of one reference"),
+    ]
 
 
 def bench_threads(bench: Bench, repeat: int) -> None:
@@ -270,9 +300,10 @@ def main() -> int:
             *in_c(Path(folder)),
             single("contourlab single", circle, "samples a new reference in each run"),
             single("contourlab single, sampled before", lambda: sampled, "reuses the samples of one reference"),
-            batch("contourlab batch 32", None),
+            batch("contourlab batch 32"),
             batch("contourlab batch 32 table 4k", 4_000),
             batch("contourlab batch 32 table 200k", 200_000),
+            *others(),
         ]
         bench.rounds(contenders, options.repeat)
     bench_threads(bench, min(options.repeat, 7))

@@ -99,9 +99,12 @@ def _moved(row, j, n, progress, speed, acceleration, here, step, scratch):  # ty
 
 
 @cache
-def _compiled(function: Any, signature: str) -> Any:
+def compiled_kernels() -> tuple[Any, Any]:
+    """Return the loops over spans and curves in machine code."""
     sources = [inspect.getsource(part) for part in (sys.modules[__name__], intrinsics, polynomials)]
-    return compiled(function, signature, sources=sources, options=OPTIONS)
+    signatures = {_spans: "i8 i8 f8 i8 i8 i8 i8", _curves: " ".join(["i8"] * 9)}
+    spans, curves = (compiled(function, words, sources=sources, options=OPTIONS) for function, words in signatures.items())
+    return spans, curves
 
 
 def along_spans(spans: Array, period: float, origin: int, progress: Array, speed: Array, acceleration: Array) -> None:
@@ -119,8 +122,7 @@ def along_spans(spans: Array, period: float, origin: int, progress: Array, speed
         Output.
     """
     spans = np.ascontiguousarray(spans)
-    run = _compiled(_spans, "i8 i8 f8 i8 i8 i8 i8")
-    run(spans.ctypes.data, len(spans), period, origin, progress.ctypes.data, speed.ctypes.data, acceleration.ctypes.data)
+    compiled_kernels()[0](spans.ctypes.data, len(spans), period, origin, progress.ctypes.data, speed.ctypes.data, acceleration.ctypes.data)
 
 
 def along_curves(curves: Array, progress: Array, speed: Array, acceleration: Array, out: Array) -> None:
@@ -137,6 +139,5 @@ def along_curves(curves: Array, progress: Array, speed: Array, acceleration: Arr
     """
     curves = np.ascontiguousarray(curves)
     scratch = np.empty((3, _BLOCK))
-    run = _compiled(_curves, " ".join(["i8"] * 9))
     addresses = (progress.ctypes.data, speed.ctypes.data, acceleration.ctypes.data, out.ctypes.data)
-    run(curves.ctypes.data, len(curves), len(out) // 3, *addresses, out.strides[0] // out.itemsize, scratch.ctypes.data)
+    compiled_kernels()[1](curves.ctypes.data, len(curves), len(out) // 3, *addresses, out.strides[0] // out.itemsize, scratch.ctypes.data)

@@ -62,7 +62,7 @@ class SmoothMotion(NamedTuple):
 
 
 @cache
-def _kernels() -> SimpleNamespace:
+def compiled_kernels() -> SimpleNamespace:
     """Return the compiled recursions of `kernels` and `speed_profile`, by name."""
     from contourlab.feed import kernels, speed_profile
     from contourlab.native.compile import kernel  # loads the compiler
@@ -130,7 +130,7 @@ class _Planner:
 
     def __init__(self, path: Path, samples: SegmentSamples, limits: AxisLimits, period: float) -> None:
         n = samples.arc_length.size
-        self.run = _kernels()
+        self.run = compiled_kernels()
         self.path, self.samples, self.period = path, samples, period
         self.velocity, self.acceleration, self.jerk = (np.array(part) for part in (limits.velocity, limits.acceleration, limits.jerk))
         self.inverse = tuple(1.0 / part for part in (self.velocity, self.acceleration, self.jerk))

@@ -80,7 +80,7 @@ def _searched(path: CurveSequence, points: Array, begin: Index, end: Index) -> t
     points = np.ascontiguousarray(points)
     while state[0] < n:
         before, pairs, bound = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty(room)
-        _kernel()(junctions, along, int(path.closed), points, begin, end, pairs, bound, state, ends, depths)
+        compiled_kernel()(junctions, along, int(path.closed), points, begin, end, pairs, bound, state, ends, depths)
         samples.append(pairs[: state[1], 0])
         numbers.append(pairs[: state[1], 1])
         # A sample may have more curves at the same distance than `pairs` holds.
@@ -89,7 +89,8 @@ def _searched(path: CurveSequence, points: Array, begin: Index, end: Index) -> t
 
 
 @cache
-def _kernel() -> Any:
+def compiled_kernel() -> Any:
+    """Return `search` in machine code."""
     from contourlab.native.compile import kernel  # loads the compiler
 
     return kernel(search, "f8[:,:] f8[:] i8 f8[:,:] i8[:] i8[:] i8[:,:] f8[:] i8[:] i8[:,:] f8[:,:]")

@@ -35,12 +35,13 @@ def polygon_corners(points: Array, tolerance: float) -> Index:
     if not (np.diff(points, axis=0) != 0.0).any(axis=1).all():
         raise GeometryError("two neighbouring points are equal")
     kept, count = np.empty(len(points), dtype=np.int64), np.empty(1, dtype=np.int64)
-    _kernel()(np.ascontiguousarray(points), float(tolerance), kept, count)
+    compiled_kernel()(np.ascontiguousarray(points), float(tolerance), kept, count)
     return kept[: count[0]].copy()
 
 
 @cache
-def _kernel() -> Any:
+def compiled_kernel() -> Any:
+    """Return `corners` in machine code."""
     from contourlab.native.compile import kernel  # loads the compiler
 
     return kernel(corners, "f8[:,:] f8 i8[:] i8[:]")

@@ -58,14 +58,32 @@ def object_code(source: str) -> bytes:
     import llvmlite.binding as llvm
 
     machine = _machine()
+    code: bytes = machine.emit_object(module_of(source, machine, llvm.get_process_triple()))
+    return code
+
+
+def module_of(source: str, machine: Any, triple: str) -> Any:
+    """Return LLVM IR as an optimised module for a target machine."""
+    import llvmlite.binding as llvm
+
     module = llvm.parse_assembly(source)
-    module.triple, module.data_layout = llvm.get_process_triple(), str(machine.target_data)
+    module.triple, module.data_layout = triple, str(machine.target_data)
     options = llvm.create_pipeline_tuning_options(speed_level=1)
     options.slp_vectorization = options.loop_vectorization = options.loop_unrolling = False
     passes = llvm.create_pass_builder(machine, options)
     passes.getModulePassManager().run(module, passes)
-    code: bytes = machine.emit_object(module)
-    return code
+    return module
+
+
+def assembly(source: str, triple: str, processor: str) -> str:
+    """Return the assembly of LLVM IR for another processor."""
+    import llvmlite.binding as llvm
+
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
+    machine = llvm.Target.from_triple(triple).create_target_machine(cpu=processor, opt=2)
+    text: str = machine.emit_assembly(module_of(source, machine, triple))
+    return text
 
 
 def loaded(code: bytes, name: str, signature: Any) -> Any:
