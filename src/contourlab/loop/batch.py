@@ -26,7 +26,6 @@ from contourlab.loop.judging import WATCH, counted, effort_figures, effort_node,
 from contourlab.loop.machine import Controller, Machine, parameter_names
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
-from contourlab.metrics.judge import contour_error
 from contourlab.metrics.streaming import SUMS
 
 LANES = 32
@@ -46,6 +45,8 @@ class BatchResult:
         whole command. NaN for a variant that failed.
     failed_at : ndarray (n_variant,) of int
         Sample at which the variant left its following-error limit, or produced a non-finite command; -1 for neither.
+    unsure : ndarray (n_variant,)
+        Samples at which the judge's foot point had not fully converged.
     signals : mapping of str to ndarray (n_sample, n, n_variant)
         The requested signals: views of `log`.
     log : ndarray (n_group, n_sample, n_row, 32)
@@ -54,6 +55,7 @@ class BatchResult:
 
     figures: Mapping[str, Array]
     failed_at: Index
+    unsure: Array
     signals: Mapping[str, Array]
     log: Array = field(repr=False)
 
@@ -122,8 +124,7 @@ def simulate_batch(
 
     Notes
     -----
-    The judge sees the axes' true positions; the machine's error map (lead error, squareness) is not in it. A variant whose foot point was
-    in doubt at any sample, as of a loop that hardly follows, runs once more and is judged by exact foot points.
+    The judge sees the axes' true positions; the machine's error map (lead error, squareness) is not in it.
     """
     columns, n = _checked(machine, controller, variants)
     if window is not None and not 0 <= window[0] < window[1] <= reference.n_sample:
@@ -137,44 +138,17 @@ def simulate_batch(
         extra += (lambda signals: effort_node(machine, signals["command"], columns, counted(reference, window)),)
     start, progress_at = first.position[0], float(first.arc_length[0])
     speed = first.velocity[0] if moving else None
-    make = partial(build, machine, controller, reference.path, start, progress_at, view=view, seed=seed, fed=feed.names, velocity=speed)
-    loop = make(overrides=columns, extra=extra)
+    loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed, fed=feed.names, velocity=speed)
     groups = [make_group(loop.schedule, LANES, slice(i, i + LANES), compiled) for i in range(0, n, LANES)]
     rows = [loop.schedule.row(signal) for name in keep for signal in _signal(loop, name)]
     shape = (len(groups), reference.n_sample, len(rows), LANES)
     log = reuse.log if reuse is not None and reuse.log.shape == shape else aligned(shape)
     failed = _advance_all(groups, feed, rows, log, threads or os.cpu_count() or 1, progress)[:n]
-    figures: dict[str, Array] = {}
-    if judge:
-        sums = sums_of(groups, "judge", n)[1:]
-        doubtful = np.flatnonzero((sums[SUMS.index("unsure")] > 0.0) & (failed < 0))
-        for i in range(0, len(doubtful), LANES):
-            lanes = doubtful[i : i + LANES]
-            again = make(overrides={name: values[lanes] for name, values in columns.items()})
-            sums[:6, lanes] = _exact_sums(again, len(lanes), feed, counted(reference, window), compiled)
-        figures = error_figures(sums, failed, machine.servo_period)
+    sums = sums_of(groups, "judge", n)[1:] if judge else np.zeros((len(SUMS), n))
+    figures = error_figures(sums, failed, machine.servo_period) if judge else {}
     if effort:
         figures |= effort_figures(sums_of(groups, "effort", n), failed, machine.servo_period)
-    return BatchResult(figures, failed, _split(log, n, keep, loop), log)
-
-
-def _exact_sums(loop: Loop, n: int, feed: Feed, window: tuple[int, int], compiled: bool) -> Array:
-    """Run n variants again; return the first six rows of `SUMS` (6, n) from exact foot points."""
-    group = make_group(loop.schedule, LANES, slice(0, LANES), compiled)
-    rows = [loop.schedule.row(signal) for signal in loop.signals["axis_position"]]
-    reference, sums = feed.reference, np.zeros((6, n))
-    for k in range(0, window[1], BLOCK):
-        asked, external = feed.block(k, min(k + BLOCK, reference.n_sample))
-        positions = group.run(external, rows)
-        first, stop = (int(np.clip(sample - k, 0, len(external))) for sample in window)
-        for lane in range(n if first < stop else 0):
-            error = contour_error(reference.path, positions[:, :, lane], asked.position, asked.arc_length)[first:stop]
-            size = np.abs(error)
-            worst = int(np.argmax(size))
-            sums[:4, lane] += np.array([len(error), size.sum(), error @ error, error.sum()])
-            if size[worst] > sums[4, lane]:
-                sums[4:, lane] = size[worst], k + first + worst
-    return sums
+    return BatchResult(figures, failed, sums[SUMS.index("unsure")], _split(log, n, keep, loop), log)
 
 
 def _advance_all(

@@ -74,19 +74,6 @@ def judge(result: Result, reference: Reference) -> Result:
     )
 
 
-def contour_error(path: Path, position: Array, reference: Array, arc_length: Array) -> Array:
-    """Return the contour error (n,) [m] of positions, searched near the reference: signed in the plane, a magnitude in space.
-
-    Parameters
-    ----------
-    path : Path
-    position, reference : ndarray (n, n_axis) [m]
-    arc_length : ndarray (n,) [m]
-        Of the reference.
-    """
-    return _errors(path, position, arc_length, reach(path, reference - position))[0]
-
-
 def _around(reference: Reference, wanted: Array, along: Array) -> tuple[Array, Array]:
     """Return the place of the reference on the programmed path, and how far (n,) [m] its foot point may be from there.
 
