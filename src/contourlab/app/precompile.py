@@ -9,11 +9,14 @@ from __future__ import annotations
 def precompile() -> None:
     """Compile what does not depend on the machine; a second call finds it in the cache."""
     from contourlab.engine import sampler
-    from contourlab.feed import smooth
+    from contourlab.feed import scurve, smooth
     from contourlab.geometry import broad_phase, thinning
 
-    for kernels in (sampler.compiled_kernels, smooth.compiled_kernels, broad_phase.compiled_kernel, thinning.compiled_kernel):
-        kernels()
+    sampler.compiled_kernels()
+    scurve.compiled_kernels()
+    smooth.compiled_kernels()
+    broad_phase.compiled_kernel()
+    thinning.compiled_kernel()
 
 
 if __name__ == "__main__":

@@ -55,7 +55,7 @@ class Evaluator:
         self.view = view_of(self.reference.path)
 
     def __call__(self, columns: Mapping[str, Array], threads: int | None = None) -> dict[str, Array]:
-        """Return the figures of `contourlab.loop.BatchResult`, each (n,), and ``failed_at``; figures of a failed run are nan.
+        """Return figures, ``failed_at`` and ``unsure`` of `contourlab.loop.BatchResult`, each (n,); figures of a failed run are nan.
 
         Parameters
         ----------
@@ -85,6 +85,6 @@ class Evaluator:
                 threads=threads or self.threads,
                 moving=self.moving,
             )
-            parts.append({**batch.figures, "failed_at": batch.failed_at.astype(float)})
+            parts.append({**batch.figures, "failed_at": batch.failed_at.astype(float), "unsure": batch.unsure})
             self.runs += len(batch.failed_at)
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}

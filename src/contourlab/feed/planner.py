@@ -20,7 +20,7 @@ from contourlab.feed.pieces import Pieces, Survey, cut, survey
 from contourlab.feed.profile import Profile
 from contourlab.feed.reference import Reference, lap_ranges, whole_samples
 from contourlab.feed.route import Route
-from contourlab.feed.scurve import N_SPAN, move_spans, peak_speed, reachable_speed
+from contourlab.feed.scurve import N_SPAN, border_speeds, move_spans, peak_speed
 from contourlab.feed.segments import Segments, ranges, sample_segments, split_at_stops
 from contourlab.feed.smooth import smooth_motions
 
@@ -47,18 +47,8 @@ def _border_speeds(pieces: Pieces) -> tuple[Array, Array]:
     ceiling = np.minimum(np.minimum(bounds.speed, np.append(bounds.speed[1:], 0.0)), pieces.junction_speed)
     ceiling = np.where(pieces.stop, 0.0, ceiling)
     ceiling[-1] = 0.0
-    speed = [0.0, *ceiling.tolist()]
-    # Pieces between two stops need no look-ahead.
-    walk = np.flatnonzero((np.append(0.0, ceiling[:-1]) > 0.0) | (ceiling > 0.0))
-    limits = np.column_stack([pieces.length, bounds.acceleration, bounds.rise, bounds.taper])[walk]
-    steps = list(zip(walk.tolist(), limits.tolist(), strict=True))
-    for i, limit in steps:
-        if speed[i + 1] > speed[i]:
-            speed[i + 1] = reachable_speed(speed[i], speed[i + 1], *limit)
-    for i, limit in reversed(steps):
-        if speed[i] > speed[i + 1]:
-            speed[i] = reachable_speed(speed[i + 1], speed[i], *limit)
-    return np.array(speed[:-1]), np.array(speed[1:])
+    speed = border_speeds(pieces.length, np.append(0.0, ceiling), bounds.acceleration, bounds.rise, bounds.taper)
+    return speed[:-1], speed[1:]
 
 
 def _closed_form(route: Route, surveyed: Survey, limits: AxisLimits, segments: Segments, chosen: Index) -> _Moves:

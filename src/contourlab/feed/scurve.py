@@ -14,11 +14,12 @@ A *move* over a given length is a ramp up, a cruise at constant speed and a ramp
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from functools import cache
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array
 
 N_BISECTION = 80  # enough for the last bit of any speed above 1e-8 of the bracket
 N_SPAN = 7  # of a move
@@ -60,7 +61,7 @@ def ramps(low: Array, high: Array, acceleration: Array, rise: Array, taper: Arra
 
 
 def ramp_distance(low: float, high: float, acceleration: float, rise: float, taper: float) -> float:
-    """Return the distance of one ramp [m]: as `ramps`, but fast for single numbers."""
+    """Return the distance of one ramp [m], as `ramps`."""
     gain = high - low
     if gain <= 1e-200:  # avoid underflow
         return 0.0
@@ -88,24 +89,62 @@ def reachable_speed(low: float, ceiling: float, room: float, acceleration: float
     return below
 
 
+def border_speeds(length: Array, ceiling: Array, acceleration: Array, rise: Array, taper: Array) -> Array:
+    """Return the highest speeds (n + 1,) [m/s] at the borders of n pieces that every piece permits, by a forward and a backward pass.
+
+    Parameters
+    ----------
+    length : ndarray (n,) [m]
+    ceiling : ndarray (n + 1,) [m/s]
+        Largest speed at each border; 0 at both ends.
+    acceleration, rise, taper : ndarray (n,)
+        Of the pieces, as for `ramps`.
+    """
+    speed = ceiling.copy()
+    compiled_kernels()[0](*map(np.ascontiguousarray, (length, acceleration, rise, taper)), speed)
+    return speed
+
+
 def peak_speed(length: Array, start: Array, end: Array, ceiling: Array, acceleration: Array, rise: Array, taper: Array) -> Array:
     """Return the highest cruise speed (n,) [m/s] of moves over `length`; the speeds `start` and `end` must be reachable from each other."""
+    parts = np.broadcast_arrays(length, start, end, ceiling, acceleration, rise, taper)
+    flat = [np.ascontiguousarray(part, dtype=float).ravel() for part in parts]
+    found = np.empty(flat[0].size)
+    compiled_kernels()[1](*flat, found)
+    return found.reshape(parts[0].shape)
 
-    def fits(speed: Array) -> Flags:
-        up = ramps(start, speed, acceleration, rise, taper).distance
-        down = ramps(end, speed, acceleration, rise, taper).distance
-        return up + down <= length
 
-    below = np.maximum(start, end)
-    above = np.maximum(ceiling, below)
-    below = np.where(fits(above), above, below)
-    for _ in range(N_BISECTION):
-        if np.all(above - below <= 4e-16 * above):
-            break
-        middle = 0.5 * (below + above)
-        good = fits(middle)
-        below, above = np.where(good, middle, below), np.where(good, above, middle)
-    return below
+@cache
+def compiled_kernels() -> tuple[Any, Any]:
+    """Return `_border_speeds` and `_peak_speeds` in machine code."""
+    from contourlab.native.compile import kernel  # loads the compiler
+
+    return kernel(_border_speeds, " ".join(["f8[:]"] * 5)), kernel(_peak_speeds, " ".join(["f8[:]"] * 8))
+
+
+def _border_speeds(length, acceleration, rise, taper, speed):  # type: ignore[no-untyped-def]
+    for i in range(length.size):
+        if speed[i + 1] > speed[i]:
+            speed[i + 1] = reachable_speed(speed[i], speed[i + 1], length[i], acceleration[i], rise[i], taper[i])
+    for i in range(length.size - 1, -1, -1):
+        if speed[i] > speed[i + 1]:
+            speed[i] = reachable_speed(speed[i + 1], speed[i], length[i], acceleration[i], rise[i], taper[i])
+
+
+def _peak_speeds(length, start, end, ceiling, acceleration, rise, taper, found):  # type: ignore[no-untyped-def]
+    for i in range(length.size):
+        below = max(start[i], end[i])
+        above, middle = max(ceiling[i], below), max(ceiling[i], below)
+        for _ in range(N_BISECTION):
+            up = ramp_distance(start[i], middle, acceleration[i], rise[i], taper[i])
+            if up + ramp_distance(end[i], middle, acceleration[i], rise[i], taper[i]) <= length[i]:
+                below = middle
+            else:
+                above = middle
+            if above - below <= 4e-16 * above:
+                break
+            middle = 0.5 * (below + above)
+        found[i] = below
 
 
 def move_spans(

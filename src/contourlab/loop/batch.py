@@ -46,7 +46,8 @@ class BatchResult:
     failed_at : ndarray (n_variant,) of int
         Sample at which the variant left its following-error limit, or produced a non-finite command; -1 for neither.
     unsure : ndarray (n_variant,)
-        Samples at which the judge's foot point had not fully converged.
+        Samples at which the judge's foot point was in doubt, because the loop hardly follows the path. The figures of the contour error are
+        then upper bounds; `judge` of a single run is exact.
     signals : mapping of str to ndarray (n_sample, n, n_variant)
         The requested signals: views of `log`.
     log : ndarray (n_group, n_sample, n_row, 32)

@@ -95,11 +95,9 @@ def plain(step: Step, par: list[float], x: list[float], inputs: list[float]) -> 
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="node is not installed")
-@pytest.mark.parametrize(
-    ("family", "kind"), [("controller", "position"), ("controller", "cascade"), ("drive", "saturation"), ("compensation", "backlash-offset")]
-)
-def test_wasm_computes_the_bits_of_plain_python(tmp_path: Path, family: str, kind: str) -> None:
-    chosen: type[Component] = component(family, kind)
+@pytest.mark.parametrize("named", ["controller position", "controller cascade", "drive saturation", "compensation backlash-offset"])
+def test_wasm_computes_the_bits_of_plain_python(tmp_path: Path, named: str) -> None:
+    chosen: type[Component] = component(*named.split())
     step, values, _ = subject(chosen(**chosen.example))
     numbers, par = np.random.default_rng(0), [float(values[name]) for name in step.parameters]
     cases = [[par, *([*map(float, numbers.normal(size=n))] for n in (rows(step.states), rows(step.inputs)))] for _ in range(50)]

@@ -151,7 +151,8 @@ def sensitivity_of(
         with shown(progress) as stages:
             study, runs = _studied(case, request, Path(out) / KEPT, stages)
         kept = () if runs.kept is None else runs.kept.findings("runs", runs.reused)
-        findings = (*_on_case(case, left_out), *kept, *verdict(study))
+        doubts = [finding("CL675", doubtful=runs.doubtful, runs=runs.made + runs.reused)] if runs.doubtful else []
+        findings = (*_on_case(case, left_out), *kept, *doubts, *verdict(study))
         name, period = case.machine.name, case.machine.servo_period
         result = Sensitivity(str(file), request, case.name, name, period, runs.made, runs.reused, study, ranking(study), findings)
         write_text_atomic(stage / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")

@@ -37,6 +37,7 @@ FIGURES = {
     "max": Figure("contour_error_max", "largest contour error", "um"),
 }
 KEYS = tuple(figure.key for figure in FIGURES.values())
+_KEPT = (*KEYS, "unsure")
 
 
 class Kept(Checkpoint):
@@ -54,7 +55,7 @@ class Kept(Checkpoint):
     def write(self, columns: Columns, figures: Mapping[str, Array]) -> Path:
         """Store the figures of a chunk; return its file."""
         file = self.file(columns)
-        self.store(file, {key: figures[key] for key in KEYS})
+        self.store(file, {key: figures[key] for key in _KEPT})
         return file
 
 
@@ -71,6 +72,8 @@ class Runs:
         Called with the runs done and in all, for each call.
     made, reused : int
         Number of new runs, and of runs reused from an earlier study.
+    doubtful : int
+        Runs that hardly follow the path: their figures are upper bounds.
     """
 
     model: Model
@@ -78,6 +81,7 @@ class Runs:
     progress: Callable[[int, int], None] | None = None
     made: int = field(default=0, init=False)
     reused: int = field(default=0, init=False)
+    doubtful: int = field(default=0, init=False)
     _seen: set[Path] = field(default_factory=set, init=False, repr=False)
 
     def judge(self, key: str) -> Judge:
@@ -90,8 +94,9 @@ class Runs:
         figures = {key: np.empty(n) for key in KEYS}
         for first in range(0, n, CHUNK):
             part = {name: np.asarray(values, dtype=float)[first : first + CHUNK] for name, values in columns.items()}
-            for key, values in self._chunk(part).items():
-                figures[key][first : first + CHUNK] = values
+            chunk = self._chunk(part)
+            for key in KEYS:
+                figures[key][first : first + CHUNK] = chunk[key]
             if self.progress is not None:
                 self.progress(min(first + CHUNK, n), n)
         return figures
@@ -103,11 +108,13 @@ class Runs:
             file = self.kept.file(columns)
             # Several parts of a study need the run with the present values: count it once.
             self.reused += n * (file not in self._seen)
+            self.doubtful += int(np.count_nonzero(figures["unsure"])) * (file not in self._seen)
             self._seen.add(file)
             return figures
-        new = self.model(columns)
-        figures = {key: np.asarray(new[key], dtype=float) for key in KEYS}
+        new = {"unsure": np.zeros(n), **self.model(columns)}
+        figures = {key: np.asarray(new[key], dtype=float) for key in _KEPT}
         self.made += n
+        self.doubtful += int(np.count_nonzero(figures["unsure"]))
         if self.kept is not None:
             self._seen.add(self.kept.write(columns, figures))
         return figures
