@@ -133,18 +133,32 @@ def _border_speeds(length, acceleration, rise, taper, speed):  # type: ignore[no
 
 def _peak_speeds(length, start, end, ceiling, acceleration, rise, taper, found):  # type: ignore[no-untyped-def]
     for i in range(length.size):
+        shape = acceleration[i], rise[i], taper[i]
         below = max(start[i], end[i])
-        above, middle = max(ceiling[i], below), max(ceiling[i], below)
+        above = max(ceiling[i], below)
+        left = _room_left(length[i], start[i], end[i], above, shape)
+        if left >= 0.0:
+            found[i] = above
+            continue
+        lacking, room, side = left, _room_left(length[i], start[i], end[i], below, shape), 0
         for _ in range(N_BISECTION):
-            up = ramp_distance(start[i], middle, acceleration[i], rise[i], taper[i])
-            if up + ramp_distance(end[i], middle, acceleration[i], rise[i], taper[i]) <= length[i]:
-                below = middle
-            else:
-                above = middle
             if above - below <= 4e-16 * above:
                 break
-            middle = 0.5 * (below + above)
+            # False position; an end that stays twice is halved in weight (the Illinois rule).
+            middle = below + (above - below) * room / (room - lacking)
+            if not below < middle < above:
+                middle = 0.5 * (below + above)
+            left = _room_left(length[i], start[i], end[i], middle, shape)
+            if left >= 0.0:
+                below, room, lacking, side = middle, left, 0.5 * lacking if side == 1 else lacking, 1
+            else:
+                above, lacking, room, side = middle, left, 0.5 * room if side == -1 else room, -1
         found[i] = below
+
+
+def _room_left(length: float, start: float, end: float, speed: float, shape: tuple[float, float, float]) -> float:
+    """Return what a move over a length leaves of it after the ramps up to a speed and down again."""
+    return length - (ramp_distance(start, speed, shape[0], shape[1], shape[2]) + ramp_distance(end, speed, shape[0], shape[1], shape[2]))
 
 
 def move_spans(
