@@ -43,8 +43,10 @@ from linuxcnc import (
 from rich.console import Console
 from rich.table import Table
 
+from contourlab.app.precompile import precompile
 from contourlab.errors import ContourlabError
 from contourlab.feed import AxisLimits, Reference, Route, blended, limit_report, plan, route_from_path
+from contourlab.feed.junctions import junctions
 from contourlab.geometry import Line, contour
 from contourlab.geometry import Path as Curves
 from contourlab.program import Arc, Dwell, Program
@@ -173,7 +175,8 @@ def least_time(route: Route, most: AxisLimits, n_grid: int) -> float:
     """Return the time-optimal bound of a route with its exact stops."""
     path, total = route.path, float(route.dwell.sum()) + route.dwell_before
     ends = path.breaks[1:-1]
-    halt = np.isin(ends, path.corners) | (route.dwell[:-1] > 0.0) | (route.rapid[1:] != route.rapid[:-1])
+    # The planner passes small jumps of direction, which rounded coordinates cause; so does the bound.
+    halt = junctions(route).stop[:-1]
     for begin, end in pairwise([0.0, *ends[halt].tolist(), path.length]):
         first, last = path.curve_index([begin, end - 1e-12])
         if first == last and isinstance(path.curves[first], Line):
@@ -212,6 +215,7 @@ def against_bound(quick: bool) -> list[dict[str, Any]]:
 def speed(counts: Sequence[int]) -> list[dict[str, Any]]:
     """Return the processor time to plan and sample random polylines of 1 mm lines."""
     rows: list[dict[str, Any]] = []
+    precompile()
     for mode, tolerance in MODES.items():
         if tolerance == 1e-5:
             continue

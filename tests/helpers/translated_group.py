@@ -23,11 +23,14 @@ def in_machine_code(made: StepGraph) -> Any:
 
 
 class TranslatedGroup(InterpretedGroup):
-    """One variant; `make` turns the graph of a step into a function with the arguments of `llvm_ir.SIGNATURE`."""
+    """One variant; `make` turns the graph of a step into a function with the arguments of `llvm_ir.SIGNATURE`.
 
-    def __init__(self, schedule: Schedule, make: Maker = in_machine_code) -> None:
+    `graph` returns the graph of a step: by default an exact one, as of plain Python.
+    """
+
+    def __init__(self, schedule: Schedule, make: Maker = in_machine_code, graph: Callable[[Step], StepGraph] = graph_of) -> None:
         super().__init__(schedule, 1, slice(0, 1))
-        self._functions = [make(graph_of(node.step)) for node in schedule.nodes]
+        self._functions = [make(graph(node.step)) for node in schedule.nodes]
 
     def _run_node(self, n: int) -> None:
         node = self.schedule.nodes[n]

@@ -34,7 +34,7 @@ _COMPARED: dict[str, Callable[[float, float], bool]] = {
     "!=": lambda a, b: a != b,
 }
 _COSTS = {"fdiv": 8, "sqrt": 10, "exp": 40, "tanh": 50, "log": 40, "sin": 40, "cos": 40, "uniform": 15}
-_FIXED = ("constant", "parameter", "table", "period")
+_FIXED = ("constant", "parameter", "table", "period", "dt")
 """Values that are the same in every tick; what is computed from them alone is computed once."""
 _GUARDED = ("lookup", "delayed", "member", "branch", "loop")
 """Operations that must not run where their branch is not taken: an index may lie outside, a loop may not end."""

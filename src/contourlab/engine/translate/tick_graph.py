@@ -107,7 +107,9 @@ class _Builder:
         tick, time = graph.op("tick"), graph.op("time")
 
         def once(part: Any, before: Sequence[Op]) -> list[Op]:
-            at = graph.arithmetic("fadd", time, graph.arithmetic("fmul", part, held)) if node.repeat > 1 else time
+            passed = graph.arithmetic("fmul", part, held)
+            passed.sealed = True
+            at = graph.arithmetic("fadd", time, passed) if node.repeat > 1 else time
             clock = Clock(tick, at, held)  # type: ignore[arg-type]
             following, after = step_once(self.run, node.step, par, before, members, inputs, clock)
             return [*following, *after]
