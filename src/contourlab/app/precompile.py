@@ -10,12 +10,14 @@ def precompile() -> None:
     """Compile what does not depend on the machine; a second call finds it in the cache."""
     from contourlab.engine import sampler
     from contourlab.feed import scurve, smooth
-    from contourlab.geometry import broad_phase, thinning
+    from contourlab.geometry import blend, broad_phase, table, thinning
 
     sampler.compiled_kernels()
     scurve.compiled_kernels()
     smooth.compiled_kernels()
+    blend.compiled_kernel()
     broad_phase.compiled_kernel()
+    table.compiled_kernel()
     thinning.compiled_kernel()
 
 

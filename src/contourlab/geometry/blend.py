@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Curve, CurveBatch, by_arc_length, clenshaw, rows
+from contourlab.geometry.curve import Curve, CurveBatch, by_arc_length, clenshaw
 
 ACCURACY = 1e-12
 """Largest error of an arc length, relative to the length of the blend; a less accurate blend is divided."""
@@ -191,38 +193,77 @@ class Blend(Curve):
         return Blends([self]).derivatives(np.zeros(along.size, dtype=np.int64), along, order).transpose(0, 2, 1)
 
 
+def parameter(s: float, borders: Array, inverse: Array) -> float:
+    """Return the parameter u of an arc length on one blend."""
+    quarter = 3 if s >= borders[3] else 2 if s >= borders[2] else 1 if s >= borders[1] else 0
+    low, high = borders[quarter], borders[quarter + 1]
+    x = min(max((2.0 * s - low - high) / (high - low), -1.0), 1.0)
+    b1, b2 = 0.0, 0.0  # Clenshaw's recursion
+    for term in range(inverse.shape[1] - 1, 0, -1):
+        b1, b2 = 2.0 * x * b1 - b2 + inverse[quarter, term], b1
+    part = 0.5 * (1.0 + (x * b1 - b2 + inverse[quarter, 0]))
+    return float(0.25 * (quarter + min(max(part, 0.0), 1.0)))
+
+
+def evaluate(slot, along, order, coefficients, borders, inverse, found):  # type: ignore[no-untyped-def]
+    """Evaluate blends `slot` (n,) at arc lengths `along` (n,): derivatives by arc length into `found` (order + 1, n_axis, n)."""
+    axes = coefficients.shape[2]
+    for i in range(slot.size):
+        k = slot[i]
+        u = parameter(along[i], borders[k], inverse[k])
+        square, turn, change = 0.0, 0.0, 0.0  # products of the derivatives by u, for the chain rule
+        for j in range(axes):
+            c2, c3, c4, c5 = coefficients[k, 2, j], coefficients[k, 3, j], coefficients[k, 4, j], coefficients[k, 5, j]
+            first = coefficients[k, 1, j] + u * (2.0 * c2 + u * (3.0 * c3 + u * (4.0 * c4 + u * (5.0 * c5))))
+            second = 2.0 * c2 + u * (6.0 * c3 + u * (12.0 * c4 + u * (20.0 * c5)))
+            third = 6.0 * c3 + u * (24.0 * c4 + u * (60.0 * c5))
+            found[0, j, i] = coefficients[k, 0, j] + u * (coefficients[k, 1, j] + u * (c2 + u * (c3 + u * (c4 + u * c5))))
+            square, turn, change = square + first * first, turn + first * second, change + second * second + first * third
+            if order > 0:
+                found[1, j, i] = first
+            if order > 1:
+                found[2, j, i] = second
+            if order > 2:
+                found[3, j, i] = third
+        p = 1.0 / math.sqrt(square)  # du/ds
+        q = -turn / (square * square)  # d2u/ds2
+        w = (4.0 * turn * turn / (square * square * square) - change / (square * square)) * p  # d3u/ds3
+        for j in range(axes if order > 0 else 0):
+            first = found[1, j, i]
+            found[1, j, i] = first * p
+            if order > 1:
+                second = found[2, j, i]
+                found[2, j, i] = second * (p * p) + first * q
+                if order > 2:
+                    found[3, j, i] = found[3, j, i] * (p * p * p) + 3.0 * second * p * q + first * w
+
+
+@cache
+def compiled_kernel() -> Any:
+    """Return `evaluate` in machine code."""
+    from contourlab.native.compile import kernel  # loads the compiler
+
+    return kernel(evaluate, "i8[:] f8[:] i8 f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:]")
+
+
 class Blends(CurveBatch):
     """Many blends at once."""
 
     def __init__(self, curves: Sequence[Blend]) -> None:
         super().__init__(curves)
-        n = len(curves)
-        self.coefficients = np.moveaxis(np.concatenate([c.coefficients for c in curves]).reshape(n, 6, self.n_axis), 0, 2).copy()
-        self.borders = rows(curves, "borders")
-        self.inverse = np.ascontiguousarray(np.concatenate([c.inverse for c in curves]).T)
-
-    def parameter(self, slot: Index, along: Array) -> Array:
-        """Return the parameters u (n,) of arc lengths (n,)."""
-        border = self.borders[:, slot]
-        quarter = (along >= border[1]) * 1 + (along >= border[2]) + (along >= border[3])
-        low, high = np.take_along_axis(border, quarter + np.arange(2)[:, None], axis=0)
-        x = np.clip((2.0 * along - low - high) / (high - low), -1.0, 1.0)
-        part = 0.5 * (1.0 + clenshaw(self.inverse[:, 4 * slot + quarter], x))
-        return np.asarray(0.25 * (quarter + np.clip(part, 0.0, 1.0)))
+        self._shape = tuple(np.array([getattr(curve, name) for curve in curves]) for name in ("coefficients", "borders", "inverse"))
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
-        if along.size > _CHUNK:
-            # Process parts that fit in the processor's cache.
-            parts = [slice(i, i + _CHUNK) for i in range(0, along.size, _CHUNK)]
-            return np.concatenate([self.derivatives(slot[part], along[part], order) for part in parts], axis=2)
-        raw = _powers(self.coefficients[:, :, slot], self.parameter(slot, along), max(order, 1))
-        return by_arc_length(raw.transpose(0, 2, 1), order).transpose(0, 2, 1)
+        found = np.empty((order + 1, self.n_axis, along.size))
+        compiled_kernel()(np.ascontiguousarray(slot), np.ascontiguousarray(along), order, *self._shape, found)
+        return found
 
     def smallest_radii(self) -> Array:
         n, u = self.length.size, np.linspace(0.0, 1.0, 65)
         bend = np.zeros(n)
+        coefficients = np.moveaxis(self._shape[0], 0, 2)
         for at in u:
-            raw = _powers(self.coefficients, np.full(n, at), 2)
+            raw = _powers(coefficients, np.full(n, at), 2)
             bend = np.maximum(bend, np.linalg.norm(by_arc_length(raw.transpose(0, 2, 1), 2)[2], axis=1))
         return np.asarray(np.divide(1.0, bend, out=np.full(n, np.inf), where=bend > 0.0))
 

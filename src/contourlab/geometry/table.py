@@ -9,6 +9,8 @@ divided at once.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -56,33 +58,50 @@ class PathTable:
     closed: bool
     halvings: int = 0
 
-    def _find(self, along: Array) -> Index:
-        """Return the pieces of arc lengths (n,) within the path, with the steps of the compiled look-up."""
-        cell = np.minimum((along * self.inverse_cell).astype(np.int64), len(self.cell) - 2)
-        piece = self.cell[cell].astype(np.int64)
-        if not self.halvings:
-            return np.asarray(np.minimum(piece + (along >= self.start[piece + 1]), len(self.coefficients) - 1))
-        last = self.cell[cell + 1].astype(np.int64)
-        for _ in range(self.halvings):
-            middle = (piece + last + 1) // 2
-            right = along >= self.start[middle]
-            piece, last = np.where(right, middle, piece), np.where(right, last, np.maximum(middle - 1, piece))
-        return piece
-
     def evaluate(self, s: ArrayLike, order: int = 2) -> Array:
         """Return position and derivatives up to `order`, 0 to 2: ndarray (order + 1, n, n_axis)."""
         along = np.atleast_1d(np.asarray(s, dtype=float))
         along = along - self.length * np.floor(along * (1.0 / self.length)) if self.closed else along
         along = np.clip(along, 0.0, self.length)
-        piece = self._find(along)
-        h = (along - self.start[piece])[:, None]
-        c = np.moveaxis(self.coefficients[piece], 2, 0)
-        values = [c[0] + h * (c[1] + h * (c[2] + h * (c[3] + h * (c[4] + h * c[5]))))]
-        if order > 0:
-            values.append(c[1] + h * (2.0 * c[2] + h * (3.0 * c[3] + h * (4.0 * c[4] + h * 5.0 * c[5]))))
-        if order > 1:
-            values.append(2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5])))
-        return np.array(values)
+        found = np.empty((order + 1, along.size, self.coefficients.shape[1]))
+        compiled_kernel()(along, self.inverse_cell, self.halvings, self.start, self.coefficients, self.cell, order, found)
+        return found
+
+
+def look_up(along, inverse_cell, halvings, start, coefficients, cell, order, found):  # type: ignore[no-untyped-def]
+    """Evaluate pieces at arc lengths (n,), with the steps of the engine's look-up: derivatives into `found` (order + 1, n, n_axis)."""
+    n_piece, axes = coefficients.shape[0], coefficients.shape[1]
+    for i in range(along.size):
+        s = along[i]
+        number = min(int(s * inverse_cell), cell.size - 2)
+        piece = int(cell[number])
+        if halvings == 0:
+            piece = min(piece + 1 if s >= start[piece + 1] else piece, n_piece - 1)
+        else:
+            last = int(cell[number + 1])
+            for _ in range(halvings):
+                middle = (piece + last + 1) // 2
+                if s >= start[middle]:
+                    piece = middle
+                else:
+                    last = max(middle - 1, piece)
+        h = s - start[piece]
+        for j in range(axes):
+            c1, c2, c3 = coefficients[piece, j, 1], coefficients[piece, j, 2], coefficients[piece, j, 3]
+            c4, c5 = coefficients[piece, j, 4], coefficients[piece, j, 5]
+            found[0, i, j] = coefficients[piece, j, 0] + h * (c1 + h * (c2 + h * (c3 + h * (c4 + h * c5))))
+            if order > 0:
+                found[1, i, j] = c1 + h * (2.0 * c2 + h * (3.0 * c3 + h * (4.0 * c4 + h * 5.0 * c5)))
+            if order > 1:
+                found[2, i, j] = 2.0 * c2 + h * (6.0 * c3 + h * (12.0 * c4 + h * 20.0 * c5))
+
+
+@cache
+def compiled_kernel() -> Any:
+    """Return `look_up` in machine code."""
+    from contourlab.native.compile import kernel  # loads the compiler
+
+    return kernel(look_up, "f8[:] f8 i8 f8[:] f8[:,:,:] f8[:] i8 f8[:,:,:]")
 
 
 def path_table(path: CurveSequence, tolerance: float, pieces: int = 1) -> PathTable:
