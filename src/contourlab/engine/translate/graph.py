@@ -38,8 +38,9 @@ _FIXED = ("constant", "parameter", "table", "period", "dt")
 """Values that are the same in every tick; what is computed from them alone is computed once."""
 _GUARDED = ("lookup", "delayed", "member", "branch", "loop")
 """Operations that must not run where their branch is not taken: an index may lie outside, a loop may not end."""
-LIGHT = 24
-"""Up to this cost both sides of a branch are computed, and one is selected."""
+LIGHT = 8
+"""Up to this cost both sides of a branch are computed, and one is selected. In lanes a jump over a costlier side that no lane takes pays, however
+much the lanes differ."""
 
 
 class MismatchError(Exception):
