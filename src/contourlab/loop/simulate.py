@@ -25,6 +25,8 @@ from contourlab.result import Result, Signal, Status
 
 BLOCK = 1 << 16
 """Samples of a block."""
+LONG_BLOCK = 1 << 20
+"""Samples of a block where all signals stay in memory anyway: joining many short blocks takes as long as half of the run."""
 
 UNITS = {
     "reference": "m",
@@ -135,7 +137,7 @@ def simulate(
     status = Status(ok=True)
     done = 0
     given: dict[str, Any] = {"seed": seed, "jit": jit, "view": view, "signals": signals, "learned": learned, "trial": trial}
-    given |= {"moving": moving, "changes": changes}
+    given |= {"moving": moving, "changes": changes, "block": LONG_BLOCK}
     for block, now in simulate_blocks(machine, controller, reference, **given):
         blocks.append(block)
         status = now

@@ -39,8 +39,8 @@ _FIXED = ("constant", "parameter", "table", "period", "dt")
 _GUARDED = ("lookup", "delayed", "member", "branch", "loop")
 """Operations that must not run where their branch is not taken: an index may lie outside, a loop may not end."""
 LIGHT = 8
-"""Up to this cost both sides of a branch are computed, and one is selected. In lanes a jump over a costlier side that no lane takes pays, however
-much the lanes differ."""
+"""Up to this cost both sides of a branch are computed, and one is selected. Jumping over a costlier side that no lane takes pays,
+however much the lanes differ."""
 
 
 class MismatchError(Exception):
