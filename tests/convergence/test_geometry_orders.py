@@ -26,7 +26,7 @@ class Plain(Curve):
     def derivatives(self, s: ArrayLike, order: int = 3) -> NDArray[np.float64]:
         return self.curve.derivatives(s, order)
 
-    def describe(self) -> tuple[object, ...]:
+    def describe(self) -> bytes:
         return self.curve.describe()
 
 

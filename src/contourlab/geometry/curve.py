@@ -50,10 +50,10 @@ class Curve(ABC):
         """Return an evaluator for many curves of this kind; frequent kinds have a faster one."""
         return CurveBatch(curves)
 
-    def describe(self) -> tuple[object, ...]:
+    def describe(self) -> bytes:
         """Return the kind and all numbers that define the curve, for its digest."""
         kind, *attributes = self.digest_parts
-        return (kind, *(number for name in attributes for number in np.ravel(getattr(self, name)).tolist()))
+        return kind.encode() + b"".join(np.asarray(getattr(self, name), dtype="<f8").tobytes() for name in attributes)
 
     def position(self, s: ArrayLike) -> Array:
         """Return positions (n, n_axis) [m]."""

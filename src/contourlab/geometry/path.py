@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import struct
 from collections.abc import Sequence
 from functools import cached_property
 
@@ -133,7 +132,5 @@ class Path(CurveSequence):
         """A hash of the geometry: equal for equal curves, on any machine."""
         sha = hashlib.sha256(b"closed" if self.closed else b"open")
         for curve in self.curves:
-            sha.update(
-                b"".join(struct.pack("<d", item) if isinstance(item, float | int) else str(item).encode() for item in curve.describe())
-            )
+            sha.update(curve.describe())
         return sha.hexdigest()

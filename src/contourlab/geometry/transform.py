@@ -28,8 +28,8 @@ class _Backwards(Curve):
     def smallest_radius(self) -> float:
         return self.forwards.smallest_radius()
 
-    def describe(self) -> tuple[object, ...]:
-        return ("backwards", *self.forwards.describe())
+    def describe(self) -> bytes:
+        return b"backwards" + self.forwards.describe()
 
 
 def backwards(curve: Curve) -> Curve:

@@ -71,8 +71,8 @@ class _Moved(Curve):
     def smallest_radius(self) -> float:
         return self.curve.smallest_radius()
 
-    def describe(self) -> tuple[object, ...]:
-        return ("moved", *self.move.tolist(), *self.curve.describe())
+    def describe(self) -> bytes:
+        return b"moved" + self.move.astype("<f8").tobytes() + self.curve.describe()
 
 
 @singledispatch

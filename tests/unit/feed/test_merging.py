@@ -96,7 +96,7 @@ def test_points_on_a_line_become_one_line() -> None:
     x = np.array([0.0, 1.0, 1.5, 2.0, 7.0, 7.25])
     found = merged(route(np.column_stack([x, 2.0 * x]), 1e-9))
     assert found.n_curve == 1
-    assert found.path.curves[0].describe() == ("line", 0.0, 0.0, 7.25, 14.5)
+    assert found.path.curves[0].describe() == Line((0.0, 0.0), (7.25, 14.5)).describe()
     np.testing.assert_allclose(found.programmed_arc_length([0.0, found.path.length]), [0.0, found.programmed.length], rtol=1e-15)
 
 
