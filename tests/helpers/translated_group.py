@@ -13,6 +13,7 @@ from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Step, rows
 from contourlab.engine.translate import llvm_ir
 from contourlab.engine.translate.step_graph import StepGraph, graph_of
+from contourlab.engine.translate.tick_graph import ring_row
 
 Maker = Callable[[StepGraph], Any]
 
@@ -54,10 +55,5 @@ class TranslatedGroup(InterpretedGroup):
         """Store the present value of the ring port; return the ring."""
         step: Step = self.schedule.nodes[n].step
         if step.ring:
-            at = 0
-            for port in step.inputs:
-                if port.name == step.ring:
-                    break
-                at += port.rows
-            self.rings[n][self.tick % len(self.rings[n]), 0] = taken[at]
+            self.rings[n][self.tick % len(self.rings[n]), 0] = taken[ring_row(step)]
         return np.ascontiguousarray(self.rings[n][:, 0])

@@ -94,7 +94,7 @@ def _warn(message: str) -> None:
     logging.getLogger("contourlab").warning("contourlab: %s", message)
 
 
-def address(key: str, build: Callable[[], Any], name: str, inner: bool = False) -> int:
+def address(key: str, build: Callable[[], Any], name: str) -> int:
     """Return the address of the code filed under `key`; build and file it first if it is not there.
 
     Parameters
@@ -104,15 +104,13 @@ def address(key: str, build: Callable[[], Any], name: str, inner: bool = False) 
         Returns a Numba cfunc.
     name : str
         Kept with the code, for people.
-    inner : bool
-        Whether to return the function inside the C wrapper, which the tick loop calls directly.
     """
     if key not in _addresses:
-        _addresses[key] = _loaded(key, build, name, inner)
+        _addresses[key] = _loaded(key, build, name)
     return _addresses[key]
 
 
-def _loaded(key: str, build: Callable[[], Any], name: str, inner: bool) -> int:
+def _loaded(key: str, build: Callable[[], Any], name: str) -> int:
     parts = read(key)
     if parts is not None:
         with contextlib.suppress(RuntimeError, ValueError, UnicodeError):
@@ -121,11 +119,9 @@ def _loaded(key: str, build: Callable[[], Any], name: str, inner: bool) -> int:
         compiled = build()
     _alive.append(compiled)
     library = compiled._library
-    symbol = compiled._wrapper_name
-    symbol = symbol.removeprefix("cfunc.") if inner else symbol
     title, _, (code, shared) = library.serialize_using_object_code()
-    write(key, [symbol.encode(), name.encode(), title.encode(), code, shared])
-    return int(library.get_pointer_to_function(symbol))
+    write(key, [compiled._wrapper_name.encode(), name.encode(), title.encode(), code, shared])
+    return int(library.get_pointer_to_function(compiled._wrapper_name))
 
 
 def _restored(symbol: bytes, _: bytes, title: bytes, code: bytes, shared: bytes) -> int:

@@ -1,7 +1,8 @@
 """Run a function of the scalar language over graph values: what is known now is computed now, the rest becomes operations.
 
-Tuples, named tuples, closures, loops over a known range and whole numbers are Python's own and leave no trace. Numbers and conditions that
-are not known become operations; an ``if`` over them becomes a branch, a ``while``, or a ``for`` that breaks, becomes a loop.
+Tuples, named tuples, closures and whole numbers are Python's own and leave no trace. Numbers and conditions that are not known become
+operations. An ``if`` over them becomes a branch. A ``while``, a ``for`` that breaks and a long ``for`` that does not use its index become
+loops; any other ``for`` is written out.
 """
 
 from __future__ import annotations
@@ -13,7 +14,10 @@ from typing import Any
 from contourlab.engine.translate.expressions import NOTHING, Expressions, words_of
 from contourlab.engine.translate.graph import UNSET, MismatchError, Op
 from contourlab.engine.translate.names import Frame, assign, assigned, flat, is_numeric, shaped
+from contourlab.errors import EngineError
 
+_WRITTEN_OUT = 4
+"""Most rounds of a ``for`` that are written out although it could be a loop."""
 _ON = "the loop goes on"
 """Name, within a round of a loop, of the condition that no break was met."""
 
@@ -102,12 +106,36 @@ class Evaluator(Expressions):
                 raise MismatchError("a loop that breaks needs a range")
             self._loop(statement, frame, None, items)
             return NOTHING
+        if len(items) > _WRITTEN_OUT and self._repeated(statement, frame, len(items)):
+            return NOTHING
         for item in items:
             assign(statement.target, item, frame.env)
             found = self.body(statement.body, frame)
             if found is not NOTHING:
                 return found
         return NOTHING
+
+    def _repeated(self, statement: ast.For, frame: Frame, count: int) -> bool:
+        """Make a loop of a ``for`` whose body does not use its index; return whether that is possible."""
+        body = ast.Module(statement.body, [])
+        used = {node.id for node in ast.walk(body) if isinstance(node, ast.Name)}
+        names, own = assigned(body), frame.copy()
+        known = all(is_numeric(frame.env.get(name, UNSET)) for name in names)
+        if not known or used & set(assigned(statement.target)) or any(isinstance(node, ast.Return) for node in ast.walk(body)):
+            return False
+        shapes = [frame.env[name] for name in names]
+
+        def round_(_: Op, values: Sequence[Op]) -> list[Any]:
+            own.env = {**frame.env, **dict(zip(names, shaped(shapes, values), strict=True))}
+            self.body(statement.body, own)
+            return flat(own.name(name) for name in names)
+
+        try:
+            after = self.graph.repeat(count, flat(shapes), round_)
+        except (MismatchError, EngineError, ValueError):
+            return False  # such as a tuple that grows: written out, it may be possible
+        frame.env.update(zip(names, shaped(shapes, after), strict=True))
+        return True
 
     def _loop(self, statement: ast.For | ast.While, frame: Frame, test: Callable[[Frame], Any] | None, items: range | None) -> None:
         """Make a loop of a ``while``, or of a ``for`` over a range that may break."""

@@ -285,9 +285,7 @@ class Graph:
     def _rounds(self, made: Op, body: Callable[[list[Op]], Sequence[Any]]) -> list[Op]:
         with self._within(made.blocks[1]) as block:
             after = body([*made.extra])
-            block.ends = tuple(
-                self.number(v) if op.type == NUMBER else self._as_condition(v) for v, op in zip(after, made.extra, strict=True)
-            )
+            block.ends = tuple(self._kept(v, op) for v, op in zip(after, made.extra, strict=True))
         self.block.ops.append(made)
         return list(made.results)
 
@@ -299,6 +297,14 @@ class Graph:
             yield block
         finally:
             self.block = held
+
+    def _kept(self, value: Any, before: Op) -> Op:
+        """Return a value after a round, of the type that it had before."""
+        if before.type == NUMBER:
+            return self.number(value)
+        if not _is_condition(value):
+            raise MismatchError("a name is a condition before a round of a loop and a number after it: begin with a number")
+        return self._as_condition(value)
 
     def _as_condition(self, value: Any) -> Op:
         value = self.condition(value)

@@ -88,7 +88,7 @@ class _Builder:
         taken = [graph.constant(s) if isinstance(s, float) else self.signal(s) for s in self.schedule.sources[i]]
         if step.ring:
             values.append(Op("ring", (), TABLE, (self.places.rings[i], self.places.ring_lengths[i])))
-            graph.effect("store_ring", [taken[_row_of(step, step.ring)]], values[-1].extra)
+            graph.effect("store_ring", [taken[ring_row(step)]], values[-1].extra)
         par, inputs = step.par_type(*values), record_of(step.inputs, taken)
         states = [Op("before", (), "f", self.places.states[i] + r) for r in range(rows(step.own_states))]
         out = [self.signal(self.schedule.first_row[i] + r) for r in range(rows(step.outputs))] if node.repeat > _UNROLLED else []
@@ -123,9 +123,9 @@ class _Builder:
         return graph.repeat(node.repeat, [*states, *out], lambda part, values: once(part, values[: len(states)]))
 
 
-def _row_of(step: Step, name: str) -> int:
-    names = [port.name for port in step.inputs for _ in range(port.rows)]
-    return names.index(name)
+def ring_row(step: Step) -> int:
+    """Return the row of the inputs whose past the step keeps."""
+    return [port.name for port in step.inputs for _ in range(port.rows)].index(step.ring)
 
 
 def tick_graph(

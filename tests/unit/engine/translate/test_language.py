@@ -97,6 +97,20 @@ def mixed(a: float, b: float) -> float:
 FACTOR = {"factor": 3.5}
 
 
+def averaged(a: float, b: float) -> float:
+    pair, steps = (a, b), 0.0
+    for _ in range(9):
+        pair, steps = (0.5 * (pair[0] + pair[1]), pair[0]), steps + 1.0
+    return pair[0] + pair[1] + steps
+
+
+def growing(a: float, b: float) -> float:
+    every: tuple[float, ...] = (a,)
+    for _ in range(9):
+        every = (*every, 0.5 * every[-1] + b)
+    return sum(every)
+
+
 def weighted(a: float, b: float = 2.0, *more: float, factor: float = 3.0) -> float:
     return factor * (a + b) + sum(more)
 
@@ -108,7 +122,7 @@ def called(a: float, b: float) -> float:
     return weighted(a) + weighted(a, b, a, b) + weighted(b=a, a=b, factor=0.5) + weighted(a, **FACTOR) + inner(b) + inner(a, z=b)
 
 
-@pytest.mark.parametrize("function", [early, counted, bisected, indexed, tuples, rounding, mixed, called])
+@pytest.mark.parametrize("function", [early, counted, bisected, indexed, tuples, rounding, mixed, averaged, growing, called])
 def test_a_function_computes_the_same_bits(function: Callable[[float, float], float]) -> None:
     native = compiled(function)
 
@@ -180,6 +194,19 @@ def test_products_are_contracted_on_request_only() -> None:
 
     assert kinds(product_sum, False).count("fma") == 0
     assert kinds(product_sum, True).count("fma") == 2
+
+
+def test_a_long_loop_is_not_written_out() -> None:
+    def counted_to(n: int) -> Callable[[float, float], float]:
+        def repeated(a: float, b: float) -> float:
+            for _ in range(n):
+                a = a * b + 1.0
+            return a
+
+        return repeated
+
+    assert kinds(counted_to(20), False) == kinds(counted_to(2000), False)
+    assert kinds(counted_to(3), False).count("fmul") == 3
 
 
 def test_what_is_known_is_computed_now() -> None:
