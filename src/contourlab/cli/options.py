@@ -34,7 +34,7 @@ WithInterval: TypeAlias = Annotated[
     bool | None,
     typer.Option(
         "--interval/--no-interval",
-        help="Compute an uncertainty interval of the contour error from the stated deviations; by default if it is quick.",
+        help="Compute an uncertainty interval of the contour error from the stated deviations, as by default.",
         show_default=False,
     ),
 ]

@@ -125,7 +125,7 @@ def run_case(
     foretell : bool
         Whether to analyse learning and coupling beforehand.
     interval : bool or None
-        Whether to draw machines from the stated deviations, for the interval of the contour error; None: where it is quick.
+        Whether to draw machines from the stated deviations, for the interval of the contour error; None does too.
 
     Raises
     ------
@@ -166,9 +166,7 @@ def run_case(
     sampled = None
     if interval is not False:
         begin(f"drawing machines from the deviations, {case.name}")
-        sampled = contour_interval(
-            machine, controller, reference, tolerance=case.tolerance, progress=progress, patient=bool(interval), **given  # type: ignore[arg-type]
-        )  # fmt: skip
+        sampled = contour_interval(machine, controller, reference, tolerance=case.tolerance, progress=progress, **given)  # type: ignore[arg-type]
     return Outcome(
         name=case.name,
         case=case,

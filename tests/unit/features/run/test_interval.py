@@ -13,7 +13,6 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.disturbance.loads import ConstantLoad
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.laws import Coulomb
-from contourlab.components.gap_observer.multiple_model import MultipleModel
 from contourlab.components.origin import Origin
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.features.run.trust.interval import SAMPLES, contour_interval, draw, main_contributor, noticeable
@@ -204,13 +203,6 @@ def test_changes_that_lanes_cannot_make_are_reported() -> None:
     assert [one.code for one in contour_interval(pair, law, along_x(50), changes=[object()]).findings] == ["CL222"]
     stiff = replace(pair.axes[0], friction=Coulomb(coulomb=1.0).traced({"stribeck_velocity": Origin("assumed", deviation=1e-3)}))
     assert contour_interval(replace(pair, axes=(stiff, pair.axes[1])), law, along_x(50)).samples == SAMPLES
-
-
-def test_a_bank_of_filters_is_skipped_by_default() -> None:
-    pair, law = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller()
-    watched = replace(law.axes["y"], gap_observer=MultipleModel(**MultipleModel.example))
-    found = contour_interval(pair, replace(law, axes={**law.axes, "y": watched}), along_x(50))
-    assert [one.code for one in found.findings] == ["CL223"]
 
 
 def test_a_changed_number_loses_its_deviation() -> None:

@@ -38,7 +38,6 @@ def contour_interval(
     learned: Learned | None = None,
     threads: int | None = None,
     n: int = SAMPLES,
-    patient: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> Interval:
     """Return the interval of the contour error that the stated deviations imply.
@@ -60,8 +59,6 @@ def contour_interval(
     threads : int, optional
     n : int
         Samples, a power of two.
-    patient : bool
-        Whether machines with a gap observer are drawn too, which takes as long as `n` single runs.
     progress : callable, optional
         Called with samples done and samples in all.
 
@@ -81,8 +78,6 @@ def contour_interval(
         return Interval(findings=(finding("CL221") if exact else finding("CL220"),))
     if changes:
         return Interval(findings=(finding("CL222"),))
-    if not patient and any(controller.axes[name].gap_observer is not None for name in machine.axis_names):
-        return Interval(findings=(finding("CL223", samples=n),))
     columns = draw(uncertain, machine, controller, seed, n)
 
     def report_progress(done: int) -> None:
