@@ -28,6 +28,7 @@ def test_circle_and_bode_are_drawn(single, tmp_path):
     assert {"circle-0", "bode-0", "bode-1"} <= names
 
 
+@pytest.mark.slow
 def test_the_same_run_gives_the_same_bytes(square, tmp_path):
     first = [file.read_bytes() for file in write_plots(square, tmp_path / "a", ("svg", "pdf"))]
     second = [file.read_bytes() for file in write_plots(square, tmp_path / "b", ("svg", "pdf"))]

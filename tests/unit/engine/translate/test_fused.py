@@ -16,7 +16,8 @@ from contourlab.engine.translate.step_graph import graph_of
 from contourlab.loop.feeding import Feed
 from contourlab.loop.template import build
 
-CASES = ["ghaffari/demo-stage", "backlash/part", "demo-part", "gecer-ulu/contour", "emps/circle", "ubc/lead-lag"]
+QUICK = ["ghaffari/demo-stage", "gecer-ulu/contour", "emps/circle", "ubc/lead-lag"]
+CASES = [*QUICK, *(pytest.param(name, marks=pytest.mark.slow) for name in ("backlash/part", "demo-part"))]
 TICKS = 300
 
 

@@ -317,6 +317,7 @@ def test_an_interrupted_study_continues_with_the_same_bits(tmp_path: Path) -> No
         assert kept.reused == after and all_results(resumed) == all_results(whole)
 
 
+@pytest.mark.slow
 def test_searches_of_another_study_are_ignored_and_damaged_ones_repeated(tmp_path: Path) -> None:
     whole, first = kept_study(tmp_path)
     other, second = kept_study(tmp_path, model="two")
