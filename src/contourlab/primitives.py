@@ -102,13 +102,13 @@ def fabs(x: float) -> float:
 
 
 def floor(x: float) -> float:
-    """Return the largest whole number up to x."""
-    return float(math.floor(x)) if math.isfinite(x) else x
+    """Return the largest whole number up to x; zero keeps the sign of x."""
+    return math.copysign(math.floor(x), x) if math.isfinite(x) else x
 
 
 def rint(x: float) -> float:
-    """Return the nearest whole number; halves go to the even one."""
-    return float(round(x)) if math.isfinite(x) else x
+    """Return the nearest whole number; halves go to the even one, and zero keeps the sign of x."""
+    return math.copysign(round(x), x) if math.isfinite(x) else x
 
 
 def copysign(x: float, y: float) -> float:

@@ -101,7 +101,7 @@ class Evaluator(Expressions):
         items = self.expression(statement.iter, frame)
         if isinstance(items, Op):
             raise MismatchError("a loop needs a known range or tuple")
-        if any(isinstance(node, ast.Break) for node in ast.walk(statement)):
+        if _breaks(statement.body):
             if not isinstance(items, range):
                 raise MismatchError("a loop that breaks needs a range")
             self._loop(statement, frame, None, items)
@@ -176,11 +176,10 @@ class Evaluator(Expressions):
         for i, statement in enumerate(statements):
             if isinstance(statement, ast.Break):
                 return False
-            if not any(isinstance(node, ast.Break) for node in ast.walk(statement)):
+            if not _breaks([statement]):
                 self.body([statement], frame)
                 continue
-            if not isinstance(statement, ast.If):
-                raise MismatchError("a break inside a loop within the loop")
+            assert isinstance(statement, ast.If)
             test = self.graph.condition(self.expression(statement.test, frame))
             rest = statements[i + 1 :]
             if not isinstance(test, Op):
@@ -192,3 +191,8 @@ class Evaluator(Expressions):
             self._both_sides(test, statement, side, [*assigned(ast.Module([statement, *rest], [])), _ON], frame)
             return frame.env.pop(_ON)
         return True
+
+
+def _breaks(statements: Sequence[ast.stmt]) -> bool:
+    """Return whether statements may end the loop around them; a break of an inner loop does not."""
+    return any(isinstance(one, ast.Break) or (isinstance(one, ast.If) and _breaks([*one.body, *one.orelse])) for one in statements)
