@@ -36,7 +36,7 @@ class Evaluator(Expressions):
                         return found[0]
                     continue
                 found = self._statement(statement, frame)
-            except MismatchError as error:
+            except Exception as error:
                 if not hasattr(error, "line"):
                     error.line = statement.lineno  # type: ignore[attr-defined]
                 raise
@@ -87,7 +87,7 @@ class Evaluator(Expressions):
             frame.env[statement.target.id] = self.operation(statement.op, here, self.expression(statement.value, frame))
         elif isinstance(statement, ast.For):
             return self._for(statement, frame)
-        elif isinstance(statement, ast.While):
+        elif isinstance(statement, ast.While) and not statement.orelse:
             self._loop(statement, frame, lambda own: self.expression(statement.test, own), None)
         elif isinstance(statement, ast.FunctionDef):
             frame.env[statement.name] = self.closure(statement, frame)
@@ -98,6 +98,8 @@ class Evaluator(Expressions):
     # --- loops
 
     def _for(self, statement: ast.For, frame: Frame) -> Any:
+        if statement.orelse:
+            raise MismatchError("a step cannot use else after a loop")
         items = self.expression(statement.iter, frame)
         if isinstance(items, Op):
             raise MismatchError("a loop needs a known range or tuple")
@@ -107,6 +109,7 @@ class Evaluator(Expressions):
             self._loop(statement, frame, None, items)
             return NOTHING
         if len(items) > _WRITTEN_OUT and self._repeated(statement, frame, len(items)):
+            assign(statement.target, items[-1], frame.env)
             return NOTHING
         for item in items:
             assign(statement.target, item, frame.env)
@@ -158,7 +161,8 @@ class Evaluator(Expressions):
             if items is not None:
                 return self.graph.logic("and", values[0], self.graph.compare("<", values[1], float(len(items))))
             assert test is not None
-            return self.graph.logic("and", values[0], self.graph.condition(test(own)))
+            # After a break the test does not run.
+            return self.one_of(values[0], lambda: self.graph.condition(test(own)), lambda: False)
 
         def round_(values: Sequence[Op]) -> list[Any]:
             enter(values)

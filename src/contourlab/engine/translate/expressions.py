@@ -8,7 +8,7 @@ from types import BuiltinFunctionType, FunctionType
 from typing import Any
 
 from contourlab.engine.translate.graph import Graph, MismatchError, Op
-from contourlab.engine.translate.names import Closure, Frame, assign, bound, has_unset, outer_names, positional
+from contourlab.engine.translate.names import Closure, Frame, assign, bound, flat, has_unset, outer_names, positional
 from contourlab.engine.translate.source import tree_of
 from contourlab.errors import EngineError
 
@@ -16,7 +16,7 @@ NOTHING: Any = object()
 """What a body returns that ends without a return."""
 _ARITHMETIC = {ast.Add: "fadd", ast.Sub: "fsub", ast.Mult: "fmul", ast.Div: "fdiv"}
 _SIGNS = {ast.Lt: "<", ast.Gt: ">", ast.LtE: "<=", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
-_KNOWN_ONLY = (range, len, int, bool, str, isinstance, round, min, max)
+_KNOWN_ONLY = (range, int, bool, str, round, min, max)
 _DEEPEST = 60
 """Most calls within each other: more is a recursion."""
 _PYTHON: dict[type, Callable[[Any, Any], Any]] = {
@@ -72,9 +72,12 @@ class Expressions:
         except TypeError:
             primitive = None
         if primitive is not None:
+            if named or len(args) != function.__code__.co_argcount:
+                args = list(bound(tree_of(function).args, {}, args, named or {}).values())
             return primitive(self, *args)
         if isinstance(function, Closure):
-            frame = Frame(function.around.file, function.around.name)
+            around = function.around.origin
+            frame = Frame(function.around.file, lambda name: around.now.name(name))
             frame.env = bound(function.node.args, function.defaults, args, named or {})
             return self._run(function.node, frame)
         if isinstance(function, FunctionType):
@@ -87,13 +90,15 @@ class Expressions:
         return self._builtin(function, args, named or {})
 
     def _builtin(self, function: Any, args: Sequence[Any], named: Mapping[str, Any]) -> Any:
-        unknown = any(isinstance(arg, Op) for arg in args)
+        if function in (len, isinstance):
+            return function(*args)
+        unknown = any(isinstance(arg, Op) for arg in flat(args))
         if function is float:
             return self.graph.number(args[0]) if unknown else float(args[0])
         if function is abs:
             return self.graph.arithmetic("fabs", args[0])
         if function is sum:
-            total = args[1] if len(args) > 1 else 0
+            total = named.get("start", args[1] if len(args) > 1 else 0)
             for value in args[0]:
                 total = self.operation(ast.Add(), total, value)
             return total
@@ -114,8 +119,11 @@ class Expressions:
                 return self.expression(node.body, frame)
             found = self.body(node.body, frame)
             return None if found is NOTHING else found
-        except MismatchError as error:
-            raise EngineError(f"{frame.file}:{getattr(error, 'line', node.lineno)}: {error}") from error
+        except EngineError:
+            raise
+        except Exception as error:  # Python itself may refuse what it computes now
+            said = str(error) if isinstance(error, MismatchError) else f"{type(error).__name__}: {error}"
+            raise EngineError(f"{frame.file}:{getattr(error, 'line', node.lineno)}: {said}") from error
         finally:
             self._depth -= 1
 
@@ -156,28 +164,44 @@ class Expressions:
             return self.graph.logic("not", self.graph.condition(value))
         if isinstance(tree.op, ast.USub):
             return self.graph.arithmetic("fneg", value) if isinstance(value, Op) else -value
+        if isinstance(tree.op, ast.Invert):
+            raise MismatchError("a step cannot use ~")
         return value
 
     def _compare(self, tree: ast.Compare, frame: Frame) -> Any:
         left, held = self.expression(tree.left, frame), None
         for operator, item in zip(tree.ops, tree.comparators, strict=True):
             right = self.expression(item, frame)
-            if type(operator) in _SIGNS and (isinstance(left, Op) or isinstance(right, Op)):
-                one = self.graph.compare(_SIGNS[type(operator)], left, right)
-            else:
-                one = _PYTHON[type(operator)](left, right)
+            one = self._compared(operator, left, right)
             held = one if held is None else self.graph.logic("and", held, one)
             left = right
         return held
 
+    def _compared(self, operator: ast.cmpop, left: Any, right: Any) -> Any:
+        if type(operator) in _SIGNS and (isinstance(left, Op) or isinstance(right, Op)):
+            return self.graph.compare(_SIGNS[type(operator)], left, right)
+        if isinstance(operator, (ast.In, ast.NotIn)) and isinstance(right, tuple) and any(isinstance(v, Op) for v in (left, *right)):
+            found: Any = False
+            for item in right:
+                found = self.graph.logic("or", found, self.graph.compare("==", left, item))
+            return found if isinstance(operator, ast.In) else self.graph.logic("not", found)
+        if any(isinstance(v, Op) for v in flat((left, right))) and not (left is None or right is None):
+            raise MismatchError(f"{words_of(operator)} of values that are not known")
+        return _PYTHON[type(operator)](left, right)
+
     def _boolop(self, tree: ast.BoolOp, frame: Frame) -> Any:
-        kind, held = ("and" if isinstance(tree.op, ast.And) else "or"), None
-        for part in tree.values:
-            one = self.graph.condition(self.expression(part, frame))
-            held = one if held is None else self.graph.logic(kind, held, one)
-            if not isinstance(held, Op) and held == (kind == "or"):
+        """Return the value that Python returns; what follows is computed only where it decides."""
+
+        def value(parts: Sequence[ast.expr]) -> Any:
+            held = self.expression(parts[0], frame)
+            if len(parts) == 1:
                 return held
-        return held
+            test = self.graph.condition(held)
+            if isinstance(tree.op, ast.And):
+                return self.one_of(test, lambda: value(parts[1:]), lambda: held)
+            return self.one_of(test, lambda: held, lambda: value(parts[1:]))
+
+        return value(tree.values)
 
     def _ifexp(self, tree: ast.IfExp, frame: Frame) -> Any:
         test = self.graph.condition(self.expression(tree.test, frame))
@@ -217,6 +241,7 @@ class Expressions:
         for word in tree.keywords:
             value = self.expression(word.value, frame)
             named |= value if word.arg is None else {word.arg: value}
+        frame.origin.now = frame  # a function defined here sees the names as they are now
         return self.call(function, args, named)
 
     def _lambda(self, tree: ast.Lambda, frame: Frame) -> Any:
@@ -224,6 +249,8 @@ class Expressions:
 
     def closure(self, node: ast.FunctionDef | ast.Lambda, frame: Frame) -> Closure:
         """Return a function defined inside another one."""
+        if getattr(node, "decorator_list", ()):
+            raise MismatchError("a step cannot use a decorator")
         given, names = node.args, [arg.arg for arg in positional(node.args)]
         pairs = [*zip(names[len(names) - len(given.defaults) :], given.defaults, strict=True)]
         pairs += [(arg.arg, value) for arg, value in zip(given.kwonlyargs, given.kw_defaults, strict=True) if value is not None]

@@ -36,6 +36,8 @@ _COMPARED: dict[str, Callable[[float, float], bool]] = {
 _COSTS = {"fdiv": 8, "sqrt": 10, "exp": 40, "tanh": 50, "log": 40, "sin": 40, "cos": 40, "uniform": 15}
 _FIXED = ("constant", "parameter", "table", "period", "dt")
 """Values that are the same in every tick; what is computed from them alone is computed once."""
+LARGEST = 100_000
+"""Most operations; the largest of the shipped scenarios has 10 000."""
 _GUARDED = ("lookup", "delayed", "member", "branch", "loop")
 """Operations that must not run where their branch is not taken: an index may lie outside, a loop may not end."""
 LIGHT = 8
@@ -111,6 +113,7 @@ class Graph:
         self.contract = contract
         self.top = self.block = Block()
         self.scope: Any = None
+        self._size = 0
 
     # --- operations
 
@@ -124,6 +127,9 @@ class Graph:
             if key in block.known:
                 return block.known[key]
             block = block.parent
+        self._size += 1
+        if self._size > LARGEST:
+            raise MismatchError(f"the step has more than {LARGEST} operations: divide it, or make its loops real ones")
         made = Op(kind, tuple(args), type_, extra)
         made.fixed = kind in _FIXED or (bool(args) and kind not in _GUARDED and all(arg.fixed for arg in args))
         home = self.top if made.fixed else self.block
@@ -196,7 +202,12 @@ class Graph:
         """Return a where the condition holds, else b; both are computed. Tuples are joined item by item."""
         if not isinstance(condition, Op):
             return a if condition else b
-        return self._joined(a, b, lambda p, q: self.op("select", (condition, p, q), p.type))
+        return self._joined(a, b, lambda p, q: self._selected(condition, p, q))
+
+    def _selected(self, condition: Op, p: Op, q: Op) -> Op:
+        if p is condition or q is condition:  # of conditions: p or q, p and q
+            return self.op("or" if p is condition else "and", (p, q), CONDITION)
+        return self.op("select", (condition, p, q), p.type)
 
     # --- branches and loops
 

@@ -22,16 +22,20 @@ class Closure:
 
 
 class Frame:
-    """The names of a running function, and where its source is."""
+    """The names of a running function, and where its source is.
+
+    A side of a branch and a round of a loop have a copy. `now` of the `origin` is the copy that runs.
+    """
 
     def __init__(self, file: str, outer: Callable[[str], Any]) -> None:
         self.file, self.outer = file, outer
         self.env: Env = {}
+        self.origin = self.now = self
 
     def copy(self) -> Frame:
         """Return a frame with the same names, to be changed apart from this one."""
         made = Frame(self.file, self.outer)
-        made.env = dict(self.env)
+        made.env, made.origin = dict(self.env), self.origin
         return made
 
     def name(self, wanted: str) -> Any:

@@ -16,7 +16,7 @@ from contourlab.engine.step import Port, Step
 from contourlab.engine.translate import llvm_ir
 from contourlab.engine.translate.step_graph import graph_of
 from contourlab.errors import EngineError
-from contourlab.primitives import clip, copysign, exp, fabs, floor, maximum, minimum, rint, select, sqrt
+from contourlab.primitives import clip, copysign, exp, fabs, floor, lookup, maximum, minimum, rint, select, sqrt
 
 FLOATS = st.floats(allow_nan=True, allow_infinity=True, width=64)
 
@@ -94,6 +94,27 @@ def mixed(a: float, b: float) -> float:
     return select((a > 0.0 and not b > 0.0) or a == b, sqrt(fabs(a)), exp(-fabs(b))) if -1.0 < a <= 8.0 else -(a * 1.0 - 0.0)
 
 
+def operands(a: float, b: float) -> float:
+    return (a or 3.0) + (b and 2.0) + ((a > b and a) or b) + (floor(a) in (0.0, 1.0, b)) + sum((a, b), start=1.0) + floor(x=b)
+
+
+def late(a: float, b: float) -> float:
+    k, y = 1.0, 0.0
+
+    def scaled(v: float) -> float:
+        return k * v
+
+    if a > 0.0:
+        k = 2.0
+        y = scaled(b)
+    for _ in range(6):
+        k = k + 1.0
+        y = y + scaled(a)
+    for i in range(10):  # noqa: B007  its last value is used
+        y = 0.5 * y
+    return y + scaled(b) + i
+
+
 FACTOR = {"factor": 3.5}
 
 
@@ -122,7 +143,10 @@ def called(a: float, b: float) -> float:
     return weighted(a) + weighted(a, b, a, b) + weighted(b=a, a=b, factor=0.5) + weighted(a, **FACTOR) + inner(b) + inner(a, z=b)
 
 
-@pytest.mark.parametrize("function", [early, counted, bisected, indexed, tuples, rounding, mixed, averaged, growing, called])
+SAME = [early, counted, bisected, indexed, tuples, rounding, mixed, averaged, growing, called, operands, late]
+
+
+@pytest.mark.parametrize("function", SAME)
 def test_a_function_computes_the_same_bits(function: Callable[[float, float], float]) -> None:
     native = compiled(function)
 
@@ -155,6 +179,21 @@ def refusing(a: float, b: float) -> float:
     raise ValueError(a)
 
 
+def with_else(a: float, b: float) -> float:
+    for _ in range(3):
+        if a > b:
+            break
+    else:
+        return b
+    return a
+
+
+def doubling(a: float, b: float, depth: int = 30) -> float:
+    if a > b:
+        return doubling(a + b, b, depth - 1) if depth else a
+    return doubling(a - b, b, depth - 1) if depth else b
+
+
 @pytest.mark.parametrize(
     ("function", "line", "reason"),
     [
@@ -169,6 +208,13 @@ def refusing(a: float, b: float) -> float:
         (lambda a, b: weighted(a, b, width=1.0), 0, "width"),
         (lambda a, b: half_set(a), 0, "'b'"),
         (lambda a, b: half_set(a, b, a), 0, "too many"),
+        (lambda a, b: floor(a, b), 0, "too many"),
+        (lambda a, b: 1.0 if (a > b) is True else a, 0, "is of"),
+        (lambda a, b: 1.0 if (a, b) == (1.0, b) else a, 0, "eq of"),
+        (lambda a, b: max((a, b)), 0, "max"),
+        (lambda a, b: a + (6 & 3), 0, "BitAnd"),
+        (with_else, 1, "else after a loop"),
+        (doubling, 1, "more than"),
     ],
 )
 def test_what_cannot_be_translated_is_refused_with_its_line(function: Any, line: int, reason: str) -> None:
@@ -177,6 +223,24 @@ def test_what_cannot_be_translated_is_refused_with_its_line(function: Any, line:
     where, _, words = str(refusal.value).partition(": ")
     assert where == f"{__file__}:{function.__code__.co_firstlineno + line}"
     assert reason in words
+
+
+def test_what_decides_is_computed_first() -> None:
+    """An index outside of a table must not be read where Python does not read it."""
+
+    def found(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        i = 1e15 if inp.a > 0.0 else 1.0
+        inside = i < 4.0 and lookup(par.table, i) > 0.5
+        while i < 4.0 and lookup(par.table, i) < 2.5:
+            i = i + 1.0
+        return (), (i if inside else -i,)
+
+    step = Step("made", found, tables=("table",), inputs=(Port("a"),), outputs=(Port("y"),))
+    native, table = llvm_ir.compiled(llvm_ir.source_of(graph_of(step))), np.arange(4.0)
+    for a, wanted in ((1.0, -1e15), (-1.0, 3.0)):
+        tables, inputs, out = np.array([table.ctypes.data]), np.array([a]), np.empty(1)
+        native(None, tables.ctypes.data, None, None, inputs.ctypes.data, 0, 0.0, 0.0, 1e-3, None, out.ctypes.data)
+        assert out[0] == wanted
 
 
 def test_two_lambdas_in_one_line_are_told_apart() -> None:
