@@ -148,7 +148,7 @@ class _Writer:
         if op.index:
             index = self._name(op.index)
             self.lines.append(f"{pad}for (int64_t {index}_n = 0; {index}_n < {op.index.extra}; ++{index}_n) {{")
-            self.lines.append(f"{pad}    const double {index} = (double){index}_n;")
+            self.lines.append(f"{pad}    const double {index} = (double){index}_n; (void){index};")
         else:
             self.lines.append(f"{pad}for (;;) {{")
             self.block(test, pad + "    ")
