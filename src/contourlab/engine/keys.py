@@ -23,7 +23,7 @@ def source_key(step: Step) -> str:
         _collect(function, functions)
     words = [step.name, repr(step.layout)]
     for function in functions:
-        words += _code_words(function.__code__)
+        words += code_words(function.__code__)
         words += [f"{name}={value!r}" for name, value in sorted(_names(function).items()) if isinstance(value, _PLAIN)]
     return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
 
@@ -41,7 +41,7 @@ def _names(function: FunctionType) -> dict[str, Any]:
     """Return every global name and closure variable that a function uses, with its value."""
     code = function.__code__
     # co_names holds attribute names as well, so ask the instructions which names are global.
-    used = {name for inner in _codes(code) for name in _globals_of(inner)}
+    used = {name for inner in codes(code) for name in _globals_of(inner)}
     values = {name: function.__globals__[name] for name in sorted(used) if name in function.__globals__}
     for name, cell in zip(code.co_freevars, function.__closure__ or (), strict=True):
         values[name] = cell.cell_contents
@@ -52,12 +52,12 @@ def _globals_of(code: CodeType) -> set[str]:
     return {instruction.argval for instruction in dis.get_instructions(code) if instruction.opname == "LOAD_GLOBAL"}
 
 
-def _codes(code: CodeType) -> list[CodeType]:
+def codes(code: CodeType) -> list[CodeType]:
     """Return a code object and those inside it."""
-    return [code, *(inner for constant in code.co_consts if isinstance(constant, CodeType) for inner in _codes(constant))]
+    return [code, *(inner for constant in code.co_consts if isinstance(constant, CodeType) for inner in codes(constant))]
 
 
-def _code_words(code: CodeType) -> list[str]:
+def code_words(code: CodeType) -> list[str]:
     """Return the content of a code object, without its place in the file."""
-    constants = [c if not isinstance(c, CodeType) else _code_words(c) for c in code.co_consts]
+    constants = [c if not isinstance(c, CodeType) else code_words(c) for c in code.co_consts]
     return [code.co_code.hex(), repr(constants), repr((code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars))]

@@ -7,6 +7,7 @@ import linecache
 from functools import cache
 from types import CodeType, FunctionType
 
+from contourlab.engine.keys import code_words, codes
 from contourlab.errors import EngineError
 
 Function = ast.FunctionDef | ast.Lambda
@@ -26,9 +27,18 @@ def tree_of(function: FunctionType) -> Function:
     found = [node for node in _functions("".join(linecache.getlines(code.co_filename))) if _matches(node, code)]
     if len(found) > 1:
         found = [node for node in found if _start(node) == _start_of_code(code)]
+    if found and code_words(code) not in _written("".join(linecache.getlines(code.co_filename)), code.co_filename):
+        where = f"{code.co_filename}:{code.co_firstlineno}"
+        raise EngineError(f"{where}: {function.__qualname__} has changed in the file since it was imported: import it again")
     if len(found) != 1:
         raise EngineError(f"{code.co_filename}:{code.co_firstlineno}: no source of {function.__qualname__}: define it in a file")
     return found[0]
+
+
+@cache
+def _written(source: str, file: str) -> list[list[str]]:
+    """Return the content of every function that a source defines."""
+    return [code_words(code) for code in codes(compile(source, file, "exec", dont_inherit=True))]
 
 
 @cache

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import importlib.util
 import math
 import struct
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -284,3 +286,15 @@ def test_what_is_known_is_computed_now() -> None:
 def test_a_long_loop_stays_a_loop() -> None:
     assert len(kinds(bisected, False)) < 60
     assert kinds(bisected, False).count("loop") == 1
+
+
+def test_a_file_that_changed_since_its_import_is_refused(tmp_path: Path) -> None:
+    """Else machine code of the new text would be filed under the key of the old function."""
+    file = tmp_path / "edited.py"
+    file.write_text("def value(a, b):\n    return a * 3.0\n")
+    spec: Any = importlib.util.spec_from_file_location("edited", file)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    file.write_text("def value(a, b):\n    return a * 71.0\n")
+    with pytest.raises(EngineError, match=r"edited\.py:1: value has changed"):
+        graph_of(step_of(module.value))
