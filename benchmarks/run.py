@@ -231,7 +231,7 @@ def batch(
     return Contender(name, work, 32, note)
 
 
-def others() -> list[Contender]:
+def more_machines() -> list[Contender]:
     """Return a stage with backlash and a machine of five axes, each single and in a batch whose first variant is nominal."""
     factors = 1.0 + 0.05 * np.sin(np.arange(32))
     loose, five = stage_with_backlash(), machine_and_controller("xyzac")
@@ -303,7 +303,7 @@ def main() -> int:
             batch("contourlab batch 32"),
             batch("contourlab batch 32 table 4k", 4_000),
             batch("contourlab batch 32 table 200k", 200_000),
-            *others(),
+            *more_machines(),
         ]
         bench.rounds(contenders, options.repeat)
     bench_threads(bench, min(options.repeat, 7))

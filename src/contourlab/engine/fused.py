@@ -6,34 +6,18 @@ import hashlib
 import inspect
 import threading
 from functools import cache
-from types import ModuleType
+from importlib.resources import files as files_of
 from typing import Any
 
 from contourlab import primitives
 from contourlab.engine.keys import source_key
 from contourlab.engine.schedule import Schedule
-from contourlab.engine.translate import (
-    evaluate,
-    expressions,
-    graph,
-    llvm_ir,
-    llvm_text,
-    maths,
-    names,
-    passes,
-    polynomials,
-    step_graph,
-    tick_graph,
-    tick_loop,
-)
+from contourlab.engine.translate import llvm_ir, maths, tick_graph, tick_loop
 from contourlab.engine.translate.tick_graph import Rows
+from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.native import store
 
-_TRANSLATOR: tuple[ModuleType, ...] = (
-    evaluate, expressions, graph, llvm_ir, llvm_text, maths, names, passes, polynomials, step_graph, tick_graph, tick_loop
-)  # fmt: skip
-VECTOR = 16
-"""Lanes that run together: two of the longest registers; with more of them the processor runs out of registers."""
+_FOLDER = files_of("contourlab.engine.translate")
 _loops: dict[str, Any] = {}
 _building = threading.Lock()
 """Threads of a batch that need the same loop wait for the first."""
@@ -42,7 +26,8 @@ _building = threading.Lock()
 @cache
 def _translator() -> str:
     """Return a digest of translator, primitives and tools: a change of any of them discards all machine code."""
-    return _digest((*map(inspect.getsource, (primitives, *_TRANSLATOR)), store.toolchain()))
+    files = sorted((file.name, file.read_text(encoding="utf-8")) for file in _FOLDER.iterdir() if file.name.endswith(".py"))
+    return _digest((inspect.getsource(primitives), files, store.toolchain()))
 
 
 def _digest(words: object) -> str:

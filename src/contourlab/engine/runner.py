@@ -12,6 +12,7 @@ from contourlab.arrays import Array, Flags, aligned
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Bank, Port, pack, record, rows, unpack
 from contourlab.engine.translate.tick_graph import Rows
+from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.primitives import Clock
 
 _NUMBER = (float, int)
@@ -131,8 +132,6 @@ class CompiledGroup(Group):
         self._loops: dict[tuple[int, ...], Any] = {}
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
-        from contourlab.engine.fused import VECTOR
-
         external = np.asarray(external, dtype=float)
         strides = [stride // external.itemsize for stride in external.strides]
         log = aligned((len(external), len(log_rows), self.width)) if out is None else out

@@ -20,6 +20,7 @@ and keeps the fastest for each piece.
 from __future__ import annotations
 
 from functools import reduce
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -165,15 +166,17 @@ def piece_bounds(samples: Samples, starts: Index, length: Array, stops: Flags, l
     bent = np.logical_or.reduceat(turns, starts)
     found = Bounds(*np.empty((4, starts.size)))
     # Chunks keep the working memory small. On a straight piece all shares give the same bounds.
-    chunk = starts // CHUNK
-    for number in range(int(chunk[-1]) + 1):
-        for chosen, shares in (((chunk == number) & ~bent, SHARES[:1]), ((chunk == number) & bent, SHARES)):
+    groups = np.unique(np.searchsorted(starts, np.arange(0, samples.feedrate.size, CHUNK)))
+    ends = starts + counts
+    for first, after in pairwise(np.append(groups[groups < starts.size], starts.size).tolist()):
+        rows, some = slice(int(starts[first]), int(ends[after - 1])), slice(first, after)
+        for chosen, shares in ((~bent[some], SHARES[:1]), (bent[some], SHARES)):
             if chosen.any():
-                part = Samples(*(column[np.repeat(chosen, counts)] for column in samples))
-                first = np.cumsum(counts[chosen]) - counts[chosen]
-                best = _best(part, first, length[chosen], stops[chosen], limits, shares)
+                size, on = counts[some][chosen], np.repeat(chosen, counts[some])
+                part = Samples(*(column[rows][on] for column in samples))
+                best = _best(part, np.cumsum(size) - size, length[some][chosen], stops[some][chosen], limits, shares)
                 for column, values in zip(found, best, strict=True):
-                    column[chosen] = values
+                    column[some][chosen] = values
     return found
 
 

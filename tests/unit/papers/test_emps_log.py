@@ -1,4 +1,4 @@
-"""Reading the log of the EMPS benchmark; invalid files are refused in words."""
+"""Reading the log of the EMPS benchmark; a message refuses invalid files."""
 
 from __future__ import annotations
 

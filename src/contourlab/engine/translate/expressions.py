@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import ast
+import operator as operators
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import BuiltinFunctionType, FunctionType
 from typing import Any
 
 from contourlab.engine.translate.graph import Graph, MismatchError, Op
-from contourlab.engine.translate.names import Closure, Frame, assign, bound, flat, has_unset, outer_names, positional
+from contourlab.engine.translate.names import Closure, Frame, assign, bound, flat, has_unset, last_of, outer_names
 from contourlab.engine.translate.source import tree_of
 from contourlab.errors import EngineError
 
@@ -20,21 +21,21 @@ _KNOWN_ONLY = (range, int, bool, str, round, min, max)
 _DEEPEST = 60
 """Most calls within each other: more is a recursion."""
 _PYTHON: dict[type, Callable[[Any, Any], Any]] = {
-    ast.Add: lambda a, b: a + b,
-    ast.Sub: lambda a, b: a - b,
-    ast.Mult: lambda a, b: a * b,
-    ast.Div: lambda a, b: a / b,
-    ast.FloorDiv: lambda a, b: a // b,
-    ast.Mod: lambda a, b: a % b,
-    ast.Pow: lambda a, b: a**b,
-    ast.Lt: lambda a, b: a < b,
-    ast.Gt: lambda a, b: a > b,
-    ast.LtE: lambda a, b: a <= b,
-    ast.GtE: lambda a, b: a >= b,
-    ast.Eq: lambda a, b: a == b,
-    ast.NotEq: lambda a, b: a != b,
-    ast.Is: lambda a, b: a is b,
-    ast.IsNot: lambda a, b: a is not b,
+    ast.Add: operators.add,
+    ast.Sub: operators.sub,
+    ast.Mult: operators.mul,
+    ast.Div: operators.truediv,
+    ast.FloorDiv: operators.floordiv,
+    ast.Mod: operators.mod,
+    ast.Pow: operators.pow,
+    ast.Lt: operators.lt,
+    ast.Gt: operators.gt,
+    ast.LtE: operators.le,
+    ast.GtE: operators.ge,
+    ast.Eq: operators.eq,
+    ast.NotEq: operators.ne,
+    ast.Is: operators.is_,
+    ast.IsNot: operators.is_not,
     ast.In: lambda a, b: a in b,
     ast.NotIn: lambda a, b: a not in b,
 }
@@ -57,7 +58,7 @@ class Expressions:
 
     def body(self, statements: Sequence[ast.stmt], frame: Frame) -> Any:
         """Run statements; return the value that is returned, or `NOTHING`."""
-        raise NotImplementedError
+        raise NotImplementedError  # see `Evaluator`
 
     def call(self, function: Any, args: Sequence[Any], named: Mapping[str, Any] | None = None) -> Any:
         """Return the value of a function over graph values.
@@ -82,10 +83,9 @@ class Expressions:
             return self._run(function.node, frame)
         if isinstance(function, FunctionType):
             frame = Frame(function.__code__.co_filename, outer_names(function))
-            node, usual = tree_of(function), function.__defaults__ or ()
-            names = [arg.arg for arg in positional(node.args)]
-            defaults = {**dict(zip(names[len(names) - len(usual) :], usual, strict=True)), **(function.__kwdefaults__ or {})}
-            frame.env = bound(node.args, defaults, args, named or {})
+            node = tree_of(function)
+            defaults = [*last_of(node.args, function.__defaults__ or ()), *(function.__kwdefaults__ or {}).items()]
+            frame.env = bound(node.args, dict(defaults), args, named or {})
             return self._run(node, frame)
         return self._builtin(function, args, named or {})
 
@@ -251,8 +251,8 @@ class Expressions:
         """Return a function defined inside another one."""
         if getattr(node, "decorator_list", ()):
             raise MismatchError("a step cannot use a decorator")
-        given, names = node.args, [arg.arg for arg in positional(node.args)]
-        pairs = [*zip(names[len(names) - len(given.defaults) :], given.defaults, strict=True)]
+        given = node.args
+        pairs = last_of(given, given.defaults)
         pairs += [(arg.arg, value) for arg, value in zip(given.kwonlyargs, given.kw_defaults, strict=True) if value is not None]
         return Closure(node, frame, {name: self.expression(value, frame) for name, value in pairs})
 

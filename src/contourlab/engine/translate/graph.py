@@ -8,6 +8,7 @@ that is added becomes a fused multiply-add: faster, and rounded once instead of 
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from typing import Any
@@ -16,22 +17,22 @@ NUMBER, CONDITION, TABLE = "f", "b", "p"
 """Types of values: a float64, a truth value, the address of a table."""
 
 _FOLDED: dict[str, Callable[..., float]] = {
-    "fadd": lambda a, b: a + b,
-    "fsub": lambda a, b: a - b,
-    "fmul": lambda a, b: a * b,
-    "fdiv": lambda a, b: a / b,
-    "fneg": lambda a: -a,
+    "fadd": operator.add,
+    "fsub": operator.sub,
+    "fmul": operator.mul,
+    "fdiv": operator.truediv,
+    "fneg": operator.neg,
     "fabs": math.fabs,
     "sqrt": math.sqrt,
     "copysign": math.copysign,
 }
 _COMPARED: dict[str, Callable[[float, float], bool]] = {
-    "<": lambda a, b: a < b,
-    ">": lambda a, b: a > b,
-    "<=": lambda a, b: a <= b,
-    ">=": lambda a, b: a >= b,
-    "==": lambda a, b: a == b,
-    "!=": lambda a, b: a != b,
+    "<": operator.lt,
+    ">": operator.gt,
+    "<=": operator.le,
+    ">=": operator.ge,
+    "==": operator.eq,
+    "!=": operator.ne,
 }
 _COSTS = {"fdiv": 8, "sqrt": 10, "exp": 40, "tanh": 50, "log": 40, "sin": 40, "cos": 40, "uniform": 15}
 _FIXED = ("constant", "parameter", "table", "period", "dt")

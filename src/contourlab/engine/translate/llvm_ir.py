@@ -18,6 +18,8 @@ _HEAD = (
 
 
 class _StepWriter(Writer):
+    members = ("%x", "%next")
+
     def _parameter(self, op: Op, args: Sequence[str]) -> str:
         return self.load({"parameter": "%par", "state": "%x", "input": "%inp"}[op.kind], op.extra)
 
@@ -27,13 +29,6 @@ class _StepWriter(Writer):
         return f"%{op.kind}"
 
     _t = _dt = _ring = _k
-
-    def _member(self, op: Op, args: Sequence[str]) -> str:
-        return self.load("%x", self.member_row(op))
-
-    def _store_member(self, op: Op, args: Sequence[str]) -> str:
-        self.store(args[0], "%next", self.member_row(op))
-        return ""
 
     def _delayed(self, op: Op, args: Sequence[str]) -> str:
         return self.gather("%ring", self.let(f"and i64 {self.truncated(args[0])}, %mask"))

@@ -28,6 +28,9 @@ class Writer:
         Numbers in a row of memory.
     """
 
+    members: tuple[str, str]
+    """Where the members of banks are read, and where they are stored."""
+
     def __init__(self, lanes: int = 1, width: int = 1) -> None:
         self.lanes, self.width = lanes, width
         self.lines: list[str] = []
@@ -300,7 +303,14 @@ class Writer:
         self.lines[at:at] = heads
         self.start(f"done{n}")
 
-    def member_row(self, op: Op) -> str:
+    def _member(self, op: Op, args: Sequence[str]) -> str:
+        return self.load(self.members[0], self._member_row(op))
+
+    def _store_member(self, op: Op, args: Sequence[str]) -> str:
+        self.store(args[0], self.members[1], self._member_row(op))
+        return ""
+
+    def _member_row(self, op: Op) -> str:
         """Return where in memory a number of a bank's member is."""
         first, size = op.extra
         row = self.let(f"mul i64 {self.counters[id(op.args[-1])]}, {size * self.width}")

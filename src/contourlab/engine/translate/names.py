@@ -74,7 +74,7 @@ def assign(target: ast.expr, value: Any, env: Env) -> None:
 def bound(arguments: ast.arguments, defaults: Env, args: Sequence[Any], named: Mapping[str, Any]) -> Env:
     """Return the values of a function's arguments, by name."""
     made = inspect.Parameter
-    takes = [made(a.arg, made.POSITIONAL_OR_KEYWORD, default=defaults.get(a.arg, made.empty)) for a in positional(arguments)]
+    takes = [made(name, made.POSITIONAL_OR_KEYWORD, default=defaults.get(name, made.empty)) for name in positional(arguments)]
     takes += [made(arguments.vararg.arg, made.VAR_POSITIONAL)] if arguments.vararg else []
     takes += [made(a.arg, made.KEYWORD_ONLY, default=defaults.get(a.arg, made.empty)) for a in arguments.kwonlyargs]
     try:
@@ -85,9 +85,15 @@ def bound(arguments: ast.arguments, defaults: Env, args: Sequence[Any], named: M
     return found.arguments
 
 
-def positional(arguments: ast.arguments) -> list[ast.arg]:
-    """Return the arguments that may be given without a name."""
-    return [*arguments.posonlyargs, *arguments.args]
+def positional(arguments: ast.arguments) -> list[str]:
+    """Return the names of the arguments that may be given without a name."""
+    return [arg.arg for arg in (*arguments.posonlyargs, *arguments.args)]
+
+
+def last_of(arguments: ast.arguments, values: Sequence[Any]) -> list[tuple[str, Any]]:
+    """Return the defaults of the last positional arguments, with their names."""
+    names = positional(arguments)
+    return [*zip(names[len(names) - len(values) :], values, strict=True)]
 
 
 def is_numeric(value: Any) -> bool:

@@ -8,6 +8,7 @@ from functools import cache
 from types import CodeType, FunctionType
 
 from contourlab.engine.keys import code_words, codes
+from contourlab.engine.translate.names import positional
 from contourlab.errors import EngineError
 
 Function = ast.FunctionDef | ast.Lambda
@@ -20,18 +21,19 @@ def tree_of(function: FunctionType) -> Function:
     Raises
     ------
     EngineError
-        If there is no source.
+        If there is no source, or the file has changed since it was imported.
     """
     code = function.__code__
+    place = f"{code.co_filename}:{code.co_firstlineno}"
     linecache.checkcache(code.co_filename)  # the file of a plugin may have changed since
-    found = [node for node in _functions("".join(linecache.getlines(code.co_filename))) if _matches(node, code)]
+    source = "".join(linecache.getlines(code.co_filename))
+    found = [node for node in _functions(source) if _matches(node, code)]
     if len(found) > 1:
         found = [node for node in found if _start(node) == _start_of_code(code)]
-    if found and code_words(code) not in _written("".join(linecache.getlines(code.co_filename)), code.co_filename):
-        where = f"{code.co_filename}:{code.co_firstlineno}"
-        raise EngineError(f"{where}: {function.__qualname__} has changed in the file since it was imported: import it again")
+    if found and code_words(code) not in _written(source, code.co_filename):
+        raise EngineError(f"{place}: {function.__qualname__} has changed in the file since it was imported: import it again")
     if len(found) != 1:
-        raise EngineError(f"{code.co_filename}:{code.co_firstlineno}: no source of {function.__qualname__}: define it in a file")
+        raise EngineError(f"{place}: no source of {function.__qualname__}: define it in a file")
     return found[0]
 
 
@@ -53,7 +55,7 @@ def _functions(source: str) -> list[Function]:
 def _matches(node: Function, code: CodeType) -> bool:
     is_lambda = isinstance(node, ast.Lambda)
     first = min([node.lineno, *(mark.lineno for mark in getattr(node, "decorator_list", ()))])
-    names = [arg.arg for arg in (*node.args.posonlyargs, *node.args.args)]
+    names = positional(node.args)
     called = "<lambda>" if is_lambda else getattr(node, "name", "")
     return first == code.co_firstlineno and called == code.co_name and names == list(code.co_varnames[: code.co_argcount])
 

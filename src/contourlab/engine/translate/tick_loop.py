@@ -9,6 +9,8 @@ from contourlab.engine.translate.graph import Op
 from contourlab.engine.translate.llvm_text import Writer
 from contourlab.engine.translate.tick_graph import TickGraph
 
+VECTOR = 16
+"""Lanes that run together: two of the longest registers; with more of them the processor runs out of registers."""
 SIGNATURE = ctypes.CFUNCTYPE(
     None, *(ctypes.c_void_p,) * 3, *(ctypes.c_int64,) * 2, ctypes.c_void_p, *(ctypes.c_int64,) * 2, ctypes.c_double, ctypes.c_int64
 )
@@ -21,6 +23,8 @@ _FOOT = 'attributes #0 = { nounwind "prefer-vector-width"="512" "no-trapping-mat
 
 class _LoopWriter(Writer):
     """Writes the operations of a tick; each row of memory has `width` numbers."""
+
+    members = ("%mem", "%mem")
 
     def row(self, row: int) -> str:
         return str(row * self.width)
@@ -53,13 +57,6 @@ class _LoopWriter(Writer):
         slot = self.let(f"and i64 %k, {length - 1}")
         slot = self.let(f"mul i64 {slot}, {self.width}")
         self.store(args[0], "%mem", self.let(f"add i64 {slot}, {first * self.width}"))
-        return ""
-
-    def _member(self, op: Op, args: Sequence[str]) -> str:
-        return self.load("%mem", self.member_row(op))
-
-    def _store_member(self, op: Op, args: Sequence[str]) -> str:
-        self.store(args[0], "%mem", self.member_row(op))
         return ""
 
     def _delayed(self, op: Op, args: Sequence[str]) -> str:

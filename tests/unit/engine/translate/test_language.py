@@ -222,9 +222,9 @@ def doubling(a: float, b: float, depth: int = 30) -> float:
 def test_what_cannot_be_translated_is_refused_with_its_line(function: Any, line: int, reason: str) -> None:
     with pytest.raises(EngineError) as refusal:
         graph_of(step_of(function))
-    where, _, words = str(refusal.value).partition(": ")
+    where, _, message = str(refusal.value).partition(": ")
     assert where == f"{__file__}:{function.__code__.co_firstlineno + line}"
-    assert reason in words
+    assert reason in message
 
 
 def test_what_decides_is_computed_first() -> None:
