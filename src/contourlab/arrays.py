@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import reduce
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +15,11 @@ Index = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 _CACHE_LINE = 64
+
+
+def across(combine: Callable[[Array, Array], Array], rows: Array) -> Array:
+    """Combine the columns of short rows (n, m) to (n,), for example by np.minimum; NumPy's own reduction takes ten times as long."""
+    return reduce(combine, rows.T)
 
 
 def aligned(shape: tuple[int, ...]) -> Array:

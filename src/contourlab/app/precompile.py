@@ -9,16 +9,13 @@ from __future__ import annotations
 def precompile() -> None:
     """Compile what does not depend on the machine; a second call finds it in the cache."""
     from contourlab.engine import sampler
-    from contourlab.feed import scurve, smooth
-    from contourlab.geometry import blend, broad_phase, table, thinning
+    from contourlab.feed import planner  # noqa: F401  importing a module lists its kernels
+    from contourlab.geometry import broad_phase, table, thinning  # noqa: F401
+    from contourlab.native.kernel import KERNELS
 
     sampler.compiled_kernels()
-    scurve.compiled_kernels()
-    smooth.compiled_kernels()
-    blend.compiled_kernel()
-    broad_phase.compiled_kernel()
-    table.compiled_kernel()
-    thinning.compiled_kernel()
+    for kernel in KERNELS:
+        kernel.compiled  # noqa: B018  compiled when first read
 
 
 if __name__ == "__main__":

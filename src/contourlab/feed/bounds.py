@@ -13,21 +13,21 @@ acceleration falls as turning takes more of the limit. The limits hold at every 
     |t| min(A, sqrt(2 taper (V - v))) + |k| v^2 <= limit of acceleration    for all v in [0, V]
     |t| rise + 3 |k| V A + |c| V^3              <= limit of jerk
 
-The functions below find the largest such values. How much of each limit V may use is a free choice (`Share`); `piece_bounds` tries several
-and keeps the fastest for each piece.
+How much of each limit V may use is a free choice (`Share`); `piece_bounds` tries several and keeps the fastest for each piece.
 """
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from functools import reduce
-from itertools import pairwise
+import math
 from typing import NamedTuple
 
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.scurve import peak_speed, ramps
+from contourlab.feed.scurve import cruise_speed, ramp_distance, ramp_time
+from contourlab.native.kernel import kernel
 
 
 class Samples(NamedTuple):
@@ -57,94 +57,24 @@ class Bounds(NamedTuple):
     taper: Array
 
 
-CHUNK = 32_768  # samples per pass
 SHARES = tuple(
     Share(turning, speeding, turning_jerk, mixed)
     for turning, speeding in ((0.97, 0.9), (0.9, 0.8), (0.8, 0.7), (0.6, 0.8))
     for turning_jerk, mixed in ((0.7, 0.1), (0.5, 0.25), (0.25, 0.4))
 )
+PACE = 0.8  # of the speed ceiling: assumed at the ends of a piece when shares are compared
 
 
-def _ratio(limit: Array, demand: Array) -> Array:
-    """Divide limits by |demand|; inf where the demand is zero."""
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        return np.where(demand == 0.0, np.inf, limit / np.abs(demand))
-
-
-def _least(values: Array) -> Array:
-    """Return the least value of all axes (n,) of (n, n_axis); NumPy's own reduction of short rows is ten times slower."""
-    return reduce(np.minimum, values.T)
+def _arrays(samples: Samples, limits: AxisLimits) -> tuple[Array, ...]:
+    """Return samples and limits as the kernels take them."""
+    return tuple(np.ascontiguousarray(part) for part in (*samples, limits.velocity, limits.acceleration, limits.jerk))
 
 
 def speed_limit(samples: Samples, limits: AxisLimits, share: Share) -> Array:
     """Return the highest constant speed at each sample (n,) [m/s]."""
-    velocity = _ratio(limits.velocity, samples.tangent)
-    turning = np.sqrt(_ratio(share.turning * limits.acceleration, samples.second))
-    turning_jerk = np.cbrt(_ratio(share.turning_jerk * limits.jerk, samples.third))
-    lowest = _least(np.minimum(np.minimum(velocity, turning), turning_jerk))
-    return np.asarray(np.minimum(samples.feedrate, lowest))
-
-
-def _acceleration(samples: Samples, speed: Array, limits: AxisLimits, share: Share) -> tuple[Array, Array]:
-    """Return the permitted acceleration at low speeds, and at any speed, at each sample."""
-    low = share.speeding * _ratio(limits.acceleration, samples.tangent)
-    unused = limits.acceleration - np.abs(samples.second) * speed[:, None] ** 2  # inf stays inf
-    high = _ratio(np.maximum(unused, 0.0), samples.tangent)
-    mixed = _ratio(share.mixed_jerk * limits.jerk, 3.0 * samples.second * speed[:, None])
-    return _least(np.minimum(low, mixed)), _least(np.minimum(high, mixed))
-
-
-def _taper(samples: Samples, speed: Array, acceleration: Array, limits: AxisLimits) -> Array:
-    """Return at each sample the largest taper that keeps |t| a + |k| v^2 within the limit on the way up to `speed`.
-
-    With g(v) = (limit - |k| v^2)/|t| the taper is the minimum of g^2 / (2 (V - v)) where g < A.
-    The minimum lies at the larger root of 3 k v^2 - 4 k V v + limit = 0.
-    """
-    t, k = np.abs(samples.tangent), np.abs(samples.second)
-    V, A = speed[:, None], acceleration[:, None]
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        first = np.sqrt(np.maximum((limits.acceleration - A * t) / k, 0.0))  # where g falls below A
-        root = (2.0 * V + np.sqrt(np.maximum(4.0 * V**2 - 3.0 * limits.acceleration / k, 0.0))) / 3.0
-        lowest = np.clip(root, first, V)
-        lowest = np.where(lowest < V, lowest, first)
-        at_first, at_lowest = (((limits.acceleration - k * v**2) / t) ** 2 / (2.0 * (V - v)) for v in (first, lowest))
-        taper = np.fmin(at_first, at_lowest)
-        free = (k == 0.0) | (t == 0.0) | (first >= V) | np.isinf(limits.acceleration)
-    return _least(np.where(free, np.inf, taper))
-
-
-def _bounds(samples: Samples, starts: Index, limits: AxisLimits, share: Share) -> Bounds:
-    """Return the bounds of pieces whose samples start at `starts`."""
-    counts = np.diff(np.append(starts, samples.feedrate.size))
-
-    def lowest(values: Array) -> tuple[Array, Array]:
-        of_piece = np.minimum.reduceat(values, starts)
-        return of_piece, np.repeat(of_piece, counts)
-
-    speed, speed_there = lowest(speed_limit(samples, limits, share))
-    low, high = _acceleration(samples, speed_there, limits, share)
-    acceleration = np.maximum(lowest(low)[0], lowest(high)[0])
-    there = np.repeat(acceleration, counts)
-    with np.errstate(invalid="ignore"):
-        mixed = 3.0 * np.abs(samples.second) * (speed_there * there)[:, None]
-        turning = np.abs(samples.third) * speed_there[:, None] ** 3
-        unused = np.where(np.isinf(limits.jerk), np.inf, limits.jerk - mixed - turning)
-    rise, _ = lowest(_least(_ratio(unused, samples.tangent)))
-    taper, _ = lowest(_taper(samples, speed_there, there, limits))
-    return Bounds(speed, acceleration, rise, np.minimum(rise, taper))
-
-
-def _time(bounds: Bounds, length: Array, stops: Flags) -> Array:
-    """Estimate the duration of each piece: from rest at a stop, else from 80 % of its speed."""
-    start, end = (np.where(stop, 0.0, 0.8 * bounds.speed) for stop in stops.T)
-    peak = peak_speed(length, start, end, *bounds)
-    time = np.zeros_like(length)
-    covered = np.zeros_like(length)
-    for low in (start, end):
-        part = ramps(low, peak, bounds.acceleration, bounds.rise, bounds.taper)
-        time += part.rise_time + part.hold_time + part.taper_time
-        covered += part.distance
-    return time + np.maximum(length - covered, 0.0) / peak
+    found = np.empty(samples.feedrate.size)
+    _speed_limits(*_arrays(samples, limits), share.turning, share.turning_jerk, found)
+    return found
 
 
 def piece_bounds(samples: Samples, starts: Index, length: Array, stops: Flags, limits: AxisLimits) -> Bounds:
@@ -161,31 +91,116 @@ def piece_bounds(samples: Samples, starts: Index, length: Array, stops: Flags, l
         Whether the piece starts, and ends, at rest.
     limits : AxisLimits
     """
-    counts = np.diff(np.append(starts, samples.feedrate.size))
-    turns = np.any((samples.second != 0.0) | (samples.third != 0.0), axis=1)
-    bent = np.logical_or.reduceat(turns, starts)
-    found = Bounds(*np.empty((4, starts.size)))
-    # Chunks keep the working memory small. On a straight piece all shares give the same bounds.
-    groups = np.unique(np.searchsorted(starts, np.arange(0, samples.feedrate.size, CHUNK)))
-    ends = starts + counts
-    for first, after in pairwise(np.append(groups[groups < starts.size], starts.size).tolist()):
-        rows, some = slice(int(starts[first]), int(ends[after - 1])), slice(first, after)
-        for chosen, shares in ((~bent[some], SHARES[:1]), (bent[some], SHARES)):
-            if chosen.any():
-                size, on = counts[some][chosen], np.repeat(chosen, counts[some])
-                part = Samples(*(column[rows][on] for column in samples))
-                best = _best(part, np.cumsum(size) - size, length[some][chosen], stops[some][chosen], limits, shares)
-                for column, values in zip(found, best, strict=True):
-                    column[some][chosen] = values
-    return found
+    found = np.empty((4, starts.size))
+    borders = np.append(starts, samples.feedrate.size)
+    _quickest(*_arrays(samples, limits), np.array(SHARES), borders, length, np.where(stops, 0.0, PACE), found)
+    return Bounds(*found)
 
 
-def _best(
-    samples: Samples, starts: Index, length: Array, stops: Flags, limits: AxisLimits, shares: tuple[Share, ...]
-) -> Bounds:
-    """Return the bounds of the quickest share for each piece."""
-    trials = [_bounds(samples, starts, limits, share) for share in shares]
-    if len(trials) == 1:
-        return trials[0]
-    quickest = np.argmin([_time(trial, length, stops) for trial in trials], axis=0)
-    return Bounds(*(np.choose(quickest, columns) for columns in zip(*trials, strict=True)))
+def _ratio(limit, demand):
+    """Return a limit divided by a demand >= 0."""
+    return math.inf if demand == 0.0 else limit / demand
+
+
+def _speed(i, tangent, second, third, feedrate, velocity, acceleration, jerk, turning, turning_jerk):
+    """Return the highest constant speed at the sample i."""
+    speed = feedrate[i]
+    for axis in range(velocity.size):
+        by_turning = math.sqrt(_ratio(turning * acceleration[axis], abs(second[i, axis])))
+        by_jerk = np.cbrt(_ratio(turning_jerk * jerk[axis], abs(third[i, axis])))
+        speed = min(speed, _ratio(velocity[axis], abs(tangent[i, axis])), by_turning, by_jerk)
+    return speed
+
+
+@kernel("f8[:,:] f8[:,:] f8[:,:] f8[:] f8[:] f8[:] f8[:] f8 f8 f8[:]")
+def _speed_limits(
+    tangent, second, third, feedrate, velocity, acceleration, jerk, turning, turning_jerk, found
+):
+    for i in range(feedrate.size):
+        found[i] = _speed(i, tangent, second, third, feedrate, velocity, acceleration, jerk, turning, turning_jerk)
+
+
+def _taper(t, k, V, A, limit):
+    """Return the largest taper that keeps t a + k v^2 within the limit on the way up to the speed V.
+
+    With g(v) = (limit - k v^2)/t the taper is the minimum of g^2 / (2 (V - v)) where g < A.
+    The minimum lies at the larger root of 3 k v^2 - 4 k V v + limit = 0.
+    """
+    if k == 0.0 or t == 0.0 or math.isinf(limit) or A * t + k * V * V <= limit:
+        return math.inf
+    first = math.sqrt(max((limit - A * t) / k, 0.0))  # where g falls below A
+    if first >= V:
+        return math.inf
+    root = (2.0 * V + math.sqrt(max(4.0 * V * V - 3.0 * limit / k, 0.0))) / 3.0
+    lowest = max(root, first) if root < V else first
+    at_first, at_lowest = (limit - k * first * first) / t, (limit - k * lowest * lowest) / t
+    return min(at_first * at_first / (2.0 * (V - first)), at_lowest * at_lowest / (2.0 * (V - lowest)))
+
+
+def _least_ratios(first, after, tangent, second, third, feedrate, velocity, acceleration, jerk):
+    """Return the least feedrate or V/|t|, and the least A/|k|, J/|c|, A/|t| and J/|k|, of all axes at the samples [first, after)."""
+    speed, turning, changing, steady, mixed = math.inf, math.inf, math.inf, math.inf, math.inf
+    for i in range(first, after):
+        speed = min(speed, feedrate[i])
+        for axis in range(velocity.size):
+            t, k, c = abs(tangent[i, axis]), abs(second[i, axis]), abs(third[i, axis])
+            speed, steady = min(speed, _ratio(velocity[axis], t)), min(steady, _ratio(acceleration[axis], t))
+            turning, mixed = min(turning, _ratio(acceleration[axis], k)), min(mixed, _ratio(jerk[axis], k))
+            changing = min(changing, _ratio(jerk[axis], c))
+    return speed, turning, changing, steady, mixed
+
+
+def _bounds(first, after, tangent, second, third, acceleration, jerk, V, low, mixed):
+    """Return acceleration, rise and taper of the piece with the samples [first, after) at a speed ceiling V.
+
+    `low` is the acceleration permitted at low speeds, `mixed` the largest for which 3 k v a has its share of the jerk.
+    """
+    A, rise, taper = math.inf, math.inf, math.inf
+    for i in range(first, after):
+        for axis in range(acceleration.size):
+            unused = max(acceleration[axis] - abs(second[i, axis]) * V * V, 0.0)
+            A = min(A, _ratio(unused, abs(tangent[i, axis])))
+    A = min(max(low, A), mixed)
+    for i in range(first, after):
+        for axis in range(acceleration.size):
+            t, k, unused = abs(tangent[i, axis]), abs(second[i, axis]), jerk[axis]
+            if not math.isinf(unused):
+                unused -= abs(third[i, axis]) * V * V * V + (3.0 * k * V * A if k > 0.0 else 0.0)
+            rise = min(rise, _ratio(unused, t))
+            taper = min(taper, _taper(t, k, V, A, acceleration[axis]))
+    return A, rise, min(rise, taper)
+
+
+def _time(length, start, end, ceiling, acceleration, rise, taper):
+    """Return the duration of a move."""
+    peak = cruise_speed(length, start, end, ceiling, acceleration, rise, taper)
+    time, left = 0.0, length
+    for low in (start, end):
+        time += ramp_time(low, peak, acceleration, rise, taper)
+        left -= ramp_distance(low, peak, acceleration, rise, taper)
+    return time + max(left, 0.0) / peak
+
+
+@kernel("f8[:,:] f8[:,:] f8[:,:] f8[:] f8[:] f8[:] f8[:] f8[:,:] i8[:] f8[:] f8[:,:] f8[:,:]")
+def _quickest(
+    tangent, second, third, feedrate, velocity, acceleration, jerk, shares, borders, length, pace, found
+):
+    """Fill the bounds (4, n_piece) by the share with which each piece takes the least time; pace: speeds at the ends, of the ceiling."""
+    for piece in range(length.size):
+        first, after, least = borders[piece], borders[piece + 1], math.inf
+        speed, turning, changing, steady, mixed = _least_ratios(
+            first, after, tangent, second, third, feedrate, velocity, acceleration, jerk
+        )
+        straight = math.isinf(mixed) and math.isinf(turning) and math.isinf(changing)
+        for number in range(1 if straight else shares.shape[0]):
+            of_turning, of_speeding, of_turning_jerk, of_mixed_jerk = shares[number]
+            V = min(speed, math.sqrt(of_turning * turning), np.cbrt(of_turning_jerk * changing))
+            if length[piece] / V >= least:
+                continue
+            A, rise, taper = _bounds(
+                first, after, tangent, second, third, acceleration, jerk, V, of_speeding * steady, of_mixed_jerk * mixed / (3.0 * V)
+            )
+            time = _time(length[piece], pace[piece, 0] * V, pace[piece, 1] * V, V, A, rise, taper)
+            if time < least:
+                least = time
+                found[0, piece], found[1, piece], found[2, piece], found[3, piece] = V, A, rise, taper

@@ -1,4 +1,4 @@
-"""Recursions along the samples of segments, compiled by `contourlab.native.compile`; they also run as plain Python.
+"""Recursions along the samples of segments, compiled when first called.
 
 Arrays over samples have the length n, derivatives of the path the shape (n, n_axis). Two samples may lie at one place, where the curvature
 jumps between two curves. x is v^2: the acceleration a is constant between samples, so x is linear in the arc length, x' = 2 a.
@@ -8,6 +8,8 @@ jumps between two curves. x is v^2: the acceleration a is constant between sampl
 from __future__ import annotations
 
 import math
+
+from contourlab.native.kernel import kernel
 
 LIMITED, BEHIND, LOWERED, MOVED = 1, 2, 4, 8  # flags of a sample; see `reach`
 TINY = 1e-9  # smallest tangent component that limits the acceleration
@@ -75,6 +77,7 @@ def _controllable(i, double, following, x, tangent, second, third, turning, spee
     return x
 
 
+@kernel("f8[:] f8[:,:] f8[:,:] f8[:,:] f8[:] f8[:] f8[:] f8[:] f8[:] f8[:] f8 f8[:] f8[:] f8[:] f8[:] i8[:]")
 def reach(
     arc_length, tangent, second, third, turning, speeding, reference, ceiling, acceleration, jerk, period, known_reference, known_ceiling,
     behind, square, flags
@@ -141,6 +144,7 @@ def reach(
         square[i] = x
 
 
+@kernel("f8[:] f8[:,:] f8[:,:] f8 f8 f8[:] f8[:,:] i8[:]")
 def lower(arc_length, faults, factors, half, haste, low, parts, flags):
     """Lower the usable fractions of the limits around violations.
 
@@ -185,6 +189,7 @@ def lower(arc_length, faults, factors, half, haste, low, parts, flags):
                             flags[i] |= LOWERED
 
 
+@kernel("f8[:] f8[:] f8 f8[:] i8[:]")
 def spread(arc_length, value, half, result, queue):
     """Fill each sample with the least speed in reach: the speed of sample i reaches as far as it travels in the time `half`.
 
@@ -215,6 +220,7 @@ def _crossing(arc_length, speed, at, towards, level):
     return arc_length[at] + (arc_length[towards] - arc_length[at]) * (speed[at] - level) / (speed[at] - speed[towards])
 
 
+@kernel("f8[:] f8[:] f8 f8[:]")
 def flatten(arc_length, speed, lasting, ceiling):
     """Lower the ceiling at each speed peak so that the peak lasts `lasting` seconds, in which the acceleration can change its sign."""
     n = speed.size

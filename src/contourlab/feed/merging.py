@@ -3,14 +3,16 @@
 A run of lines becomes one line if all points between its ends lie within the tolerance of that line, and in order along it. Seen from the
 start of the run, each point permits a cone of directions; one cone within their intersection is stored. In the plane this cone is the
 intersection itself. In space it is a little smaller, so a run may end early but never leaves the tolerance. The cost is linear in the
-points: blocks of 2048 lines are processed in parallel, and runs end with their block.
+points.
 
 Merging and rounding share the tolerance of a corner: with Q up to P, a point lies at most P/2 off its line, and the blends next to it use
 the rest of P. The deviation from the programmed path is at most P, or Q + P/2 where Q is greater than P.
 """
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -19,11 +21,9 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.correspondence import Correspondence
 from contourlab.feed.route import Route
 from contourlab.geometry import Line, Path
-from contourlab.geometry.curve import angle_between
+from contourlab.native.kernel import kernel
 
-LONGEST_RUN = 2048
-"""Most lines in a run."""
-_FORWARD = np.radians(89.0)
+_FORWARD = math.radians(89.0)
 """Largest angle between a line and its run: points then follow one another along the merged line."""
 
 
@@ -94,61 +94,71 @@ def run_starts(points: Array, tolerance: Array, linked: Flags) -> Index:
     linked : ndarray (n,) of bool
         Which lines may be merged with the next.
     """
-    n = len(points) - 1
-    longest = min(LONGEST_RUN, n)
-    blocks = -(-n // longest)
-    pad = blocks * longest - n
-    # Each row is one step of all blocks; the padding is linked to nothing.
-    step = np.pad(np.diff(points, axis=0), ((0, pad), (0, 0)), constant_values=1.0).reshape(blocks, longest, -1).transpose(1, 0, 2)
-    reach = np.pad(tolerance, (0, pad)).reshape(blocks, -1).T
-    joins = np.pad(np.append(False, linked[:-1]), (0, pad)).reshape(blocks, -1).T
-    size = np.linalg.norm(step, axis=2)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        heading = step / size[:, :, None]
-    begins = np.ones((longest, blocks), dtype=bool)
-    chord, axis, open_by = step[0].copy(), heading[0].copy(), np.full(blocks, _FORWARD)
-    for k in range(1, longest):
-        chord, axis, open_by, begins[k] = _extend(chord, axis, open_by, step[k], heading[k], reach[k], joins[k])
-    return np.flatnonzero(begins.T.ravel()[:n])
+    begins = np.zeros(len(points) - 1, dtype=np.int64)
+    given = (np.ascontiguousarray(part, dtype=float) for part in (points, tolerance, linked))
+    _mark_starts(*given, np.empty((3, points.shape[1])), begins)
+    return np.flatnonzero(begins)
 
 
-def _extend(
-    chord: Array, axis: Array, open_by: Array, step: Array, heading: Array, reach: Array, joins: Flags
-) -> tuple[Array, Array, Array, Flags]:
-    """Add one line to each run, or start a new run with it; return chord, cone of directions (axis, half angle), and which runs are new."""
-    away = np.linalg.norm(chord, axis=1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        # The merged line must pass the former end point within the tolerance.
-        sine = reach * (1.0 - 1e-9) / away
-        near = np.where(sine < 1.0, np.arcsin(np.minimum(sine, 1.0)), np.pi)
-        axis, open_by = _within(axis, open_by, chord / away[:, None], near)
-        axis, open_by = _within(axis, open_by, heading, np.full_like(near, _FORWARD))
-        total = chord + step
-        size = np.linalg.norm(total, axis=1)
-        fits = joins & (open_by >= 0.0) & (size > 0.0) & (angle_between(axis, total / size[:, None]) <= open_by)
-    fresh = ~fits
-    chord = np.where(fresh[:, None], step, total)
-    axis = np.where(fresh[:, None], heading, axis)
-    return chord, axis, np.where(fresh, _FORWARD, open_by), fresh
+@kernel("f8[:,:] f8[:] f8[:] f8[:,:] i8[:]")
+def _mark_starts(points, tolerance, linked, memory, begins):
+    """Mark the first line of each run; `memory` (3, n_axis) holds directions: the axis of the cone, of the run so far, of a line."""
+    cone, chord, line = memory[0], memory[1], memory[2]
+    start, half = 0, -1.0
+    for i in range(begins.size):
+        _direction(points, i, i + 1, line)
+        far = _direction(points, start, i, chord)
+        if i > 0 and linked[i - 1] != 0.0 and far > 0.0:
+            # The merged line must pass the former end point within the tolerance, and no line may run backwards.
+            sine = tolerance[i] * (1.0 - 1e-9) / far
+            half = _narrowed(cone, half, chord, math.asin(sine) if sine < 1.0 else math.pi)
+            half = _narrowed(cone, half, line, _FORWARD)
+            if half >= 0.0 and _direction(points, start, i + 1, chord) > 0.0 and _angle(cone, chord) <= half:
+                continue
+        begins[i], start, half = 1, i, _FORWARD
+        for j in range(line.size):
+            cone[j] = line[j]
 
 
-def _within(axis: Array, wide: Array, other: Array, also: Array) -> tuple[Array, Array]:
-    """Return the largest cone within two cones around unit vectors (n, n_axis) with half angles (n,); a negative angle if there is none.
+def _direction(points, first, last, found):
+    """Fill the unit vector from one point to another; return their distance, 0 for the same place."""
+    square = 0.0
+    for j in range(found.size):
+        found[j] = points[last, j] - points[first, j]
+        square += found[j] * found[j]
+    size = math.sqrt(square)
+    for j in range(found.size if size > 0.0 else 0):
+        found[j] /= size
+    return size
 
-    >>> axis, wide = _within(np.array([[1.0, 0.0]]), np.array([0.2]), np.array([[np.cos(0.3), np.sin(0.3)]]), np.array([0.2]))
-    >>> np.round(np.arctan2(axis[:, 1], axis[:, 0]), 12).tolist(), np.round(wide, 12).tolist()
-    ([0.15], [0.05])
+
+def _angle(a, b):
+    """Return the angle between unit vectors, accurate for small and large angles."""
+    apart, along = 0.0, 0.0
+    for j in range(a.size):
+        apart += (b[j] - a[j]) ** 2
+        along += (a[j] + b[j]) ** 2
+    return 2.0 * math.atan2(math.sqrt(apart), math.sqrt(along))
+
+
+def _narrowed(cone, half, other, also):
+    """Turn the axis of a cone to the largest cone within it and a second one; return its half angle, negative if there is none.
+
+    >>> axis = np.array([1.0, 0.0])
+    >>> half = _narrowed(axis, 0.2, np.array([np.cos(0.3), np.sin(0.3)]), 0.2)
+    >>> round(math.atan2(axis[1], axis[0]), 12), round(half, 12)
+    (0.15, 0.05)
     """
-    apart = angle_between(axis, other)
-    inner, outer = apart + wide <= also, apart + also <= wide
-    half = np.where(inner, wide, np.where(outer, also, 0.5 * (wide + also - apart)))
-    # From the first axis towards the second, along the great circle.
-    part = np.where(inner, 0.0, np.where(outer, apart, wide - half))
-    swing = np.sin(apart)
-    keep, take = np.sin(apart - part), np.sin(part)
-    stay = ~(swing > 0.0) | (part == 0.0)
-    turned = (keep[:, None] * axis + take[:, None] * other) / np.where(stay, 1.0, swing)[:, None]
-    return np.where(stay[:, None], axis, turned), half
+    apart = _angle(cone, other)
+    if apart + half <= also:
+        return half
+    new = also if apart + also <= half else 0.5 * (half + also - apart)
+    turn, swing = half - new if new < also else apart, math.sin(apart)
+    if swing > 0.0:  # from the first axis towards the second, along the great circle
+        keep, take = math.sin(apart - turn) / swing, math.sin(turn) / swing
+        for j in range(cone.size):
+            cone[j] = keep * cone[j] + take * other[j]
+    return new
 
 
 def _feet(planned: Path, points: Array, first: Index, run: Index) -> tuple[Array, Array]:

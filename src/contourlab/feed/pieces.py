@@ -7,7 +7,7 @@ path in a few calls.
 
 from __future__ import annotations
 
-from itertools import pairwise
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +20,7 @@ from contourlab.feed.limits import AxisLimits
 from contourlab.feed.route import Route
 from contourlab.geometry import Arc, Curve, Line
 from contourlab.geometry.blend import Blend
+from contourlab.native.kernel import kernel
 
 Kinds = NDArray[np.int8]
 
@@ -132,20 +133,26 @@ def _samples(route: Route, nodes: Nodes) -> Samples:
 def _piece_ends(nodes: Nodes, kind: Kinds, permitted: Array, joined: Flags) -> Index:
     """Return the node at which each piece ends; `joined` lines share a piece with the next curve."""
     end_of_curve = np.append(nodes.curve[1:] != nodes.curve[:-1], True)
-    ends = end_of_curve & ~joined[nodes.curve]
-    general = np.unique(nodes.curve[kind[nodes.curve] >= GENERAL])
-    firsts, lasts = (np.searchsorted(nodes.curve, general, side=side) for side in ("left", "right"))
-    for first, last in zip(firsts.tolist(), lasts.tolist(), strict=True):
-        low, high = np.inf, 0.0
-        values = permitted[first:last].tolist()
-        for i, (a, b) in enumerate(pairwise(values)):
-            bottom, top = min(a, b), max(a, b)
-            if max(high, top) > GROUP * min(low, bottom) and i > 0:
-                ends[first + i] = True
-                low, high = bottom, top
-            else:
-                low, high = min(low, bottom), max(high, top)
+    ends = np.array(end_of_curve & ~joined[nodes.curve], dtype=np.int64)
+    undivided = np.array(end_of_curve | (kind[nodes.curve] < GENERAL), dtype=np.int64)
+    _divide(undivided, permitted, ends)
     return np.flatnonzero(ends)
+
+
+@kernel("i8[:] f8[:] i8[:]")
+def _divide(undivided, permitted, ends):  # type: ignore[no-untyped-def]
+    """Mark the nodes up to which the permitted speed has changed by `GROUP`; no piece ends inside an `undivided` interval after a node."""
+    low, high = math.inf, 0.0
+    for i in range(undivided.size - 1):
+        if undivided[i] != 0:
+            low, high = math.inf, 0.0
+            continue
+        bottom, top = min(permitted[i], permitted[i + 1]), max(permitted[i], permitted[i + 1])
+        if low < math.inf and max(high, top) > GROUP * min(low, bottom):
+            ends[i] = 1
+            low, high = bottom, top
+        else:
+            low, high = min(low, bottom), max(high, top)
 
 
 def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:

@@ -14,12 +14,12 @@ A *move* over a given length is a ramp up, a cruise at constant speed and a ramp
 from __future__ import annotations
 
 import math
-from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from contourlab.arrays import Array
+from contourlab.native.kernel import kernel
 
 N_BISECTION = 80  # enough for the last bit of any speed above 1e-8 of the bracket
 N_SPAN = 7  # of a move
@@ -60,17 +60,29 @@ def ramps(low: Array, high: Array, acceleration: Array, rise: Array, taper: Arra
     return Ramps(peak, rise_time, hold_time, taper_time, distance)
 
 
+def _peak(gain: float, acceleration: float, softness: float) -> float:
+    return acceleration if 2.0 * gain >= acceleration * acceleration * softness else math.sqrt(2.0 * gain / softness)
+
+
 def ramp_distance(low: float, high: float, acceleration: float, rise: float, taper: float) -> float:
     """Return the distance of one ramp [m], as `ramps`."""
     gain = high - low
     if gain <= 1e-200:  # avoid underflow
         return 0.0
-    softness = 1.0 / rise + 1.0 / taper
-    peak = acceleration if 2.0 * gain >= acceleration * acceleration * softness else math.sqrt(2.0 * gain / softness)
+    peak = _peak(gain, acceleration, 1.0 / rise + 1.0 / taper)
     up, down = peak / rise, peak / taper
     hold = max(gain / peak - 0.5 * (up + down), 0.0)
     after = low + 0.5 * peak * up
     return up * (low + peak * up / 6.0) + hold * (after + 0.5 * peak * hold) + down * (after + peak * (hold + down / 3.0))
+
+
+def ramp_time(low: float, high: float, acceleration: float, rise: float, taper: float) -> float:
+    """Return the duration of one ramp [s], as `ramps`."""
+    gain, softness = high - low, 1.0 / rise + 1.0 / taper
+    if gain <= 1e-200:
+        return 0.0
+    peak = _peak(gain, acceleration, softness)
+    return 0.5 * peak * softness + max(gain / peak, 0.5 * peak * softness)
 
 
 def reachable_speed(low: float, ceiling: float, room: float, acceleration: float, rise: float, taper: float) -> float:
@@ -101,7 +113,7 @@ def border_speeds(length: Array, ceiling: Array, acceleration: Array, rise: Arra
         Of the pieces, as for `ramps`.
     """
     speed = ceiling.copy()
-    compiled_kernels()[0](*map(np.ascontiguousarray, (length, acceleration, rise, taper)), speed)
+    _border_speeds(*map(np.ascontiguousarray, (length, acceleration, rise, taper)), speed)
     return speed
 
 
@@ -110,18 +122,11 @@ def peak_speed(length: Array, start: Array, end: Array, ceiling: Array, accelera
     parts = np.broadcast_arrays(length, start, end, ceiling, acceleration, rise, taper)
     flat = [np.ascontiguousarray(part, dtype=float).ravel() for part in parts]
     found = np.empty(flat[0].size)
-    compiled_kernels()[1](*flat, found)
+    _peak_speeds(*flat, found)
     return found.reshape(parts[0].shape)
 
 
-@cache
-def compiled_kernels() -> tuple[Any, Any]:
-    """Return `_border_speeds` and `_peak_speeds` in machine code."""
-    from contourlab.native.compile import kernel  # loads the compiler
-
-    return kernel(_border_speeds, " ".join(["f8[:]"] * 5)), kernel(_peak_speeds, " ".join(["f8[:]"] * 8))
-
-
+@kernel("f8[:] f8[:] f8[:] f8[:] f8[:]")
 def _border_speeds(length, acceleration, rise, taper, speed):  # type: ignore[no-untyped-def]
     for i in range(length.size):
         if speed[i + 1] > speed[i]:
@@ -131,29 +136,34 @@ def _border_speeds(length, acceleration, rise, taper, speed):  # type: ignore[no
             speed[i] = reachable_speed(speed[i + 1], speed[i], length[i], acceleration[i], rise[i], taper[i])
 
 
+@kernel("f8[:] f8[:] f8[:] f8[:] f8[:] f8[:] f8[:] f8[:]")
 def _peak_speeds(length, start, end, ceiling, acceleration, rise, taper, found):  # type: ignore[no-untyped-def]
     for i in range(length.size):
-        shape = acceleration[i], rise[i], taper[i]
-        below = max(start[i], end[i])
-        above = max(ceiling[i], below)
-        left = _room_left(length[i], start[i], end[i], above, shape)
+        found[i] = cruise_speed(length[i], start[i], end[i], ceiling[i], acceleration[i], rise[i], taper[i])
+
+
+def cruise_speed(length: float, start: float, end: float, ceiling: float, acceleration: float, rise: float, taper: float) -> float:
+    """Return the highest cruise speed of one move [m/s], as `peak_speed`."""
+    shape = acceleration, rise, taper
+    below = max(start, end)
+    above = max(ceiling, below)
+    left = _room_left(length, start, end, above, shape)
+    if left >= 0.0:
+        return above
+    lacking, room, side = left, _room_left(length, start, end, below, shape), 0
+    for _ in range(N_BISECTION):
+        if above - below <= 4e-16 * above:
+            break
+        # False position; an end that stays twice is halved in weight (the Illinois rule).
+        middle = below + (above - below) * room / (room - lacking)
+        if not below < middle < above:
+            middle = 0.5 * (below + above)
+        left = _room_left(length, start, end, middle, shape)
         if left >= 0.0:
-            found[i] = above
-            continue
-        lacking, room, side = left, _room_left(length[i], start[i], end[i], below, shape), 0
-        for _ in range(N_BISECTION):
-            if above - below <= 4e-16 * above:
-                break
-            # False position; an end that stays twice is halved in weight (the Illinois rule).
-            middle = below + (above - below) * room / (room - lacking)
-            if not below < middle < above:
-                middle = 0.5 * (below + above)
-            left = _room_left(length[i], start[i], end[i], middle, shape)
-            if left >= 0.0:
-                below, room, lacking, side = middle, left, 0.5 * lacking if side == 1 else lacking, 1
-            else:
-                above, lacking, room, side = middle, left, 0.5 * room if side == -1 else room, -1
-        found[i] = below
+            below, room, lacking, side = middle, left, 0.5 * lacking if side == 1 else lacking, 1
+        else:
+            above, lacking, room, side = middle, left, 0.5 * room if side == -1 else room, -1
+    return below
 
 
 def _room_left(length: float, start: float, end: float, speed: float, shape: tuple[float, float, float]) -> float:

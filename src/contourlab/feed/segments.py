@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.arrays import Array, Flags, Index
+from contourlab.arrays import Array, Flags, Index, across
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.pieces import LINE, Nodes, Survey, evaluate_nodes, sample_nodes, without_rounding
 from contourlab.feed.route import Route
@@ -67,12 +67,12 @@ class SegmentSamples(NamedTuple):
             rows = slice(start, start + CHUNK)
             tangent, second, third = (np.abs(part[rows]) for part in (self.tangent, self.second, self.third))
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-                lowest = np.fmin.reduce(limits.velocity / tangent, axis=1)
+                lowest = across(np.fmin, limits.velocity / tangent)
                 # An axis at right angles to the path has no tangential acceleration: there turning limits the speed.
                 turning = second if steady else np.where(tangent < 1e-6, second, 0.0)
-                lowest = np.fmin(lowest, np.sqrt(np.fmin.reduce(limits.acceleration / turning, axis=1)))
+                lowest = np.fmin(lowest, np.sqrt(across(np.fmin, limits.acceleration / turning)))
                 if steady:
-                    lowest = np.fmin(lowest, np.cbrt(np.fmin.reduce(limits.jerk / third, axis=1)))
+                    lowest = np.fmin(lowest, np.cbrt(across(np.fmin, limits.jerk / third)))
             ceiling[rows] = np.minimum(ceiling[rows], lowest)
         ceiling[self.begin[:-1]] = ceiling[self.begin[1:] - 1] = 0.0
         return ceiling

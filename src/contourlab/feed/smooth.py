@@ -18,13 +18,12 @@ Only segments that pass step 3 are used. Every step is linear in the number of s
 from __future__ import annotations
 
 import math
-from functools import cache
-from types import SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags, Index
+from contourlab.arrays import Array, Flags, Index, across
+from contourlab.feed import kernels, speed_profile
 from contourlab.feed.kernels import LOWERED, MOVED
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.segments import SegmentSamples
@@ -59,25 +58,6 @@ class SmoothMotion(NamedTuple):
     spans: Array
     begin: Index
     good: Flags
-
-
-@cache
-def compiled_kernels() -> SimpleNamespace:
-    """Return the compiled recursions of `kernels` and `speed_profile`, by name."""
-    from contourlab.feed import kernels, speed_profile
-    from contourlab.native.compile import kernel  # loads the compiler
-
-    f, m, i = "f8[:]", "f8[:,:]", "i8[:]"
-    signatures = {
-        kernels.reach: [f, m, m, m, f, f, f, f, f, f, "f8", f, f, f, f, i],
-        kernels.spread: [f, f, "f8", f, i],
-        kernels.flatten: [f, f, "f8", f],
-        speed_profile.demand: [f, m, m, m, f, i, m, i, f, f, f, "i8", "f8", i, "f8[:,:,:]", f, f, m, i],
-        speed_profile.clock: [f, f, i, i, i, "f8", f, f, i],
-        speed_profile.steps: [f, f, f, i, i, f, i, i, "f8", f],
-        kernels.lower: [f, m, m, "f8", "f8", f, m, i],
-    }
-    return SimpleNamespace(**{step.__name__: kernel(step, " ".join(types)) for step, types in signatures.items()})
 
 
 class _Blocks(NamedTuple):
@@ -130,7 +110,6 @@ class _Planner:
 
     def __init__(self, path: Path, samples: SegmentSamples, limits: AxisLimits, period: float) -> None:
         n = samples.arc_length.size
-        self.run = compiled_kernels()
         self.path, self.samples, self.period = path, samples, period
         self.velocity, self.acceleration, self.jerk = (np.array(part) for part in (limits.velocity, limits.acceleration, limits.jerk))
         self.inverse = tuple(1.0 / part for part in (self.velocity, self.acceleration, self.jerk))
@@ -153,10 +132,10 @@ class _Planner:
             self._reach(ceiling, ceiling, self.first)
         else:
             wide = np.empty_like(ceiling)
-            self.run.spread(self.place[0], ceiling, self.half, wide, np.empty(ceiling.size, dtype=np.int64))
+            kernels.spread(self.place[0], ceiling, self.half, wide, np.empty(ceiling.size, dtype=np.int64))
             self._reach(wide, wide, self.first)
             speed = np.sqrt(self.first.square, out=ceiling)
-            self.run.flatten(self.place[0], speed, self.period * (STEPS + 1) / STEPS, wide)
+            kernels.flatten(self.place[0], speed, self.period * (STEPS + 1) / STEPS, wide)
             # Now evaluate the jerk limits close to the final speed.
             speed *= 1.05
             speed += 1e-9
@@ -166,7 +145,7 @@ class _Planner:
 
     def _reach(self, reference: Array, ceiling: Array, memory: _Memory) -> None:
         limits = self.acceleration, self.jerk, self.period
-        self.run.reach(*self.place, self.parts[0], self.parts[1], reference, ceiling, *limits, *memory, self.flags)
+        kernels.reach(*self.place, self.parts[0], self.parts[1], reference, ceiling, *limits, *memory, self.flags)
 
     def check(self, spans: Array, begin: Index, watched: Index) -> tuple[Array, Array]:
         """Return the largest fraction of a limit that each segment needs, and the violations; see the kernel `demand`."""
@@ -174,7 +153,7 @@ class _Planner:
         here, worst = np.empty((3, 1, self.velocity.size)), np.empty(4)
         count = np.zeros(1, dtype=np.int64)
         motion = *self.place, self.samples.ceiling, self.begin, spans, begin.astype(np.int64)
-        self.run.demand(*motion, *self.inverse, PER_SPAN, 1.0 + ROUNDING, watched, here, worst, peak, faults, count)
+        speed_profile.demand(*motion, *self.inverse, PER_SPAN, 1.0 + ROUNDING, watched, here, worst, peak, faults, count)
         return peak, faults[: int(count[0])]
 
     def changed(self, faults: Array) -> Index:
@@ -202,7 +181,7 @@ class _Planner:
             np.minimum(np.where(of_speed > 1.0, 0.999 / of_speed, 1.0), np.where(of_jerk > 1.0, slower, 1.0)),
         )
         low = np.ones_like(self.base)
-        self.run.lower(self.place[0], np.ascontiguousarray(faults), np.stack(factors), self.half, haste, low, self.parts, self.flags)
+        kernels.lower(self.place[0], np.ascontiguousarray(faults), np.stack(factors), self.half, haste, low, self.parts, self.flags)
 
     def divide(self, square: Array) -> None:
         """Divide the segments into blocks of about `BLOCK` periods, each of a whole number of steps.
@@ -229,7 +208,7 @@ class _Planner:
     def _clock(self, square: Array) -> tuple[Array, Array, Index]:
         n_block = self.blocks.first.size
         time, duration, count = np.empty_like(square), np.empty(n_block), np.zeros(n_block, dtype=np.int64)
-        self.run.clock(self.place[0], square, *self.blocks, self.period / STEPS, time, duration, count)
+        speed_profile.clock(self.place[0], square, *self.blocks, self.period / STEPS, time, duration, count)
         return time, duration, count
 
     def spans(self, square: Array) -> tuple[Array, Index]:
@@ -268,7 +247,7 @@ class _Planner:
         h, arc_length, blocks = self.period / STEPS, self.place[0], self.blocks
         first, last, begin = self.begin[:-1], self.begin[1:] - 1, grid.begin
         mean = np.zeros(int(begin[-1]))
-        self.run.steps(arc_length, square, grid.time, blocks.first, blocks.last, grid.duration, grid.first, grid.n_step, h, mean)
+        speed_profile.steps(arc_length, square, grid.time, blocks.first, blocks.last, grid.duration, grid.first, grid.n_step, h, mean)
         del grid
         padded = np.concatenate([np.zeros(STEPS + 1), mean])
         box = padded[2 : 2 + mean.size].copy()
@@ -300,7 +279,7 @@ def _check_on_path(planner: _Planner, spans: Array, begin: Index) -> tuple[Array
         _, t, k, c = planner.path.derivatives(place, 3)
         turn = c * v[:, None] ** 3
         needed = t * v[:, None], t * a[:, None] + k * v[:, None] ** 2, t * j[:, None] + 3.0 * k * (v * a)[:, None] + turn, turn
-        ratio = np.stack([np.max(np.abs(value) / limit, axis=1) for value, limit in zip(needed, limits, strict=True)], axis=-1)
+        ratio = np.stack([across(np.maximum, np.abs(value) / limit) for value, limit in zip(needed, limits, strict=True)], axis=-1)
         ratio = ratio.reshape(-1, per_span, 4)
         worst = ratio[:, :, :3].max(axis=2)
         np.maximum.at(peak, segment[start : start + rows], worst.max(axis=1))

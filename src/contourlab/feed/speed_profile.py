@@ -5,7 +5,10 @@ from __future__ import annotations
 
 import math
 
+from contourlab.native.kernel import kernel
 
+
+@kernel("f8[:] f8[:] i8[:] i8[:] i8[:] f8 f8[:] f8[:] i8[:]")
 def clock(arc_length, square, first, last, free, period, time, lasting, count):
     """Fill the time at each sample, from the start of its block.
 
@@ -46,6 +49,7 @@ def clock(arc_length, square, first, last, free, period, time, lasting, count):
                 time[i] += more * part * part * (3.0 - 2.0 * part)
 
 
+@kernel("f8[:] f8[:] f8[:] i8[:] i8[:] f8[:] i8[:] i8[:] f8 f8[:]")
 def steps(arc_length, square, time, first, last, lasting, begin, count, period, mean):
     """Fill the mean speed in each step of the time grid; the last step of a block may be short.
 
@@ -149,6 +153,7 @@ def _along(span, i, last, arc_length, tangent, second, third, ceiling, spans, ve
     return i, most, where, place, speed
 
 
+@kernel("f8[:] f8[:,:] f8[:,:] f8[:,:] f8[:] i8[:] f8[:,:] i8[:] f8[:] f8[:] f8[:] i8 f8 i8[:] f8[:,:,:] f8[:] f8[:] f8[:,:] i8[:]")
 def demand(
     arc_length, tangent, second, third, ceiling, begin, spans, begin_span, velocity, acceleration, jerk, per_span, allowed, watched, here,
     worst, peak, faults, count

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from functools import cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +11,7 @@ from numpy.typing import ArrayLike
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import GeometryError
 from contourlab.geometry.curve import Curve, CurveBatch, by_arc_length, clenshaw
+from contourlab.native.kernel import kernel
 
 ACCURACY = 1e-12
 """Largest error of an arc length, relative to the length of the blend; a less accurate blend is divided."""
@@ -205,6 +204,7 @@ def parameter(s: float, borders: Array, inverse: Array) -> float:
     return float(0.25 * (quarter + min(max(part, 0.0), 1.0)))
 
 
+@kernel("i8[:] f8[:] i8 f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:]")
 def evaluate(slot, along, order, coefficients, borders, inverse, found):  # type: ignore[no-untyped-def]
     """Evaluate blends `slot` (n,) at arc lengths `along` (n,): derivatives by arc length into `found` (order + 1, n_axis, n)."""
     axes = coefficients.shape[2]
@@ -238,14 +238,6 @@ def evaluate(slot, along, order, coefficients, borders, inverse, found):  # type
                     found[3, j, i] = found[3, j, i] * (p * p * p) + 3.0 * second * p * q + first * w
 
 
-@cache
-def compiled_kernel() -> Any:
-    """Return `evaluate` in machine code."""
-    from contourlab.native.compile import kernel  # loads the compiler
-
-    return kernel(evaluate, "i8[:] f8[:] i8 f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:]")
-
-
 class Blends(CurveBatch):
     """Many blends at once."""
 
@@ -255,7 +247,7 @@ class Blends(CurveBatch):
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
         found = np.empty((order + 1, self.n_axis, along.size))
-        compiled_kernel()(np.ascontiguousarray(slot), np.ascontiguousarray(along), order, *self._shape, found)
+        evaluate(np.ascontiguousarray(slot), np.ascontiguousarray(along), order, *self._shape, found)
         return found
 
     def smallest_radii(self) -> Array:

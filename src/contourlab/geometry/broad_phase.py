@@ -8,13 +8,11 @@ distances.
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
 import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.geometry.curve_sequence import CurveSequence
+from contourlab.native.kernel import kernel
 
 _FEW = 4
 """Up to this mean number of curves per sample, all curves are candidates."""
@@ -80,20 +78,12 @@ def _searched(path: CurveSequence, points: Array, begin: Index, end: Index) -> t
     points = np.ascontiguousarray(points)
     while state[0] < n:
         before, pairs, bound = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty(room)
-        compiled_kernel()(junctions, along, int(path.closed), points, begin, end, pairs, bound, state, ends, depths)
+        search(junctions, along, int(path.closed), points, begin, end, pairs, bound, state, ends, depths)
         samples.append(pairs[: state[1], 0])
         numbers.append(pairs[: state[1], 1])
         # A sample may have more curves at the same distance than `pairs` holds.
         room = 2 * room if state[0] == before else room
     return np.concatenate(samples), np.concatenate(numbers)
-
-
-@cache
-def compiled_kernel() -> Any:
-    """Return `search` in machine code."""
-    from contourlab.native.compile import kernel  # loads the compiler
-
-    return kernel(search, "f8[:,:] f8[:] i8 f8[:,:] i8[:] i8[:] i8[:,:] f8[:] i8[:] i8[:,:] f8[:,:]")
 
 
 def _away(junctions, closed, points, i, k):
@@ -134,6 +124,7 @@ def _keep(i, pairs, bound, start, count, best):
     return kept
 
 
+@kernel("f8[:,:] f8[:] i8 f8[:,:] i8[:] i8[:] i8[:,:] f8[:] i8[:] i8[:,:] f8[:,:]")
 def search(junctions, along, closed, points, begin, end, pairs, bound, state, ends, depths):
     """Fill `pairs` with pairs of sample and curve, from sample state[0] on; set `state` to the next sample and the number of pairs."""
     count, i = 0, state[0]

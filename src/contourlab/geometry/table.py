@@ -9,8 +9,6 @@ divided at once.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,6 +17,7 @@ from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError
 from contourlab.geometry.curve import CurveBatch
 from contourlab.geometry.curve_sequence import CurveSequence
+from contourlab.native.kernel import kernel
 
 MOST_CELLS = 8_000_000
 _FREE_CELLS = 1 << 20
@@ -64,10 +63,11 @@ class PathTable:
         along = along - self.length * np.floor(along * (1.0 / self.length)) if self.closed else along
         along = np.clip(along, 0.0, self.length)
         found = np.empty((order + 1, along.size, self.coefficients.shape[1]))
-        compiled_kernel()(along, self.inverse_cell, self.halvings, self.start, self.coefficients, self.cell, order, found)
+        look_up(along, self.inverse_cell, self.halvings, self.start, self.coefficients, self.cell, order, found)
         return found
 
 
+@kernel("f8[:] f8 i8 f8[:] f8[:,:,:] f8[:] i8 f8[:,:,:]")
 def look_up(along, inverse_cell, halvings, start, coefficients, cell, order, found):  # type: ignore[no-untyped-def]
     """Evaluate pieces at arc lengths (n,), with the steps of the engine's look-up: derivatives into `found` (order + 1, n, n_axis)."""
     n_piece, axes = coefficients.shape[0], coefficients.shape[1]
@@ -94,14 +94,6 @@ def look_up(along, inverse_cell, halvings, start, coefficients, cell, order, fou
                 found[1, i, j] = c1 + h * (2.0 * c2 + h * (3.0 * c3 + h * (4.0 * c4 + h * 5.0 * c5)))
             if order > 1:
                 found[2, i, j] = 2.0 * c2 + h * (6.0 * c3 + h * (12.0 * c4 + h * 20.0 * c5))
-
-
-@cache
-def compiled_kernel() -> Any:
-    """Return `look_up` in machine code."""
-    from contourlab.native.compile import kernel  # loads the compiler
-
-    return kernel(look_up, "f8[:] f8 i8 f8[:] f8[:,:,:] f8[:] i8 f8[:,:,:]")
 
 
 def path_table(path: CurveSequence, tolerance: float, pieces: int = 1) -> PathTable:

@@ -3,13 +3,11 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
 import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError
+from contourlab.native.kernel import kernel
 
 
 def polygon_corners(points: Array, tolerance: float) -> Index:
@@ -35,16 +33,8 @@ def polygon_corners(points: Array, tolerance: float) -> Index:
     if not (np.diff(points, axis=0) != 0.0).any(axis=1).all():
         raise GeometryError("two neighbouring points are equal")
     kept, count = np.empty(len(points), dtype=np.int64), np.empty(1, dtype=np.int64)
-    compiled_kernel()(np.ascontiguousarray(points), float(tolerance), kept, count)
+    corners(np.ascontiguousarray(points), float(tolerance), kept, count)
     return kept[: count[0]].copy()
-
-
-@cache
-def compiled_kernel() -> Any:
-    """Return `corners` in machine code."""
-    from contourlab.native.compile import kernel  # loads the compiler
-
-    return kernel(corners, "f8[:,:] f8 i8[:] i8[:]")
 
 
 def _is_line(points, first, last, tolerance):
@@ -72,6 +62,7 @@ def _is_line(points, first, last, tolerance):
     return True
 
 
+@kernel("f8[:,:] f8 i8[:] i8[:]")
 def corners(points, tolerance, kept, count):
     """Write the numbers of the corners into `kept` (n,), and their count into `count` (1,)."""
     at, span, n_kept, end = 0, 1, 1, points.shape[0] - 1

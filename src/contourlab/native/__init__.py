@@ -1,5 +1,4 @@
 """Machine code for other packages.
 
-`store` keeps machine code on disk, keyed on its sources. `compile` compiles a plain function through it. Both import Numba, so a package
-that needs a kernel imports them late.
+`kernel` marks a plain function that runs in machine code; `compile` makes it, with Numba; `store` keeps it on disk, keyed on its sources.
 """

@@ -1,8 +1,7 @@
 """Compile a plain function over numbers and arrays to machine code.
 
 The function is compiled unchanged to a C function and kept in `store` under a key made of its sources, so that the next process only loads
-it. A kernel may use numbers, its array arguments, and functions of its own module. It must not make an array, list or dict: the caller
-passes the memory.
+it.
 """
 
 from __future__ import annotations
@@ -11,9 +10,8 @@ import ctypes
 import hashlib
 import inspect
 import sys
-import types as python_types
 from collections.abc import Callable, Iterable
-from functools import cache
+from types import FunctionType
 from typing import Any
 
 import numpy as np
@@ -27,6 +25,7 @@ from contourlab.native import store
 OPTIONS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False}
 INNER: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 """For functions that only compiled code calls: wrappers for Python and C take half of the compile time."""
+PROJECT = __name__.partition(".")[0] + "."
 _KINDS: dict[str, tuple[Any, Any, Any]] = {
     "i8": (types.int64, ctypes.c_int64, np.int64),
     "f8": (types.float64, ctypes.c_double, np.float64),
@@ -78,15 +77,23 @@ def _wrapper(function: Any, kinds: list[str]) -> str:
     return "\n".join([f"def {function.__name__}({', '.join(names)}):", *lines, f"    inner({', '.join(passed)})"]) + "\n"
 
 
+def _called(function: Any) -> dict[str, Any]:
+    """Return the functions of the project that a function calls, by the name it uses."""
+    found = {name: function.__globals__.get(name) for name in function.__code__.co_names}
+    ours = PROJECT, function.__module__
+    return {name: value for name, value in found.items() if isinstance(value, FunctionType) and value.__module__.startswith(ours)}
+
+
+def _modules(function: Any) -> set[str]:
+    """Return the modules of a function and of all functions that it calls."""
+    return {function.__module__}.union(*map(_modules, _called(function).values()))
+
+
 def _twin(function: Any, done: dict[Any, Any]) -> Any:
-    """Return the compiled twin of a function, with the functions of its module that it calls."""
+    """Return the compiled twin of a function and of those that it calls."""
     if function not in done:
-        scope = dict(function.__globals__)
-        for name in function.__code__.co_names:
-            value = scope.get(name)
-            if isinstance(value, python_types.FunctionType) and value.__module__ == function.__module__:
-                scope[name] = _twin(value, done)
-        rebuilt = python_types.FunctionType(function.__code__, scope, function.__name__, function.__defaults__)
+        scope = function.__globals__ | {name: _twin(value, done) for name, value in _called(function).items()}
+        rebuilt = FunctionType(function.__code__, scope, function.__name__, function.__defaults__)
         done[function] = njit(**OPTIONS, **INNER)(rebuilt)
     return done[function]
 
@@ -105,32 +112,11 @@ def _build(function: Any, kinds: list[str]) -> Any:
     return found
 
 
-@cache
-def kernel(function: Any, signature: str) -> Callable[..., None]:
-    """Return a plain function over numbers and C-contiguous arrays in machine code.
-
-    Parameters
-    ----------
-    function : callable
-        Returns nothing; results go into arrays. The key covers its module, and so everything it may call.
-    signature : str
-        Kinds of the arguments, separated by blanks: ``i8`` or ``f8``, or arrays of them with ``[:]`` or ``[:,:]``.
-
-    Returns
-    -------
-    callable
-        Takes the arguments of the function.
-
-    Raises
-    ------
-    EngineError
-        If the function makes arrays.
-    TypeError
-        When called with an array of another kind, or one that is not contiguous.
-    """
+def compiled_kernel(function: Any, signature: str) -> Callable[..., None]:
+    """Return the machine code of a `contourlab.native.kernel.Kernel`."""
     kinds = signature.split()
-    source = inspect.getsource(sys.modules[function.__module__])
-    words = (function.__name__, signature, source, inspect.getsource(sys.modules[__name__]), store.toolchain())
+    sources = [inspect.getsource(sys.modules[name]) for name in (*sorted(_modules(function)), __name__)]
+    words = (function.__name__, signature, *sources, store.toolchain())
     key = hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
     c_types: list[Any] = []
     for kind in kinds:

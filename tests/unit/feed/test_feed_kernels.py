@@ -7,7 +7,6 @@ import pytest
 from scipy.optimize import linprog
 
 from contourlab.feed import kernels, speed_profile
-from contourlab.feed.smooth import compiled_kernels
 from contourlab.geometry import contour
 
 LIMIT = np.array([2.0, 3.0])
@@ -37,7 +36,7 @@ def test_a_line_follows_the_law_of_constant_acceleration() -> None:
     s = np.sort(np.append(np.random.default_rng(1).uniform(0.0, 0.3, 80), [0.0, 0.15, 0.3]))
     tangent = np.tile([1.0, 0.0], (s.size, 1))
     none, one = np.zeros_like(tangent), np.ones_like(s)
-    *_, square, _ = run_reach(compiled_kernels().reach, (s, tangent, none, none), (one, one), np.full(s.size, 0.7))
+    *_, square, _ = run_reach(kernels.reach, (s, tangent, none, none), (one, one), np.full(s.size, 0.7))
     np.testing.assert_allclose(square, np.minimum(np.minimum(4.0 * s, 4.0 * (0.3 - s)), 0.49), atol=1e-12)
 
 
@@ -48,7 +47,7 @@ def test_the_limits_hold_and_a_linear_program_finds_nothing_faster() -> None:
     # Where an axis is momentarily at rest, its centripetal acceleration limits the speed, which belongs to the ceiling.
     still = np.where(np.abs(t) < 1e-6, np.abs(k), 1e-9)
     ceiling = np.minimum(0.35, np.sqrt((LIMIT / still).min(axis=1)))
-    *_, square, _ = run_reach(compiled_kernels().reach, place, (np.ones(n), np.ones(n)), ceiling)
+    *_, square, _ = run_reach(kernels.reach, place, (np.ones(n), np.ones(n)), ceiling)
     rows, bounds = [], []
     for i in range(n - 1):
         for at in (i, i + 1):
@@ -71,7 +70,7 @@ def test_the_limits_hold_and_a_linear_program_finds_nothing_faster() -> None:
 def test_a_change_of_limits_equals_a_fresh_start(period: float) -> None:
     place, n = samples(400, "butterfly"), 400
     generator = np.random.default_rng(5)
-    run = compiled_kernels().reach
+    run = kernels.reach
     turning, speeding, ceiling = np.ones(n), np.ones(n), np.full(n, 0.2)
     memory = run_reach(run, place, (turning, speeding), ceiling, period=period)
     for _ in range(20):
@@ -90,15 +89,15 @@ def test_a_change_of_limits_equals_a_fresh_start(period: float) -> None:
 def test_machine_code_and_plain_python_agree() -> None:
     place, n = samples(120, "butterfly"), 120
     parts, ceiling = (np.ones(n), np.ones(n)), np.full(n, 0.2)
-    plain = run_reach(kernels.reach, place, parts, ceiling, period=0.02)[3]
-    np.testing.assert_allclose(run_reach(compiled_kernels().reach, place, parts, ceiling, period=0.02)[3], plain, rtol=1e-9, atol=1e-15)
+    plain = run_reach(kernels.reach.plain, place, parts, ceiling, period=0.02)[3]
+    np.testing.assert_allclose(run_reach(kernels.reach, place, parts, ceiling, period=0.02)[3], plain, rtol=1e-9, atol=1e-15)
 
 
 def test_spread_takes_the_least_value_in_reach() -> None:
     generator = np.random.default_rng(2)
     s, value = np.sort(generator.uniform(0.0, 1.0, 300)), generator.uniform(0.1, 1.0, 300)
     found = np.empty_like(s)
-    compiled_kernels().spread(s, value, 0.05, found, np.empty(300, np.int64))
+    kernels.spread(s, value, 0.05, found, np.empty(300, np.int64))
 
     def least(at: int) -> float:
         lowest = value[at]
@@ -118,7 +117,7 @@ def test_a_speed_peak_is_cut_to_its_minimum_duration() -> None:
     # A triangle of 1 m/s over 2 m: at the level w it is 2 (1 - w) wide, which takes 0.5 s if 2 (1 - w) = 0.5 w.
     s = np.linspace(0.0, 2.0, 201)
     ceiling = np.full_like(s, 5.0)
-    compiled_kernels().flatten(s, 1.0 - np.abs(s - 1.0), 0.5, ceiling)
+    kernels.flatten(s, 1.0 - np.abs(s - 1.0), 0.5, ceiling)
     assert ceiling.min() == pytest.approx(0.8, rel=1e-9)
     np.testing.assert_allclose(s[ceiling < 5.0][[0, -1]], [0.8, 1.2], atol=0.011)
 
@@ -129,7 +128,7 @@ def test_overlapping_faults_lower_the_limits_once() -> None:
     faults[:, :3] = [[4, 0.46, 0.1], [6, 0.66, 0.1]]  # sample, place, speed
     factors = np.array([[1.0, 0.8], [0.9, 0.9], [1.0, 1.0]])
     low, parts, flags = np.ones(11), np.ones((3, 11)), np.zeros(11, np.int64)
-    compiled_kernels().lower(s, faults, factors, 1.5, 2.0, low, parts, flags)
+    kernels.lower(s, faults, factors, 1.5, 2.0, low, parts, flags)
     np.testing.assert_allclose(parts[0], [1, 1, 1, 1, 1, 0.64, 0.64, 0.64, 0.64, 0.64, 1])
     np.testing.assert_allclose(parts[1], [1, 1, 1, 0.81, 0.81, 0.81, 0.81, 0.81, 0.81, 0.81, 1])
     np.testing.assert_array_equal(parts[2], np.ones(11))
@@ -152,10 +151,10 @@ def test_a_block_has_whole_steps_and_keeps_its_length() -> None:
     square = np.minimum(np.minimum(4.0 * s, 4.0 * (0.3 - s)), 0.04)
     first, last, free = np.array([0, 20, 41]), np.array([20, 41, 59]), np.array([0, 0, 1])
     time, lasting, count = np.empty(60), np.empty(3), np.empty(3, np.int64)
-    compiled_kernels().clock(s, square, first, last, free, 0.01, time, lasting, count)
+    speed_profile.clock(s, square, first, last, free, 0.01, time, lasting, count)
     np.testing.assert_allclose(lasting[:2], count[:2] * 0.01, rtol=1e-15)
     mean = np.zeros(int(count.sum()))
-    compiled_kernels().steps(s, square, time, first, last, lasting, np.cumsum(count) - count, count, 0.01, mean)
+    speed_profile.steps(s, square, time, first, last, lasting, np.cumsum(count) - count, count, 0.01, mean)
     assert mean.sum() * 0.01 == pytest.approx(0.3, rel=1e-12)
     assert mean.max() <= 0.2 * (1 + 1e-12)
     # 0.3 m at 0.2 m/s with two ramps at 2 m/s^2 takes 1.6 s; each of the first blocks takes up to one step more.

@@ -11,8 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 from contourlab.feed import Route, blended
-from contourlab.feed import merging as room
-from contourlab.feed.merging import merged, run_starts
+from contourlab.feed.merging import merged
 from contourlab.geometry import Arc, Curve, Line, Path
 
 Array = NDArray[np.float64]
@@ -163,25 +162,6 @@ def test_merging_and_rounding_stay_within_the_sum_of_their_tolerances(n_axis: in
     assert 1e-5 < away.max() <= 3e-5
     assert (np.diff(found.programmed_arc_length(s)) > 0.0).all()
     np.testing.assert_array_equal(found.programmed.breaks, given.path.breaks)
-
-
-def test_the_cost_is_proportional_to_the_lines(monkeypatch: pytest.MonkeyPatch) -> None:
-    done = [0]
-    plain = room._extend
-
-    def counted(chord: Array, *others: Any) -> Any:
-        done[-1] += len(chord)
-        return plain(chord, *others)
-
-    monkeypatch.setattr(room, "_extend", counted)
-    monkeypatch.setattr(room, "LONGEST_RUN", 64)
-    for n in (1000, 2000, 4000, 8000):
-        done.append(0)
-        run_starts(circle(n), np.full(n, Q), np.append(np.ones(n - 1, dtype=bool), False))
-        assert done[-1] <= n + 64
-    # Blocks are independent: a run cut by the end of its block costs one more line at most.
-    whole = merged(route(circle(8000)))
-    assert whole.n_curve <= 70 + 8000 // 64
 
 
 @pytest.mark.parametrize(("corner", "merge", "most"), [(2e-5, 2e-5, 2e-5), (2e-5, 5e-6, 2e-5), (2e-5, 6e-5, 7e-5)])

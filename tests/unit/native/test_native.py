@@ -9,15 +9,14 @@ import numpy as np
 import pytest
 
 from contourlab.errors import EngineError
-from contourlab.native.compile import kernel
-
-SUM = "f8[:,:] f8[:] f8 i8[:]"
+from contourlab.native.kernel import kernel
 
 
 def _half(value):  # type: ignore[no-untyped-def]
     return 0.5 * value
 
 
+@kernel("f8[:,:] f8[:] f8 i8[:]")
 def sums(table, out, factor, count):  # type: ignore[no-untyped-def]
     for i in range(table.shape[0]):
         out[i] = 0.0
@@ -26,16 +25,17 @@ def sums(table, out, factor, count):  # type: ignore[no-untyped-def]
         count[0] += 1
 
 
-def greedy(table, out, factor, count):  # type: ignore[no-untyped-def]
-    out[:] = np.zeros(out.size)
+@kernel("f8[:] f8")
+def greedy(out, factor):  # type: ignore[no-untyped-def]
+    out[:] = np.full(out.size, factor)
 
 
 def test_a_kernel_agrees_with_its_source() -> None:
     table = np.random.default_rng(3).normal(size=(5, 3))
     plain, native = np.empty(5), np.empty(5)
     counts = np.zeros(1, np.int64), np.zeros(1, np.int64)
-    sums(table, plain, 3.0, counts[0])
-    kernel(sums, SUM)(table, native, 3.0, counts[1])
+    sums.plain(table, plain, 3.0, counts[0])
+    sums(table, native, 3.0, counts[1])
     np.testing.assert_allclose(native, plain, rtol=1e-15)
     assert counts[0][0] == counts[1][0] == 5
 
@@ -43,12 +43,12 @@ def test_a_kernel_agrees_with_its_source() -> None:
 @pytest.mark.parametrize("table", [np.zeros((5, 3), np.float32), np.zeros(15), np.zeros((3, 5)).T])
 def test_other_arrays_are_refused(table: np.ndarray) -> None:
     with pytest.raises(TypeError, match="argument 0"):
-        kernel(sums, SUM)(table, np.empty(5), 1.0, np.zeros(1, np.int64))
+        sums(table, np.empty(5), 1.0, np.zeros(1, np.int64))
 
 
 def test_a_kernel_that_allocates_memory_is_refused() -> None:
     with pytest.raises(EngineError, match=r"greedy.*array"):
-        kernel(greedy, SUM)
+        greedy(np.empty(5), 1.0)
 
 
 def test_the_compiler_is_loaded_only_for_planning() -> None:
