@@ -28,6 +28,7 @@ from contourlab.feed.kernels import LOWERED, MOVED
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.segments import SegmentSamples
 from contourlab.geometry import Path
+from contourlab.threads import in_threads
 
 PERIODS = (1.0, 0.7, 0.5, 0.35, 0.25)  # T tried, in units of A/J: at 1 the acceleration may rise to its limit within T
 STEPS = 4  # time steps in T
@@ -266,30 +267,29 @@ def _check_on_path(planner: _Planner, spans: Array, begin: Index) -> tuple[Array
     """Check like `_Planner.check`, with the derivatives of the path instead of those of the samples."""
     samples, segment = planner.samples, np.repeat(np.arange(begin.size - 1), np.diff(begin))
     per_span = min(PER_SPAN + 2 * samples.arc_length.size // len(spans), PER_SPAN_MOST) if planner.period > 0.0 else 2 * PER_SPAN
-    peak, faults = np.zeros(begin.size - 1), []
-    inside = np.linspace(1e-9, 1.0 - 1e-9, per_span)
-    limits = planner.velocity, planner.acceleration, planner.jerk, planner.jerk
     rows = max(CHUNK // per_span, 1)
-    for start in range(0, len(spans), rows):
-        part = spans[start : start + rows]
-        dt = (part[:, :1] * inside).ravel()
-        s0, v0, a0, j = (np.repeat(column, per_span) for column in part[:, 1:].T)
-        place = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
-        v, a = v0 + dt * (a0 + dt * j / 2.0), a0 + dt * j
-        _, t, k, c = planner.path.derivatives(place, 3)
-        turn = c * v[:, None] ** 3
-        needed = t * v[:, None], t * a[:, None] + k * v[:, None] ** 2, t * j[:, None] + 3.0 * k * (v * a)[:, None] + turn, turn
-        ratio = np.stack([across(np.maximum, np.abs(value) / limit) for value, limit in zip(needed, limits, strict=True)], axis=-1)
-        ratio = ratio.reshape(-1, per_span, 4)
-        worst = ratio[:, :, :3].max(axis=2)
-        np.maximum.at(peak, segment[start : start + rows], worst.max(axis=1))
-        bad = np.flatnonzero(worst.max(axis=1) > 1.0 + CLOSE)
-        if bad.size:
-            at = bad * per_span + np.argmax(worst[bad], axis=1)
-            i = np.searchsorted(samples.arc_length, place[at], side="right") - 1
-            low, high = samples.begin[segment[start + bad]], samples.begin[segment[start + bad] + 1] - 2
-            faults.append(np.column_stack([np.clip(i, low, high), place[at], v[at], ratio[bad].max(axis=1)]))
-    return peak, np.concatenate(faults) if faults else np.empty((0, 7))
+    found = np.concatenate(list(in_threads(lambda i: _needed(planner, spans[i : i + rows], per_span), range(0, len(spans), rows))))
+    worst, peak = across(np.maximum, found[:, 2:5]), np.zeros(begin.size - 1)
+    np.maximum.at(peak, segment, worst)
+    bad = np.flatnonzero(worst > 1.0 + CLOSE)
+    i = np.searchsorted(samples.arc_length, found[bad, 0], side="right") - 1
+    i = np.clip(i, samples.begin[segment[bad]], samples.begin[segment[bad] + 1] - 2)
+    return peak, np.column_stack([i, found[bad]])
+
+
+def _needed(planner: _Planner, spans: Array, per_span: int) -> Array:
+    """Return rows of a fault, as in `speed_profile.demand` without the sample, for the worst place of each span."""
+    dt = (spans[:, :1] * np.linspace(1e-9, 1.0 - 1e-9, per_span)).ravel()
+    s0, v0, a0, j = (np.repeat(column, per_span) for column in spans[:, 1:].T)
+    place = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
+    v, a = v0 + dt * (a0 + dt * j / 2.0), a0 + dt * j
+    _, t, k, c = planner.path.derivatives(place, 3)
+    turn = c * v[:, None] ** 3
+    needed = t * v[:, None], t * a[:, None] + k * v[:, None] ** 2, t * j[:, None] + 3.0 * k * (v * a)[:, None] + turn, turn
+    limits = planner.velocity, planner.acceleration, planner.jerk, planner.jerk
+    ratio = np.array([across(np.maximum, np.abs(value) / limit) for value, limit in zip(needed, limits, strict=True)])
+    worst = np.argmax(ratio[:3].max(axis=0).reshape(-1, per_span), axis=1) + per_span * np.arange(len(spans))
+    return np.column_stack([place[worst], v[worst], ratio.reshape(4, -1, per_span).max(axis=2).T])
 
 
 def _corrected(planner: _Planner) -> SmoothMotion:
@@ -335,6 +335,6 @@ def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> l
     n_tried = 3 - int(np.searchsorted(MANY, samples.arc_length.size))
     if n_tried < 3 and len(periods) > n_tried:
         # The duration before corrections shows which periods are worth correcting.
-        trials = [_Planner(path, samples, limits, period).duration() for period in periods]
+        trials = list(in_threads(lambda period: _Planner(path, samples, limits, period).duration(), periods))
         periods = [periods[k] for k in np.argsort(trials)[:n_tried]]
-    return [_corrected(_Planner(path, samples, limits, period)) for period in periods]
+    return list(in_threads(lambda period: _corrected(_Planner(path, samples, limits, period)), periods))

@@ -18,6 +18,7 @@ from contourlab.geometry.bracketing import Bends, brackets
 from contourlab.geometry.broad_phase import curves_in_reach
 from contourlab.geometry.curve_sequence import CurveSequence
 from contourlab.geometry.table import PathTable, path_table
+from contourlab.threads import in_threads
 
 _CHUNK = 1 << 17
 
@@ -70,8 +71,8 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
     reach = np.broadcast_to(reach, s.shape)
     if not (np.isfinite(p).all() and np.isfinite(s).all()):
         raise GeometryError("points and progress must be finite")
-    starts = range(0, max(s.size, 1), _CHUNK)
-    parts = [_chunk(path, p[i : i + _CHUNK], s[i : i + _CHUNK], reach[i : i + _CHUNK]) for i in starts]
+    chunks = [slice(i, i + _CHUNK) for i in range(0, max(s.size, 1), _CHUNK)]
+    parts = list(in_threads(lambda some: _chunk(path, p[some], s[some], reach[some]), chunks))
     return FootPoint(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 

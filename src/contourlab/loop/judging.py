@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -25,6 +24,7 @@ from contourlab.metrics.streaming import EFFORT_SUMS, SUMS, corner_parts, effort
 from contourlab.native.generated import generated
 from contourlab.primitives import fabs, select
 from contourlab.result import Status
+from contourlab.threads import in_threads
 
 Window = tuple[int, int]
 
@@ -234,12 +234,7 @@ class TrialJudge:
         """
         n = position.shape[1]
         self._external[:n], self._external[n : 2 * n] = position.T, measured.T
-        if self._workers > 1:
-            with ThreadPoolExecutor(self._workers) as pool:
-                list(pool.map(self._stretch, range(len(self._groups))))
-        else:
-            for i in range(len(self._groups)):
-                self._stretch(i)
+        list(in_threads(self._stretch, range(len(self._groups)), self._workers))
         rows = self._log[:, :, 0].T.copy()  # the next trial writes over the log
         return rows[0], np.flatnonzero(rows[1]), (rows[2:].T if len(rows) > 2 else None)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from itertools import combinations, product
 
@@ -19,6 +18,7 @@ from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS
+from contourlab.threads import in_threads
 
 OBJECTIVES = {
     "contour_error_integral": ("m*s", "um s", 2e-6),
@@ -199,8 +199,7 @@ class Variants:
         # The first runs of a machine compile its components, one after another.
         if sides < 2 or any(self.evaluators[i].runs == 0 for i in which):
             return [figures(at, threads) for at in range(len(which))]
-        with ThreadPoolExecutor(sides) as pool:
-            return list(pool.map(figures, range(len(which)), [-(-threads // sides)] * len(which)))
+        return list(in_threads(lambda at: figures(at, -(-threads // sides)), range(len(which)), sides))
 
     def _judged(self, i: int, points: Array, excess: Array, run: Flags, figures: dict[str, Array]) -> tuple[Array, Array]:
         """Return J of the points of a variant and how far they break the guards; keep the best."""

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
@@ -18,6 +16,7 @@ from contourlab.geometry import Line, Path
 from contourlab.loop import Controller, Machine, simulate, simulate_blocks
 from contourlab.papers.shahin import setup
 from contourlab.papers.shahin.setup import Setting
+from contourlab.threads import in_threads
 
 WINDOW = (1.0, 10.0)
 """Time window that the paper evaluates [s]."""
@@ -99,8 +98,7 @@ def controller_of(name: str, setting: Setting) -> Controller:
 def prepare(tests: Sequence[tuple[Any, ...]]) -> None:
     """Run circular tests in parallel to fill the cache of `circular`; the first test compiles."""
     circular(*tests[0])
-    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        list(pool.map(lambda test: circular(*test), dict.fromkeys(tests)))
+    list(in_threads(lambda test: circular(*test), dict.fromkeys(tests)))
 
 
 @cache
