@@ -26,7 +26,7 @@ from contourlab.result import Result, Signal, Status
 BLOCK = 1 << 16
 """Samples of a block."""
 LONG_BLOCK = 1 << 20
-"""Samples of a block where all signals stay in memory anyway: joining many short blocks takes as long as half of the run."""
+"""Samples of a block where all signals stay in memory anyway: a run of one block is not copied."""
 
 UNITS = {
     "reference": "m",
@@ -133,22 +133,27 @@ def simulate(
     DivergenceError
         If a state is not finite, or a tracking error passes the axis' following-error limit, and `on_failure` is "raise".
     """
-    blocks: list[dict[str, Array]] = []
+    kept: dict[str, Array] = {}
     status = Status(ok=True)
     done = 0
     given: dict[str, Any] = {"seed": seed, "jit": jit, "view": view, "signals": signals, "learned": learned, "trial": trial}
     given |= {"moving": moving, "changes": changes, "block": LONG_BLOCK}
     for block, now in simulate_blocks(machine, controller, reference, **given):
-        blocks.append(block)
-        status = now
+        status, before = now, done
         done += len(next(iter(block.values())))
+        if before == 0:
+            whole = done == reference.n_sample
+            kept = block if whole else {name: np.empty((reference.n_sample, *part.shape[1:]), part.dtype) for name, part in block.items()}
+        if not whole:
+            for name, part in block.items():
+                kept[name][before:done] = part
         if progress is not None:
             progress(done)
     if not status.ok and on_failure == "raise":
         reason = status.reason if scheme == "base" else f"{scheme}: {status.reason}"
         raise DivergenceError(reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
-    joined = blocks[0] if len(blocks) == 1 else {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
-    return result_of(machine, reference, joined, status, scheme=scheme, seed=seed)
+    kept = {name: values[:done] for name, values in kept.items()}
+    return result_of(machine, reference, kept, status, scheme=scheme, seed=seed)
 
 
 def result_of(
