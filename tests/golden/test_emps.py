@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -103,12 +104,14 @@ def test_the_simulated_loop_follows_the_log(table: Table, case: str, percent: di
         assert 0.9 * bound < table[f"simulated {name}", case].here < 1.01 * bound
 
 
+@pytest.mark.parametrize("height", [0.0, 5.0])
 @pytest.mark.parametrize("delay", [0, 1])
-def test_the_engine_runs_the_same_loop(log: Path, delay: int) -> None:
-    """The engine starts at rest, the log in motion; half a second later the difference has decayed."""
+def test_the_engine_runs_the_same_loop(log: Path, delay: int, height: float) -> None:
+    """The engine starts at rest, the log in motion; half a second later the difference has decayed. Pulses as in DATA_EMPS_PULSES.mat."""
     found = identified(log)
+    record = replace(found.log, pulses=height * ((found.log.time - 0.344) % 1.0 < 0.5) * (found.log.time > 0.3))
     axis = axis_of(found.symmetric)
-    own, engine = simulate_emps(found.log, axis, delay=delay), simulate_in_engine(found.log, axis, delay=delay)
+    own, engine = simulate_emps(record, axis, delay=delay), simulate_in_engine(record, axis, delay=delay)
     assert np.abs(own.position - engine.position)[500:].max() < 1e-12
     assert np.abs(own.velocity - engine.velocity)[500:].max() < 1e-10
     assert np.abs(own.force - engine.force)[500:].max() < 1e-6
@@ -159,6 +162,10 @@ def test_the_published_validation_agrees_where_its_log_is_there(log: Path) -> No
     for name, paper in {"position": 0.0080248, "velocity": 0.47888, "acceleration": 19.8152, "force": 8.9409}.items():
         row = rows[f"simulated {name}", "validation: the published clock, delay and solver"]
         assert row.here == pytest.approx(paper, rel=5e-3) and row.verdict == "agrees"
+        for case in ("one tick of control delay", "no control delay"):
+            own, engine = (rows[f"simulated {name}", f"validation: {solver}{case}"].here for solver in ("", "contourlab's engine, "))
+            assert engine == pytest.approx(own, rel=5e-3)
+    assert rows["simulated force", "validation: contourlab's engine, one tick of control delay"].here == pytest.approx(8.707, abs=2e-3)
 
 
 def test_the_command_prints_json_and_draws(log: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

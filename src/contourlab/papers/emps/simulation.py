@@ -16,12 +16,13 @@ import numpy as np
 from contourlab.analysis.identification.filtered_motion import FilteredMotion
 from contourlab.analysis.identification.inverse_dynamics import InverseDynamicsFit
 from contourlab.arrays import Array
+from contourlab.components.disturbance.loads import TableLoad
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.components.ideal import IdealSensor
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
-from contourlab.loop import Axis, Learned, Machine, simulate
+from contourlab.loop import Axis, Machine, simulate
 from contourlab.papers.emps.log import EmpsLog
 from contourlab.scenario import load_axis, load_controller
 
@@ -206,7 +207,7 @@ def simulate_in_engine(log: EmpsLog, axis: EmpsAxis, *, delay: int = 0) -> EmpsR
     Parameters
     ----------
     log : EmpsLog
-        The pulses are added to the command like a learned command.
+        As in the published model, pulses act behind the drive: neither delayed nor limited.
     axis : EmpsAxis
         With equal friction in both directions.
     delay : int, 0 or 1 [servo periods]
@@ -224,9 +225,9 @@ def simulate_in_engine(log: EmpsLog, axis: EmpsAxis, *, delay: int = 0) -> EmpsR
     controller = replace(controller, axes={"x": replace(servo, controller=gains)})
     path = Path([Line(np.array([log.reference.min()]), np.array([log.reference.max()]))])
     reference = Reference.from_samples(log.reference[:, None], log.period, path)
-    result = simulate(machine, controller, reference, learned=Learned(command=log.pulses[:, None]))
+    result = simulate(machine, controller, reference)
     position, velocity, applied = (result[name][:, 0] for name in ("axis_position", "axis_velocity", "applied_command"))
-    force = log.drive_gain * applied
+    force = log.drive_gain * (applied + log.pulses)
     acceleration = np.array([axis.acceleration(push, v) for push, v in zip(force.tolist(), velocity.tolist(), strict=True)])
     return EmpsRun(result.time, position, velocity, acceleration, force)
 
@@ -237,12 +238,12 @@ def _library_axis(log: EmpsLog, axis: EmpsAxis, delay: int) -> Axis:
         if forward != backward:
             raise ParameterError(name, f"{forward:g} forwards, {backward:g} backwards", "equal in both directions")
     held = load_axis("builtin:emps/axis")
-    assert held.disturbance is not None  # the file's own
+    behind_drive = log.drive_gain * log.pulses - axis.offset
     return replace(
         held,
         plant=held.plant.replace(mass=axis.mass, damping=axis.viscous[0], force_constant=log.drive_gain),
         friction=held.friction.replace(coulomb=axis.coulomb[0]),
-        disturbance=held.disturbance.replace(force=-axis.offset),
+        disturbance=TableLoad(time_step=log.period, forces=tuple(behind_drive.tolist())),
         drive=DelayedSaturation(limit=LIMIT, delay=delay * log.period) if delay else held.drive.replace(limit=LIMIT),
         sensor=IdealSensor(),
     )
