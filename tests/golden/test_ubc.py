@@ -11,6 +11,7 @@ import pytest
 from contourlab.cli.main import main
 from contourlab.errors import LogError
 from contourlab.papers.run import run_parts
+from contourlab.papers.ubc.runs import left_out, read_runs
 from contourlab.papers.ubc.study import MEASURED, parts_of
 
 Table = dict[tuple[str, str], dict[str, Any]]
@@ -70,6 +71,20 @@ def test_the_machine_also_explains_unseen_runs(folder: Path) -> None:
     assert len(explained) == 12
     contour = [row for row in rows if row.name == "unseen: contour rms"]
     assert len(contour) == 6 and all(row.paper > 0.0 and row.here > 0.0 for row in contour)
+
+
+LATER = {"rms": (-3.6, 23.7, -8.9, -3.4, 29.5), "maximum": (-12.0, 30.0, -5.0)}
+"""Simulated against measured [percent] for runs that no fit has seen, as documented in docs/refinement.md."""
+
+
+@pytest.mark.slow
+def test_the_interval_of_runs_left_out_covers_later_runs(folder: Path) -> None:
+    found = left_out(read_runs(folder))
+    assert found.level == 2.0 / 3.0 and all(one.second_half for one in found.held_out)
+    ratios = [one.simulated_rms / one.measured_rms for one in found.held_out]
+    assert ratios == pytest.approx([1.053, 1.352], abs=0.01)
+    for percent, factor in ((LATER["rms"], found.rms_factor), (LATER["maximum"], found.max_factor)):
+        assert all(1.0 / factor < 1.0 + 0.01 * one < factor for one in percent)
 
 
 def test_the_command_prints_json_and_draws(folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -323,3 +323,28 @@ def test_input_files_are_not_overwritten(
     said = capsys.readouterr().err
     assert str(copy / name) in said and "--out" in said and said.count("\n") == 1
     assert contents(copy) == before
+
+
+def test_several_logs_are_left_out_in_turn(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A second log with other friction: the table, the JSON and the file state how far a new run may be from its simulation."""
+    from contourlab.loop import simulate
+
+    true, guess = load_scenario(written(tmp_path, "other", 300.0, 48.0)), load_scenario(scene / "guess-circle.toml")
+    seen = simulate(true.machine, guess.controller, true.base.reference())
+    rows = np.column_stack([np.arange(seen.n_sample) * 1e-3, 1e3 * seen["reference"], 1e3 * seen["position"]])
+    head = (scene / "log.csv").read_text().splitlines()[0]
+    (tmp_path / "other.csv").write_text(head + "\n" + "\n".join(",".join(f"{v:.6f}" for v in row) for row in rows))
+    out = tmp_path / "machine.toml"
+    typed = words(scene, "--log", str(tmp_path / "other.csv"), "--out", str(out))
+    assert main([*typed, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    crossed = found["cross_validation"]
+    assert [one["run"] for one in crossed["held_out"]] == ["log", "other"] and crossed["level"] == 2.0 / 3.0
+    (stated,) = (one["values"] for one in found["findings"] if one["code"] == "CL566")
+    assert 1.02 < crossed["rms_factor"] == stated["rms_high"] < 2.0
+    # Friction of 40 N in one log and 48 N in the other.
+    assert parameters(found)["axes.x.friction.coulomb"]["deviation"] == pytest.approx(4.0, rel=0.1)
+    assert 'deviation = "4' in out.read_text()
+    assert main(words(scene, "--json")) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["cross_validation"] is None and "CL567" in {code for code, _ in codes(found)}

@@ -14,6 +14,7 @@ from contourlab.app.results import check_file, spared, staged
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log
 from contourlab.features.measure.plausibility import motion_findings, same_column_findings
+from contourlab.features.refine.cross_validation import CrossValidation, cross_validated
 from contourlab.features.refine.findings import unseen_findings
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.study import Refined, RefineSettings, Window, refine
@@ -41,6 +42,8 @@ class Refinement:
     result : Refined
     validation_before, validation : tuple of Agreement
         Agreement with a log that was not fitted, with the first run's machine and controller at the start and refined.
+    cross_validation : CrossValidation or None
+        Prediction of each run from the others; None for one log.
     findings : tuple of Finding
     machine_file : Path or None
         The file that was written, if any.
@@ -51,6 +54,7 @@ class Refinement:
     result: Refined
     validation_before: tuple[Agreement, ...]
     validation: tuple[Agreement, ...]
+    cross_validation: CrossValidation | None
     findings: tuple[Finding, ...]
     machine_file: Path | None
     controller_files: tuple[Path, ...]
@@ -58,7 +62,7 @@ class Refinement:
 
     def text(self) -> str:
         """Return the tables, the findings, and the files written."""
-        parts = [self._parameters().text(), self._agreements().text(), paragraphs(map(str, self.findings))]
+        parts = [self._parameters().text(), self._agreements().text(), self._held_out(), paragraphs(map(str, self.findings))]
         files = ["no machine file: name one with --out" if self.machine_file is None else f"machine: {self.machine_file}"]
         files += [f"controller: {file}" for file in self.controller_files] + [f"plot: {file}" for file in self.plots]
         return "\n\n".join(filter(None, [*parts, "\n".join(files)]))
@@ -84,6 +88,17 @@ class Refinement:
                 rms = figure(one.rms, "um" if one.signal == "position" else "")
                 table.add(name, one.run, one.axis, one.signal, figure(one.explained, "%", 5), figure(one.fit / 100.0, "%", 4), rms)
         return table
+
+    def _held_out(self) -> str:
+        """Return the table of the runs that were left out in turn; empty if there is none."""
+        if self.cross_validation is None:
+            return ""
+        heads = ("error rms measured", "simulated", "maximum measured", "simulated")
+        table = Table([Column("left out", left=True), *map(Column, heads)])
+        for one in self.cross_validation.held_out:
+            values = (one.measured_rms, one.simulated_rms, one.measured_max, one.simulated_max)
+            table.add(one.run + (", second half" if one.second_half else ""), *(figure(value, "um") for value in values))
+        return table.text()
 
 
 def refine_logs(
@@ -152,6 +167,7 @@ def refine_logs(
     drawn: list[Path] = []
     with staged(folder, inputs=inputs, option="--folder") if plots else nullcontext() as stage:
         result = refine(runs, parameters, windows=spans, settings=RefineSettings(starts=starts), progress=progress)
+        result, crossed = cross_validated(result, progress=progress)
         validated: list[tuple[Agreement, ...]] = [(), ()]
         findings = [*result.findings]
         if held_out is not None:
@@ -161,8 +177,6 @@ def refine_logs(
             if any(np.array_equal(held_out.measured, run.measured) for run in runs):
                 findings.append(finding("CL564", held_out.label))
         if stage is not None:
-            from contourlab.features.refine.command import draw
-
             drawn = [Path(folder) / file.relative_to(stage) for file in draw(result, stage / "plots", plots)]
     sources = tuple(distinct_names([choice.file for choice in choices]))
     result = replace(result, findings=tuple(findings))
@@ -170,7 +184,7 @@ def refine_logs(
     if out is not None and not result.usable:
         findings.append(finding("CL565"))
     machine_file = Path(out) if out is not None and result.usable else None
-    return Refinement(sources, result, validated[0], validated[1], tuple(findings), machine_file, controllers, tuple(drawn))
+    return Refinement(sources, result, validated[0], validated[1], crossed, tuple(findings), machine_file, controllers, tuple(drawn))
 
 
 def _read(files: Sequence[str | Path], plugins: Sequence[str | Path]) -> list[Scenario]:

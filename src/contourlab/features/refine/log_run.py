@@ -170,6 +170,22 @@ class LogRun:
         held = {name: Signal(data, ("sample", "axis"), "m") for name, data in (("reference", self.asked), ("position", position))}
         return measure(Result(self.label, self.machine.axis_names, self.machine.servo_period, held))
 
+    def contour(self, simulated: Array | None = None, rows: slice | None = None) -> tuple[float, float]:
+        """Return rms and largest contour error [m] of simulated signals (n_sample, n_channel), or of the measured signals.
+
+        A machine with one axis has no contour: there it is the tracking error.
+
+        Parameters
+        ----------
+        simulated : ndarray, optional
+        rows : slice, optional
+            Samples that count; by default those at which the reference moves.
+        """
+        alone = len(self.machine.axes) == 1
+        tracking = self.measured if simulated is None else simulated
+        error = (tracking[:, 0] if alone else self.judged(simulated).result["contour_error"])[rows or slice(*self.moves)]
+        return float(np.sqrt(np.mean(error**2))), float(np.abs(error).max())
+
 
 def log_run(machine: Machine, controller: Controller, result: Result, label: str, *, settling: float = 0.2, lead: int = LEAD) -> LogRun:
     """Prepare the simulation along a log.

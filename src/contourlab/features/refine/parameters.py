@@ -62,6 +62,7 @@ class RefinedParameter:
     sought : Sought
     value, deviation, white_deviation : float [SI]
         Standard deviations for a coloured and for a white residual: nan at a bound, infinite if the logs do not determine the parameter.
+        With several logs, `deviation` includes the scatter between them.
     at_bound : bool
     """
 

@@ -129,8 +129,19 @@ def refine(
     Positions, and commands if the logs have them, are compared every `row_period`. Each channel is weighted by its residual, so that a run
     with large errors does not dominate one with small errors. With normal residuals this is maximum likelihood.
     """
+    return refine_sought(runs, seek(runs, wanted), windows=windows, settings=settings, progress=progress)
+
+
+def refine_sought(
+    runs: Sequence[LogRun],
+    sought: Sequence[Sought],
+    *,
+    windows: Sequence[Window | None] = (),
+    settings: RefineSettings | None = None,
+    progress: Callable[[str], None] = lambda line: None,
+) -> Refined:
+    """Refine chosen parameters; see `refine`."""
     settings = settings or RefineSettings()
-    sought = seek(runs, wanted)
     given = tuple(windows[k] if k < len(windows) else None for k in range(len(runs)))
     kept = [_rows(run, window, settings.row_period) for run, window in zip(runs, given, strict=True)]
     total = sum(int(np.count_nonzero(rows)) for rows in kept)

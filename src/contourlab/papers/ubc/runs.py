@@ -11,6 +11,7 @@ import numpy as np
 from contourlab.analysis.identification.gauss_newton import DescentSettings
 from contourlab.design.values import with_values
 from contourlab.errors import LogError
+from contourlab.features.refine.cross_validation import CrossValidation, cross_validated
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.study import RefineSettings, Window, refine
 from contourlab.logs import load_log
@@ -108,6 +109,14 @@ def unseen(runs: dict[str, LogRun], stage: Callable[[str], object] | None = None
     return found
 
 
+def left_out(runs: dict[str, LogRun]) -> CrossValidation:
+    """Leave out each run in turn: physics from the other run, its own gains from the first half of its motion, its second half predicted."""
+    wanted = [*PHYSICS, *CONTROLLERS["lead-lag"], *CONTROLLERS["pole-placement"]]
+    found = cross_validated(refine([_forgotten(run) for run in runs.values()], wanted, settings=QUICK), QUICK)[1]
+    assert found is not None  # two runs that share physics
+    return found
+
+
 def _forgotten(run: LogRun) -> LogRun:
     """Return the run with the friction of the course's jog test and no ripple, as known before these logs."""
     jog = {"plant.damping": 1630.0, "friction.coulomb": 103.0, "friction.breakaway": 103.0, "friction.stiffness": 3e7}
@@ -139,8 +148,4 @@ def _judged(case: str, run: LogRun, window: Window) -> Unseen:
     times, simulated = run.times(), run.once()
     first, last = (int(np.searchsorted(times, t)) for t in window)
     rows = slice(max(first, run.moves[0]), min(last, run.moves[1]))
-    figures = []
-    for signals in (simulated, None):
-        error = run.judged(signals).result["contour_error"][rows]
-        figures += [float(np.sqrt(np.mean(error**2))), float(np.abs(error).max())]
-    return Unseen(case, run.agreement(simulated, rows), *figures)
+    return Unseen(case, run.agreement(simulated, rows), *run.contour(simulated, rows), *run.contour(None, rows))

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from contourlab.features.refine.cross_validation import CrossValidation
 from contourlab.features.refine.log_run import LogRun
 from contourlab.papers.rows import Part, Row, asked, measured, ours
-from contourlab.papers.ubc.runs import Unseen, read_runs, unseen
+from contourlab.papers.ubc.runs import Unseen, left_out, read_runs, unseen
 
 MEASURED = {"lead-lag": (76.4, 77.7, 84.7, 262.4), "pole-placement": (1277.4, 1082.7, 48.3, 95.4)}
 """From the raw logs by another program [um]: tracking rms of x and y, contour rms and maximum."""
@@ -44,6 +45,7 @@ def parts_of(folder: str | Path | None, *, with_unseen: bool = True, stage: Call
     ]
     if with_unseen:
         parts.append(("fitting parts of the runs", lambda: _unseen(unseen(runs, stage))))
+        parts.append(("leaving out each run", lambda: _left_out(left_out(runs))))
     return parts
 
 
@@ -85,6 +87,16 @@ def _unseen(found: list[Unseen]) -> Iterator[Row]:
         yield _beside("unseen: contour rms", fit.case, fit.measured_rms, fit.rms)
     for fit in found:
         yield _beside("unseen: contour maximum", fit.case, fit.measured_largest, fit.largest)
+
+
+def _left_out(found: CrossValidation) -> Iterator[Row]:
+    for one in found.held_out:
+        case = f"{one.run}, physics of the other run, gains of its first half, second half unseen"
+        yield _beside("left out: contour rms", case, one.measured_rms, one.simulated_rms)
+        yield _beside("left out: contour maximum", case, one.measured_max, one.simulated_max)
+    note = f"for {100.0 * found.level:.0f} % of new runs of this kind"
+    for name, factor in (("rms", found.rms_factor), ("maximum", found.max_factor)):
+        yield ours(f"left out: factor of the contour {name}", "both runs", factor, "", note)
 
 
 def _beside(name: str, case: str, there: float, here: float) -> Row:
