@@ -59,20 +59,26 @@ class CrossValidation:
 
 
 def new_run_factor(measured: Sequence[float], simulated: Sequence[float]) -> float:
-    """Return the largest factor between measured and simulated figures (n,) of runs that were held out.
+    """Return the factor within which a new run's measured figure lies around its simulated one, in n of n + 1 cases.
+
+    Parameters
+    ----------
+    measured, simulated : sequence of float (n,), n > 1
+        Figures of runs that were left out.
 
     Notes
     -----
-    If a new run is like these, each of the n + 1 is equally likely to be the farthest off: the new one lies within the factor in n of n + 1
-    cases, whatever the distribution. The new run is predicted from n runs, the others from n - 1 each.
-
-    References
-    ----------
-    Vovk, Gammerman & Shafer, "Algorithmic learning in a random world", 2005, chapter 2 (conformal prediction); Barber, Candes, Ramdas &
-    Tibshirani, "Predictive inference with the jackknife+", Annals of Statistics 49 (2021), for predictions that leave one out.
+    With e = ln(measured/simulated), the factor is exp(t rms(e) sqrt(n^2 - 1)/n), where t is the quantile of Student's distribution with
+    n - 1 degrees of freedom. It is exact if each run has its own normal value of e, and the mean of the others predicts it: the errors of n
+    runs left out then share these n values and sum to zero. If the errors are independent, it contains up to 6 % more of the new runs
+    (n = 2). A higher share needs more runs: for two, 90 % would take 5.5 times the rms in place of 1.5.
     """
-    ratios = np.log(np.maximum(measured, LEAST)) - np.log(np.maximum(simulated, LEAST))
-    return math.exp(float(np.abs(ratios).max()))
+    from scipy.stats import t
+
+    n = len(measured)
+    errors = np.log(np.maximum(measured, LEAST)) - np.log(np.maximum(simulated, LEAST))
+    quantile = float(t.ppf(0.5 + 0.5 * n / (n + 1), n - 1))
+    return math.exp(quantile * math.sqrt(n * n - 1) / n * float(np.sqrt(np.mean(errors**2))))
 
 
 def cross_validated(

@@ -110,7 +110,7 @@ def unseen(runs: dict[str, LogRun], stage: Callable[[str], object] | None = None
 
 
 def left_out(runs: dict[str, LogRun]) -> CrossValidation:
-    """Leave out each run in turn: physics from the other run, its own gains from the first half of its motion, its second half predicted."""
+    """Leave out each run in turn: physics from the other run, gains from the first half of its motion, its second half predicted."""
     wanted = [*PHYSICS, *CONTROLLERS["lead-lag"], *CONTROLLERS["pole-placement"]]
     found = cross_validated(refine([_forgotten(run) for run in runs.values()], wanted, settings=QUICK), QUICK)[1]
     assert found is not None  # two runs that share physics
