@@ -345,6 +345,7 @@ def test_several_logs_are_left_out_in_turn(scene: Path, tmp_path: Path, capsys: 
     # Friction of 40 N in one log and 48 N in the other.
     assert parameters(found)["axes.x.friction.coulomb"]["deviation"] == pytest.approx(4.0, rel=0.1)
     assert 'deviation = "4' in out.read_text()
+    assert main(typed) == 0 and "\nleft out  " in capsys.readouterr().out
     assert main(words(scene, "--json")) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["cross_validation"] is None and "CL567" in {code for code, _ in codes(found)}
