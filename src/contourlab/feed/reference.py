@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
@@ -199,7 +200,7 @@ class Reference:
         """Return the progress (n,) [m] along `programmed` for a progress (n,) [m] along `path`; both may count laps."""
         return place_on_programmed(self.correspondence, self.path, self.programmed, arc_length)
 
-    @property
+    @cached_property
     def digest(self) -> str:
         """Stable hash of all data that determine the samples."""
         text = hashlib.sha256()

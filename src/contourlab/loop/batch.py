@@ -183,7 +183,9 @@ def _checked(machine: Machine, controller: Controller, variants: Mapping[str, Ar
             raise ParameterError("variants", name, "a parameter of the machine or controller, such as " + ", ".join(list(known)[:3]))
         part, parameter = known[name]
         try:
-            columns[name] = np.atleast_1d(np.asarray(values, dtype=float))
+            columns[name] = np.atleast_1d(np.asarray(values)).astype(float, casting="same_kind")
+            if columns[name].ndim != 1:
+                raise ValueError
             # Minimum and maximum suffice; NaN is both.
             for value in (columns[name].min(), columns[name].max()) if columns[name].size else ():
                 part.parameters[parameter].check(float(value))

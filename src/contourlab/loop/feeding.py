@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -75,6 +76,9 @@ class Feed:
     """
 
     def __init__(self, machine: Machine, controller: Controller, reference: Reference, learned: Learned | None, fill: Any) -> None:
+        if not math.isclose(reference.servo_period, machine.servo_period, rel_tol=1e-9):
+            asked = f"{machine.servo_period:g} s, the servo period of the machine"
+            raise ParameterError("reference", f"sampled at {reference.servo_period:g} s", asked)
         if learned is not None:
             learned.check(reference.n_sample, reference.n_axis)
         self.reference, self.learned, self._fill = reference, learned, fill

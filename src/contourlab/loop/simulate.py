@@ -178,7 +178,7 @@ def result_of(
         attributes={
             "machine": machine.name,
             "seed": seed,
-            "path": reference.path.digest,
+            "reference_digest": reference.digest,
             **{f"command_limit_{axis.name}": float(getattr(axis.drive, "limit", math.inf)) for axis in machine.axes},
         },
         start=start,

@@ -40,6 +40,7 @@ from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.plant_nodes import add_plants
 from contourlab.loop.sensing import Sensing
 from contourlab.loop.supervision import ACCEPTED, conditioned, handover_parameters, handover_step
+from contourlab.loop.tool import check_seed
 
 NOTHING = "none.value"
 """Signal, always zero, of an axis without a part that others have."""
@@ -304,6 +305,7 @@ def build(
     -----
     The last few loops are kept: a run of the same objects again starts at once.
     """
+    check_seed(seed)
     used = (machine, *controller.axes.values(), controller.estimator, controller.coupling, path, view)
     moving = None if velocity is None else velocity.tobytes()
     key = (*map(id, used), *controller.axes, start.tobytes(), progress, seed, trial, fed, moving, handover_time)

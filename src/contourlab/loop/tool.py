@@ -7,8 +7,15 @@ import hashlib
 import numpy as np
 
 from contourlab.arrays import Array
+from contourlab.errors import ParameterError
 from contourlab.loop.machine import Machine
 from contourlab.primitives import normal
+
+
+def check_seed(seed: object) -> None:
+    """Raise ParameterError unless a seed is a whole number >= 0."""
+    if not isinstance(seed, int | np.integer) or seed < 0:
+        raise ParameterError("seed", repr(seed), "a whole number >= 0")
 
 
 def stream_of(seed: int, *words: object) -> float:

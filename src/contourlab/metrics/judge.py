@@ -42,13 +42,15 @@ def judge(result: Result, reference: Reference) -> Result:
     Raises
     ------
     ResultError
-        If a position is not finite, or the result and the path have different axes.
+        If a position is not finite, the result and the path have different axes, or the result is of another reference.
 
     Notes
     -----
     Signals ``contour_error``, ``part_error``, ``planning_deviation``, ``foot_arc_length`` (on the programmed path) and ``tracking_error``:
     the reference less the true axis positions, or less the tool position if those were not recorded.
     """
+    if result.attributes.get("reference_digest", reference.digest) != reference.digest:
+        raise ResultError(f"{result.scheme} is the result of another reference: judge it with the one it was simulated along")
     tool, wanted, along = result["tool_position"], result["reference"], result["arc_length"]
     for name in ("tool_position", "reference", "arc_length"):
         _check_finite(result, name)

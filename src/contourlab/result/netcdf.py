@@ -1,14 +1,19 @@
-"""Results on disk: NetCDF-4, appended block by block so that memory does not grow with the run."""
+"""Results on disk: NetCDF-4, appended block by block so that memory does not grow with the run.
+
+A SHA-256 digest of the file follows its NetCDF part, whose readers ignore it. It is checked before HDF5 sees the file: from a damaged one
+HDF5 returns wrong numbers, never returns, or ends the process.
+"""
 
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import io
 import os
 from collections.abc import Mapping
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -67,6 +72,8 @@ class Spool(io.FileIO):
 
 
 _CHUNK = 1 << 14
+FORMAT = "contourlab-result/2"
+_DIGEST = hashlib.sha256().digest_size
 _FIXED = ("format", "scheme", "axes", "servo_period", "start", "status_ok", "status_sample", "status_axis", "status_reason")
 
 
@@ -176,6 +183,7 @@ class ResultWriter:
             for name, value in self.header.items():
                 self._note(name, value)
             self._data.close()
+            self._spool.write(_digest(self._spool, self._spool.seek(0, io.SEEK_END)))
             self._spool.check()
 
     def _note(self, name: str, value: str | int | float) -> None:
@@ -192,16 +200,35 @@ def _text_type() -> Any:
     return h5py.string_dtype("utf-8")
 
 
+def _digest(stream: BinaryIO, size: int) -> bytes:
+    """Return the digest of the first `size` bytes of a file; leave it there."""
+    stream.seek(0)
+    digest, left = hashlib.sha256(), size
+    while left and (part := stream.read(min(left, 1 << 20))):
+        digest.update(part)
+        left -= len(part)
+    return digest.digest()
+
+
+def _check_digest(file: str | Path) -> None:
+    with Path(file).open("rb") as stream:
+        size = stream.seek(0, io.SEEK_END) - _DIGEST
+        if _digest(stream, max(size, 0)) != stream.read():
+            raise ResultError(f"{file}: no result of contourlab, or damaged or changed since it was written")
+
+
 def read_netcdf(file: str | Path) -> dict[str, Any]:
     """Return the arguments of a `Result` from its file; see `Result.load`."""
     import h5netcdf
     import h5py
 
     try:
+        _check_digest(file)
         # h5py first: if the root of the file is damaged, h5netcdf fails again in its own clean-up.
         with h5py.File(file, "r") as raw:
             header = {name: _plain(value) for name, value in raw.attrs.items() if not name.startswith("_")}
-            _check_header(file, header)
+            if header["format"] != FORMAT:
+                raise ResultError(f"{file}: a result of format {header['format']}: this version of contourlab reads {FORMAT}")
             with h5netcdf.File(raw, "r", decode_vlen_strings=True) as data:
                 axes = tuple(str(name) for name in data.variables["axis"][:])
                 signals = {
@@ -211,15 +238,7 @@ def read_netcdf(file: str | Path) -> dict[str, Any]:
                 }
         return _arguments(header, axes, signals)
     except (OSError, KeyError, RuntimeError, TypeError, ValueError) as error:
-        raise ResultError(f"{file}: cannot be read as a result: {error}") from error
-
-
-def _check_header(file: str | Path, header: Mapping[str, Any]) -> None:
-    if header.get("format") != "contourlab-result/1":
-        raise ResultError(f"{file}: is not a contourlab result (attribute format = {header.get('format')!r})")
-    missing = [name for name in _FIXED if name not in header]
-    if missing:
-        raise ResultError(f"{file}: cannot be read as a result: {missing[0]} is missing")
+        raise ResultError(f"{file}: cannot be read as a result: {getattr(error, 'strerror', None) or error}") from error
 
 
 def _arguments(header: Mapping[str, Any], axes: tuple[str, ...], signals: Mapping[str, Signal]) -> dict[str, Any]:

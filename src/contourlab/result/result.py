@@ -11,7 +11,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import ResultError
-from contourlab.result.netcdf import ResultWriter, read_netcdf
+from contourlab.result.netcdf import FORMAT, ResultWriter, read_netcdf
 from contourlab.result.signals import Signal, Status
 
 if TYPE_CHECKING:
@@ -110,7 +110,7 @@ class Result:
     def header(self) -> dict[str, str | int | float]:
         """Return everything except the signals, as a flat mapping."""
         return {
-            "format": "contourlab-result/1",
+            "format": FORMAT,
             "scheme": self.scheme,
             "axes": " ".join(self.axes),
             "servo_period": self.servo_period,

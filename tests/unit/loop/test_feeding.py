@@ -192,6 +192,28 @@ def test_non_finite_tables_are_refused(circle: cl.Reference) -> None:
         Learned(reference=np.full((circle.n_sample, 2), np.nan))
 
 
+def test_a_reference_of_another_servo_period_is_refused(circle: cl.Reference) -> None:
+    faster = replace(stage(), servo_period=0.25 * PERIOD)
+    name = next(iter(cl.parameter_names(faster, control())))
+    with refuses(ParameterError, name="reference"):
+        cl.simulate(faster, control(), circle)
+    with refuses(ParameterError, name="reference"):
+        cl.simulate_batch(faster, control(), circle, {name: [1.0]})
+
+
+@pytest.mark.parametrize("seed", [-1, 1.5, float("nan"), None, "7"])
+def test_a_seed_is_a_whole_number(circle: cl.Reference, seed: Any) -> None:
+    with refuses(ParameterError, name="seed"):
+        cl.simulate(stage(), control(), circle, seed=seed)
+
+
+@pytest.mark.parametrize("values", [[1.0 + 1.0j], [[1.0, 2.0]], ["a"], [None]])
+def test_variants_are_real_numbers_in_one_row(circle: cl.Reference, values: Any) -> None:
+    name = next(iter(cl.parameter_names(stage(), control())))
+    with refuses(ParameterError, name="variants"):
+        cl.simulate_batch(stage(), control(), circle, {name: values})
+
+
 def test_a_controller_without_an_additive_input_is_named(circle: cl.Reference) -> None:
     machine = stage(**QUIET)
     axes = {**control(coupled=False).axes, "y": cl.AxisController(Deaf())}

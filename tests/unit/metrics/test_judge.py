@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -202,6 +203,14 @@ def test_axes_other_than_those_of_the_path() -> None:
     result = made_run(ring, ring.block(0, 50).position)
     with pytest.raises(ResultError, match=r"axes x, y .*3 coordinates"):
         judge(result, samples_on(line, np.linspace(0.0, 1.0, 50)))
+
+
+def test_a_result_of_another_reference_is_refused() -> None:
+    ring, half = circle_laps(50), samples_on(Path([Line((0.0, 0.0), (1.0, 0.0))]), np.linspace(0.0, 1.0, 50))
+    result = replace(made_run(ring, ring.block(0, 50).position), attributes={"reference_digest": ring.digest})
+    judge(result, ring)
+    with pytest.raises(ResultError):
+        judge(result, half)
 
 
 def test_a_missing_signal_is_reported_by_name() -> None:

@@ -6,7 +6,6 @@ import tempfile
 from itertools import pairwise
 from pathlib import Path
 
-import h5netcdf
 import h5py
 import numpy as np
 import pytest
@@ -151,7 +150,7 @@ def test_blocks_with_other_signals(tmp_path: Path) -> None:
 
 
 def test_no_such_file(tmp_path: Path) -> None:
-    with pytest.raises(ResultError, match=r"none\.nc: .*errno = 2"):
+    with pytest.raises(ResultError, match=r"none\.nc: "):
         Result.load(tmp_path / "none.nc")
 
 
@@ -164,42 +163,44 @@ def test_files_of_another_kind(tmp_path: Path, content: bytes) -> None:
 
 
 def test_a_folder_is_no_file(tmp_path: Path) -> None:
-    with pytest.raises(ResultError, match="errno = 21"):
+    with pytest.raises(ResultError):
         Result.load(tmp_path)
 
 
 def test_netcdf_of_another_program(tmp_path: Path) -> None:
     file = tmp_path / "sea.nc"
     xarray.Dataset({"temperature": ("time", [1.0, 2.0])}).to_netcdf(file, engine="h5netcdf")
-    with pytest.raises(ResultError, match=r"sea\.nc: .*format = None"):
+    with pytest.raises(ResultError, match=r"sea\.nc: "):
         Result.load(file)
 
 
 def test_a_format_of_the_future(tmp_path: Path) -> None:
     file = tmp_path / "run.nc"
-    plain().save(file)
-    with h5py.File(file, "a") as raw:
-        raw.attrs["format"] = "contourlab-result/2"
-    with pytest.raises(ResultError, match="contourlab-result/2"):
+    whole = plain()
+    with ResultWriter(file, {**whole.header(), "format": "contourlab-result/3"}, whole.axes) as writer:
+        writer.append(whole.signals)
+    with pytest.raises(ResultError, match="contourlab-result/3"):
         Result.load(file)
 
 
-@pytest.mark.parametrize("lost", ["scheme", "servo_period", "start", "status_ok", "status_sample", "status_axis", "status_reason"])
-def test_a_header_with_something_missing(tmp_path: Path, lost: str) -> None:
+def test_every_flipped_bit_is_found(tmp_path: Path) -> None:
+    file = tmp_path / "run.nc"
+    plain(40).save(file)
+    content, draw = file.read_bytes(), np.random.default_rng(1)
+    for at in draw.integers(0, 8 * len(content), 400).tolist():
+        damaged = bytearray(content)
+        damaged[at // 8] ^= 1 << at % 8
+        file.write_bytes(damaged)
+        with pytest.raises(ResultError):
+            Result.load(file)
+
+
+def test_a_file_that_another_program_changed_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "run.nc"
     plain().save(file)
     with h5py.File(file, "a") as raw:
-        del raw.attrs[lost]
-    with pytest.raises(ResultError, match=f"{lost} is missing"):
-        Result.load(file)
-
-
-def test_a_signal_of_odd_shape(tmp_path: Path) -> None:
-    file = tmp_path / "run.nc"
-    plain().save(file)
-    with h5netcdf.File(file, "a") as data:
-        data.create_variable("odd", ("axis",), float).attrs["units"] = "m"
-    with pytest.raises(ResultError, match="dimensions"):
+        raw["position"][0] = 1.0 + raw["position"][0]
+    with pytest.raises(ResultError):
         Result.load(file)
 
 
