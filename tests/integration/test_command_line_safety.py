@@ -15,8 +15,21 @@ from pathlib import Path
 import pytest
 from typed_commands import CIRCLE, COMMAND, ON_XYZ, PART, Finished, Run, contents, environment
 
-from contourlab.app.results import LIST
+from contourlab.app.results import LIST, check_file
 
+DRAG = """from contourlab.components.contract import Component, param
+
+class Drag(Component):
+    'Drag.'
+    family, kind, law = 'friction', 'open-drag', 'smooth'
+    example = {'coefficient': 40.0}
+    reference = 'none'
+    coefficient: float = param(unit='{force}*s/m', minimum=0.0, doc='c')
+
+    @staticmethod
+    def force(par, v):
+        return par.coefficient * v
+"""
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, pipes and limits of a POSIX system")
 
 
@@ -70,6 +83,40 @@ def test_an_interrupt_while_results_are_written_keeps_the_old_ones(old_results: 
         process.kill()
     assert (process.returncode, err) == (130, b"contourlab: interrupted\n")
     assert contents(old_results) == before
+
+
+@POSIX
+@pytest.mark.parametrize("renames", [0, 2, 4, 6, 8])
+def test_what_a_killed_run_left_is_undone_by_the_next(old_results: Path, tmp_path: Path, renames: int) -> None:
+    (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm"), encoding="utf-8")
+    before = contents(old_results)
+    # The process ends at once at a rename: of a finished file in the temporary folder, of an older result, or of a new one.
+    script = (
+        "import os, pathlib, sys\nfrom contourlab.cli.main import main\nplain, left = pathlib.Path.replace, [int(sys.argv.pop(1))]\n"
+        "def replace(self, target):\n    left[0] -= '.contourlab-' in f'{self}{target}'\n    if left[0] < 0: os._exit(9)\n"
+        "    return plain(self, target)\npathlib.Path.replace = replace\nsys.exit(main())"
+    )
+    words = [sys.executable, "-c", script, str(renames), "run", "other.toml", "--out", "results"]
+    assert subprocess.run(words, cwd=tmp_path, env=environment(), check=False).returncode == 9
+    assert list(old_results.glob(".contourlab-*"))
+    check_file(old_results / "any.txt")
+    assert contents(old_results) == before
+
+
+def test_the_journal_of_an_exchange_cannot_move_other_files(tmp_path: Path) -> None:
+    stage, other = tmp_path / "results" / ".contourlab-x", tmp_path / "mine.txt"
+    stage.mkdir(parents=True)
+    (stage / "held").touch()
+    (stage / "previous-0").write_text("foreign", encoding="utf-8")
+    (stage / "exchange.json").write_text(json.dumps({"away": ["../mine.txt"], "new": [], "list": None}), encoding="utf-8")
+    check_file(tmp_path / "results" / "any.txt")
+    assert not stage.exists() and not other.exists()
+
+
+def test_an_empty_argument_is_2(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
+    assert contourlab("run", "circle.toml", "--out", "").code == 2
+    assert not (tmp_path / "report.html").exists()
 
 
 def test_older_results_are_replaced_whole_and_other_files_are_left_alone(contourlab: Run, old_results: Path, tmp_path: Path) -> None:
@@ -182,21 +229,25 @@ def test_a_program_named_on_the_command_line_is_named_first(contourlab: Run, tmp
     assert contourlab("run", name, *ON_XYZ).err.startswith(f"contourlab: {name}: ")
 
 
-def test_a_plugin_that_exits_is_a_fault_of_the_plugin(contourlab: Run, tmp_path: Path) -> None:
-    (tmp_path / "leaves.py").write_text("raise SystemExit(0)\n", encoding="utf-8")
+@pytest.mark.parametrize("error", ["SystemExit(0)", "type('Odd', (BaseException,), {})('boo')"])
+def test_a_plugin_that_exits_is_a_fault_of_the_plugin(contourlab: Run, tmp_path: Path, error: str) -> None:
+    (tmp_path / "leaves.py").write_text(f"raise {error}\n", encoding="utf-8")
     said = contourlab("components", "--plugin", "leaves.py")
     assert said.code == 2
-    assert said.err.startswith("contourlab: leaves.py: ") and "SystemExit" in said.err and said.err.count("\n") == 1
+    assert said.err.startswith("contourlab: leaves.py: ") and said.err.count("\n") == 1
+
+
+@pytest.mark.parametrize("force", ["math.nan", "par.coeficient * v", "par.coefficient * v"])
+def test_the_components_of_a_plugin_are_checked(contourlab: Run, tmp_path: Path, force: str) -> None:
+    good = force == "par.coefficient * v"
+    (tmp_path / "drag.py").write_text("import math\n" + DRAG.replace("par.coefficient * v", force), encoding="utf-8")
+    said = contourlab("components", "--plugin", "drag.py", "open-drag")
+    assert said.code == (0 if good else 2)
+    assert good or (said.err.count("\n") == 1 and "drag.py: Drag: " in said.err)
 
 
 def test_the_recorded_command_can_be_typed_again(contourlab: Run, tmp_path: Path) -> None:
-    (tmp_path / "drag.py").write_text(
-        "from contourlab.components.contract import Component, param\n\n\nclass Drag(Component):\n    '''Drag.'''\n\n"
-        "    family = 'friction'\n    kind = 'open-drag'\n    law = 'smooth'\n    example = {'coefficient': 40.0}\n    reference = 'none'\n"
-        "    coefficient: float = param(unit='{force}*s/m', minimum=0.0, doc='c')\n\n"
-        "    @staticmethod\n    def force(par, v):\n        return par.coefficient * v\n",
-        encoding="utf-8",
-    )
+    (tmp_path / "drag.py").write_text(DRAG, encoding="utf-8")
     (tmp_path / "part.ngc").write_text(PART, encoding="utf-8")
     said = contourlab("run", "part.ngc", *ON_XYZ, "--plugin", "drag.py", "--out", "results", "--json")
     assert "--plugin drag.py" in json.loads(said.out)["command"]

@@ -1,23 +1,33 @@
 """Folders of results: new results replace those of the previous run all at once, and only if the run succeeds.
 
 A run writes into a temporary folder inside the folder of results, and its files are then renamed into place. A list in the folder holds
-the files that contourlab wrote, each with its summary. No other file is ever replaced.
+the files that contourlab wrote, each with its summary. No other file is ever replaced. What a killed run left is undone and removed by the
+next one.
 """
 
 from __future__ import annotations
 
 import json
+import logging
 import os
 import shutil
+import sys
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
-from pathlib import Path
+from pathlib import Path, PurePosixPath
+from typing import BinaryIO
 
 from contourlab.errors import OutputError, ParameterError
 
 LIST = ".contourlab.json"
 """File name of the list."""
+_STAGE = ".contourlab-"
+"""Prefix of temporary folders."""
+_HELD = "held"
+"""File in a temporary folder that its process keeps locked."""
+_JOURNAL = "exchange.json"
+"""File in a temporary folder from the first rename to the last: what `_undo` needs."""
 _RESULTS = (
     *("report.html", "signals/*.nc", "switches/*.csv", "learned/*.nc", "controllers/*.toml"),
     *("plots/*.png", "plots/*.svg", "plots/*.pdf"),
@@ -153,40 +163,76 @@ def _written_with(summary: str, listed: Mapping[str, str]) -> list[str]:
 
 def _exchange(stage: Path, folder: Path, summary: str, new: Iterable[str]) -> None:
     """Swap the previous results in `folder` for the new ones in `stage` by renaming; undo everything on an error or interrupt."""
-    before = _listed(folder)
+    before, new = _listed(folder), list(new)
     previous = _written_with(summary, before)
     added = {name: _SINGLE if not summary or name.startswith(_PRODUCTS) else summary for name in new}
-    list_before = (folder / LIST).read_bytes() if (folder / LIST).exists() else None
-    moved: list[tuple[Path, Path]] = []
-
-    def move(path: Path, target: Path) -> None:
-        moved.append((path, target))  # before the rename: an interrupt may come between the two
-        path.replace(target)
-
-    def put_away(name: str) -> None:
-        if os.path.lexists(folder / name):
-            move(folder / name, stage / f"previous-{len(moved)}")
-
+    away = [name for name in dict.fromkeys([*previous, *new]) if os.path.lexists(folder / name)]
+    listed = (folder / LIST).read_text(encoding="utf-8") if (folder / LIST).exists() else None
+    (stage / _JOURNAL).write_text(json.dumps({"away": away, "new": new, "list": listed}), encoding="utf-8")
     try:
-        # If the process is killed below, the folder may hold previous and new results; the list names both.
         _save_list({**before, **added}, stage, folder)
-        for name in previous:
-            put_away(name)
-        for name in new:
-            (folder / name).parent.mkdir(exist_ok=True)
-            put_away(name)
-            move(stage / name, folder / name)
+        for path, target in _moves(stage, folder, away, new):
+            target.parent.mkdir(exist_ok=True)
+            path.replace(target)
         _save_list({name: its for name, its in before.items() if name not in previous} | added, stage, folder)
+        (stage / _JOURNAL).unlink()
     except BaseException as error:
-        for path, target in reversed(moved):
-            with suppress(OSError):
-                target.replace(path)
-        (folder / LIST).unlink(missing_ok=True) if list_before is None else (folder / LIST).write_bytes(list_before)
+        _undo(stage, folder)
         if isinstance(error, OSError):
             raise OutputError(f"{folder}: cannot be written: {error.strerror or error}") from error
         raise
     finally:
         _remove_empty(folder / name for name in {pattern.partition("/")[0] for pattern in _RESULTS if "/" in pattern})
+
+
+def _moves(stage: Path, folder: Path, away: Iterable[str], new: Iterable[str]) -> list[tuple[Path, Path]]:
+    """Return the renames of an exchange: first older files out of the way, then new ones into place."""
+    older = [(folder / name, stage / f"previous-{k}") for k, name in enumerate(away)]
+    return older + [(stage / name, folder / name) for name in new]
+
+
+def _undo(stage: Path, folder: Path) -> bool:
+    """Undo the renames that were done, by the journal of the exchange; return whether there was one."""
+    try:
+        journal = json.loads((stage / _JOURNAL).read_text(encoding="utf-8"))
+        away, new, listed = journal["away"], journal["new"], journal["list"]
+        if not all(map(_is_result, (*away, *new))):  # a journal from elsewhere must not move other files
+            return False
+    except (OSError, ValueError, KeyError, TypeError):
+        return False
+    for path, target in reversed(_moves(stage, folder, away, new)):
+        if os.path.lexists(target) and not os.path.lexists(path):
+            with suppress(OSError):
+                target.replace(path)
+    (folder / LIST).unlink(missing_ok=True) if listed is None else (folder / LIST).write_text(listed, encoding="utf-8")
+    return True
+
+
+def _is_result(name: str) -> bool:
+    """Return whether a run may write a file of this name, relative to its folder."""
+    path = PurePosixPath(name)
+    return ".." not in path.parts and any(len(path.parts) == pattern.count("/") + 1 and path.match(pattern) for pattern in _RESULTS)
+
+
+def _clean_up(folder: Path) -> None:
+    """Undo and remove what processes that were killed have left in a folder."""
+    if sys.platform == "win32":  # has no such locks
+        return
+    for stage in folder.glob(f"{_STAGE}*"):
+        with suppress(OSError), (stage / _HELD).open("r+b") as stream:
+            _lock(stream)
+            undone = _undo(stage, folder)
+            shutil.rmtree(stage, ignore_errors=True)
+            what = "the results from before it are back" if undone else "its unfinished results are removed"
+            logging.getLogger("contourlab").warning("contourlab: %s: an earlier run was killed: %s", folder, what)
+
+
+def _lock(stream: BinaryIO) -> None:
+    """Lock a file until it is closed or its process ends; OSError if another process holds it, or the file system has no locks."""
+    if sys.platform != "win32":
+        import fcntl
+
+        fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
 @contextmanager
@@ -195,12 +241,16 @@ def _temporary(folder: Path, option: str) -> Iterator[Path]:
     made = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        stage = Path(tempfile.mkdtemp(dir=folder, prefix=".contourlab-"))
+        _clean_up(folder)
+        stage = Path(tempfile.mkdtemp(dir=folder, prefix=_STAGE))
     except OSError as error:
         _remove_empty(made)
         raise OutputError(f"{folder}: cannot be written: {error.strerror or error}; choose another folder with {option}") from error
     try:
-        yield stage
+        with (stage / _HELD).open("wb") as stream:
+            with suppress(OSError):
+                _lock(stream)
+            yield stage
     finally:
         shutil.rmtree(stage, ignore_errors=True)
         _remove_empty(made)

@@ -111,13 +111,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if hasattr(stream, "reconfigure"):  # unsupported characters become question marks instead of errors
             stream.reconfigure(errors="replace")
     try:
+        if "" in given:  # would become the present folder, or a file of no name
+            raise ParameterError("argument", f"{given.index('') + 1} of the command line is empty", "given, or left out with its option")
         code = _call(given or ["--help"])
         sys.stdout.flush()
         return code
     except BrokenPipeError:
         silence()
         return 0
-    except (Exception, KeyboardInterrupt) as error:
+    except BaseException as error:  # a plug-in may raise anything
         if debug:
             import traceback
 

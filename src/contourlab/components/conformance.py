@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from dataclasses import replace
 from typing import Any
 
@@ -107,7 +108,8 @@ def check_component(kind: type[Component], *, jit: bool = True) -> None:
 
 
 def _fault(kind: type[Component], message: str) -> ComponentError:
-    return ComponentError(f"{kind.__module__}.{kind.__name__}: {message}")
+    file = getattr(sys.modules.get(kind.__module__), "__file__", kind.__module__)
+    return ComponentError(f"{file}: {kind.__name__}: {message}")
 
 
 def _check_declaration(kind: type[Component]) -> None:
@@ -244,7 +246,9 @@ def _gap(one: Array, other: Array) -> float:
 def _check_running(kind: type[Component], part: Component, scale: float, jit: bool) -> None:
     try:
         plain = _run(part, scale, False)
-    except Exception as error:  # third-party code may raise anything
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # third-party code may raise anything
         raise _fault(kind, f"its step fails in plain Python: {type(error).__name__}: {error}") from error
     if not np.isfinite(plain).all():
         raise _fault(kind, "an output or a state is not finite")

@@ -74,7 +74,9 @@ def load_plugin(file: str | Path) -> list[type[Component]]:
     sys.modules[name] = module
     try:
         spec.loader.exec_module(module)
-    except (Exception, SystemExit) as error:  # a plug-in may raise anything
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # a plug-in may raise anything
         sys.modules.pop(name, None)
         raise ComponentError(f"{file}: cannot be imported: {type(error).__name__}: {error}") from error
     kinds = _declared(module)

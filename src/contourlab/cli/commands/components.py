@@ -17,15 +17,17 @@ def components(
         typer.Argument(metavar="KIND", help="A family (plant), a kind (rigid-axis) or both (plant/rigid-axis).", show_default=False),
     ] = None,
     as_json: Json = False,
-    plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; repeatable.")] = None,
+    plugin: Annotated[list[Path] | None, typer.Option(help="Load and check the components of a Python file; repeatable.")] = None,
 ) -> int:
     """List the components; show a family or one component with all parameters."""
+    from contourlab.components.conformance import check_component
     from contourlab.components.registry import components as known
     from contourlab.components.registry import load_plugin
     from contourlab.features.components.description import chosen, describe, details, overview
 
     for file in {file.resolve(): file for file in plugin or ()}.values():
-        load_plugin(file)
+        for kind in load_plugin(file):
+            check_component(kind)
     kinds = chosen(name, known())
     if as_json:
         emit_json([describe(kind) for kind in kinds])
