@@ -218,3 +218,30 @@ def test_a_machine_may_hold_a_component_from_a_loose_file(contourlab: Run, tmp_p
     assert without.code == 2
     assert all(part in without.err for part in ("axes.x.friction.kind: ", "'drag-of-a-test'"))
     assert not (tmp_path / "none").exists()
+
+
+LATE = """machine = "builtin:xyz"
+controller = "builtin:xyz-controller"
+program = "line.ngc"
+[run]
+tolerance = "2 um"
+[schemes.late]
+axes.x.drive.limit = "0.6 A"
+"""
+
+
+def test_a_tool_that_skips_part_of_the_path_is_told_beside_the_verdict(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "late.toml").write_text(LATE, encoding="utf-8")
+    (tmp_path / "line.ngc").write_text("G21 G90 G64\nG0 X0 Y0\nG1 X20 F3000\nM2\n", encoding="utf-8")
+    said = contourlab("run", "late.toml", "--out", "results")
+    verdict = strict((tmp_path / "results" / "summary.json").read_text(encoding="utf-8"))["schemes"]["late"]["verdict"]
+    assert (said.code, verdict["passed"]) == (1, False)
+    assert verdict["worst"]["value"] <= verdict["tolerance"] < verdict["left_out"]
+    line = next(line for line in said.out.splitlines() if "FAIL" in line)
+    assert f"{1e3 * verdict['left_out']:.3g} mm" in line
+
+
+@pytest.mark.parametrize(("feed", "told"), [(100, False), (90000, True)])
+def test_a_feed_that_is_never_reached_is_told(contourlab: Run, tmp_path: Path, feed: int, told: bool) -> None:
+    (tmp_path / "line.ngc").write_text(f"G21 G90 G64\nG1 X20 F{feed}\nM2\n", encoding="utf-8")
+    assert ("CL105" in contourlab("run", "line.ngc", *ON_XYZ, "--out", "results").out) is told

@@ -339,8 +339,10 @@ def _ending(outcome: Outcome, shared: Sequence[Finding]) -> Iterator[str]:
     if verdict is not None:
         worst = verdict.worst
         where = f"line {worst.line}" if worst.line else "(" + ", ".join(f"{x * 1e3:.3f}" for x in worst.position) + ") mm"
+        # An error within the tolerance alone would not explain the verdict.
+        skips = f"the tool skips {figure(verdict.left_out, 'mm')} of the path, " if verdict.left_out else ""
         yield (
-            f"{outcome.name}: {'PASS' if verdict.passed else 'FAIL'}, largest part error {figure(worst.value, 'um')} against "
+            f"{outcome.name}: {'PASS' if verdict.passed else 'FAIL'}, {skips}largest part error {figure(worst.value, 'um')} against "
             f"{figure(verdict.tolerance, 'um')}, at {where}, t = {worst.time:.3f} s"
         )
         main = [f"{cause.name} {cause.contribution * 1e6:+.3g} um" for cause in verdict.causes if cause.share >= 0.02]

@@ -8,6 +8,8 @@ from contextlib import suppress
 from dataclasses import dataclass
 from time import perf_counter
 
+import numpy as np
+
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis, learning_analysis
 from contourlab.analysis.linear.contour_transfer import InternalStability, internal_stability
 from contourlab.analysis.linear.margins import Margins
@@ -21,6 +23,7 @@ from contourlab.features.run.trust.interval import contour_interval
 from contourlab.features.run.trust.provenance import trust_of
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
+from contourlab.feed.binding import NEAR_FEED
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.loop.feeding import Feed
@@ -199,12 +202,25 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
             yield finding("CL101", place=f"axis {axis.name}")
         if isinstance(loop.supervisor, PreRouted):
             yield from _unreached(axis.name, loop.supervisor, reference)
+    yield from _feed_never_reached(case, reference)
     last = reference.n_sample * reference.servo_period
     for change in case.changes:
         if change.sample(reference.servo_period) >= reference.n_sample:
             yield finding("CL104", time=change.time, end=last)
     if foretold is not None:
         yield from learning_findings(foretold)
+
+
+def _feed_never_reached(case: Case, reference: Reference) -> Iterator[Finding]:
+    """Yield a finding where the programmed feed is nowhere reached on a feed move."""
+    profile, route = reference.profile, case.route()
+    if profile is None or route is None:
+        return
+    curve = reference.path.curve_index(profile.s0)
+    used = np.where(route.rapid[curve], 0.0, profile.v0 / route.feedrate[curve])
+    best = int(np.argmax(used))
+    if 0.0 < used[best] < NEAR_FEED:
+        yield finding("CL105", feed=float(route.feedrate[curve[best]]), reached=float(profile.v0[best]))
 
 
 def coupling_findings(stability: InternalStability) -> Iterator[Finding]:
