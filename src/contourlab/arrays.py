@@ -1,10 +1,11 @@
-"""Array types by type of element, and arrays aligned for the processor."""
+"""Array types by type of element, and what arrays need of the machine: short rows, cache lines, memory."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
 from functools import reduce
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +21,15 @@ _CACHE_LINE = 64
 def across(combine: Callable[[Array, Array], Array], rows: Array) -> Array:
     """Combine the columns of short rows (n, m) to (n,), for example by np.minimum; NumPy's own reduction takes ten times as long."""
     return reduce(combine, rows.T)
+
+
+def free_memory() -> float:
+    """Return the memory that is available [bytes]; inf where the system does not tell."""
+    try:
+        lines = Path("/proc/meminfo").read_text(encoding="ascii").splitlines()
+        return 1024.0 * next(float(line.split()[1]) for line in lines if line.startswith("MemAvailable:"))
+    except (OSError, StopIteration, ValueError):
+        return math.inf
 
 
 def aligned(shape: tuple[int, ...]) -> Array:

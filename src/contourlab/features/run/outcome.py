@@ -14,6 +14,7 @@ from contourlab.analysis.learning.learning_analysis import LearningAnalysis, lea
 from contourlab.analysis.linear.contour_transfer import InternalStability, internal_stability
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import AxisResponse, sampled_loop
+from contourlab.arrays import free_memory
 from contourlab.components.supervisor.pre_routed import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
@@ -38,6 +39,8 @@ from contourlab.scenario import Case
 KEPT_REPORTS = 16
 _REPORTS: dict[tuple[str, bytes, bytes, bytes], LimitReport] = {}
 """The latest reports by motion and limits: schemes of a file mostly share both, and a report reads the whole motion."""
+BYTES, BYTES_PER_AXIS = 80, 110
+"""Memory of a sample, measured at its peak (while it is judged): in all, and for each axis."""
 TICKS, SECONDS, FEWEST = 20_000, 0.3, 7
 """For the cost of a tick: most ticks of a run, total time of the runs, fewest runs."""
 
@@ -134,11 +137,14 @@ def run_case(
     ------
     DivergenceError
         If the loop diverges.
+    MemoryError
+        Before the run, if its signals do not fit into the memory that is free.
     """
     begin = stage or (lambda name: None)
     begin(f"planning {case.name}")
     reference = case.reference()
     machine, controller = case.machine, case.controller
+    _check_memory(reference)
 
     def report_progress(done: int) -> None:
         if progress is not None:
@@ -188,6 +194,15 @@ def run_case(
         trust=trust_of(machine, controller, sampled),
         remarks=tuple(_remarks(case, reference, foretold, costs or foretell)),
     )
+
+
+def _check_memory(reference: Reference) -> None:
+    """Refuse a run that the system would end for want of memory."""
+    free = free_memory()
+    needed = reference.n_sample * (BYTES + BYTES_PER_AXIS * reference.n_axis)
+    if needed > free:
+        need, have = f"{needed / 1e9:.3g} GB", f"{free / 1e9:.3g} GB"
+        raise MemoryError(f"{reference.n_sample} samples of {reference.n_axis} axes need about {need}, {have} are free")
 
 
 def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None, coupling: bool) -> Iterator[Finding]:
