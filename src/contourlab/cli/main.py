@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 from typing import Annotated
 
@@ -135,9 +136,15 @@ def _take_debug(arguments: Sequence[str]) -> tuple[list[str], bool]:
     return options + given[end:], len(options) < end
 
 
+@cache
+def _command() -> typer.core.TyperGroup:
+    """Return the command with its sub-commands; building it takes longer than many of them."""
+    return typer.main.get_group(app)
+
+
 def _call(arguments: list[str]) -> int:
     """Parse and run; return the exit code of the command, 0 if it returns None."""
-    command = typer.main.get_command(app)
+    command = _command()
     try:
         with command.make_context(NAME, arguments) as context:
             return int(command.invoke(context) or 0)

@@ -41,6 +41,7 @@ HASTE = 2.5  # rounds after which the exponent of a correction grows by 1
 PER_SPAN = 4  # places checked in each span, besides the samples
 PER_SPAN_MOST = 24  # most places in a span at which the path is evaluated
 MOST_SPANS = (8, 10_000)  # per sample, and in addition; this bounds T from below where the jerk limit is high
+FEW = 2_000  # with fewer samples, starting threads takes longer than they save
 MANY = (5_000, 200_000)  # with more samples, only the two most promising periods, or only the best one, are tried
 CHUNK = 32_768  # places per pass
 
@@ -337,4 +338,5 @@ def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> l
         # The duration before corrections shows which periods are worth correcting.
         trials = list(in_threads(lambda period: _Planner(path, samples, limits, period).duration(), periods))
         periods = [periods[k] for k in np.argsort(trials)[:n_tried]]
-    return list(in_threads(lambda period: _corrected(_Planner(path, samples, limits, period)), periods))
+    threads = 1 if samples.arc_length.size < FEW else None
+    return list(in_threads(lambda period: _corrected(_Planner(path, samples, limits, period)), periods, threads))
