@@ -1,7 +1,7 @@
 """Try damaged input files on the commands that read them: ``python tools/fuzz.py --minutes 10``.
 
-Every input must end with one of the exit codes 0, 1, 2, 3 and 130, without an internal error, within 60 s and 1 GB of memory. Input number i
-depends only on the seed and i. Inputs that do not are kept in ``results/fuzz`` with the command that reads them.
+Every input must end with one of the exit codes 0, 1, 2, 3 and 130, within 60 s and 1 GB of memory. Inputs that do not are kept in
+``results/fuzz``, and their commands are printed. Input number i depends only on the seed and i.
 """
 
 from __future__ import annotations
@@ -26,7 +26,9 @@ from typing import Any
 CODES = {0, 1, 2, 3, 130}
 SECONDS, BYTES = 60.0, 1 << 30
 KEPT = Path("results/fuzz")
-ODD = b"nan inf -inf 1e308 1e-308 -1 0 -0.0 99999999999 1e400 [ ] { } \" ' # ( ) % ; , = . \\ / ../ \0 \xff \r\n [[]] true none um 1/s".split(b" ")
+ODD = (
+    b"nan inf -inf 1e308 1e-308 -1 0 -0.0 99999999999 1e400 [ ] { } \" ' # ( ) % ; , = . \\ / ../ \0 \xff \r\n [[]] true none um 1/s"
+).split(b" ")
 ON_XYZ = ("--machine", "builtin:xyz", "--controller", "builtin:xyz-controller")
 PLUGIN = b"""from contourlab.components.contract import Component, param
 
