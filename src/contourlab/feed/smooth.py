@@ -269,7 +269,7 @@ def _check_on_path(planner: _Planner, spans: Array, begin: Index) -> tuple[Array
     samples, segment = planner.samples, np.repeat(np.arange(begin.size - 1), np.diff(begin))
     per_span = min(PER_SPAN + 2 * samples.arc_length.size // len(spans), PER_SPAN_MOST) if planner.period > 0.0 else 2 * PER_SPAN
     rows = max(CHUNK // per_span, 1)
-    found = np.concatenate(list(in_threads(lambda i: _needed(planner, spans[i : i + rows], per_span), range(0, len(spans), rows))))
+    found = np.concatenate(in_threads(lambda i: _needed(planner, spans[i : i + rows], per_span), range(0, len(spans), rows)))
     worst, peak = across(np.maximum, found[:, 2:5]), np.zeros(begin.size - 1)
     np.maximum.at(peak, segment, worst)
     bad = np.flatnonzero(worst > 1.0 + CLOSE)
@@ -336,7 +336,7 @@ def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> l
     n_tried = 3 - int(np.searchsorted(MANY, samples.arc_length.size))
     if n_tried < 3 and len(periods) > n_tried:
         # The duration before corrections shows which periods are worth correcting.
-        trials = list(in_threads(lambda period: _Planner(path, samples, limits, period).duration(), periods))
+        trials = in_threads(lambda period: _Planner(path, samples, limits, period).duration(), periods)
         periods = [periods[k] for k in np.argsort(trials)[:n_tried]]
     threads = 1 if samples.arc_length.size < FEW else None
-    return list(in_threads(lambda period: _corrected(_Planner(path, samples, limits, period)), periods, threads))
+    return in_threads(lambda period: _corrected(_Planner(path, samples, limits, period)), periods, threads)

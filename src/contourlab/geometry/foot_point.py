@@ -72,7 +72,7 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
     if not (np.isfinite(p).all() and np.isfinite(s).all()):
         raise GeometryError("points and progress must be finite")
     chunks = [slice(i, i + _CHUNK) for i in range(0, max(s.size, 1), _CHUNK)]
-    parts = list(in_threads(lambda some: _chunk(path, p[some], s[some], reach[some]), chunks))
+    parts = in_threads(lambda some: _chunk(path, p[some], s[some], reach[some]), chunks)
     return FootPoint(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 

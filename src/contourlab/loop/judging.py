@@ -234,7 +234,7 @@ class TrialJudge:
         """
         n = position.shape[1]
         self._external[:n], self._external[n : 2 * n] = position.T, measured.T
-        list(in_threads(self._stretch, range(len(self._groups)), self._workers))
+        in_threads(self._stretch, range(len(self._groups)), self._workers)
         rows = self._log[:, :, 0].T.copy()  # the next trial writes over the log
         return rows[0], np.flatnonzero(rows[1]), (rows[2:].T if len(rows) > 2 else None)
 

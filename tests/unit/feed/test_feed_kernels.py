@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from contourlab.feed import kernels, speed_profile
+from contourlab.feed import AxisLimits, kernels, merging, speed_profile
+from contourlab.feed.bounds import Samples, piece_bounds
 from contourlab.geometry import contour
 
 LIMIT = np.array([2.0, 3.0])
@@ -159,3 +160,34 @@ def test_a_block_has_whole_steps_and_keeps_its_length() -> None:
     assert mean.max() <= 0.2 * (1 + 1e-12)
     # 0.3 m at 0.2 m/s with two ramps at 2 m/s^2 takes 1.6 s; each of the first blocks takes up to one step more.
     assert 1.6 <= lasting.sum() < 1.6 + 0.02 + 0.01
+
+
+@pytest.mark.parametrize("jerk", [40.0, np.inf])
+def test_the_bounds_of_pieces_keep_the_limits_at_every_sample_and_speed(jerk: float) -> None:
+    _, t, k, c = samples(600, "butterfly")
+    k[:100], c[:100] = 0.0, 0.0  # straight pieces too
+    starts = np.arange(0, 600, 20)
+    limits = AxisLimits(np.array([0.5, 0.4]), LIMIT, np.full(2, jerk))
+    given = Samples(t, k, c, np.full(600, 0.3))
+    stops = np.random.default_rng(1).random((starts.size, 2)) < 0.3
+    found = piece_bounds(given, starts, np.full(starts.size, 0.01), stops, limits)
+    V, A, rise, taper = (np.repeat(part, 20) for part in found)
+    assert (V <= 0.3).all() and (np.abs(t) * V[:, None] <= limits.velocity * (1 + 1e-12)).all()
+    for v in np.linspace(0.0, 1.0, 50)[:, None] * V:
+        with np.errstate(invalid="ignore"):
+            tangential = np.minimum(A, np.sqrt(2.0 * taper * np.maximum(V - v, 0.0)))
+        tangential = np.where(np.isnan(tangential), A, tangential)  # an infinite taper at the top speed
+        assert (np.abs(t) * tangential[:, None] + np.abs(k) * v[:, None] ** 2 <= LIMIT * (1 + 1e-9)).all()
+    if np.isfinite(jerk):
+        assert (np.abs(t) * rise[:, None] + 3 * np.abs(k) * (V * A)[:, None] + np.abs(c) * V[:, None] ** 3 <= jerk * (1 + 1e-9)).all()
+
+
+def test_runs_of_lines_in_machine_code_and_in_plain_python_agree(monkeypatch: pytest.MonkeyPatch) -> None:
+    generator = np.random.default_rng(4)
+    turned = np.cumsum(generator.normal(0.0, 0.02, 400))
+    points = np.cumsum(np.column_stack([np.cos(turned), np.sin(turned)]), axis=0)
+    linked = generator.random(399) < 0.9
+    fast = merging.run_starts(points, np.full(399, 0.02), linked)
+    monkeypatch.setattr(merging, "_mark_starts", merging._mark_starts.plain)
+    np.testing.assert_array_equal(fast, merging.run_starts(points, np.full(399, 0.02), linked))
+    assert 40 < fast.size < 300

@@ -54,3 +54,10 @@ def test_a_kernel_that_allocates_memory_is_refused() -> None:
 def test_the_compiler_is_loaded_only_for_planning() -> None:
     script = "import sys, contourlab.feed, contourlab.native; sys.exit('numba' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0
+
+
+def test_the_key_of_a_kernel_covers_the_modules_of_all_that_it_calls() -> None:
+    from contourlab.feed import bounds
+    from contourlab.native.compile import _modules
+
+    assert _modules(bounds._quickest.plain) == {"contourlab.feed.bounds", "contourlab.feed.scurve"}

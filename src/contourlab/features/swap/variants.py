@@ -199,7 +199,7 @@ class Variants:
         # The first runs of a machine compile its components, one after another.
         if sides < 2 or any(self.evaluators[i].runs == 0 for i in which):
             return [figures(at, threads) for at in range(len(which))]
-        return list(in_threads(lambda at: figures(at, -(-threads // sides)), range(len(which)), sides))
+        return in_threads(lambda at: figures(at, -(-threads // sides)), range(len(which)), sides)
 
     def _judged(self, i: int, points: Array, excess: Array, run: Flags, figures: dict[str, Array]) -> tuple[Array, Array]:
         """Return J of the points of a variant and how far they break the guards; keep the best."""

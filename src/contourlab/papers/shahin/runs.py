@@ -98,7 +98,7 @@ def controller_of(name: str, setting: Setting) -> Controller:
 def prepare(tests: Sequence[tuple[Any, ...]]) -> None:
     """Run circular tests in parallel to fill the cache of `circular`; the first test compiles."""
     circular(*tests[0])
-    list(in_threads(lambda test: circular(*test), dict.fromkeys(tests)))
+    in_threads(lambda test: circular(*test), dict.fromkeys(tests))
 
 
 @cache
