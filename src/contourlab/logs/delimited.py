@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import io
+import itertools
 import re
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,21 @@ import numpy as np
 from contourlab.arrays import Array, Index
 from contourlab.errors import LogError
 from contourlab.findings import Finding, finding
-from contourlab.logs.reading import CUT, called, cells_of, is_empty, is_unit, name_and_unit, number, numbers, shown, text_of
+from contourlab.logs.limits import COLUMNS, check_limit
+from contourlab.logs.reading import (
+    CUT,
+    called,
+    cells_of,
+    columns_of,
+    is_empty,
+    is_unit,
+    name_and_unit,
+    number,
+    number_channel,
+    shown,
+    split_lines,
+    text_of,
+)
 from contourlab.logs.record import Channel, Record
 
 MARKS = (";", "\t", ",")
@@ -21,6 +36,10 @@ NO_UNIT = ("", "-", "1")
 """Cells for no unit in a line of units."""
 LOOKED_AT = 1000
 """Lines searched for the one most like a row of numbers."""
+NUMBER, VALUE, WORD = range(3)
+"""Kinds of cells."""
+Shape = tuple[str | None, list[int]]
+"""Separator of a line, and the kinds of its cells."""
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?\Z")
 
 
@@ -29,13 +48,13 @@ def matches(file: Path, head: bytes) -> bool:
     if b"\0" in head or file.suffix.lower() == ".xml":
         return False
     lines = [line for line in head.decode("utf-8-sig", errors="replace").splitlines()[:50] if _bare(line)]
-    rows = [_cells(line, _mark(line)) for line in lines]
-    if any(_is_row(cells) for cells in rows):
+    shapes = [_shape(line) for line in lines]
+    if any(_is_row(shape) for shape in shapes):
         return True
-    # A faulty table: all lines have separators, and there are few or some hold numbers.
-    if file.suffix.lower() not in ENDINGS or not rows or not all(_mark(line) for line in lines):
+    # A table with words, or a faulty one: all lines have separators, and there are few or some hold numbers.
+    if file.suffix.lower() not in ENDINGS or not shapes or not all(mark for mark, _ in shapes):
         return False
-    return len(rows) <= 2 or any(_NUMBER.match(cell.strip(' "')) for cells in rows for cell in cells)
+    return len(shapes) <= 2 or any(NUMBER in kinds for _, kinds in shapes)
 
 
 def read(file: Path) -> Record:
@@ -43,15 +62,16 @@ def read(file: Path) -> Record:
 
     Lines that begin with # or % are comments. The last line before the numbers names the columns, with units in brackets; a line of
     units may follow. Semicolons, tabs, commas or blanks separate the cells; the first two allow decimal commas. Empty cells are gaps,
-    true and false are 1 and 0, timestamps become seconds from the first one.
+    true and false are 1 and 0, timestamps become seconds from the first one. A column with words has a fault, which counts if it is
+    needed.
 
     Raises
     ------
     LogError
-        If there is no row of numbers, or one is faulty.
+        If there is no row of numbers, or one has another number of columns.
     """
     text = text_of(file)
-    lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if _bare(line)]
+    lines = [(i, line) for i, line in split_lines(text, file) if _bare(line)]
     if not lines:
         raise LogError("contains no samples", file=file)
     first, mark = _first_row(lines, file)
@@ -60,60 +80,101 @@ def read(file: Path) -> Record:
     if _is_closed(heads, rows[:-1] if cut else rows, mark):
         heads, rows = ([(i, line.rstrip(" ").removesuffix(mark or "")) for i, line in part] for part in (heads, rows))
     width = len(_cells(rows[0][1], mark))
+    check_limit(width, COLUMNS, "columns", file, rows[0][0])
     names, units = _heads([_cells(line, mark) for _, line in heads], width)
     findings: tuple[Finding, ...] = ()
     if cut and len(_cells(rows[-1][1], mark)) != width:
         rows, findings = rows[:-1], (CUT,)
-    timestamps, rows = _timestamps(rows, names, mark, file)
-    values = _values(rows, names, mark, file, {line for _, line in heads})
-    channels = [timestamps.get(j) or Channel(names[j], column, units[j]) for j, column in enumerate(values.T)]
-    return Record(file, "csv", tuple(channels), findings=findings)
+    values = _plain(rows, width, mark)
+    if values is not None:
+        channels = [Channel(name, column, unit) for name, column, unit in zip(names, values.T, units, strict=True)]
+        return Record(file, "csv", tuple(channels), findings=findings)
+    above = {line for _, line in heads}
+    if repeated := next((i for i, line in rows if line in above), 0):
+        raise LogError("the header is repeated here: split the file, it contains two records", file=file, line=repeated)
+    return Record(file, "csv", tuple(_channels(rows, names, units, mark, file)), findings=findings)
 
 
-def _timestamps(
-    rows: list[tuple[int, str]], names: list[str], mark: str | None, file: Path
-) -> tuple[dict[int, Channel], list[tuple[int, str]]]:
-    """Return the columns of timestamps, and the rows with 0 in their cells."""
-    columns = _columns_of_timestamps(rows, len(names), mark)
-    if not columns:
-        return {}, rows
+def _plain(rows: list[tuple[int, str]], width: int, mark: str | None) -> Array | None:
+    """Return the numbers (n_row, n_column) of a table without empty cells, timestamps and words; None for others."""
+    comma = mark != "," and any("," in line for _, line in rows)
+    if comma and any("." in line for _, line in rows):
+        return None
+    try:
+        lines = (line.replace(",", ".") if comma else line for _, line in rows)
+        values = np.loadtxt(lines, delimiter=mark, ndmin=2, comments=None)
+    except ValueError:
+        return None
+    return values if values.shape == (len(rows), width) else None
+
+
+def _channels(rows: list[tuple[int, str]], names: list[str], units: list[str], mark: str | None, file: Path) -> Iterator[Channel]:
+    """Yield the columns cell by cell: numbers, or timestamps if the first cell that is not empty looks like one."""
+    comma = mark != "," and any("," in line for _, line in rows)
     lines = [i for i, _ in rows]
-    table = [_cells(line, mark) for _, line in rows]
-    for i, cells in zip(lines, table, strict=True):
-        if len(cells) != len(names):
-            raise LogError(f"has {len(cells)} columns, but {len(names)} are expected", file=file, line=i)
-    channels = {j: timestamp_channel(names[j], [cells[j] for cells in table], lines, file) for j in columns}
-    kept = [["0" if j in channels else f'"{cell}"' if (mark or " ") in cell else cell for j, cell in enumerate(cells)] for cells in table]
-    return channels, [(i, (mark or " ").join(cells)) for i, cells in zip(lines, kept, strict=True)]
-
-
-def _columns_of_timestamps(rows: list[tuple[int, str]], width: int, mark: str | None) -> list[int]:
-    """Return the columns whose first non-empty cell looks like a timestamp."""
-    first: dict[int, str] = {}
-    for _, line in rows:
-        for j, cell in enumerate(_cells(line, mark)[:width]):
-            if j not in first and not is_empty(cell):
-                first[j] = cell
-        if len(first) == width:
-            break
-    return sorted(j for j, cell in first.items() if is_timestamp(cell.strip('" ')))
+    columns = columns_of([(i, _cells(line, mark)) for i, line in rows], len(names), file)
+    for name, unit, cells in zip(names, units, columns, strict=True):
+        if is_timestamp(next((cell.strip('" ') for cell in cells if not is_empty(cell)), "")):
+            yield timestamp_channel(name, cells, lines, file)
+        else:
+            yield number_channel(name, cells, lines, file, comma, unit)
 
 
 def _first_row(lines: list[tuple[int, str]], file: Path) -> tuple[int, str | None]:
-    """Return index and separator of the first row: numbers, with a row as wide below it."""
-    alone = None
-    for k, (_, line) in enumerate(lines):
-        mark = _mark(line)
-        cells = _cells(line, mark)
-        if not _is_row(cells):
-            continue
-        below = _cells(lines[k + 1][1], mark) if k + 1 < len(lines) else []
-        if len(below) == len(cells) and _is_row(below):
-            return k, mark
-        alone = alone or (k, mark)
-    if alone is None:
+    """Return index and separator of the first row: numbers, with a row as wide below it; some columns may hold words."""
+    shapes = [_shape(line) for _, line in lines[:LOOKED_AT]]
+    pairs = list(itertools.pairwise(shapes))
+    # Lines above a table may hold a number too, but most lines are rows.
+    usual = Counter((mark, len(kinds)) for mark, kinds in shapes if NUMBER in kinds).most_common(1)
+    candidates = (
+        (k for k, (a, b) in enumerate(pairs) if _is_row(a) and _is_row(b) and len(a[1]) == len(b[1])),
+        (k for k, (a, b) in enumerate(pairs) if _are_alike(a, b) and _fit(a, b) and (a[0], len(a[1])) == usual[0][0]),
+        (k for k, shape in enumerate(shapes) if _is_row(shape)),
+    )
+    first = next(itertools.chain.from_iterable(candidates), None)
+    if first is None:
         raise _no_row(lines, file)
-    return alone
+    return _top(shapes, first), shapes[first][0]
+
+
+def _top(shapes: list[Shape], first: int) -> int:
+    """Return the first row of a table that contains row `first`: rows above it may hold words."""
+    top = first
+    while top and _are_alike(shapes[top - 1], shapes[first]) and NUMBER in shapes[top - 1][1]:
+        top -= 1
+    if top and _are_alike(shapes[top - 1], shapes[first]):  # the names
+        return top
+    return next(k for k in range(top, first + 1) if k == first or _is_row(shapes[k]) or _fit(shapes[k], shapes[first]))
+
+
+def _shape(line: str) -> Shape:
+    """Return the separator of a line, and the kind of each cell."""
+    mark = _mark(line)
+    return mark, [_kind(cell.strip().strip('"')) for cell in _cells(line, mark)]
+
+
+def _kind(cell: str) -> int:
+    """Return whether a cell is a number or timestamp, another value (true, false or empty), or a word."""
+    if _NUMBER.match(cell) or is_timestamp(cell):
+        return NUMBER
+    try:
+        return WORD if np.isinf(number(cell)) else VALUE
+    except ValueError:
+        return WORD
+
+
+def _is_row(shape: Shape) -> bool:
+    return NUMBER in shape[1] and WORD not in shape[1]
+
+
+def _are_alike(a: Shape, b: Shape) -> bool:
+    return a[0] == b[0] and len(a[1]) == len(b[1])
+
+
+def _fit(a: Shape, b: Shape) -> bool:
+    """Tell whether two lines have numbers in the same columns, and nowhere a word above or below a number."""
+    kinds = set(zip(a[1], b[1], strict=True))
+    return (NUMBER, NUMBER) in kinds and not kinds & {(NUMBER, WORD), (WORD, NUMBER)}
 
 
 def _no_row(lines: list[tuple[int, str]], file: Path) -> LogError:
@@ -121,7 +182,7 @@ def _no_row(lines: list[tuple[int, str]], file: Path) -> LogError:
     if len(lines) <= 2:
         return LogError("has column names but no rows of numbers", file=file, line=lines[0][0])
     parted = [_cells(line, _mark(line)) for _, line in lines[:LOOKED_AT]]
-    right = [[_is_value(cell.strip().strip('"')) for cell in cells] for cells in parted]
+    right = [[_kind(cell.strip().strip('"')) != WORD for cell in cells] for cells in parted]
     k = max(range(len(right)), key=lambda k: sum(right[k]))
     if not any(right[k]) or all(right[k]):
         return LogError("contains no row of numbers", file=file, line=lines[0][0])
@@ -159,19 +220,6 @@ def _cells(line: str, mark: str | None) -> list[str]:
     return cells_of(line, mark)
 
 
-def _is_row(cells: list[str]) -> bool:
-    bare = [cell.strip().strip('"') for cell in cells]
-    return any(_NUMBER.match(cell) or is_timestamp(cell) for cell in bare) and all(_is_value(cell) for cell in bare)
-
-
-def _is_value(cell: str) -> bool:
-    """Tell whether a cell is a number, a timestamp, true or false, or empty."""
-    try:
-        return _NUMBER.match(cell) is not None or is_timestamp(cell) or not np.isinf(number(cell))
-    except ValueError:
-        return False
-
-
 def _heads(lines: list[list[str]], width: int) -> tuple[list[str], list[str]]:
     """Return names and units of the columns, from the last one or two lines as wide as the table."""
     wide = [cells if width > 1 else [" ".join(cells)] for cells in lines if len(cells) == width or width == 1]
@@ -192,21 +240,6 @@ def _bare_units(names: list[str], cells: list[str]) -> bool:
     """Tell whether the cells below the names are known units without brackets, or empty."""
     units = [(name, cell) for name, cell in zip(names, cells, strict=True) if cell not in NO_UNIT]
     return bool(units) and all(name and name != cell and is_unit(cell) for name, cell in units)
-
-
-def _values(lines: list[tuple[int, str]], names: list[str], mark: str | None, file: Path, heads: set[str]) -> Array:
-    text = "\n".join(line for _, line in lines)
-    comma = mark != "," and "," in text
-    plain = text if not comma else text.replace(",", ".") if "." not in text else ""
-    try:
-        values = np.loadtxt(io.StringIO(plain), delimiter=mark, ndmin=2, comments=None) if plain else np.empty(0)
-        if values.shape == (len(lines), len(names)):
-            return np.asarray(values, dtype=np.float64)
-    except ValueError:
-        pass  # empty cells, words and faults: read cell by cell
-    if repeated := next((i for i, line in lines if line in heads), 0):
-        raise LogError("the header is repeated here: split the file, it contains two records", file=file, line=repeated)
-    return numbers([(i, _cells(line, mark)) for i, line in lines], names, file, comma)
 
 
 # --- dates and times of day --------------------------------------------------------------------------------------------------------

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
-from contourlab.errors import LogError, ParameterError, ResultError
-from contourlab.logs import delimited, linuxcnc, matlab, parquet, sinumerik, twincat
+from contourlab.errors import LogError, ParameterError
+from contourlab.logs import delimited, linuxcnc, matlab, parquet, results, sinumerik, twincat
+from contourlab.logs.apart import read_apart
 from contourlab.logs.reading import head_of
-from contourlab.logs.record import Channel, Record
-from contourlab.result import Result
+from contourlab.logs.record import Record
 
 
 @dataclass(frozen=True)
@@ -32,35 +33,13 @@ class Format:
     read: Callable[[Path], Record]
 
 
-def _is_result(file: Path, head: bytes) -> bool:
-    return head.startswith(b"\x89HDF\r\n\x1a\n") and file.suffix.lower() == ".nc"
-
-
-def _read_result(file: Path) -> Record:
-    """Read a result of contourlab; channels are ``position.x``, or ``arc_length`` for all axes."""
-    try:
-        result = Result.load(file)
-    except ResultError as error:
-        raise LogError(str(error).removeprefix(f"{file}: "), file=file) from error
-    channels = []
-    for name, signal in result.signals.items():
-        if signal.data.ndim == 1:
-            channels.append(Channel(name, signal.data, signal.unit, result.time))
-        else:
-            columns = zip(result.axes, signal.data.T, strict=True)
-            channels += [Channel(f"{name}.{axis}", column, signal.unit, result.time) for axis, column in columns]
-    # A log may be judged along another path.
-    attributes = {name: value for name, value in result.attributes.items() if name != "reference_digest"}
-    return Record(file, "contourlab", tuple(channels), result.servo_period, attributes=attributes)
-
-
 # From the most specific to any table of numbers.
 FORMATS = {
     kind.name: kind
     for kind in (
-        Format("contourlab", _is_result, _read_result),
-        Format("matlab", matlab.matches, matlab.read),
-        Format("parquet", parquet.matches, parquet.read),
+        Format("contourlab", results.matches, partial(read_apart, "contourlab")),
+        Format("matlab", matlab.matches, partial(read_apart, "matlab")),
+        Format("parquet", parquet.matches, partial(read_apart, "parquet")),
         Format("sinumerik", sinumerik.matches, sinumerik.read),
         Format("twincat", twincat.matches, twincat.read),
         Format("halscope", linuxcnc.matches_scope, linuxcnc.read_scope),

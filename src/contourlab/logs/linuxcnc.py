@@ -7,6 +7,7 @@ in the order of the pins, and "overrun" for lost samples (halsampler(1)).
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.findings import finding
-from contourlab.logs.reading import lines_of, numbers
+from contourlab.logs.reading import columns_of, lines_of, number_channel
 from contourlab.logs.record import Channel, Record
 
 OVERRUN = "overrun"
@@ -51,9 +52,14 @@ def read_scope(file: Path) -> Record:
     else:
         names, rows = _labelled(body, file)
     comma = any("," in cell for _, cells in rows for cell in cells)
-    values = numbers(rows, names, file, comma)
-    channels = tuple(Channel(name, column) for name, column in zip(names, values.T, strict=True))
+    channels = _channels(rows, names, file, comma)
     return Record(file, "halscope", channels, int(first[2]) / 1e9, findings=findings)
+
+
+def _channels(rows: list[tuple[int, list[str]]], names: list[str], file: Path, comma: bool = False) -> tuple[Channel, ...]:
+    lines = [line for line, _ in rows]
+    columns = columns_of(rows, len(names), file)
+    return tuple(number_channel(name, cells, lines, file, comma) for name, cells in zip(names, columns, strict=True))
 
 
 def _labelled(body: list[tuple[int, str]], file: Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
@@ -100,15 +106,16 @@ def read_sampler(file: Path) -> Record:
     rows = [(i, cells) for i, cells in lines if cells != [OVERRUN]]
     if not rows:
         raise LogError("contains no samples", file=file)
-    values = numbers(rows, [str(j + 1) for j in range(len(rows[0][1]))], file)
-    tagged = _is_numbered(rows, values[:, 0], file)
+    channels = _channels(rows, [str(j + 1) for j in range(len(rows[0][1]))], file)
+    tagged = _is_numbered(rows, channels[0].values, file)
     lost = len(lines) - len(rows)
     if lost and not tagged:
         line = next(i for i, cells in lines if cells == [OVERRUN])
         raise LogError("unnumbered samples were lost here: sample again with halsampler -t", file=file, line=line)
-    names = (["sample"] if tagged else []) + [str(j + 1) for j in range(values.shape[1] - tagged)]
+    if tagged:
+        channels = tuple(replace(c, name=str(j) if j else "sample") for j, c in enumerate(channels))
     findings += (finding("CL422", overruns=lost),) if lost else ()
-    return Record(file, "halsampler", tuple(Channel(n, v) for n, v in zip(names, values.T, strict=True)), findings=findings)
+    return Record(file, "halsampler", channels, findings=findings)
 
 
 def _is_numbered(rows: list[tuple[int, list[str]]], first: Array, file: Path) -> bool:

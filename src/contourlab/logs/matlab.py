@@ -10,6 +10,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError
+from contourlab.logs.limits import COLUMNS, NUMBERS, check_limit
 from contourlab.logs.reading import name_and_unit
 from contourlab.logs.record import Channel, Record
 
@@ -45,7 +46,10 @@ def read(file: Path) -> Record:
         except (AttributeError, KeyError, TypeError, ValueError) as error:
             raise LogError(f"looks like a capture (X and Y), but a part of it is missing or wrong: {error}", file=file) from error
     else:
-        columns = list(_leaves(tree, ""))
+        columns = []
+        for column in _leaves(tree, ""):
+            columns.append(column)
+            check_limit(len(columns), COLUMNS, "columns", file)
         channels = [Channel(*_named(name, value)) for name, value in columns if value.size >= SHORTEST]
         constants = {name: float(value[0]) for name, value in columns if value.size == 1}
     if not channels:
@@ -68,11 +72,7 @@ def _is_hdf(file: Path) -> bool:
 def _tree(file: Path) -> dict[str, Any]:
     from scipy.io import loadmat
 
-    try:
-        variables = loadmat(file, squeeze_me=True, struct_as_record=False)
-    except Exception as error:  # loadmat passes on any error
-        raise LogError(f"cannot be read as MATLAB: {error}", file=file) from error
-    return {name: _plain(value) for name, value in variables.items()}
+    return {name: _plain(value) for name, value in loadmat(file, squeeze_me=True, struct_as_record=False).items()}
 
 
 def _plain(value: Any) -> Any:
@@ -87,34 +87,46 @@ def _plain(value: Any) -> Any:
 def _tree_of_hdf(file: Path) -> dict[str, Any]:
     import h5py
 
-    try:
-        with h5py.File(file, "r") as stored:
-            return {name: _plain_hdf(stored, item) for name, item in stored.items() if item is not None and not name.startswith("#")}
-    except (AttributeError, KeyError, OSError, RuntimeError, TypeError, ValueError) as error:
-        raise LogError(f"cannot be read as MATLAB 7.3: {error}", file=file) from error
+    with h5py.File(file, "r") as stored:
+        return _HdfTree(file).fields(stored)
 
 
-def _plain_hdf(stored: Any, item: Any) -> Any:
-    """Return an item of version 7.3: groups are structures, references lead to items, text is stored as numbers."""
-    import h5py
+class _HdfTree:
+    """Items of version 7.3: groups are structures, references lead to items, text is stored as numbers."""
 
-    if isinstance(item, h5py.Group):
-        fields = {name: _plain_hdf(stored, inner) for name, inner in item.items() if inner is not None}
-        lists = [value for value in fields.values() if isinstance(value, list)]
-        # An array of structures is a structure of arrays of references.
-        if fields and len(lists) == len(fields) and len({len(value) for value in lists}) == 1:
-            return [dict(zip(fields, values, strict=True)) for values in zip(*lists, strict=True)]
-        return fields
-    values = item[()]
-    if item.dtype == h5py.ref_dtype:
-        return [_plain_hdf(stored, stored[reference]) if reference else np.empty(0) for reference in np.ravel(values)]
-    kind = item.attrs.get("MATLAB_class", b"")
-    if item.attrs.get("MATLAB_empty", 0):
-        return np.empty(0)
-    if kind == b"char":
-        return "".join(chr(code) for code in np.ravel(values))
-    # MATLAB stores columns first.
-    return np.squeeze(np.asarray(values).T)
+    def __init__(self, file: Path) -> None:
+        self.file, self.count = file, 0
+
+    def fields(self, group: Any) -> dict[str, Any]:
+        """Return the items of a group; links to other files and broken links are left out."""
+        import h5py
+
+        links = {name: group.get(name, getlink=True) for name in group if not name.startswith("#")}
+        items = {name: group.get(name) for name, link in links.items() if not isinstance(link, h5py.ExternalLink)}
+        return {name: self.plain(item) for name, item in items.items() if isinstance(item, h5py.Group | h5py.Dataset)}
+
+    def plain(self, item: Any) -> Any:
+        import h5py
+
+        if isinstance(item, h5py.Group):
+            fields = self.fields(item)
+            lists = [value for value in fields.values() if isinstance(value, list)]
+            # An array of structures is a structure of arrays of references.
+            if fields and len(lists) == len(fields) and len({len(value) for value in lists}) == 1:
+                return [dict(zip(fields, values, strict=True)) for values in zip(*lists, strict=True)]
+            return fields
+        if item.attrs.get("MATLAB_empty", 0) or item.external or item.is_virtual or item.shape is None:
+            return np.empty(0)  # numbers in other files are not read
+        self.count += item.size
+        check_limit(self.count, NUMBERS, "numbers", self.file)
+        if item.dtype == h5py.ref_dtype:
+            return [self.plain(item.file[reference]) if reference else np.empty(0) for reference in np.ravel(item[()])]
+        if item.dtype.kind not in "biuf":
+            return np.empty(0)
+        if item.attrs.get("MATLAB_class", b"") == b"char":
+            return "".join(chr(code) for code in np.ravel(item[()]))
+        # MATLAB stores columns first.
+        return np.squeeze(item[()].T)
 
 
 def _is_capture(tree: Mapping[str, Any]) -> bool:
@@ -160,4 +172,4 @@ def _leaves(tree: Any, name: str) -> Iterator[tuple[str, Array]]:
 
 
 def _numbers(values: Any) -> Array:
-    return np.array(values, dtype=np.float64).ravel()
+    return np.asarray(values, dtype=np.float64).ravel()

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.errors import LogError
 from contourlab.extras import extra_module
 from contourlab.findings import finding
+from contourlab.logs.limits import COLUMNS, NUMBERS, check_limit
 from contourlab.logs.reading import name_and_unit
 from contourlab.logs.record import Channel, Record
 
@@ -29,19 +29,27 @@ def read(file: Path) -> Record:
     LogError
         If the file cannot be read.
     """
-    arrow = extra_module("pyarrow")
     parquet = extra_module("pyarrow.parquet")
-    try:
-        table = parquet.ParquetFile(file).read()
-    except (arrow.ArrowException, OSError, ValueError) as error:
-        raise LogError(f"cannot be read as Parquet: {str(error).splitlines()[0]}", file=file) from error
-    channels = [_channel(field, table.column(i)) for i, field in enumerate(table.schema)]
-    left_out = [field.name for field, channel in zip(table.schema, channels, strict=True) if channel is None]
+    with parquet.ParquetFile(file, page_checksum_verification=True) as stored:
+        schema = stored.schema_arrow
+        names = [field.name for field in schema if _is_read(field.type)]
+        check_limit(len(names), COLUMNS, "columns", file)
+        check_limit(stored.metadata.num_rows * len(names), NUMBERS, "numbers", file)
+        table = stored.read(names, use_threads=False)
+    left_out = [field.name for field in schema if not _is_read(field.type)]
     findings = (finding("CL425", columns=left_out),) if left_out else ()
-    return Record(file, "parquet", tuple(channel for channel in channels if channel), findings=findings)
+    channels = tuple(_channel(field, table.column(i)) for i, field in enumerate(table.schema))
+    return Record(file, "parquet", channels, findings=findings)
 
 
-def _channel(field: Any, column: Any) -> Channel | None:
+def _is_read(kind: Any) -> bool:
+    from pyarrow import types
+
+    are_numbers = types.is_integer(kind) or types.is_floating(kind) or types.is_boolean(kind) or types.is_decimal(kind)
+    return bool(are_numbers or types.is_timestamp(kind) or types.is_duration(kind))
+
+
+def _channel(field: Any, column: Any) -> Channel:
     from pyarrow import types
 
     name, unit = name_and_unit(field.name)
@@ -54,7 +62,5 @@ def _channel(field: Any, column: Any) -> Channel | None:
         values = np.full(valid.size, np.nan)
         values[valid] = (ticks - ticks[:1]) * {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit]
         return Channel(name, values, "s", is_timestamp=types.is_timestamp(kind))
-    if types.is_integer(kind) or types.is_floating(kind) or types.is_boolean(kind) or types.is_decimal(kind):
-        values = np.array([np.nan if v is None else float(v) for v in column.to_pylist()]) if column.null_count else column.to_numpy()
-        return Channel(name, np.asarray(values, dtype=np.float64), own_unit or unit)
-    return None
+    values = np.array([np.nan if v is None else float(v) for v in column.to_pylist()]) if column.null_count else column.to_numpy()
+    return Channel(name, np.asarray(values, dtype=np.float64), own_unit or unit)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import math
 import re
@@ -11,9 +12,10 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab.arrays import Array
 from contourlab.errors import LogError, UnitError
 from contourlab.findings import Finding, finding
+from contourlab.logs.limits import LINE, check_limit
+from contourlab.logs.record import Channel
 from contourlab.units import same_dimension
 
 HEAD = 1 << 16
@@ -77,10 +79,25 @@ def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[Finding, ...]]:
     A last line without a line break was cut short, and is left out.
     """
     text = text_of(file)
-    lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip()]
+    lines = split_lines(text, file)
     if not lines or text.endswith(("\n", "\r")):
         return lines, ()
     return lines[:-1], (CUT,)
+
+
+def split_lines(text: str, file: Path) -> list[tuple[int, str]]:
+    """Return the numbered lines of a text without blank ones.
+
+    Raises
+    ------
+    LogError
+        If a line is too long: splitting it would fill the memory.
+    """
+    lines = text.splitlines()
+    for i, line in enumerate(lines, 1):
+        if len(line) > LINE:
+            check_limit(len(line), LINE, "characters in a line", file, i)
+    return [(i, line) for i, line in enumerate(lines, 1) if line.strip()]
 
 
 def cells_of(line: str, mark: str) -> list[str]:
@@ -136,24 +153,43 @@ def number(text: str, comma: bool = False) -> float:
     return float(cell.replace(".", "").replace(",", ".") if comma and "," in cell else cell)
 
 
-def numbers(rows: Sequence[tuple[int, Sequence[str]]], names: Sequence[str], file: Path, comma: bool = False) -> Array:
-    """Return the numbers (n_row, n_column) of rows of cells; each row has its line number.
+def columns_of(rows: Sequence[tuple[int, Sequence[str]]], width: int, file: Path) -> list[tuple[str, ...]]:
+    """Return the columns of rows of cells; each row has its line number.
 
     Raises
     ------
     LogError
-        If the number of cells is wrong, or a cell is not a number.
+        If the number of cells is wrong.
     """
-    width = len(names)
-    values = np.empty((len(rows), width))
-    for i, (line, cells) in enumerate(rows):
+    for line, cells in rows:
         if len(cells) != width:
             raise LogError(f"has {len(cells)} columns, but {width} are expected", file=file, line=line)
+    return list(zip(*(cells for _, cells in rows), strict=True)) if rows else [()] * width
+
+
+def number_channel(name: str, cells: Sequence[str], lines: Sequence[int], file: Path, comma: bool = False, unit: str = "") -> Channel:
+    """Return a column of numbers; a cell that is no number goes to `Channel.fault`, because the column may not be needed.
+
+    Parameters
+    ----------
+    name : str
+    cells : sequence of str
+    lines : sequence of int
+        Line of each cell in the file.
+    file : Path
+    comma : bool
+        Whether commas are decimal.
+    unit : str
+    """
+    with contextlib.suppress(ValueError):  # fast path for plain numbers
+        return Channel(name, np.array([float(cell.replace("_", "no digit")) for cell in cells]), unit)
+    values = np.full(len(cells), np.nan)
+    for k, (line, cell) in enumerate(zip(lines, cells, strict=True)):
         try:
-            values[i] = [float(cell.replace("_", "no digit")) for cell in cells]  # fast path for plain numbers
-        except ValueError:
-            values[i] = [cell_number(cell, name, file, line, comma) for cell, name in zip(cells, names, strict=True)]
-    return values
+            values[k] = cell_number(cell, name, file, line, comma)
+        except LogError as fault:
+            return Channel(name, np.full(len(cells), np.nan), unit, fault=fault)
+    return Channel(name, values, unit)
 
 
 def cell_number(cell: str, name: str, file: Path, line: int, comma: bool) -> float:

@@ -11,6 +11,7 @@ from pathlib import Path
 from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.findings import Finding
+from contourlab.logs.limits import COLUMNS, check_limit
 
 AXIS_LETTERS = "xyzabcuvw"
 """Axes in the order of their joints."""
@@ -80,9 +81,13 @@ class Record:
     attributes: Mapping[str, str | int | float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        check_limit(len(self.channels), COLUMNS, "columns", self.file)
         object.__setattr__(self, "channels", _numbered(self.channels))
         if not any(channel.values.size for channel in self.channels):
             raise LogError("contains no samples", file=self.file)
+        faults = [channel.fault for channel in self.channels]
+        if faults[0] is not None and all(faults):
+            raise faults[0]
 
     @property
     def names(self) -> list[str]:

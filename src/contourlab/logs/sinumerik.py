@@ -17,6 +17,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.findings import Finding, finding
+from contourlab.logs.limits import NUMBERS, check_limit
 from contourlab.logs.reading import is_unit, number, readable, shown
 from contourlab.logs.record import Channel, Record
 
@@ -80,6 +81,8 @@ class _Trace:
     """Written times and values by signal id."""
     last: float = -np.inf
     """Time of the last record [s]."""
+    count: int = 0
+    """Times and values of all samples so far."""
 
     def parse(self) -> None:
         parser = expat.ParserCreate()
@@ -91,6 +94,7 @@ class _Trace:
             above.append(tag)
 
         parser.StartElementHandler = start
+        parser.StartDoctypeDeclHandler = self._refuse_types
         parser.EndElementHandler = lambda _: above.pop()
         try:
             with readable(self.file), self.file.open("rb") as stream:
@@ -99,6 +103,10 @@ class _Trace:
             raise LogError(f"is not valid or complete XML: {expat.ErrorString(error.code)}", file=self.file, line=error.lineno) from error
         except (LookupError, ValueError) as error:
             raise LogError(f"is XML in an unknown encoding: {error}", file=self.file) from error
+
+    def _refuse_types(self, *_: object) -> None:
+        # Entities may grow without limit, or name other files.
+        raise LogError("declares a document type (DOCTYPE), which no trace has: delete the declaration", file=self.file)
 
     def _take(self, tag: str, attributes: dict[str, str], above: list[str], line: int) -> None:
         if tag == "signal" and any(name.startswith("traceDisplaySetup") for name in above):
@@ -154,29 +162,38 @@ def _names(signals: Sequence[Mapping[str, str]]) -> list[str]:
 
 def _channel(key: str, signal: Mapping[str, str], name: str, trace: _Trace) -> Channel:
     written, values = (np.array(numbers) for numbers in trace.samples[key])
-    time, values = _held(written, values, signal, trace.last)
+    n = _sample_count(written, signal, trace.last)
+    trace.count += 2 * max(n, written.size)
+    check_limit(trace.count, NUMBERS, "times and values", trace.file)
+    time, values = _held(written, values, signal, n)
     valid = ~np.isnan(values)
     kind = signal.get("unitsType", "")
     unit = signal.get("units") or signal.get("unit") or UNITS.get(kind) or (kind if is_unit(kind) else "")
     return Channel(name or key, values[valid], unit, time[valid])
 
 
-def _held(written: Array, values: Array, signal: Mapping[str, str], last: float) -> tuple[Array, Array]:
-    """Return times and values of all samples, unchanged ones included."""
+def _sample_count(written: Array, signal: Mapping[str, str], last: float) -> int:
+    """Return the number of samples of a signal, unchanged ones included; 0 if the written ones are all."""
     every = _positive(signal.get("interval"))
     count = _positive(signal.get("datapointCount"))
     if not every or 0.0 < count <= written.size:
-        return written, values
+        return 0
     # Records end with the last change; the count includes all samples.
     n = max((last - written[0]) / every + ON_GRID + 1.0, count)
-    if n > MOST_HELD * written.size:
+    return 0 if n > MOST_HELD * written.size else int(n)
+
+
+def _held(written: Array, values: Array, signal: Mapping[str, str], n: int) -> tuple[Array, Array]:
+    """Return times and values of `n` samples, each value held until the next; for 0 those written."""
+    every = _positive(signal.get("interval"))
+    if n == 0:
         return written, values
     exact = (written - written[0]) / every
     place = np.rint(exact)
     if (np.abs(exact - place) > ON_GRID).any() or (np.diff(place) < 1.0).any():
         return written, values
-    samples = np.arange(int(n))
-    return written[0] + every * samples, values[np.searchsorted(place, samples, side="right") - 1]
+    lengths = np.diff(np.append(place, n)).astype(np.int64)
+    return written[0] + every * np.arange(n), np.repeat(values, lengths)
 
 
 def _positive(text: str | None) -> float:

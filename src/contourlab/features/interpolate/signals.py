@@ -76,6 +76,8 @@ def read_quadrature(file: str | Path, columns: str | None = None, reference: str
     true = _column(record, reference) if reference is not None else known.get(REFERENCE)
     clock = next((known[name] for name in TIMES if name in known), None)
     for channel in (first, second, clock, true):
+        if channel is not None and channel.fault is not None:
+            raise channel.fault
         if channel is not None and not np.isfinite(channel.values).all():
             sample = int(np.argmin(np.isfinite(channel.values)))
             raise LogError(f"column {channel.name} has no finite number here", file=record.file, line=line_of(record, sample))
