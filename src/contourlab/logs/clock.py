@@ -21,6 +21,10 @@ FEW = 3
 """Most gaps that may be lost samples; more mean a wrong clock."""
 EVEN = 1e-3
 """Jitter over period below which samples are even: times are rounded when written."""
+UNEVEN = 0.1
+"""Jitter over period above which the error of resampling is stated."""
+WINDOW, NEAR = 1000, 15
+"""Samples over which the phase of a jittering clock is averaged, and over which its lost samples must agree."""
 
 
 @dataclass(frozen=True)
@@ -103,7 +107,7 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
         Name of the channel, for messages.
     file : Path
     period : float [s], > 0, optional
-        Stated period; by default the median step.
+        Stated period; by default that of the line through the times.
 
     Raises
     ------
@@ -122,7 +126,11 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
         usual = period
     count = np.maximum(np.rint(step / usual), 1.0)
     wide = step > GAP * usual
-    gaps = tuple(Gap(float(even[k]), int(count[k]) - 1) for k in np.flatnonzero(wide) if count[k] > 1)
+    count[~wide] = 1.0
+    # A lost sample makes a long step; jitter makes short ones as well.
+    if even.size > WINDOW // 5 and wide.any() and (step < (2.0 - GAP) * usual).any():
+        count = _jittering_count(even, period)
+    gaps = tuple(Gap(float(even[k]), int(count[k]) - 1) for k in np.flatnonzero(count > 1.0))
     if period is None:
         usual = _period(even, count)
     jitter = _jitter(even, count, usual)
@@ -157,6 +165,45 @@ def _kept(time: Array, name: str, file: Path) -> Flags:
 def repeats_too_often(time: Array) -> bool:
     """Tell whether too many times (n,) repeat the one before to show the sampling."""
     return bool(np.count_nonzero(np.diff(time) == 0.0) > MOST_MISSING * time.size)
+
+
+def _jittering_count(time: Array, period: float | None) -> Array:
+    """Return the periods between samples (n - 1,) whose times jitter by up to about half a period.
+
+    The phase of the clock is an average over many samples; single samples may be a period off, lost samples shift all that follow.
+    """
+    from scipy.ndimage import median_filter
+
+    n = time.size
+    far, half = min(100, n // 10 + 1), min(WINDOW, n // 3) // 2 + 1
+    usual = period or float(np.median(time[far:] - time[:-far])) / far
+    turns = (time - time[0]) / usual
+    total = np.append(0.0, np.cumsum(np.exp(2j * np.pi * turns)))
+    places = np.arange(n)
+    mean = total[np.minimum(places + half, n)] - total[np.maximum(places - half, 0)]
+    index = np.rint(turns - np.unwrap(np.angle(mean)) / (2.0 * np.pi))
+    lost = np.maximum.accumulate(median_filter(index - places, NEAR, mode="nearest"))
+    return np.asarray(1.0 + np.diff(lost))
+
+
+def counted_times(time: Array, report: ClockReport) -> Array:
+    """Return the times (n,) of samples that follow each other by the report's period, with its gaps."""
+    step = np.ones(time.size)
+    for gap in report.gaps:
+        step[np.searchsorted(time, gap.time) + 1] += gap.missing
+    even = np.cumsum(step) * report.period
+    return np.asarray(even + np.mean(time - even))
+
+
+def resampling_error(time: Array, values: Array, period: float) -> tuple[float, float]:
+    """Return rms and largest difference between values (n,) and the lines through their neighbours in time, gaps left out.
+
+    An upper estimate of the error of linear interpolation, also if the times are wrong by their jitter.
+    """
+    span = time[2:] - time[:-2]
+    share = (time[1:-1] - time[:-2]) / span
+    off = (values[1:-1] - (1.0 - share) * values[:-2] - share * values[2:])[span < 3.0 * period]
+    return (float(np.sqrt(np.mean(off**2))), float(np.abs(off).max())) if off.size else (0.0, 0.0)
 
 
 def _period(time: Array, count: Array) -> float:
@@ -206,7 +253,8 @@ def resampled(time: Array, values: Array, report: ClockReport, clock: tuple[floa
     An even channel with the clock's period is copied; others are interpolated linearly.
     """
     period, start, n = clock
-    same = abs(report.period - period) <= 1e-9 * period and not report.gaps and report.jitter_peak <= EVEN * period
+    is_even = float(np.ptp(time - np.arange(time.size) * period)) <= 2.0 * EVEN * period
+    same = abs(report.period - period) <= 1e-9 * period and not report.gaps and is_even
     first = round((start - time[0]) / period)
     if same and abs(time[0] + first * period - start) <= EVEN * period and first + n <= values.size:
         return values[first : first + n], False

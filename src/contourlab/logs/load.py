@@ -13,10 +13,20 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import FeedError, GeometryError, LogError, ParameterError, ResultError, UnitError
 from contourlab.findings import Finding, finding
-from contourlab.logs.clock import EVEN, ClockReport, common_clock, look_at_clock, repeats_too_often, resampled
+from contourlab.logs.clock import (
+    EVEN,
+    UNEVEN,
+    ClockReport,
+    common_clock,
+    counted_times,
+    look_at_clock,
+    repeats_too_often,
+    resampled,
+    resampling_error,
+)
 from contourlab.logs.delimited import CURE
 from contourlab.logs.formats import read_record
-from contourlab.logs.mapping import SIGNALS, TIME, Column, Columns, guessed, unknown
+from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed, unknown
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
@@ -139,6 +149,8 @@ def load_log(
 def result_of(record: Record, given: Columns) -> Log:
     """Return the signals of a record; see `load_log`."""
     guesses, doubtful = _guesses(record, given)
+    units, spare, unit_findings = _units(record, given, guesses)
+    guesses = [column for column in guesses if column not in spare]
     columns = (*given.columns, *guesses)
     wanted = [column for column in columns if column.signal != TIME]
     if not wanted:
@@ -146,7 +158,7 @@ def result_of(record: Record, given: Columns) -> Log:
     times, time_findings = _times(record, columns, given)
     timed = {name: _timed(record, name, times, given.period, doubtful) for name in dict.fromkeys(column.column for column in wanted)}
     clock = common_clock([(channel.report, float(channel.time[0]), float(channel.time[-1])) for channel in timed.values()], record.file)
-    signals, unit_findings = _signals(record, {column: timed[column.column] for column in wanted}, clock)
+    signals, uneven = _signals(record, {column: timed[column.column] for column in wanted}, units, clock)
     axes = tuple(sorted({column.axis for column in wanted}, key=_order))
     attributes = {**record.attributes, "log": record.file.name, "format": record.format}
     result = Result(record.file.stem, axes, clock[0], _stacked(signals, axes), attributes=attributes)
@@ -154,14 +166,14 @@ def result_of(record: Record, given: Columns) -> Log:
     named = [finding("CL430", columns=by_name)] if by_name else []
     clocks = {channel.channel.name: channel.report for channel in timed.values()}
     log = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful))
-    findings = (*record.findings, *named, *doubtful, *time_findings, *unit_findings, *log.clock_findings())
+    findings = (*record.findings, *named, *doubtful, *time_findings, *unit_findings, *log.clock_findings(), *uneven)
     return replace(log, findings=findings)
 
 
 def _guesses(record: Record, given: Columns) -> tuple[list[Column], list[Finding]]:
     """Return the columns identified by name besides those given, and a finding for each ambiguous signal."""
     named = {(column.signal, column.axis) for column in given.columns}
-    taken = {record.channel(column.column).name for column in given.columns}
+    taken = {channel.name for channel in record.channels_of(column.column for column in given.columns)}
     guesses, doubtful = [], []
     for target, candidates in guessed(record).items():
         names = [name for name in candidates if name not in taken]
@@ -215,11 +227,12 @@ def _times_in(channel: Channel, column: Column, record: Record) -> tuple[Array, 
 
 @dataclass(eq=False)
 class Timed:
-    """A channel without gaps, its times [s] and its clock report."""
+    """A channel without gaps, its times [s], its clock report, and whether its times are counted by the given period."""
 
     channel: Channel
     time: Array
     report: ClockReport
+    is_counted: bool = False
 
 
 def _timed(record: Record, name: str, times: Array | None, period: float | None, doubtful: Sequence[Finding]) -> Timed:
@@ -228,7 +241,7 @@ def _timed(record: Record, name: str, times: Array | None, period: float | None,
     if channel.fault is not None:
         raise channel.fault
     time = channel.time if channel.time is not None else times
-    period = period or record.period
+    stated, period = period, period or record.period
     if time is None:
         if period is None:
             doubt = "".join(f"{doubt.text}; " for doubt in doubtful if doubt.values["signal"] == TIME)
@@ -243,7 +256,9 @@ def _timed(record: Record, name: str, times: Array | None, period: float | None,
     valid &= ~np.isnan(time)
     values, time = channel.values[valid], time[valid]
     report, kept = look_at_clock(time, channel.name, record.file, period)
-    return Timed(replace(channel, values=values[kept]), time[kept], report)
+    is_counted = stated is not None and report.jitter_peak > EVEN * stated
+    time = counted_times(time[kept], report) if is_counted else time[kept]
+    return Timed(replace(channel, values=values[kept]), time, report, is_counted)
 
 
 def _in_si(channel: Channel, column: Column, unit: str, expected: str, record: Record) -> Array:
@@ -252,40 +267,56 @@ def _in_si(channel: Channel, column: Column, unit: str, expected: str, record: R
         # Dividing by a whole number keeps 20 mm exactly 0.02 m.
         return channel.values / from_si(1.0, unit) if size < 1.0 else channel.values * size
     except UnitError as error:
-        example = f", such as {expected}" if expected else ""
+        example = f", such as {USUAL.get(expected, expected)}" if expected else ""
         raise LogError(f"column {channel.name!r} is in {unit}: write a unit of {column.signal}{example}", file=record.file) from error
 
 
 def _signals(
-    record: Record, timed: dict[Column, Timed], clock: tuple[float, float, int]
+    record: Record, timed: dict[Column, Timed], units: dict[Column, str], clock: tuple[float, float, int]
 ) -> tuple[dict[str, dict[str, tuple[Array, str]]], list[Finding]]:
     """Return values on the clock and unit of each signal and axis, and findings."""
     signals: dict[str, dict[str, tuple[Array, str]]] = {}
-    findings: list[Finding] = []
+    added: list[tuple[float, float]] = []
     for column, channel in timed.items():
-        unit, shared = _unit(column, channel.channel, timed, record)
-        findings += [shared] if shared and shared not in findings else []
-        expected = SIGNALS[column.signal]
+        unit, expected = units[column], SIGNALS[column.signal]
         values = _in_si(channel.channel, column, unit, expected, record) if unit else channel.channel.values
         values = values * column.factor
         _check_size(values, column, channel, unit, record)
         even, between = resampled(channel.time, values, channel.report, clock)
         if between:
             channel.report = replace(channel.report, resampled=True)
+            if expected == "m" and channel.report.jitter_peak > UNEVEN * channel.report.period and not channel.is_counted:
+                added.append(resampling_error(channel.time, values, channel.report.period))
         signals.setdefault(column.signal, {})[column.axis] = (even, expected or si_unit(unit))
-    return signals, findings
+    return signals, [finding("CL437", rms=max(rms for rms, _ in added), largest=max(peak for _, peak in added))] if added else []
 
 
-def _unit(column: Column, channel: Channel, timed: dict[Column, Timed], record: Record) -> tuple[str, Finding | None]:
-    """Return the unit of a column, and a finding if it was taken from another signal of the axis."""
-    unit, expected = column.unit or channel.unit, SIGNALS[column.signal]
-    if unit or not expected:
-        return unit, None
-    for other, beside in timed.items():
-        shared = other.unit or beside.channel.unit
-        if other is not column and other.axis == column.axis and SIGNALS[other.signal] == expected and shared:
-            return shared, finding("CL435", signal=column.signal, unit=shared, other=other.signal)
-    raise LogError(f"column {channel.name!r} has no unit: write --column '{column.target}={channel.name} [mm]'", file=record.file)
+def _units(record: Record, given: Columns, guesses: Sequence[Column]) -> tuple[dict[Column, str], list[Column], list[Finding]]:
+    """Return the units of columns, the guesses that are left out, and findings.
+
+    A velocity identified by name is left out if it has no unit or holds words; so is any such column if the user names columns.
+    """
+    columns = [column for column in (*given.columns, *guesses) if column.signal != TIME]
+    channels = {column: record.channel(column.column) for column in columns}
+    own = {column: column.unit or channel.unit for column, channel in channels.items()}
+    units, shared = dict(own), []
+    for column in [column for column in columns if SIGNALS[column.signal] and not own[column]]:
+        for other in columns:
+            if other.axis == column.axis and SIGNALS[other.signal] == SIGNALS[column.signal] and own[other]:
+                units[column] = own[other]
+                shared.append(finding("CL435", signal=column.signal, unit=own[other], other=other.signal))
+                break
+    without = [column for column in columns if SIGNALS[column.signal] and not units[column]]
+    is_named = any(column.signal != TIME for column in given.columns)
+    doubted = [column for column in guesses if column.signal != TIME and (is_named or SIGNALS[column.signal] != "m")]
+    spare = [column for column in doubted if column in without or channels[column].fault is not None]
+    if missing := [column for column in without if column not in spare]:
+        names = quoted((channels[column].name for column in missing), len(missing))
+        these = f"column {names} has" if len(missing) == 1 else f"columns {names} have"
+        options = " ".join(f"--column '{c.target}={channels[c].name} [{USUAL.get(SIGNALS[c.signal], SIGNALS[c.signal])}]'" for c in missing)
+        raise LogError(f"{these} no unit: write {options}", file=record.file)
+    left_out = [finding("CL436", columns=[channels[column].name for column in spare])] if spare else []
+    return units, spare, [*(one for k, one in enumerate(shared) if one not in shared[:k]), *left_out]
 
 
 def _check_size(values: Array, column: Column, channel: Timed, unit: str, record: Record) -> None:

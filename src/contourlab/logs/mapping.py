@@ -31,6 +31,8 @@ SIGNALS = {
     "disturbance_estimate": "",
 }
 """Signals and their units; empty for the unit of the column."""
+USUAL = {"m": "mm", "m/s": "mm/s"}
+"""Units that people write, for messages."""
 _TARGET = re.compile(r"(?P<signal>[a-z_]+)(?:\.(?P<axis>\w+))?\Z")
 
 
@@ -159,7 +161,7 @@ def _column(target: str, name: str, unit: str, factor: float, where: str | Path)
     expected = "s" if signal == TIME else SIGNALS[signal]
     try:
         if unit and not same_dimension(unit, expected or unit):
-            raise LogError(f"{target}: {unit} is not a unit of {signal}; write one such as {expected}", file=where)
+            raise LogError(f"{target}: {unit} is not a unit of {signal}; write one such as {USUAL.get(expected, expected)}", file=where)
     except UnitError as error:
         raise LogError(f"{target}: {error}", file=where) from error
     return Column(signal, axis, name, unit, factor)

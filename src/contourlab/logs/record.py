@@ -102,17 +102,27 @@ class Record:
         LogError
             If none or several match.
         """
-        for matches in (
-            [c for c in self.channels if c.name == name],
-            [c for c in self.channels if c.name.casefold() == name.casefold()],
-            [c for c in self.channels if name.casefold() in c.name.casefold()],
-        ):
-            if len(matches) == 1:
-                return matches[0]
-            if matches:
-                matched = quoted(c.name for c in matches)
-                raise LogError(f"column {name!r} is ambiguous, it matches {matched}: write the full name", file=self.file)
-        raise LogError(f"has no column {name!r}; the columns are {quoted(self.names)}", file=self.file)
+        return self.channels_of([name])[0]
+
+    def channels_of(self, names: Iterable[str]) -> list[Channel]:
+        """Return channels by their names, as `channel` does; an error names all columns that are missing."""
+        matches = {name: self._matches(name) for name in names}
+        if absent := [name for name, found in matches.items() if not found]:
+            column = "column" if len(absent) == 1 else "columns"
+            raise LogError(f"has no {column} {quoted(absent)}; the columns are {quoted(self.names)}", file=self.file)
+        for name, found in matches.items():
+            if len(found) > 1:
+                several = quoted(c.name for c in found)
+                raise LogError(f"column {name!r} is ambiguous, it matches {several}: write the full name", file=self.file)
+        return [found[0] for found in matches.values()]
+
+    def _matches(self, name: str) -> list[Channel]:
+        folded = name.casefold()
+        return (
+            [c for c in self.channels if c.name == name]
+            or [c for c in self.channels if c.name.casefold() == folded]
+            or [c for c in self.channels if folded in c.name.casefold()]
+        )
 
 
 def _numbered(channels: tuple[Channel, ...]) -> tuple[Channel, ...]:

@@ -212,6 +212,61 @@ def test_the_planted_jitter_is_measured(period: float, size: float, seed: int) -
     assert not report.gaps
 
 
+def jittering(size: float, lost: list[int], seed: int = 1, n: int = 5000) -> tuple[np.ndarray, np.ndarray]:
+    """Return written and true times of samples every millisecond, some lost."""
+    true = np.delete(np.arange(n) * 1e-3, lost)
+    return np.sort(true + size * 1e-3 * np.random.default_rng(seed).uniform(-1.0, 1.0, true.size)), true
+
+
+@given(st.floats(0.1, 0.42), st.integers(0, 2**31))
+def test_jitter_is_not_taken_for_gaps(size: float, seed: int) -> None:
+    """Steps of up to 1.84 periods, one lost sample and a gap of 40."""
+    time, _ = jittering(size, [1200, *range(3000, 3040)], seed)
+    report, _ = look_at_clock(time, "a", FILE)
+    assert report.missing == 41 and max(gap.missing for gap in report.gaps) >= 39
+    assert report.period == pytest.approx(1e-3, rel=1e-5)
+    assert report.jitter_rms == pytest.approx(size * 1e-3 / np.sqrt(3.0), rel=0.05)
+
+
+def test_the_error_of_resampling_is_stated() -> None:
+    """The slope is 50 mm/s, the jitter 0.4 ms: positions on the even clock are off by at most 20 um."""
+    time, true = jittering(0.4, [1200])
+    log = result_of(record(Channel("x pos", 50.0 * true, "mm", time)), Columns())
+    off = log.result["position"][:, 0] - 0.05 * (log.start + log.result.time)
+    stated = next(one.values for one in log.findings if one.code == "CL437")
+    assert np.sqrt(np.mean(off**2)) < stated["rms"] < 15e-6
+    assert np.abs(off).max() < stated["largest"] < 41e-6
+
+
+def test_a_given_period_counts_samples_whose_times_jitter() -> None:
+    time, true = jittering(0.4, list(range(3000, 3040)))
+    noise = np.random.default_rng(2).standard_normal(true.size)
+    log = result_of(record(Channel("x pos", noise, "mm", time)), Columns(period=1e-3))
+    assert "CL437" not in codes(log) and {"CL426", "CL427"} <= codes(log)
+    there = np.setdiff1d(np.arange(5000), np.arange(3000, 3040))
+    assert log.result["position"][there, 0] == pytest.approx(1e-3 * noise, abs=1e-9)
+
+
+def test_columns_that_are_not_needed_may_lack_a_unit() -> None:
+    names = ("X1_ActualPosition", "X1_ActualVelocity", "X1_CommandPosition", "Z1_ActualPosition")
+    channels = [Channel(name, np.arange(4.0)) for name in names]
+    spoilt = Channel("Y1_ActualVelocity", np.full(4, np.nan), "mm/s", fault=LogError("words", file=FILE))
+    log = result_of(record(*channels, spoilt, period=0.1), Columns(parse_columns(["position.x=X1_ActualPosition [mm]"])))
+    assert log.result.axes == ("x",) and set(log.result.signals) == {"position", "reference"}
+    assert finding("CL436", columns=["X1_ActualVelocity", "Z1_ActualPosition", "Y1_ActualVelocity"]) in log.findings
+    with pytest.raises(LogError, match=r"--column 'position\.x=X1_ActualPosition \[mm\]' .*--column 'position\.z=Z1_ActualPosition \[mm\]'"):
+        result_of(record(*channels, spoilt, period=0.1), Columns())
+    needed = ["position.x=X1_ActualPosition [mm]", "velocity.x=X1_ActualVelocity"]
+    with pytest.raises(LogError, match=r"'velocity\.x=X1_ActualVelocity \[mm/s\]'"):
+        result_of(record(*channels, spoilt, period=0.1), Columns(parse_columns(needed)))
+
+
+def test_all_missing_columns_are_named() -> None:
+    with pytest.raises(LogError, match="'b', 'c'.*'a'"):
+        columns = parse_columns(["position.x=a [mm]", "position.y=b [mm]", "reference.x=c [mm]"])
+        result_of(record(Channel("a", np.arange(4.0)), period=0.1), Columns(columns))
+
+
 def test_channels_of_different_rates_meet_on_the_fastest_clock() -> None:
     """A line equals its interpolation; where either channel has no samples there is no result."""
     fast, slow = np.arange(2, 40) * 1e-3, np.arange(0, 8) * 5e-3

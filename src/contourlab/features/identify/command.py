@@ -102,7 +102,7 @@ def axis_file(identified: Identified) -> str:
     head = [f"# Axis {identified.axis}, model {identified.model}, identified from {join_names(identified.logs)}{fit}."]
     if "plant" not in tables:
         head.append("# Part of an axis file: add the tables that these logs do not give.")
-    head += [f"# {finding}" for finding in identified.findings if not "CL419" <= finding.code <= "CL435"]  # not those on reading
+    head += [f"# {finding}" for finding in identified.findings if not "CL419" <= finding.code <= "CL449"]  # not those on reading
     return "\n".join(head) + "\n\n" + toml(tables)
 
 

@@ -82,6 +82,7 @@ def measure(
         If a signal is missing or not finite, nothing moves, the tool is far from the path, or a shift is given without a path.
     """
     run = _of_axes(result, axes or result.axes)
+    _check_signals(run, path)
     position = _position_of(run)
     findings = [*period_findings(result.servo_period), *motion_findings(position, result.servo_period)]
     of_samples, shifts = path is None, None
@@ -151,6 +152,18 @@ def _bridged_at(log: Log, measured: Measured, time: float) -> tuple[str, ...]:
         if before <= foot <= behind:
             channels.append(name)
     return tuple(dict.fromkeys(channels))
+
+
+def _check_signals(run: Result, path: Path | None) -> None:
+    """Raise one error for all signals that are missing."""
+    missing = []
+    for signal_of in (_position_of, *([_reference_of] if path is None else [])):
+        try:
+            signal_of(run)
+        except ResultError as error:
+            missing.append(str(error))
+    if missing:
+        raise ResultError("; ".join(missing))
 
 
 def _position_of(run: Result) -> Array:
