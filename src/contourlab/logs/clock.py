@@ -15,6 +15,8 @@ from contourlab.units import show
 
 GAP = 1.5
 """Longest step without missing samples, in periods."""
+SHORT = 0.75
+"""Steps below, in periods, show that times jitter."""
 MOST_MISSING = 0.05
 """Largest accepted share of missing samples."""
 FEW = 3
@@ -128,7 +130,7 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     wide = step > GAP * usual
     count[~wide] = 1.0
     # A lost sample makes a long step; jitter makes short ones as well.
-    if even.size > WINDOW // 5 and wide.any() and (step < (2.0 - GAP) * usual).any():
+    if even.size > WINDOW // 5 and wide.any() and (step < SHORT * usual).any():
         count = _jittering_count(even, period)
     gaps = tuple(Gap(float(even[k]), int(count[k]) - 1) for k in np.flatnonzero(count > 1.0))
     if period is None:

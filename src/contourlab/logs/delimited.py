@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -21,11 +21,11 @@ from contourlab.logs.reading import (
     columns_of,
     is_empty,
     is_unit,
+    lines_in,
     name_and_unit,
     number,
     number_channel,
     shown,
-    split_lines,
     text_of,
 )
 from contourlab.logs.record import Channel, Record
@@ -71,41 +71,48 @@ def read(file: Path) -> Record:
         If there is no row of numbers, or one has another number of columns.
     """
     text = text_of(file)
-    lines = [(i, line) for i, line in split_lines(text, file) if _bare(line)]
-    if not lines:
+    lines = ((i, line) for i, line in lines_in(text) if _bare(line))
+    looked = list(itertools.islice(lines, LOOKED_AT))
+    if not looked:
         raise LogError("contains no samples", file=file)
-    first, mark = _first_row(lines, file)
+    first, mark = _first_row(looked, file)
+    width = len(_cells(looked[first][1], mark))
+    check_limit(width, COLUMNS, "columns", file, looked[first][0])
+    values = _plain(itertools.chain(looked[first:], lines), width, mark)
+    if values is None:
+        return _read_cells(file, text, first, mark)
+    names, units = _heads([_cells(line, mark) for _, line in looked[:first]], width)
+    channels = (Channel(name, column, unit) for name, column, unit in zip(names, values.T, units, strict=True))
+    return Record(file, "csv", tuple(channels))
+
+
+def _plain(rows: Iterable[tuple[int, str]], width: int, mark: str | None) -> Array | None:
+    """Return the numbers (n_row, n_column) of a table without empty cells, timestamps and words; None for others."""
+    # With other separators, commas are decimal; beside points they are not plain.
+    lines = (line.replace(",", "words" if "." in line else ".") if mark != "," else line for _, line in rows)
+    try:
+        values = np.loadtxt(lines, delimiter=mark, ndmin=2, comments=None)
+    except ValueError:
+        return None
+    return values if values.shape[1] == width else None
+
+
+def _read_cells(file: Path, text: str, first: int, mark: str | None) -> Record:
+    """Read a table cell by cell."""
+    lines = [(i, line) for i, line in lines_in(text) if _bare(line)]
     heads, rows = lines[:first], lines[first:]
     cut = len(rows) > 1 and not text.endswith(("\n", "\r"))
     if _is_closed(heads, rows[:-1] if cut else rows, mark):
         heads, rows = ([(i, line.rstrip(" ").removesuffix(mark or "")) for i, line in part] for part in (heads, rows))
     width = len(_cells(rows[0][1], mark))
-    check_limit(width, COLUMNS, "columns", file, rows[0][0])
     names, units = _heads([_cells(line, mark) for _, line in heads], width)
     findings: tuple[Finding, ...] = ()
     if cut and len(_cells(rows[-1][1], mark)) != width:
         rows, findings = rows[:-1], (CUT,)
-    values = _plain(rows, width, mark)
-    if values is not None:
-        channels = [Channel(name, column, unit) for name, column, unit in zip(names, values.T, units, strict=True)]
-        return Record(file, "csv", tuple(channels), findings=findings)
     above = {line for _, line in heads}
     if repeated := next((i for i, line in rows if line in above), 0):
         raise LogError("the header is repeated here: split the file, it contains two records", file=file, line=repeated)
     return Record(file, "csv", tuple(_channels(rows, names, units, mark, file)), findings=findings)
-
-
-def _plain(rows: list[tuple[int, str]], width: int, mark: str | None) -> Array | None:
-    """Return the numbers (n_row, n_column) of a table without empty cells, timestamps and words; None for others."""
-    comma = mark != "," and any("," in line for _, line in rows)
-    if comma and any("." in line for _, line in rows):
-        return None
-    try:
-        lines = (line.replace(",", ".") if comma else line for _, line in rows)
-        values = np.loadtxt(lines, delimiter=mark, ndmin=2, comments=None)
-    except ValueError:
-        return None
-    return values if values.shape == (len(rows), width) else None
 
 
 def _channels(rows: list[tuple[int, str]], names: list[str], units: list[str], mark: str | None, file: Path) -> Iterator[Channel]:
@@ -320,7 +327,9 @@ def _ticks(texts: list[str], name: str, lines: Sequence[int], file: Path) -> tup
         ticks = pandas.to_timedelta(cells).as_unit("ns").asi8
     elif forms and forms[0] and not any(wrong):
         stamps = pandas.to_datetime(cells, format=forms[0][0], dayfirst=True, utc=True, errors="coerce")
-        wrong, ticks = stamps.isna().tolist(), stamps.as_unit("ns").asi8
+        # Outside these years, nanoseconds do not fit 64 bits.
+        wrong = (stamps.isna() | (stamps.year < 1678) | (stamps.year > 2261)).tolist()
+        ticks = ticks if any(wrong) else stamps.as_unit("ns").asi8
     if any(wrong):
         k = wrong.index(True)
         other = ", in another format than the first," if forms[k] and forms[k] != forms[0] else ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import csv
+import io
 import math
 import re
 from collections.abc import Iterator, Sequence
@@ -60,17 +61,33 @@ def readable(file: Path) -> Iterator[None]:
 
 
 def text_of(file: Path) -> str:
-    """Return the text of a file: UTF-8, UTF-16 with a byte order mark, else Latin-1 as older controls write it."""
+    """Return the text of a file: UTF-8, UTF-16 with a byte order mark, else Latin-1 as older controls write it.
+
+    Raises
+    ------
+    LogError
+        If it cannot be read, is not text, or has a line too long: its cells would fill the memory.
+    """
     with readable(file):
         data = file.read_bytes()
     if data[:2] in UTF_16:
-        return data.decode("utf-16", errors="replace")
-    if b"\0" in data[:HEAD]:
+        text = data.decode("utf-16", errors="replace")
+    elif b"\0" in data[:HEAD]:
         raise LogError("is not text: name its format with --format", file=file)
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        return data.decode("latin-1")
+    else:
+        try:
+            text = data.decode("utf-8-sig")
+        except UnicodeDecodeError:
+            text = data.decode("latin-1")
+    start = 0
+    while len(text) - start > LINE:
+        end = max(text.rfind("\n", start, start + LINE), text.rfind("\r", start, start + LINE)) + 1
+        if end == 0:
+            end = min((k for k in (text.find("\n", start), text.find("\r", start)) if k >= 0), default=len(text)) + 1
+            line = len(text[:start].splitlines()) + 1
+            check_limit(end - 1 - start, LINE, "characters in a line", file, line)
+        start = end
+    return text
 
 
 def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[Finding, ...]]:
@@ -79,25 +96,17 @@ def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[Finding, ...]]:
     A last line without a line break was cut short, and is left out.
     """
     text = text_of(file)
-    lines = split_lines(text, file)
+    lines = list(lines_in(text))
     if not lines or text.endswith(("\n", "\r")):
         return lines, ()
     return lines[:-1], (CUT,)
 
 
-def split_lines(text: str, file: Path) -> list[tuple[int, str]]:
-    """Return the numbered lines of a text without blank ones.
-
-    Raises
-    ------
-    LogError
-        If a line is too long: splitting it would fill the memory.
-    """
-    lines = text.splitlines()
-    for i, line in enumerate(lines, 1):
-        if len(line) > LINE:
-            check_limit(len(line), LINE, "characters in a line", file, i)
-    return [(i, line) for i, line in enumerate(lines, 1) if line.strip()]
+def lines_in(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the numbered lines of a text without blank ones."""
+    for i, line in enumerate(io.StringIO(text, newline=None), 1):
+        if line.strip():
+            yield i, line.rstrip("\n")
 
 
 def cells_of(line: str, mark: str) -> list[str]:

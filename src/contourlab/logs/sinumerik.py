@@ -17,7 +17,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.findings import Finding, finding
-from contourlab.logs.limits import NUMBERS, check_limit
+from contourlab.logs.limits import COLUMNS, NUMBERS, check_limit
 from contourlab.logs.reading import is_unit, number, readable, shown
 from contourlab.logs.record import Channel, Record
 
@@ -97,8 +97,9 @@ class _Trace:
         parser.StartDoctypeDeclHandler = self._refuse_types
         parser.EndElementHandler = lambda _: above.pop()
         try:
-            with readable(self.file), self.file.open("rb") as stream:
-                parser.ParseFile(stream)
+            with readable(self.file):
+                data = self.file.read_bytes()
+            parser.Parse(data, True)  # in parts, older versions of expat scan a long element again and again
         except expat.ExpatError as error:
             raise LogError(f"is not valid or complete XML: {expat.ErrorString(error.code)}", file=self.file, line=error.lineno) from error
         except (LookupError, ValueError) as error:
@@ -109,6 +110,7 @@ class _Trace:
         raise LogError("declares a document type (DOCTYPE), which no trace has: delete the declaration", file=self.file)
 
     def _take(self, tag: str, attributes: dict[str, str], above: list[str], line: int) -> None:
+        check_limit(max(len(attributes), len(self.signals)), COLUMNS, "columns", self.file, line)
         if tag == "signal" and any(name.startswith("traceDisplaySetup") for name in above):
             self.shown.setdefault(attributes.get("key", ""), attributes)
         elif tag == "dataFrame" and self.samples:

@@ -10,7 +10,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import LogError, UnitError
 from contourlab.logs import Channel, Record, read_record
-from contourlab.logs.reading import CUT, text_of
+from contourlab.logs.reading import CUT, lines_in, text_of
 from contourlab.units import to_si
 
 PAIRS = (("u1", "u2"), ("cos", "sin"), ("a", "b"))
@@ -95,7 +95,7 @@ def read_quadrature(file: str | Path, columns: str | None = None, reference: str
 
 def line_of(record: Record, sample: int) -> int:
     """Return the line number (from 1) of a sample (from 0)."""
-    lines = [i for i, line in enumerate(text_of(record.file).splitlines(), 1) if line.strip() and line.strip()[0] not in "#%"]
+    lines = [i for i, line in lines_in(text_of(record.file)) if line.strip()[0] not in "#%"]
     return lines[len(lines) - len(record.channels[0].values) - (CUT in record.findings) + sample]
 
 
