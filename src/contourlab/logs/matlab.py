@@ -102,7 +102,9 @@ class _HdfTree:
         import h5py
 
         links = {name: group.get(name, getlink=True) for name in group if not name.startswith("#")}
-        items = {name: group.get(name) for name, link in links.items() if not isinstance(link, h5py.ExternalLink)}
+        # An item that cannot be opened is damaged; a soft link may lead nowhere.
+        own = {name: link for name, link in links.items() if not isinstance(link, h5py.ExternalLink)}
+        items = {name: group[name] if isinstance(link, h5py.HardLink) else group.get(name) for name, link in own.items()}
         return {name: self.plain(item) for name, item in items.items() if isinstance(item, h5py.Group | h5py.Dataset)}
 
     def plain(self, item: Any) -> Any:

@@ -135,3 +135,20 @@ def test_columns_have_a_limit(tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text("1,2\n" + ("1," * 25_000 + "1\n") * 3)
     with refuses(LogError, f"25001.*{limits.SETTING}=3", file=tmp_path / "a.csv", line=2):
         read_record(tmp_path / "a.csv")
+
+
+def test_a_damaged_item_is_not_left_out(tmp_path: Path) -> None:
+    with h5py.File(tmp_path / "a.mat", "w") as stored:
+        stored["t"], stored["x"] = np.arange(3.0), np.arange(3.0)
+        place = h5py.h5o.get_info(stored["x"].id).addr
+    with (tmp_path / "a.mat").open("r+b") as stream:
+        stream.seek(place)
+        stream.write(b"\xff" * 16)
+    with refuses(LogError, "matlab", file=tmp_path / "a.mat"):
+        read_record(tmp_path / "a.mat")
+
+
+def test_a_trace_with_many_attributes(tmp_path: Path) -> None:
+    file = trace(tmp_path, '<rec time="0" ' + " ".join(f'a{k}="1"' for k in range(20_000)) + "/>")
+    with refuses(LogError, f"{limits.SETTING}=3", file=file, line=1):
+        read_record(file)
