@@ -144,7 +144,7 @@ class Writer:
         first, second, normal = AXES[plane]
         code = self.dice.choice(["G73", "G74", "G81", "G82", "G83", "G84", "G85", "G86", "G88", "G89", "G81", "G83", "G82"])
         if plane != "G17" and code in ("G74", "G84"):
-            code = "G81"  # there the pre-release of LinuxCNC 2.9 swaps the axes, a bug fixed since
+            code = "G81"  # there LinuxCNC feeds along another axis
         absolute = self.dice.random() < 0.6
         at = f" {first}{self.number()}" + (f" {second}{self.number()}" if self.dice.random() < 0.6 else "")
         depth = f" {normal}{self.dice.choice(['-3', '-4.25', '-10'])} R{self.dice.choice(['-1', '0', '2', '5'])}"

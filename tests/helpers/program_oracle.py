@@ -72,7 +72,7 @@ def our_moves(text: str, folder: Path | None = None, tools: Path | None = None) 
 
 
 def their_moves(oracle: ModuleType, file: Path, backend: str, **options: Any) -> tuple[Theirs, str]:
-    """Return LinuxCNC's moves without dwells of zero time, and its error message, empty if there is none."""
+    """Return LinuxCNC's moves, and its error message, empty if there is none."""
     # LinuxCNC keeps the tools in a file of the home folder, which parallel interpreters would share.
     with tempfile.TemporaryDirectory() as home, pytest.MonkeyPatch.context() as patch:
         patch.setenv("HOME", home)
@@ -80,7 +80,7 @@ def their_moves(oracle: ModuleType, file: Path, backend: str, **options: Any) ->
             moves, complaint = oracle.moves(str(file), backend=backend, timeout=20, **options), ""
         except oracle.OracleError as error:
             moves, complaint = error.args[1], error.args[0]
-    return [move for move in moves if move["kind"] != "dwell" or move["seconds"] > 0.0], complaint
+    return moves, complaint
 
 
 def refused_line(complaint: str) -> int:

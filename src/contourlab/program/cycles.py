@@ -183,7 +183,7 @@ class _Cycle:
         self.moves += self.state.straight(self._point(depth, aside), self.line, self.feedrate if feed else None)
 
     def _wait(self) -> None:
-        if self.state.cycle.dwell:
+        if self.state.cycle.dwell or self.state.still:
             self.moves += self.state.wait(self.state.cycle.dwell, self.line)
 
     def _spindle(self, sense: int) -> None:

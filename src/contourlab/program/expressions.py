@@ -19,6 +19,8 @@ SELECTED_SYSTEM = 5220
 LOCAL = range(1, 31)
 """Numbers local to each call of a subprogram."""
 _POSITION = (5420, 5421, 5422)
+_MACHINE_NAMES = ("_ini[", "_hal[")
+"""Starts of the names of INI entries and HAL pins."""
 _READ_ONLY = frozenset((*range(5400, 5414), *range(5420, 5429)))
 
 Key: TypeAlias = int | str
@@ -43,6 +45,8 @@ class Parameters:
         Value that the last subprogram returned.
     changes : int
         Count of assignments.
+    defining : bool
+        Whether a subprogram is being skipped at its definition: names without a value are then 0, as in LinuxCNC.
     """
 
     def __init__(
@@ -58,6 +62,7 @@ class Parameters:
         self._callers: list[tuple[dict[str, float], dict[int, float] | None]] = []
         self.returned: float | None = None
         self.changes = 0
+        self.defining = False
 
     @property
     def depth(self) -> int:
@@ -77,6 +82,10 @@ class Parameters:
                 return self.own[key]()
             names = self._names(key)
             if key not in names:
+                if self.defining:
+                    return 0.0
+                if key.startswith(_MACHINE_NAMES):
+                    raise BlockError(f"#<{key}> is a value of the machine, unknown here: write the number itself", column)
                 raise BlockError(f"#<{key}> has no value yet: write #<{key}> = ... on an earlier line", column)
             return names[key]
         _check_number(key, column)
@@ -95,8 +104,8 @@ class Parameters:
     def check(self, key: Key, column: int) -> None:
         """Refuse parameters that do not exist or belong to the interpreter."""
         if isinstance(key, str):
-            if key in self.own:
-                raise BlockError(f"#<{key}> is read-only, the interpreter sets it: choose another name", column)
+            if key in self.own or key.startswith(_MACHINE_NAMES):
+                raise BlockError(f"#<{key}> is read-only, the control sets it: choose another name", column)
             return
         _check_number(key, column)
         if key in _READ_ONLY:

@@ -212,7 +212,8 @@ class Dwell:
 
     Parameters
     ----------
-    seconds : float [s], > 0
+    seconds : float [s], >= 0
+        0 only where the reader keeps moves of zero length.
     source_line : int, >= 1
     """
 

@@ -76,7 +76,7 @@ class Reader:
         Name of the program in error messages.
     reading : Reading, optional
     still : bool
-        Whether to yield moves of zero length, too.
+        Whether to yield moves of zero length and dwells of 0 s, too.
     problems : list of ProgramError, optional
         Collects up to `MOST_PROBLEMS` faults; faulty lines are skipped. Without it the first fault is raised.
 
@@ -102,9 +102,9 @@ class Reader:
         self.state = ModalState(tools=tools, still=still)
         self.parameters = Parameters(self.state.shown_position)
         self.state.parameters = self.parameters
-        self._walker = Walker(Tape((raw.rstrip("\r\n") for raw in lines), str(name)), self.parameters, self._subprogram)
+        self._walker = Walker(Tape(self._framed(lines), str(name)), self.parameters, self._subprogram)
         self.parameters.own = own_names(self.state, lambda: self._walker.place[1])
-        self._open = self._started = self._ended = False
+        self._open = self._closed = self._ended = False
 
     def moves(self) -> Iterator[Move]:
         """Yield the moves in the order of execution.
@@ -119,7 +119,7 @@ class Reader:
         while True:
             try:
                 line = next(lines, None)
-                if line is None or self._closes(line):
+                if line is None or (self._closed and line.strip() == "%"):
                     break
                 block = self._block(line)
                 made = execute(block, state, walker.main_line) if block else []
@@ -155,30 +155,35 @@ class Reader:
         if all(str(error) != str(known) for known in self.problems):
             self.problems.append(error)
 
+    def _framed(self, lines: Iterable[str]) -> Iterator[str]:
+        """Yield the lines without their breaks, up to and with the % that closes the program."""
+        started = False
+        for raw in lines:
+            line = raw.rstrip("\r\n")
+            mark = "%" in line and line.strip() == "%"
+            self._closed = mark and self._open
+            self._open = self._open or (mark and not started)
+            started = started or bool(line.strip())
+            yield line
+            if self._closed:
+                return
+
     def _block(self, line: str) -> Block | None:
         """Return the block of a line; None if there is nothing to execute."""
         if "/" in line and line.lstrip().startswith("/"):
             if self.reading.block_delete:
                 return None
             line = line.replace("/", " ", 1)
-        if "%" in line and line.strip() == "%" and not (self._started and self.reading.require_end):
-            if self._started:
+        if "%" in line and line.strip() == "%":
+            if self._open:
+                return None
+            if not self.reading.require_end:
                 fault = "% closes the program, but the first line has no % to open it: ignored"
                 self.notices.append(Notice(fault, self._walker.place[1], line.index("%") + 1))
-            self._open = self._open or not self._started
-            self._started = True
-            return None
-        if not self._started:
-            self._started = bool(line.strip())
+                return None
         if self.reading.dialect == "grbl":
             line = _grbl_line(line, self._walker.place[1], self.notices, self.state)
         return read_block(line, self.parameters)
-
-    def _closes(self, line: str) -> bool:
-        """Return whether a line is the % that closes the program."""
-        if "%" in line and line.strip() == "%" and self._open:
-            self._ended = True
-        return self._ended
 
     def _leaves(self, block: Block) -> bool:
         """Follow M98 and M99; return whether the program ends with this block."""
@@ -217,7 +222,7 @@ class Reader:
         elif not moved:
             cure = "write at least one G0, G1, G2 or G3 that leads away from the start (X0 Y0 Z0)"
             raise ProgramError(f"the program contains no motion: {cure}", file=self.name)
-        if self._ended:
+        if self._ended or self._closed:
             return
         line = self._walker.place[1]
         if self.reading.dialect == "grbl" or not self.reading.require_end:

@@ -54,7 +54,7 @@ class ModalState:
     parameters : Parameters
     tools : Tools
     still : bool
-        Whether to make moves of zero length.
+        Whether to make moves of zero length and dwells of 0 s.
     position : (x, y, z) [m]
         The programmed point in the selected coordinate system.
     reached : (x, y, z) [m]
@@ -194,9 +194,10 @@ class ModalState:
         return [Feed(start, axes, feedrate, line, self.mode)]
 
     def wait(self, seconds: float, line: int) -> list[Move]:
-        """Return a dwell; a dwell of 0 s becomes an event, because the machine stops for it."""
+        """Return a dwell; a dwell of 0 s becomes an event, because the machine stops for it, and a dwell only if `still`."""
         if seconds == 0.0:
             self.tell("G4", 0.0, line)
+        if seconds == 0.0 and not self.still:
             return []
         self.made += 1
         return [Dwell(seconds, line)]

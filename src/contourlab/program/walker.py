@@ -253,8 +253,12 @@ class Walker:
         if word.label in self._subs:
             cure = "move it before the first call, or after M2"
             raise BlockError(f"O{word.label} sub is defined twice, or the program runs into it after a call: {cure}", word.column)
-        self._subs[word.label] = self._body(self.frame.tape, self.frame.index, word)
-        self._skip_to(word.label, ("endsub",), word)
+        self.parameters.defining = True
+        try:
+            self._subs[word.label] = self._body(self.frame.tape, self.frame.index, word)
+            self._skip_to(word.label, ("endsub",), word)
+        finally:
+            self.parameters.defining = False
 
     def _body(self, tape: Tape, start: int, word: OWord) -> tuple[Tape, int]:
         """Keep the lines of a subprogram from `start` to its endsub, or the end of the text."""

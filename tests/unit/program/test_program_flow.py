@@ -75,6 +75,8 @@ def test_conditions_and_loops(text: str, wanted: list[float]) -> None:
         ("#1 = 4\nM98 P5\nX#1\nM2\nO5\nX#1\n#1 = 6\nM99", [4, 6]),
         ("M98 P5\nM2\nO5\nX1\nM98 P6\nX3\nM99\nO6\nX2\nM99", [1, 2, 3]),
         ("o1 sub\no2 while [1]\nX1\no1 return\no2 endwhile\no1 endsub\no1 call\nX2", [1, 2]),
+        ("o2 sub\nX2\no2 endsub\no<a> sub\n#<s> = 2\no#<s> call\no<a> endsub\no<a> call", [2]),
+        ("o<a> sub\n#<s> = 2\no#<s> if [1]\nX2\no#<s> endif\no<a> endsub\no<a> call", [2]),
     ],
 )
 def test_subprograms(text: str, wanted: list[float]) -> None:
@@ -119,6 +121,10 @@ def test_subprograms(text: str, wanted: list[float]) -> None:
             "line 1 ",
         ),
         ("o1 call" + " [1]" * 31, 1, 1, "30 arguments"),
+        ("%\no9 call\nX1\n%\no9 sub\nX2\no9 endsub", 2, 1, "O9"),
+        ("%\nM98 P9\nX1\n%\nO9\nX2\nM99", 2, 1, "O9"),
+        ("%\no1 if [0]\nX1\n%\no1 endif", 2, 1, "O1 if"),
+        ("o1 if [0]\n#<s> = 2\no#<s> if [1]\no#<s> endif\no1 endif", 3, 2, "#<s>"),
         ("M98", 1, 1, "no P"),
         ("M98 P1.5", 1, 5, "whole number"),
         ("M98 P7", 1, 1, "O7"),

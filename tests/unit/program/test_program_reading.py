@@ -131,3 +131,10 @@ def test_feed_per_turn_needs_a_speed() -> None:
     assert [round(6e4 * m.feedrate, 9) for m in moves if isinstance(m, Feed)] == [60.0]
     with refuses(ProgramError, "spindle", line=2):
         parse_program("G95 F0.5\nG1 X1\nM2")
+
+
+@pytest.mark.parametrize(("still", "wanted"), [(True, [0.0, 0.5]), (False, [0.5])])
+def test_a_dwell_of_no_time_is_kept_with_the_moves_of_no_length(still: bool, wanted: list[float]) -> None:
+    reader = Reader(["G4 P0", "G4 P0.5", "G0 X1", "M2"], still=still)
+    assert [move.seconds for move in reader.moves() if isinstance(move, Dwell)] == wanted
+    assert [(event.word, event.source_line) for event in reader.state.events] == [("G4", 1)]
