@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 from types import ModuleType
 
 import pytest
-from program_oracle import NEEDED, SHARED, compare, load_oracle, our_moves, their_moves
+from program_oracle import NEEDED, SHARED, compare, difference, load_oracle, our_moves, their_moves
 
 from contourlab.errors import ProgramEndError, ProgramError
 from contourlab.program import read_program
@@ -115,3 +116,37 @@ def test_the_same_moves_in_full_doubles(oracle: ModuleType, tmp_path: Path, key:
     count, wrong = compare(oracle, file)
     assert not wrong, wrong
     assert count == len(our_moves(file.read_text(encoding="latin-1"))[0]) > 1
+
+
+LINUXCNC = os.environ.get("CONTOURLAB_LINUXCNC_TESTS", "")
+"""The folder `tests` of LinuxCNC's sources; not shipped with contourlab."""
+OTHERWISE = {
+    # LinuxCNC feeds along another axis than the one normal to the plane.
+    "g18-g98-g84.ngc", "g18-g99-g84.ngc", "g19-g98-g84.ngc", "g19-g99-g84.ngc",
+    # Its INI file says which parameters are read-only, and where subprogram files are.
+    "interp/iniparam-failassign/test.ngc", "interp/sequence-number/test.ngc",
+    # Line numbers of six digits run into the next word of the oracle's answer, or more moves than the helper reads.
+    "3D_Chips.ngc", "stellabee1.ngc",
+}  # fmt: skip
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not LINUXCNC, reason="CONTOURLAB_LINUXCNC_TESTS does not name LinuxCNC's folder of tests")
+def test_golden_cases_of_linuxcnc(oracle: ModuleType) -> None:
+    """Each program is refused by both, makes the same moves, or needs a word that is not supported."""
+    wrong, same = {}, 0
+    for file in sorted(Path(LINUXCNC).rglob("*.ngc")):
+        if any(str(file).endswith(name) for name in OTHERWISE):
+            continue
+        text = file.read_text(encoding="latin-1")
+        made, error = our_moves(text, file.parent)
+        if error is not None and "supported" in error.message:
+            continue
+        theirs, complaint = their_moves(oracle, file, "rs274")
+        if bool(complaint) != (error is not None):
+            wrong[str(file)] = f"ours: {error}, theirs: {complaint}"
+        elif error is None and (apart := difference(made, theirs, exact=False)):
+            wrong[str(file)] = apart
+        same += 1
+    assert not wrong
+    assert same > 250

@@ -17,7 +17,7 @@ from contourlab.program.curves import add_control_point, bezier, close_curve, ma
 from contourlab.program.cycles import LONGEST_DWELL, drill
 from contourlab.program.moves import Mode, Move
 from contourlab.program.offsets import go_home, machine_target, select_system, set_data, set_shift, set_tool_length, show_tool
-from contourlab.program.state import LARGEST_FEEDRATE, ModalState
+from contourlab.program.state import ModalState
 from contourlab.program.vocabulary import AXIS_WORDS, CYCLES, SPLINES, USERS, BlockError, g_name
 
 LEAST_TIMED_RATE = 0.1
@@ -149,9 +149,6 @@ def _set_feedrate(block: Block, state: ModalState) -> None:
         feedrate /= 60.0
     if feedrate < 0.0:
         raise BlockError(f"F{word.value:g}: a feedrate cannot be negative", word.column)
-    if feedrate > LARGEST_FEEDRATE:
-        unit = "m/s" if state.feed_mode == "per_minute" else "m per turn"
-        raise BlockError(f"F{word.value:g} is {feedrate:g} {unit}, too fast: keep to {LARGEST_FEEDRATE:g} {unit}", word.column)
     state.feedrate = feedrate
 
 

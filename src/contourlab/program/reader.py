@@ -25,6 +25,8 @@ MOST_PROBLEMS = 100
 """Most faults collected."""
 MOST_REPEATED = 5_000_000
 """Most moves in loops and subprograms, where a few lines can make any number of moves."""
+MOST_SHOWN = 200
+"""Most characters of a program's own message to show."""
 _PROGRAM_ENDS = (2, 30)
 _RETURN = 99
 
@@ -183,6 +185,8 @@ class Reader:
                 return None
         if self.reading.dialect == "grbl":
             line = _grbl_line(line, self._walker.place[1], self.notices, self.state)
+        elif "(" in line and (abort := _ABORT.search(line)) and ";" not in line[: abort.start()]:
+            raise BlockError(f"the program stops itself here, with (abort,...):{abort[1][:MOST_SHOWN]}", abort.start() + 1)
         return read_block(line, self.parameters)
 
     def _leaves(self, block: Block) -> bool:
@@ -232,6 +236,7 @@ class Reader:
             raise ProgramEndError(f"the program has no end: {cure}", file=self.name, line=line)
 
 
+_ABORT = re.compile(r"\([ \t]*abort,([^()]*)\)[^()]*$", re.IGNORECASE)
 _COMMENT = re.compile(r"\([^()]*\)|;.*")
 _AXIS = re.compile(r"[XYZxyz]")
 _MOTION = re.compile(r"[Gg][ \t]*0*(?:[0-3](?:\.0*)?|38\.[2-5]|28|30|92|10|53|43\.1|80)(?![0-9.])")

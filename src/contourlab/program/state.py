@@ -15,8 +15,6 @@ from contourlab.program.vocabulary import SYSTEMS, BlockError
 
 LARGEST_LENGTH = 1e3
 """Largest coordinate [m]."""
-LARGEST_FEEDRATE = 1e3
-"""Largest feedrate [m/s]."""
 SHORTEST_MOVE = 1e-12
 """Straight moves up to this length [m] are rounding errors; they are left out."""
 

@@ -8,7 +8,7 @@ import pytest
 from refusals import refuses
 
 from contourlab.errors import ProgramError
-from contourlab.program import Feed, Notice, Reader, Reading, parse_program
+from contourlab.program import Dwell, Feed, Notice, Reader, Reading, parse_program
 
 GRBL = Reading(dialect="grbl")
 
