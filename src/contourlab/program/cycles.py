@@ -18,7 +18,7 @@ PECK_CLEARANCE = 0.010 * 0.0254
 LEAST_STROKE = 1e-10
 """Strokes up to this length [m] are rounding errors; they are left out."""
 MOST_REPEATS = 10_000
-MOST_PECKS = 100_000
+MOST_STROKES = 100_000
 LONGEST_DWELL = 86_400.0
 _DWELLING = (820, 860, 880, 890)
 _TURNING = (740, 840, 860, 870, 880)
@@ -81,6 +81,8 @@ class _Cycle:
             here = self.clearance
         self.state.mode = replace(self.state.mode, control="exact_path", tolerance=None, merge=None)
         repeats = self.words["L"].whole(1, MOST_REPEATS, "the number of repeats") if "L" in self.words else 1
+        if self.code in _PECKING and repeats * (self.clearance - self.depth) / self.state.cycle.peck > MOST_STROKES:
+            raise BlockError(f"the peck Q of {self.name} needs more than {MOST_STROKES} strokes: make it larger", self.column)
         for repeat in range(repeats):
             self._next_hole()
             if repeat == 0 and here > self.clearance + LEAST_STROKE:
@@ -136,8 +138,6 @@ class _Cycle:
             raise BlockError(f"{self.name} has no peck: write Q, the depth of one stroke", self.column)
         if memory.peck <= 0.0:
             raise BlockError(f"the peck Q of {self.name} must be greater than 0: write Q with the depth of one stroke", self.column)
-        if (self.clearance - self.depth) / memory.peck > MOST_PECKS:
-            raise BlockError(f"the peck Q of {self.name} needs more than {MOST_PECKS} strokes: make it larger", self.column)
 
     def _read_bore(self) -> tuple[tuple[float, float], float]:
         """Return lateral offset and top of a back bore (G87)."""

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from contourlab.errors import ProgramError
+from contourlab.program.flow import LONGEST_LINE
 from contourlab.program.moves import Move, Program
 from contourlab.program.reader import Reader, Reading, read_text, split_lines, unreadable
-
-MOST_MOVES = 5_000_000
-"""Most moves of a program held in memory."""
 
 
 def iter_moves(
@@ -149,13 +148,15 @@ def open_program(
     except (OSError, ValueError) as error:
         raise unreadable(file, error) from error
     with text:
-        yield Reader(text, str(file), chosen, still=still, problems=problems)
+        # One character more than allowed is enough to refuse a line of any length.
+        lines = iter(partial(text.readline, LONGEST_LINE + 2), "")
+        yield Reader(lines, str(file), chosen, still=still, problems=problems)
 
 
 def _is_utf8(path: Path) -> bool:
     try:
         with path.open(encoding="utf-8") as text:
-            return all(True for _ in text)
+            return all(iter(partial(text.read, 1 << 20), ""))
     except UnicodeDecodeError:
         return False
 
@@ -167,9 +168,6 @@ def _program(text: str, name: str, place: str, reading: Reading, problems: list[
     try:
         for move in reader.moves():
             moves.append(move)
-            if len(moves) > MOST_MOVES:
-                fault = f"the program makes more than {MOST_MOVES} moves: shorten it, or check for an endless loop"
-                raise ProgramError(fault, file=place, line=move.source_line)
     except ProgramError as error:
         if problems is None:
             raise

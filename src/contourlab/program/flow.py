@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from contourlab.errors import ProgramError
 from contourlab.program.block import without_blanks
 from contourlab.program.expressions import Cursor, Parameters, read_value
 from contourlab.program.vocabulary import BlockError
@@ -24,6 +25,8 @@ _DIGITS = re.compile(r"[0-9]+")
 _CONDITIONS = ("if", "elseif", "while", "repeat")
 _VALUES = ("return", "endsub")
 MOST_ARGUMENTS = 30
+LONGEST_LINE = 100_000
+"""Most characters of a line."""
 BATCH = 1024
 """Least number of lines to drop at once."""
 
@@ -144,12 +147,15 @@ class Tape:
         return tape
 
     def line(self, index: int) -> str | None:
-        """Return a line by its index from 0; None after the end."""
+        """Return a line by its index from 0; None after the end; raise ProgramError for a line longer than `LONGEST_LINE`."""
         while index >= self._first + len(self._kept):
             following = None if self.ended else next(self._lines, None)
             if following is None:
                 self.ended = True
                 return None
+            if len(following) > LONGEST_LINE:
+                fault = f"the line has more than {LONGEST_LINE} characters: divide it"
+                raise ProgramError(fault, file=self.name, line=self._first + len(self._kept) + 1, column=LONGEST_LINE + 1)
             self._kept.append(following)
         return self._kept[index - self._first]
 

@@ -23,8 +23,6 @@ Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
 MOST_NOTICES = 1000
 MOST_PROBLEMS = 100
 """Most faults collected."""
-MOST_REPEATED = 5_000_000
-"""Most moves in loops and subprograms, where a few lines can make any number of moves."""
 MOST_SHOWN = 200
 """Most characters of a program's own message to show."""
 _PROGRAM_ENDS = (2, 30)
@@ -49,11 +47,13 @@ class Reading:
         LinuxCNC tool table, for G43. Without it all tools have length 0.
     folder : Path or None
         Folder of subprogram files; by default that of the program.
+    most_moves : int, > 0
+        Most lines that loops and subprograms execute, plus moves of cycles: a few lines can make any number. Plain lines are not limited.
 
     Raises
     ------
     ProgramError
-        If the dialect is unknown.
+        If the dialect is unknown, or `most_moves` is not positive.
     """
 
     dialect: Dialect = "linuxcnc"
@@ -61,10 +61,13 @@ class Reading:
     block_delete: bool = False
     tools: str | Path | None = None
     folder: Path | None = None
+    most_moves: int = 1_000_000
 
     def __post_init__(self) -> None:
         if self.dialect not in get_args(Dialect):
             raise ProgramError(f"unknown dialect {self.dialect!r}: use {', '.join(get_args(Dialect))}")
+        if self.most_moves < 1:
+            raise ProgramError(f"most_moves = {self.most_moves}: write a number from 1")
 
 
 class Reader:
@@ -104,7 +107,8 @@ class Reader:
         self.state = ModalState(tools=tools, still=still)
         self.parameters = Parameters(self.state.shown_position)
         self.state.parameters = self.parameters
-        self._walker = Walker(Tape(self._framed(lines), str(name)), self.parameters, self._subprogram)
+        self._lines, self._n_read = iter(lines), 0
+        self._walker = Walker(Tape(self._framed(), str(name)), self.parameters, self._subprogram, self.reading.most_moves)
         self.parameters.own = own_names(self.state, lambda: self._walker.place[1])
         self._open = self._closed = self._ended = False
 
@@ -116,7 +120,7 @@ class Reader:
         ProgramError
             With file, line and column, when the faulty line is reached; at the end if there is no motion, or no end.
         """
-        walker, state, moved, repeated = self._walker, self.state, False, 0
+        walker, state, moved = self._walker, self.state, False
         lines = walker.lines()
         while True:
             try:
@@ -125,16 +129,13 @@ class Reader:
                     break
                 block = self._block(line)
                 made = execute(block, state, walker.main_line) if block else []
+                if len(made) > 1:
+                    walker.spend(len(made) - 1)
             except BlockError as fault:
                 self._take(fault)
                 lines = walker.lines()
                 continue
-            if made and walker.repeating:
-                repeated += len(made)
-                if repeated > MOST_REPEATED:
-                    self._take(BlockError(f"loops and subprograms make more than {MOST_REPEATED} moves: shorten them", 0))
             for move in made:
-                walker.idle = 0
                 moved = moved or not isinstance(move, Dwell)
                 yield move
             if block and ("stop" in block.codes or "call" in block.codes):
@@ -157,10 +158,16 @@ class Reader:
         if all(str(error) != str(known) for known in self.problems):
             self.problems.append(error)
 
-    def _framed(self, lines: Iterable[str]) -> Iterator[str]:
+    def count_lines(self) -> int:
+        """Return the number of lines of the program; reads those after its end."""
+        self._n_read += sum(1 for _ in self._lines)
+        return self._n_read
+
+    def _framed(self) -> Iterator[str]:
         """Yield the lines without their breaks, up to and with the % that closes the program."""
         started = False
-        for raw in lines:
+        for raw in self._lines:
+            self._n_read += 1
             line = raw.rstrip("\r\n")
             mark = "%" in line and line.strip() == "%"
             self._closed = mark and self._open

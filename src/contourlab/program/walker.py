@@ -12,8 +12,6 @@ from contourlab.program.vocabulary import BlockError
 
 DEEPEST_CALL = 9
 """LinuxCNC has ten levels, including the main program."""
-MOST_IDLE = 1_000_000
-"""Most lines in loops and subprograms without a move; more indicate an endless loop."""
 MOST_REPEATS = 1e9
 _ENDS = {"while": "endwhile", "do": "while", "repeat": "endrepeat"}
 
@@ -60,16 +58,17 @@ class Walker:
     parameters : Parameters
     find : callable
         Returns the tape of a subprogram file by name, or None.
+    most : int
+        See `Reading.most_moves`.
     """
 
-    def __init__(self, tape: Tape, parameters: Parameters, find: Callable[[str], Tape | None]) -> None:
-        self.parameters, self._find = parameters, find
+    def __init__(self, tape: Tape, parameters: Parameters, find: Callable[[str], Tape | None], most: int) -> None:
+        self.parameters, self._find, self._left, self._most = parameters, find, most, most
         self.main = tape
         self._frames = [_Frame(tape, 0)]
         self._subs: dict[str, tuple[Tape, int]] = {}
         self._seen: dict[str, _Seen] = {}
         self._begun: dict[tuple[str, str], tuple[str, int]] = {}
-        self.idle = 0
 
     @property
     def frame(self) -> _Frame:
@@ -104,10 +103,8 @@ class Walker:
             if line is None:
                 self._at_end(frame)
                 return
-            if self.repeating:
-                self.idle += 1
-                if self.idle > MOST_IDLE:
-                    raise BlockError(f"{MOST_IDLE} lines of loops and subprograms ran without a move: check for an endless loop", 0)
+            if frame.loops or len(self._frames) > 1:
+                self.spend(1)
             else:
                 frame.tape.forget(frame.index)
             frame.index += 1
@@ -116,6 +113,13 @@ class Walker:
                 getattr(self, f"_{word.keyword or 'plain'}")(word)
             else:
                 yield line
+
+    def spend(self, work: int) -> None:
+        """Count repeated lines and additional moves; refuse more than the limit."""
+        self._left -= work
+        if self._left < 0:
+            cure = "check for an endless loop, or raise the limit (most_moves)"
+            raise BlockError(f"loops, subprograms and cycles make more than {self._most} lines and moves: {cure}", 0)
 
     def _at_end(self, frame: _Frame) -> None:
         if self.in_subprogram:
@@ -373,7 +377,9 @@ class Walker:
                     return o_word
                 if o_word.keyword == "sub" and keywords == ("endsub",):
                     raise BlockError(f"O{o_word.label} sub is inside O{label} sub: move it before or after", o_word.column)
-            if not self.repeating:
+            if self.repeating:
+                self.spend(1)
+            else:
                 frame.tape.forget(frame.index)
         frame.index = begun  # report the line without an end
         raise BlockError(f"O{label} {word.keyword} has no end: write O{label} {keywords[-1]}", word.column)

@@ -11,8 +11,8 @@ import pytest
 from refusals import refuses
 
 from contourlab.errors import ProgramError
-from contourlab.program import Dwell, Reading, iter_moves, parse_program, read_program
-from contourlab.program.flow import Tape
+from contourlab.program import Dwell, Reading, iter_moves, open_program, parse_program, read_program
+from contourlab.program.flow import LONGEST_LINE, Tape
 
 
 def ends(text: str) -> list[float]:
@@ -144,11 +144,10 @@ def test_refusals(text: str, line: int, column: int, message: str) -> None:
      "M98 P1 L999999999\nM2\nO1\nM99", "o1 while [1]\no2 repeat [3]\n#1 = 2\no2 endrepeat\no1 endwhile", "o1 while [1]\nG0 X0\no1 endwhile",
      "o1 while [1]\nG92 X0\no1 continue\no1 endwhile"],
 )  # fmt: skip
-def test_endless_loops_are_stopped_early(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("contourlab.program.walker.MOST_IDLE", 50_000)
+def test_endless_loops_are_stopped_early(text: str) -> None:
     begun = time.perf_counter()
     with pytest.raises(ProgramError, match=r"endless loop|never ends"):
-        parse_program(f"{text}\nM2")
+        parse_program(f"{text}\nM2", reading=Reading(most_moves=50_000))
     assert time.perf_counter() - begun < 30.0
 
 
@@ -256,10 +255,34 @@ def test_moves_from_another_file_have_the_line_of_the_call(tmp_path: Path) -> No
     assert (Path(caught.value.file).name, caught.value.line) == ("drill.ngc", 3)
 
 
-def test_loops_cannot_produce_unlimited_moves(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("contourlab.program.reader.MOST_REPEATED", 1000)
+def test_loops_cannot_produce_unlimited_moves() -> None:
+    reading = Reading(most_moves=1500)
     text = "F100\n{}\no1 repeat [{}]\nG1 X1\nX0\no1 endrepeat\nM2"
     lines = "\n".join(f"G1 Y{i % 7 + 1}" for i in range(1500))  # moves written in the text itself are not limited
-    assert len(parse_program(text.format(lines, 500)).moves) == 1500 + 1000
-    with refuses(ProgramError, "1000 moves", line=4):
-        parse_program(text.format("", 501))
+    assert len(parse_program(text.format(lines, 500), reading=reading).moves) == 1500 + 1000
+    with refuses(ProgramError, "most_moves", line=3):
+        parse_program(text.format("", 501), reading=reading)
+
+
+def test_cycles_cannot_produce_unlimited_moves() -> None:
+    text = "F100 G81 X1 Z-1 R1 L600\nM2"
+    assert len(parse_program(text).moves) > 1000
+    with refuses(ProgramError, "most_moves", line=1):
+        parse_program(text, reading=Reading(most_moves=1000))
+    with refuses(ProgramError, "strokes", line=1):
+        parse_program("F100 G91 G83 X1 Z-1 R1 Q0.001 L200\nM2")
+    with refuses(ProgramError, "most_moves"):
+        Reading(most_moves=0)
+
+
+def test_a_long_line_is_refused_before_it_is_read(tmp_path: Path) -> None:
+    text = "G0 X1\n(" + LONGEST_LINE * "c" + ")\nM2"
+    with refuses(ProgramError, line=2, column=LONGEST_LINE + 1):
+        parse_program(text)
+    file = tmp_path / "long.ngc"
+    file.write_text("G0 X1\n" + 20_000_000 * "X1", encoding="utf-8")
+    tracemalloc.start()
+    with open_program(file) as reader, refuses(ProgramError, line=2, column=LONGEST_LINE + 1):
+        list(reader.moves())
+    assert tracemalloc.get_traced_memory()[1] < 10_000_000
+    tracemalloc.stop()
