@@ -13,7 +13,21 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from contourlab.errors import ProgramError
-from contourlab.program import PLANE_AXES, Arc, Dwell, Feed, Move, Plane, Point, Reading, Spline, Traverse, iter_moves, parse_program, read_program
+from contourlab.program import (
+    PLANE_AXES,
+    Arc,
+    Dwell,
+    Feed,
+    Move,
+    Plane,
+    Point,
+    Reading,
+    Spline,
+    Traverse,
+    iter_moves,
+    parse_program,
+    read_program,
+)  # fmt: skip
 
 CORPUS = [(file.read_text(encoding="utf-8")) for file in sorted((Path(__file__).parents[1] / "golden" / "programs").glob("*.ngc"))]
 SHIPPED = (files("contourlab") / "machines" / "programs" / "circle_diamond_square.ngc").read_text(encoding="utf-8")

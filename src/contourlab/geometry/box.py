@@ -19,7 +19,7 @@ def box(path: Path) -> tuple[Array, Array]:
 
     Lines, arcs and helices have a closed form; bisection between samples finds the extremes of other curves.
     """
-    ends = path.derivatives(path.breaks, 0)[0]
+    ends = np.concatenate([path.starts[0], path.ends[0]])
     low, high = ends.min(axis=0), ends.max(axis=0)
     for curve in path.curves:
         if isinstance(curve, Line):

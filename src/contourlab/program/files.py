@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import TextIO
 
 from contourlab.errors import ProgramError
 from contourlab.program.flow import LONGEST_LINE
@@ -148,9 +149,16 @@ def open_program(
     except (OSError, ValueError) as error:
         raise unreadable(file, error) from error
     with text:
-        # One character more than allowed is enough to refuse a line of any length.
-        lines = iter(partial(text.readline, LONGEST_LINE + 2), "")
-        yield Reader(lines, str(file), chosen, still=still, problems=problems)
+        yield Reader(_bounded(text), str(file), chosen, still=still, problems=problems)
+
+
+def _bounded(text: TextIO) -> Iterator[str]:
+    """Yield the lines of a file; of a line that is too long, only as much as the reader needs to refuse it."""
+    most = LONGEST_LINE + 2
+    while line := text.readline(most):
+        yield line
+        while len(line) == most and line[-1] != "\n":
+            line = text.readline(most)
 
 
 def _is_utf8(path: Path) -> bool:

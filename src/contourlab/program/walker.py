@@ -118,7 +118,7 @@ class Walker:
         """Count repeated lines and additional moves; refuse more than the limit."""
         self._left -= work
         if self._left < 0:
-            cure = "check for an endless loop, or raise the limit (most_moves)"
+            cure = "check for an endless loop, or raise the limit with --most-moves (in a scenario most_moves)"
             raise BlockError(f"loops, subprograms and cycles make more than {self._most} lines and moves: {cure}", 0)
 
     def _at_end(self, frame: _Frame) -> None:

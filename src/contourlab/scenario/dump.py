@@ -213,6 +213,7 @@ def motion_table(motion: Motion) -> dict[str, Any]:
         "require_end": reading.require_end,
         "dialect": reading.dialect,
         "block_delete": reading.block_delete,
+        "most_moves": reading.most_moves,
         "fit": Noted(motion.fit, motion.note),
     }
     if reading.tools is not None:

@@ -101,7 +101,9 @@ def read_motion(content: Table, machine: Machine) -> Motion:
     letters = tuple(plain.letters) if plain.letters else tuple(name.lower() for name in machine.axis_names)
     _check_letters(node, letters, machine, bool(plain.letters))
     tools = None if plain.tools is None else named_in(node, "tools")
-    reading = Reading(dialect=plain.dialect, require_end=plain.require_end, block_delete=plain.block_delete, tools=tools)
+    reading = Reading(
+        dialect=plain.dialect, require_end=plain.require_end, block_delete=plain.block_delete, tools=tools, most_moves=plain.most_moves
+    )
     try:
         program = read_program(file, reading=reading)
     except ProgramError as error:

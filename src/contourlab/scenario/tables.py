@@ -9,6 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 
 from contourlab.errors import ScenarioError, UnitError
 from contourlab.loop.machine import AXIS_SLOTS
+from contourlab.program import Reading
 from contourlab.scenario.quantities import read_list, read_number, show_bound
 from contourlab.scenario.tree import Leaf, Table, hint
 
@@ -153,6 +154,7 @@ class ProgramTable(_Strict):
     dialect: Literal["linuxcnc", "grbl"] = "linuxcnc"
     block_delete: bool = False
     tools: Annotated[str, Field(min_length=1)] | None = None
+    most_moves: Annotated[int, Field(ge=1)] = Reading.most_moves
     fit: bool = False
 
 

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import BlockDelete, Dialect, Part, ToolTable, reading_of
+from contourlab.cli.options import BlockDelete, Dialect, MostMoves, Part, ToolTable, reading_of
 from contourlab.cli.output import silence
 
 
@@ -17,11 +17,12 @@ def canon(
     dialect: Dialect = "linuxcnc",
     block_delete: BlockDelete = False,
     tools: ToolTable = None,
+    most_moves: MostMoves = 1_000_000,
 ) -> None:
     """Print the moves of a part program: tool tip in mm in machine coordinates, feed in mm/min."""
     from contourlab.features.check.canon import write_canon
 
-    reading = reading_of(file, dialect, block_delete, tools)
+    reading = reading_of(file, dialect, block_delete, tools, most_moves)
     try:
         notices = write_canon(file, sys.stdout, as_json=as_json, reading=reading)
     except BrokenPipeError:

@@ -6,8 +6,8 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import BlockDelete, Dialect, Json, Part, ToolTable, reading_of
-from contourlab.cli.output import emit_json, say
+from contourlab.cli.options import BlockDelete, Dialect, Json, MostMoves, Part, ToolTable, reading_of
+from contourlab.cli.output import emit_json, say, wants_progress
 
 FAULTY = 2
 
@@ -26,12 +26,13 @@ def check(
     dialect: Dialect = "linuxcnc",
     block_delete: BlockDelete = False,
     tools: ToolTable = None,
+    most_moves: MostMoves = 1_000_000,
 ) -> int:
     """List every fault of a part program with line and column; print its box, feeds and cycle time."""
     from contourlab.features.check.program_check import check_program
 
-    reading = reading_of(file, dialect, block_delete, tools)
-    checked = check_program(file, machine, reading=reading)
+    reading = reading_of(file, dialect, block_delete, tools, most_moves)
+    checked = check_program(file, machine, reading=reading, progress=wants_progress(as_json))
     if as_json:
         emit_json(checked)
     else:

@@ -24,6 +24,9 @@ def run(
     no_require_end: Annotated[
         bool, typer.Option("--no-require-end", help="Accept a part program without M2, M30 or %: its last line ends it.")
     ] = False,
+    most_moves: Annotated[
+        int | None, typer.Option(min=1, help="Most lines and moves of loops, subprograms and cycles.", show_default=False)
+    ] = None,
     dialect: Annotated[str | None, typer.Option(help="Dialect of a part program: linuxcnc (the default), or grbl.")] = None,
     out: Out = Path("results"),
     as_json: Json = False,
@@ -42,6 +45,7 @@ def run(
         "tools": None if tools is None else str(tools),
         "require_end": False if no_require_end else None,
         "dialect": dialect,
+        "most_moves": most_moves,
     }
     given = {name: value for name, value in program.items() if value is not None}
     options = options_of(out, as_json, plugin, plots, signals, interval)

@@ -6,18 +6,15 @@ from collections import Counter
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-import numpy as np
-
+from contourlab.app.stages import shown
 from contourlab.errors import ContourlabError, ProgramError
-from contourlab.findings import Finding, finding
-from contourlab.program import Arc, Dwell, Feed, Program, Reading, Spline, Traverse, read_program
+from contourlab.features.check.planned_motion import PlannedMotion, parts
+from contourlab.findings import Finding
+from contourlab.program import Arc, Dwell, Feed, Program, Reading, Spline, Traverse, open_program
 from contourlab.report.table import paragraphs
 
-DEFAULT_MACHINE = "builtin:xyz"
 MOST_FEEDS = 12
 """Largest number of feedrates to print one by one."""
-TRAVEL_ROUNDING = 1e-9
-"""Rounding [m] that does not count as leaving the travel."""
 _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "spline", Dwell: "dwell"}
 
 
@@ -58,6 +55,8 @@ class Checked:
     cycle_time, dwell, feed_time_without_acceleration : float [s]
     machine : dict of str to str
         Name and file.
+    added_stops : int
+        Stops that only the check makes, because it plans long programs in parts.
     """
 
     program: str
@@ -75,6 +74,7 @@ class Checked:
     dwell: float | None = None
     feed_time_without_acceleration: float | None = None
     machine: dict[str, str] = field(default_factory=dict)
+    added_stops: int = 0
 
     @property
     def faults(self) -> int:
@@ -98,6 +98,7 @@ class Checked:
             rows.append(("path", f"{self.length['feed'] * 1e3:.6g} mm feed, {self.length['rapid'] * 1e3:.6g} mm rapid"))
             ideal = _duration(self.feed_time_without_acceleration)
             detail = f"dwells {self.dwell:.3g} s; feed moves without acceleration {ideal}"
+            detail += f"; planned in parts, with {self.added_stops} added stops" if self.added_stops else ""
             rows.append(("cycle time", f"{_duration(self.cycle_time)} on {self.machine['name']} ({detail})"))
         feeds = self.feeds_mm_per_min
         shown = [f"{feed:g}" for feed in feeds] if len(feeds) <= MOST_FEEDS else [f"{len(feeds)} from {feeds[0]:g} to {feeds[-1]:g}"]
@@ -109,7 +110,9 @@ class Checked:
         return rows
 
 
-def check_program(file: str | Path, machine: str | Path | None = None, *, reading: Reading | None = None) -> Checked:
+def check_program(
+    file: str | Path, machine: str | Path | None = None, *, reading: Reading | None = None, progress: bool = False
+) -> Checked:
     """Read a part program to its end and collect its faults; compute its box, its feeds, and its cycle time on a machine.
 
     Parameters
@@ -120,6 +123,8 @@ def check_program(file: str | Path, machine: str | Path | None = None, *, readin
         leaving its travel is no fault.
     reading : Reading, optional
         By default a program needs no end word.
+    progress : bool
+        Whether to show progress on standard error.
 
     Raises
     ------
@@ -129,65 +134,50 @@ def check_program(file: str | Path, machine: str | Path | None = None, *, readin
         If the machine cannot be read.
     """
     problems: list[ProgramError] = []
-    program = read_program(file, reading=reading or Reading(require_end=False), problems=problems)
+    seen, motion = _Seen(), PlannedMotion(machine)
+    chosen = reading or Reading(require_end=False)
+    with open_program(file, chosen, problems=problems) as reader, shown(progress) as stages:
+        stages.begin(f"reading {Path(file).name}")
+        for part in parts(reader, problems):
+            seen.add(part.program)
+            motion.add(part)
+            stages.begin(f"{sum(seen.moves.values())} moves of {Path(file).name}")
+        notices, n_line = reader.notices, reader.count_lines()
     checked = Checked(
         program=str(file),
-        problems=tuple(map(_problem, problems)),
-        notices=tuple(Message(notice.message, notice.line, notice.column) for notice in program.notices),
-        n_line=len(program.lines),
-        moves=dict(Counter(_KINDS[type(move)] for move in program.moves)),
-        feeds_mm_per_min=tuple(sorted({round(6e4 * m.feedrate, 6) for m in program.moves if not isinstance(m, Traverse | Dwell)})),
-        spindle_speeds=tuple(sorted({event.value for event in program.events if event.word == "S" and event.value is not None})),
-        tools=_tools(program),
+        problems=tuple(map(_problem, [*problems, *motion.problems])),
+        notices=tuple(Message(notice.message, notice.line, notice.column) for notice in notices),
+        n_line=n_line,
+        moves=dict(seen.moves),
+        feeds_mm_per_min=tuple(sorted(seen.feeds)),
+        spindle_speeds=tuple(sorted(seen.speeds)),
+        tools=tuple(seen.tools),
     )
-    return _with_motion(checked, program, machine) if any(not isinstance(move, Dwell) for move in program.moves) else checked
+    return replace(checked, **motion.results()) if motion.complete else checked
 
 
-def _tools(program: Program) -> tuple[int, ...]:
-    changed, selected = [], 0.0
-    for event in program.events:
-        selected = event.value or 0.0 if event.word == "T" else selected
-        if event.word in ("M6", "M61"):
-            changed.append(int(event.value if event.word == "M61" and event.value is not None else selected))
-    return tuple(dict.fromkeys(changed))
+class _Seen:
+    """Moves, feeds [mm/min], spindle speeds and tools of a program, without repetition."""
 
+    def __init__(self) -> None:
+        self.moves: Counter[str] = Counter()
+        self.feeds: set[float] = set()
+        self.speeds: set[float] = set()
+        self.tools: dict[int, None] = {}
+        self._selected = 0.0
 
-def _with_motion(checked: Checked, program: Program, chosen: str | Path | None) -> Checked:
-    """Add lengths, box, cycle time, and findings if the path leaves the machine's travel."""
-    from contourlab.feed import blended, route_from_program
-    from contourlab.feed.planner import plan_profile
-    from contourlab.geometry.box import box
-    from contourlab.scenario import load_machine
-    from contourlab.scenario.load import named_file
-    from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
-
-    machine_file = DEFAULT_MACHINE if chosen is None else named_file(chosen)
-    machine = load_machine(machine_file)
-    try:
-        route = route_from_program(program, machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
-        low, high = box(route.path)
-        limits = machine.planner_limits()
-        profile = plan_profile(blended(route, limits), limits)
-    except ContourlabError as error:
-        return replace(checked, problems=(*checked.problems, _problem(error)))
-    lengths, feed = np.diff(route.path.breaks), ~route.rapid
-    extent = {name: (float(a), float(b)) for name, a, b in zip(machine.axis_names, low, high, strict=True)}
-    outside = []
-    for axis in machine.axes:
-        (least, most), (start, stop) = extent[axis.name], axis.limits.travel
-        if least < start - TRAVEL_ROUNDING or most > stop + TRAVEL_ROUNDING:
-            values = {"low": least, "high": most, "start": float(start), "stop": float(stop), "machine": machine.name}
-            outside.append(finding("CL471" if chosen is None else "CL470", f"axis {axis.name}", **values))
-    return replace(
-        checked,
-        findings=tuple(outside),
-        length={"feed": float(lengths[feed].sum()), "rapid": float(lengths[~feed].sum())},
-        box=extent,
-        cycle_time=profile.duration,
-        dwell=float(route.dwell.sum()) + route.dwell_before,
-        feed_time_without_acceleration=float((lengths[feed] / route.feedrate[feed]).sum()),
-        machine={"name": machine.name, "file": str(machine_file)},
-    )
+    def add(self, program: Program) -> None:
+        """Add a part of the program."""
+        self.moves.update(_KINDS[type(move)] for move in program.moves)
+        self.feeds |= {round(6e4 * m.feedrate, 6) for m in program.moves if not isinstance(m, Traverse | Dwell)}
+        for event in program.events:
+            value = event.value or 0.0
+            if event.word == "S":
+                self.speeds.add(value)
+            elif event.word == "T":
+                self._selected = value
+            elif event.word in ("M6", "M61"):
+                self.tools[int(value if event.word == "M61" and event.value is not None else self._selected)] = None
 
 
 def _problem(error: ContourlabError) -> Message:
