@@ -134,7 +134,17 @@ def without_blanks(line: str) -> Cursor:
 
 
 def _number(token: re.Match[str]) -> float:
-    """Read the number of a word; it may contain blanks."""
+    """Return the number of a word."""
+    digits = token["digits"]
+    try:
+        value = float(digits)
+    except ValueError:
+        return _odd_number(token)
+    return value if abs(value) <= LARGEST_NUMBER and len(digits) <= _LONGEST_NUMBER else _odd_number(token)
+
+
+def _odd_number(token: re.Match[str]) -> float:
+    """Return a number with blanks between its digits; refuse what is no number, or too large."""
     name, digits, column = token[1].upper(), "".join(token["digits"].split()), token.start() + 1
     short = digits if len(digits) <= 20 else digits[:20] + "..."
     try:

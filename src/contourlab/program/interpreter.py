@@ -232,7 +232,8 @@ def _motion(block: Block, state: ModalState, line: int, before: int | None) -> l
     if motion == 0:
         return state.straight(end, line)
     if motion == 10:
-        return state.straight(end, line, _feedrate(block, state, math.dist(state.position, end)))
+        timed = state.feed_mode == "inverse_time"
+        return state.straight(end, line, _feedrate(block, state, math.dist(state.position, end) if timed else 0.0))
     arc = make_arc(block, state, end, line)
     if state.feed_mode == "inverse_time":
         rise = end[arc.axes[2]] - state.position[arc.axes[2]]

@@ -83,7 +83,8 @@ class Walker:
     @property
     def main_line(self) -> int:
         """Line number in the main file; while a subprogram in another file runs, the line of the call."""
-        return next(frame.index for frame in reversed(self._frames) if frame.tape.name == self.main.name)
+        name = self.main.name
+        return next(frame.index for frame in reversed(self._frames) if frame.tape.name == name)
 
     @property
     def in_subprogram(self) -> bool:
