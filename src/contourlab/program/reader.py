@@ -48,7 +48,8 @@ class Reading:
     folder : Path or None
         Folder of subprogram files; by default that of the program.
     most_moves : int, > 0
-        Most lines that loops and subprograms execute, plus moves of cycles: a few lines can make any number. Plain lines are not limited.
+        Most lines that loops and subprograms execute, plus moves of cycles: a few lines can make any number. A line counts once more for
+        each 32 characters. Plain lines are not limited.
 
     Raises
     ------
@@ -61,7 +62,7 @@ class Reading:
     block_delete: bool = False
     tools: str | Path | None = None
     folder: Path | None = None
-    most_moves: int = 1_000_000
+    most_moves: int = 500_000
 
     def __post_init__(self) -> None:
         if self.dialect not in get_args(Dialect):
@@ -103,6 +104,7 @@ class Reader:
     ) -> None:
         self.name, self.reading, self.problems = name, reading or Reading(), problems
         self.notices: list[Notice] = []
+        self._known: set[str] = set()
         tools = Tools() if self.reading.tools is None else read_tools(self.reading.tools)
         self.state = ModalState(tools=tools, still=still)
         self.parameters = Parameters(self.state.shown_position)
@@ -155,7 +157,8 @@ class Reader:
         if self.problems is None or not fault.column or len(self.problems) >= MOST_PROBLEMS:
             raise error from None
         # A loop repeats its fault in every pass.
-        if all(str(error) != str(known) for known in self.problems):
+        if str(error) not in self._known:
+            self._known.add(str(error))
             self.problems.append(error)
 
     def count_lines(self) -> int:

@@ -12,6 +12,8 @@ from contourlab.program.vocabulary import BlockError
 
 DEEPEST_CALL = 9
 """LinuxCNC has ten levels, including the main program."""
+LONG_LINE = 32
+"""A line counts once more for each so many characters."""
 MOST_REPEATS = 1e9
 _ENDS = {"while": "endwhile", "do": "while", "repeat": "endrepeat"}
 
@@ -105,7 +107,7 @@ class Walker:
                 self._at_end(frame)
                 return
             if frame.loops or len(self._frames) > 1:
-                self.spend(1)
+                self.spend(1 + len(line) // LONG_LINE)
             else:
                 frame.tape.forget(frame.index)
             frame.index += 1
@@ -379,7 +381,7 @@ class Walker:
                 if o_word.keyword == "sub" and keywords == ("endsub",):
                     raise BlockError(f"O{o_word.label} sub is inside O{label} sub: move it before or after", o_word.column)
             if self.repeating:
-                self.spend(1)
+                self.spend(1 + len(line) // LONG_LINE)
             else:
                 frame.tape.forget(frame.index)
         frame.index = begun  # report the line without an end

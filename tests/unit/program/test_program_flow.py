@@ -264,6 +264,14 @@ def test_loops_cannot_produce_unlimited_moves() -> None:
         parse_program(text.format("", 501), reading=reading)
 
 
+def test_a_long_line_in_a_loop_counts_more_than_once() -> None:
+    text = "G91 G0 X1" + 32 * 3 * " " + "\n"
+    reading = Reading(most_moves=100)
+    assert len(parse_program(f"o1 repeat [15]\n{text}o1 endrepeat\nM2", reading=reading).moves) == 15
+    with refuses(ProgramError, "most_moves"):
+        parse_program(f"o1 repeat [25]\n{text}o1 endrepeat\nM2", reading=reading)
+
+
 def test_cycles_cannot_produce_unlimited_moves() -> None:
     text = "F100 G81 X1 Z-1 R1 L600\nM2"
     assert len(parse_program(text).moves) > 1000

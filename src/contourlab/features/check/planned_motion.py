@@ -14,7 +14,7 @@ from contourlab.findings import finding
 from contourlab.program import Dwell, Move, Program, Reader, Traverse
 
 DEFAULT_MACHINE = "builtin:xyz"
-PART = 10_000
+PART = 2_500
 """Moves after which a part ends at the next stop, or at twice as many without one."""
 TRAVEL_ROUNDING = 1e-9
 """Rounding [m] that does not count as leaving the travel."""
