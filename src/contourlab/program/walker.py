@@ -106,11 +106,11 @@ class Walker:
             if line is None:
                 self._at_end(frame)
                 return
+            frame.index += 1
             if frame.loops or len(self._frames) > 1:
                 self.spend(1 + len(line) // LONG_LINE)
             else:
-                frame.tape.forget(frame.index)
-            frame.index += 1
+                frame.tape.forget(frame.index - 1)
             if starts_o_word(line):
                 word = read_o_word(line, self.parameters)
                 getattr(self, f"_{word.keyword or 'plain'}")(word)

@@ -260,7 +260,7 @@ def test_loops_cannot_produce_unlimited_moves() -> None:
     text = "F100\n{}\no1 repeat [{}]\nG1 X1\nX0\no1 endrepeat\nM2"
     lines = "\n".join(f"G1 Y{i % 7 + 1}" for i in range(1500))  # moves written in the text itself are not limited
     assert len(parse_program(text.format(lines, 500), reading=reading).moves) == 1500 + 1000
-    with refuses(ProgramError, "most_moves", line=3):
+    with refuses(ProgramError, "most_moves", line=4):
         parse_program(text.format("", 501), reading=reading)
 
 

@@ -49,7 +49,7 @@ class Checked:
     tools : tuple of int
     findings : tuple of Finding
     length : dict of str to float [m]
-        Length of feed and rapid moves. Without moves, this and all below is empty or None.
+        Length of feed and rapid moves. Without moves, or with a fault, this and all below is empty or None.
     box : dict of str to (float, float) [m]
         Extent by axis.
     cycle_time, dwell, feed_time_without_acceleration : float [s]
@@ -140,7 +140,8 @@ def check_program(
         stages.begin(f"reading {Path(file).name}")
         for part in parts(reader, problems):
             seen.add(part.program)
-            motion.add(part)
+            if not problems:  # the motion of a faulty program means nothing, and may be endless
+                motion.add(part)
             stages.begin(f"{sum(seen.moves.values())} moves of {Path(file).name}")
         notices, n_line = reader.notices, reader.count_lines()
     checked = Checked(
@@ -153,7 +154,7 @@ def check_program(
         spindle_speeds=tuple(sorted(seen.speeds)),
         tools=tuple(seen.tools),
     )
-    return replace(checked, **motion.results()) if motion.complete else checked
+    return replace(checked, **motion.results()) if motion.complete and not problems else checked
 
 
 class _Seen:
