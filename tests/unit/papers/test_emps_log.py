@@ -67,7 +67,7 @@ def test_files_that_are_not_logs_name_the_requirements(tmp_path: Path) -> None:
     for file, told in (
         (tmp_path / "nowhere.mat", "cannot be read: No such file"),
         (folder, "is not a regular file"),
-        (text, "cannot be read as MATLAB"),
+        (text, "cannot be read"),
         (lacking, "has no vir, kp"),
     ):
         with pytest.raises(LogError, match=told) as refused:
