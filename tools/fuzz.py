@@ -30,6 +30,7 @@ ODD = (
     b"nan inf -inf 1e308 1e-308 -1 0 -0.0 99999999999 1e400 [ ] { } \" ' # ( ) % ; , = . \\ / ../ \0 \xff \r\n [[]] true none um 1/s"
 ).split(b" ")
 ON_XYZ = ("--machine", "builtin:xyz", "--controller", "builtin:xyz-controller")
+FEW = ("--most-moves", "500")  # endless loops are frequent
 PLUGIN = b"""from contourlab.components.contract import Component, param
 
 class Drag(Component):
@@ -113,13 +114,13 @@ def kinds() -> list[Kind]:
         result = Path(folder, "run.nc").read_bytes()
     measure = ("measure", "FILE", "--out", "out", "--json")
     return [
-        *[Kind("part.ngc", (PROGRAM, program[:3000]), ("canon", "FILE"))] * 10,
-        Kind("part.ngc", (PROGRAM, program[:800]), ("check", "FILE")),
-        Kind("part.ngc", (PROGRAM, program[:800]), ("run", "FILE", *ON_XYZ, "--check")),
-        *[Kind("scenario.toml", whole, ("run", "FILE", "--check"))] * 4,
+        *[Kind("part.ngc", (PROGRAM, program[:3000]), ("canon", "FILE", *FEW))] * 24,
+        Kind("part.ngc", (PROGRAM, program[:800]), ("check", "FILE", *FEW)),
+        Kind("part.ngc", (PROGRAM, program[:800]), ("run", "FILE", *ON_XYZ, *FEW, "--check")),
+        *[Kind("scenario.toml", whole, ("run", "FILE", "--check"))] * 10,
         Kind("shape.svg", (SHAPE,), ("run", "scenario.toml", "--check"), (("scenario.toml", AROUND_SHAPE.format("shape.svg")),)),
         Kind("shape.csv", (table,), ("run", "scenario.toml", "--check"), (("scenario.toml", AROUND_SHAPE.format("shape.csv")),)),
-        *[Kind("log.csv", (table,), measure)] * 2,
+        *[Kind("log.csv", (table,), measure)] * 4,
         Kind("log.mat", (mat.getvalue(),), measure),
         Kind("run.nc", (result,), measure),
         Kind("plugin.py", (PLUGIN,), ("components", "--plugin", "FILE")),
