@@ -303,7 +303,6 @@ def test_parts_missing_from_a_module_are_named(typed: Path) -> None:
         (["--axis", "z", "--with", "strong.toml"], "one of x, y"),
         (["--axis", "x", "--with", "missing.toml"], "missing.toml"),
         (["--axis", "x", "--with", "ampere.toml"], "takes its command in full_scale"),
-        (["--axis", "x", "--with", ""], "names of axis files"),
         (["--axis", "x", "--axis", "y", "--with", "strong.toml"], "as often as --with"),
         (["--axis", "x", "--with", "strong.toml", "--floor", "2 kg"], "2 um*s"),
         (["--axis", "x", "--with", "strong.toml", "--objective", "beauty"], "contour_error_rms"),

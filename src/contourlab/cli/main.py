@@ -113,7 +113,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors="replace")
     try:
         if "" in given:  # would become the present folder, or a file of no name
-            raise ParameterError("argument", f"{given.index('') + 1} of the command line is empty", "given, or left out with its option")
+            raise ParameterError(f"argument {given.index('') + 1}", "''", "a value, or left out with its option")
         code = _call(given or ["--help"])
         sys.stdout.flush()
         return code

@@ -333,10 +333,11 @@ def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> l
     shortest = STEPS * _least_time(samples, limits) / (MOST_SPANS[0] * samples.arc_length.size + MOST_SPANS[1])
     # Without a jerk limit, a short average is still better where the plain motion needs corrections.
     periods = sorted({max(part * unit, shortest) for part in PERIODS}) if unit > 0.0 else [0.0, shortest]
+    # Each thread needs memory of its own.
+    threads = None if FEW < samples.arc_length.size < MANY[1] else 1
     n_tried = 3 - int(np.searchsorted(MANY, samples.arc_length.size))
     if n_tried < 3 and len(periods) > n_tried:
         # The duration before corrections shows which periods are worth correcting.
-        trials = in_threads(lambda period: _Planner(path, samples, limits, period).duration(), periods)
+        trials = in_threads(lambda period: _Planner(path, samples, limits, period).duration(), periods, threads)
         periods = [periods[k] for k in np.argsort(trials)[:n_tried]]
-    threads = 1 if samples.arc_length.size < FEW else None
     return in_threads(lambda period: _corrected(_Planner(path, samples, limits, period)), periods, threads)
