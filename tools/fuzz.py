@@ -23,27 +23,16 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
+from typed_commands import DRAG, ON_XYZ
+
 CODES = {0, 1, 2, 3, 130}
 SECONDS, BYTES = 60.0, 1 << 30
 KEPT = Path("results/fuzz")
 ODD = (
     b"nan inf -inf 1e308 1e-308 -1 0 -0.0 99999999999 1e400 [ ] { } \" ' # ( ) % ; , = . \\ / ../ \0 \xff \r\n [[]] true none um 1/s"
 ).split(b" ")
-ON_XYZ = ("--machine", "builtin:xyz", "--controller", "builtin:xyz-controller")
 FEW = ("--most-moves", "500")  # endless loops are frequent
-PLUGIN = b"""from contourlab.components.contract import Component, param
-
-class Drag(Component):
-    'Drag.'
-    family, kind, law = 'friction', 'open-drag', 'smooth'
-    example = {'coefficient': 40.0}
-    reference = 'none'
-    coefficient: float = param(unit='{force}*s/m', minimum=0.0, doc='c')
-
-    @staticmethod
-    def force(par, v):
-        return par.coefficient * v
-"""
 PROGRAM = b"""%
 o<pocket> sub
 #<depth> = #1
@@ -107,8 +96,9 @@ def kinds() -> list[Kind]:
     names = ("time [s]", "x ref [mm]", "x pos [mm]", "y ref [mm]", "y pos [mm]")
     rows = np.column_stack([t, x, x + 1e-3, y, y - 1e-3])
     table = "\n".join([",".join(names), *(",".join(f"{v:.9g}" for v in row) for row in rows)]).encode()
-    mat = io.BytesIO()
-    savemat(mat, {"time": t, "x_ref": x, "x_pos": x, "y_ref": y, "y_pos": y})
+    stream = io.BytesIO()
+    savemat(stream, {"time": t, "x_ref": x, "x_pos": x, "y_ref": y, "y_pos": y})
+    mat = b"MATLAB 5.0 MAT-file".ljust(116) + stream.getvalue()[116:]  # without the present time
     with tempfile.TemporaryDirectory() as folder:
         Result("base", ("x",), 1e-3, {"position": Signal(x[:, None], ("sample", "axis"), "m")}).save(f"{folder}/run.nc")
         result = Path(folder, "run.nc").read_bytes()
@@ -121,9 +111,9 @@ def kinds() -> list[Kind]:
         Kind("shape.svg", (SHAPE,), ("run", "scenario.toml", "--check"), (("scenario.toml", AROUND_SHAPE.format("shape.svg")),)),
         Kind("shape.csv", (table,), ("run", "scenario.toml", "--check"), (("scenario.toml", AROUND_SHAPE.format("shape.csv")),)),
         *[Kind("log.csv", (table,), measure)] * 4,
-        Kind("log.mat", (mat.getvalue(),), measure),
+        Kind("log.mat", (mat,), measure),
         Kind("run.nc", (result,), measure),
-        Kind("plugin.py", (PLUGIN,), ("components", "--plugin", "FILE")),
+        Kind("plugin.py", (DRAG.encode(),), ("components", "--plugin", "FILE")),
     ]
 
 
@@ -181,9 +171,8 @@ def tried(kind: Kind, text: bytes) -> str:
     return ""
 
 
-def work(first: int, step: int, seed: int, current: Any, begun: Any, faults: Any) -> None:
+def work(known: list[Kind], first: int, step: int, seed: int, current: Any, begun: Any, faults: Any) -> None:
     """Try the inputs first, first + step, ... until killed; leave after a fault that may have damaged the process."""
-    known = kinds()
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         number = first
@@ -201,6 +190,7 @@ def work(first: int, step: int, seed: int, current: Any, begun: Any, faults: Any
 class Worker:
     """A process with the number of its present input and when that began."""
 
+    known: list[Kind]
     step: int
     seed: int
     faults: Any
@@ -210,37 +200,31 @@ class Worker:
 
     def start(self, first: int) -> None:
         self.current, self.begun = multiprocessing.Value("q", first), multiprocessing.Value("d", time.monotonic())
-        given = (first, self.step, self.seed, self.current, self.begun, self.faults)
+        given = (self.known, first, self.step, self.seed, self.current, self.begun, self.faults)
         self.process = multiprocessing.Process(target=work, args=given, daemon=True)
         self.process.start()
 
-    def fault(self) -> str:
-        """Return why the process must be replaced, or nothing."""
-        if not self.process.is_alive():
-            return f"the process ended with {self.process.exitcode}" if self.process.exitcode else "see above"
-        if time.monotonic() - self.begun.value > SECONDS:
-            self.process.kill()
-            return f"more than {SECONDS:g} s"
-        return ""
 
-
-def fuzz(minutes: float, seed: int, first: int, n_worker: int) -> Iterator[tuple[int, str]]:
+def fuzz(known: list[Kind], minutes: float, seed: int, first: int, n_worker: int) -> Iterator[tuple[int, str]]:
     """Yield the number and the fault of inputs until the time is up; print the number of inputs tried."""
     faults: Any = multiprocessing.Queue()
-    workers = [Worker(n_worker, seed, faults) for _ in range(n_worker)]
+    workers = [Worker(known, n_worker, seed, faults) for _ in range(n_worker)]
     for k, worker in enumerate(workers):
         worker.start(first + k)
     end, shown = time.monotonic() + 60.0 * minutes, 0.0
     while time.monotonic() < end:
         time.sleep(0.2)
         for worker in workers:
-            fault = worker.fault()
-            if fault:
-                while not faults.empty():
-                    yield faults.get()
-                if fault != "see above":
-                    yield worker.current.value, fault
+            late, code = time.monotonic() - worker.begun.value > SECONDS, worker.process.exitcode
+            if late:
+                worker.process.kill()
+                yield worker.current.value, f"more than {SECONDS:g} s"
+            elif code:  # 0: it has reported a fault
+                yield worker.current.value, f"the process ended with {code}"
+            if late or code is not None:
                 worker.start(worker.current.value + n_worker)
+        while not faults.empty():
+            yield faults.get()
         if time.monotonic() - shown > 10.0:
             shown = time.monotonic()
             print(f"{max(worker.current.value for worker in workers) - first} inputs, {(end - shown) / 60:.1f} min left", flush=True)
@@ -258,7 +242,7 @@ def main() -> int:
     options.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     given = options.parse_args()
     known, count = kinds(), 0
-    for number, fault in fuzz(given.minutes, given.seed, given.first, given.workers):
+    for number, fault in fuzz(known, given.minutes, given.seed, given.first, given.workers):
         kind, text = made(number, given.seed, known)
         kept = KEPT / f"{number}-{kind.file}"
         KEPT.mkdir(parents=True, exist_ok=True)

@@ -49,6 +49,19 @@ G3 X5 Y10 I0 J5
 M30
 %
 """
+DRAG = """from contourlab.components.contract import Component, param
+
+class Drag(Component):
+    'Drag.'
+    family, kind, law = 'friction', 'open-drag', 'smooth'
+    example = {'coefficient': 40.0}
+    reference = 'none'
+    coefficient: float = param(unit='{force}*s/m', minimum=0.0, doc='c')
+
+    @staticmethod
+    def force(par, v):
+        return par.coefficient * v
+"""
 ON_XYZ = ("--machine", "xyz", "--controller", "xyz-controller")
 
 

@@ -13,23 +13,10 @@ import time
 from pathlib import Path
 
 import pytest
-from typed_commands import CIRCLE, COMMAND, ON_XYZ, PART, Finished, Run, contents, environment
+from typed_commands import CIRCLE, COMMAND, DRAG, ON_XYZ, PART, Finished, Run, contents, environment
 
 from contourlab.app.results import LIST, check_file
 
-DRAG = """from contourlab.components.contract import Component, param
-
-class Drag(Component):
-    'Drag.'
-    family, kind, law = 'friction', 'open-drag', 'smooth'
-    example = {'coefficient': 40.0}
-    reference = 'none'
-    coefficient: float = param(unit='{force}*s/m', minimum=0.0, doc='c')
-
-    @staticmethod
-    def force(par, v):
-        return par.coefficient * v
-"""
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, pipes and limits of a POSIX system")
 
 

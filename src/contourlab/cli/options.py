@@ -90,14 +90,17 @@ Dialect: TypeAlias = Annotated[str, typer.Option(help="linuxcnc, or grbl, which 
 BlockDelete: TypeAlias = Annotated[bool, typer.Option("--block-delete", help="Skip lines that begin with /.")]
 ToolTable: TypeAlias = Annotated[Path | None, typer.Option(help="LinuxCNC tool table, for G43; without it, tools have length 0.")]
 
-MostMoves: TypeAlias = Annotated[int, typer.Option(min=1, help="Most lines and moves of loops, subprograms and cycles.")]
+MostMoves: TypeAlias = Annotated[
+    int | None, typer.Option(min=1, help="Most lines and moves of loops, subprograms and cycles.", show_default=False)
+]
 
 
-def reading_of(file: Path, dialect: str, block_delete: bool, tools: Path | None, most_moves: int) -> Reading:
+def reading_of(file: Path, dialect: str, block_delete: bool, tools: Path | None, most_moves: int | None) -> Reading:
     """Return the options of the reader, which reports a missing end as a notice only; refuse a drawing."""
     from contourlab.features.run.command import refuse_drawing
     from contourlab.program import Reading
 
     refuse_drawing(file)
     chosen: Any = dialect  # Reading checks it
-    return Reading(dialect=chosen, require_end=False, block_delete=block_delete, tools=tools, most_moves=most_moves)
+    most = Reading.most_moves if most_moves is None else most_moves
+    return Reading(dialect=chosen, require_end=False, block_delete=block_delete, tools=tools, most_moves=most)

@@ -102,22 +102,11 @@ def _ratio(limit, demand):
     return math.inf if demand == 0.0 else limit / demand
 
 
-def _speed(i, tangent, second, third, feedrate, velocity, acceleration, jerk, turning, turning_jerk):
-    """Return the highest constant speed at the sample i."""
-    speed = feedrate[i]
-    for axis in range(velocity.size):
-        by_turning = math.sqrt(_ratio(turning * acceleration[axis], abs(second[i, axis])))
-        by_jerk = np.cbrt(_ratio(turning_jerk * jerk[axis], abs(third[i, axis])))
-        speed = min(speed, _ratio(velocity[axis], abs(tangent[i, axis])), by_turning, by_jerk)
-    return speed
-
-
 @kernel("f8[:,:] f8[:,:] f8[:,:] f8[:] f8[:] f8[:] f8[:] f8 f8 f8[:]")
-def _speed_limits(
-    tangent, second, third, feedrate, velocity, acceleration, jerk, turning, turning_jerk, found
-):
+def _speed_limits(tangent, second, third, feedrate, velocity, acceleration, jerk, of_turning, of_turning_jerk, found):
     for i in range(feedrate.size):
-        found[i] = _speed(i, tangent, second, third, feedrate, velocity, acceleration, jerk, turning, turning_jerk)
+        speed, turning, changing, _, _ = _least_ratios(i, i + 1, tangent, second, third, feedrate, velocity, acceleration, jerk)
+        found[i] = min(speed, math.sqrt(of_turning * turning), np.cbrt(of_turning_jerk * changing))
 
 
 def _taper(t, k, V, A, limit):

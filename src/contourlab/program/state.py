@@ -120,12 +120,12 @@ class ModalState:
         if "@" in words or "^" in words:
             point[:2] = self.polar(words)
         for axis, letter in enumerate("XYZ"):
-            if letter in words:
-                value = self.coordinate(axis, words[letter])
+            word = words.get(letter)
+            if word is not None:
+                value = self.coordinate(axis, word)
                 point[axis] = value if self.absolute else point[axis] + value
         end = (point[0], point[1], point[2])
-        if max(end) > LARGEST_LENGTH or min(end) < -LARGEST_LENGTH:
-            self.check_reach(end, words)
+        self.check_reach(end, words)
         return end
 
     def check_reach(self, point: Point, words: dict[str, Word]) -> None:

@@ -17,7 +17,7 @@ def canon(
     dialect: Dialect = "linuxcnc",
     block_delete: BlockDelete = False,
     tools: ToolTable = None,
-    most_moves: MostMoves = 500_000,
+    most_moves: MostMoves = None,
 ) -> None:
     """Print the moves of a part program: tool tip in mm in machine coordinates, feed in mm/min."""
     from contourlab.features.check.canon import write_canon

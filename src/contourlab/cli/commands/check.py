@@ -26,7 +26,7 @@ def check(
     dialect: Dialect = "linuxcnc",
     block_delete: BlockDelete = False,
     tools: ToolTable = None,
-    most_moves: MostMoves = 500_000,
+    most_moves: MostMoves = None,
 ) -> int:
     """List every fault of a part program with line and column; print its box, feeds and cycle time."""
     from contourlab.features.check.program_check import check_program

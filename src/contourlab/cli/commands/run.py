@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from contourlab.cli.options import Json, Out, Plots, Plugins, Signals, WithInterval, options_of
+from contourlab.cli.options import Json, MostMoves, Out, Plots, Plugins, Signals, WithInterval, options_of
 from contourlab.cli.output import conclude
 
 
@@ -24,9 +24,7 @@ def run(
     no_require_end: Annotated[
         bool, typer.Option("--no-require-end", help="Accept a part program without M2, M30 or %: its last line ends it.")
     ] = False,
-    most_moves: Annotated[
-        int | None, typer.Option(min=1, help="Most lines and moves of loops, subprograms and cycles.", show_default=False)
-    ] = None,
+    most_moves: MostMoves = None,
     dialect: Annotated[str | None, typer.Option(help="Dialect of a part program: linuxcnc (the default), or grbl.")] = None,
     out: Out = Path("results"),
     as_json: Json = False,

@@ -82,14 +82,13 @@ def measure(
         If a signal is missing or not finite, nothing moves, the tool is far from the path, or a shift is given without a path.
     """
     run = _of_axes(result, axes or result.axes)
-    _check_signals(run, path)
-    position = _position_of(run)
+    position, *asked = _signals_of(run, path)
     findings = [*period_findings(result.servo_period), *motion_findings(position, result.servo_period)]
     of_samples, shifts = path is None, None
     if path is None:
         if shift is not None:
             raise ResultError("a shift needs a part program: the reference in the log already has the coordinates of the log")
-        reference = _reference_of(run)
+        reference = asked[0]
         path, along = path_of_samples(reference)
     else:
         if shift is not None:
@@ -154,16 +153,17 @@ def _bridged_at(log: Log, measured: Measured, time: float) -> tuple[str, ...]:
     return tuple(dict.fromkeys(channels))
 
 
-def _check_signals(run: Result, path: Path | None) -> None:
-    """Raise one error for all signals that are missing."""
-    missing = []
+def _signals_of(run: Result, path: Path | None) -> list[Array]:
+    """Return the position, and without a path the reference; raise one error for all that are missing."""
+    found, missing = [], []
     for signal_of in (_position_of, *([_reference_of] if path is None else [])):
         try:
-            signal_of(run)
+            found.append(signal_of(run))
         except ResultError as error:
             missing.append(str(error))
     if missing:
         raise ResultError("; ".join(missing))
+    return found
 
 
 def _position_of(run: Result) -> Array:
