@@ -74,7 +74,7 @@ def scheme(name: str, reference: Reference, amplitude: float, tolerance: float =
     bounds = AxisBounds(np.full(n, 0.1), np.full(n, 1.0), np.full(n, 20.0), np.ones(n))
     bode = {axis: response(25.0 + 10.0 * i) for i, axis in enumerate(result.axes)}
     circles = circles_of(result, reference) if reference.n_sample < 20_000 else ()
-    spikes = reversal_spikes(result, summarise(result, reference).window)
+    spikes = reversal_spikes(result, reference.judged.ranges[0])
     metrics = summarise(result, reference)
     advice = finding("CL203", change="adding a disturbance observer", before=8e-6, after=2.1e-6, time_before=4.0, time_after=4.0)
     verdict = judgement(result, tolerance)

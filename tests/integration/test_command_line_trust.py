@@ -67,7 +67,8 @@ def test_the_interval_lies_about_the_run_itself(done: tuple[Path, dict[str, Any]
     interval = trust["interval"]
     assert (interval["samples"], interval["failed"]) == (64, 0)
     result = Result.load(folder / "out" / "signals" / "fitted.nc")
-    start, stop = found["schemes"]["fitted"]["metrics"]["window"]
+    judged = round(found["schemes"]["fitted"]["metrics"]["judged_time"] / result.servo_period)
+    start, stop = result.n_sample - judged, result.n_sample
     error = 0.05 - np.hypot(*(result["axis_position"][start:stop] - [0.12, 0.12]).T)
     for name, here in (("rms", np.sqrt(np.mean(error**2))), ("max", np.abs(error).max())):
         spread = interval[name]

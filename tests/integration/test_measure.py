@@ -271,7 +271,7 @@ def test_faults_are_refused_and_nothing_is_written(
 
 def test_a_simulated_run_can_be_measured(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """`measure` finds the contour error that `run` printed in the signals that `run` wrote."""
-    kept = ["--signals", "reference", "--signals", "tool_position"]
+    kept = ["--signals", "reference", "--signals", "tool_position", "--judge", "all"]
     assert main(["run", "builtin:demo-part", "--out", str(tmp_path / "run"), "--json", *kept]) in (0, 1)
     printed = json.loads(capsys.readouterr().out)["schemes"]["with disturbance observer"]
     log = load_log(tmp_path / "run" / "signals" / "with-disturbance-observer.nc")

@@ -26,6 +26,10 @@ Schemes: TypeAlias = Annotated[
 Trials: TypeAlias = Annotated[int | None, typer.Option(help="Largest number of trials after the first; by default as in the scenario.")]
 Out: TypeAlias = Annotated[Path, typer.Option(help="Folder for the results; created if missing.")]
 Json: TypeAlias = Annotated[bool, typer.Option("--json", help="Print only JSON on standard output.")]
+Judge: TypeAlias = Annotated[
+    str | None,
+    typer.Option(help='Moves to judge: cutting (the default), all, or "lines 10-40": cutting moves of these lines.', show_default=False),
+]
 Plots: TypeAlias = Annotated[list[str] | None, typer.Option(help="Also write plots as png, svg or pdf; repeatable.")]
 Signals: TypeAlias = Annotated[list[str] | None, typer.Option(help="Write only this signal; repeatable; by default all.")]
 Plugins: TypeAlias = Annotated[list[Path] | None, typer.Option("--plugin", help="Load components from a Python file; repeatable.")]

@@ -26,8 +26,6 @@ class Evaluator:
     ----------
     machine, controller, reference
         As in `contourlab.loop.simulate_batch`.
-    window : (int, int), optional
-        Samples that the figures cover; by default the last whole lap, or all samples.
     moving : bool
         Whether the axes start with the velocity of the reference.
     seed : int
@@ -43,7 +41,6 @@ class Evaluator:
     machine: Machine
     controller: Controller
     reference: Reference
-    window: tuple[int, int] | None = None
     moving: bool = False
     seed: int = 0
     threads: int | None = None
@@ -78,7 +75,6 @@ class Evaluator:
                 self.controller,
                 self.reference,
                 part,
-                window=self.window,
                 effort=self.effort,
                 view=self.view,
                 seed=self.seed,

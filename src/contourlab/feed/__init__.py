@@ -2,13 +2,14 @@
 
 `limits` and `route` are the inputs. `merging` joins short lines, `blending` rounds corners. `segments` divides the route at its stops.
 `bounds`, `pieces` and `scurve` plan straight segments; `smooth`, `kernels` and `speed_profile` plan the others. `planner` combines both.
-`profile` and `reference` are the outputs. `uniform` moves at constant speed. `binding` finds what limits the speed. `verify` is an
-independent check.
+`profile` and `reference` are the outputs, `judged` the samples that count. `uniform` moves at constant speed. `binding` finds what limits
+the speed. `verify` is an independent check.
 """
 
 from contourlab.feed.binding import Binding, limiting
 from contourlab.feed.blending import blended
 from contourlab.feed.correspondence import Correspondence
+from contourlab.feed.judged import Judged
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.planner import plan
 from contourlab.feed.profile import Profile
@@ -21,6 +22,7 @@ __all__ = [
     "AxisLimits",
     "Binding",
     "Correspondence",
+    "Judged",
     "LimitReport",
     "Profile",
     "Reference",

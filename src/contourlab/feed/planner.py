@@ -175,5 +175,6 @@ def plan(route: Route, limits: AxisLimits, servo_period: float, *, laps: int = 1
         correspondence=route.correspondence,
         profile=profile,
         source_lines=route.source_line,
+        rapid=route.rapid,
         laps=lap_ranges(profile, float(route.path.length), laps, servo_period) if laps > 1 else (),
     )

@@ -12,9 +12,10 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Index
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import FeedError
 from contourlab.feed.correspondence import Correspondence, place_on_programmed
+from contourlab.feed.judged import CUTTING, LAST_LAP, WHOLE, Judged, ranges_of_curves
 from contourlab.feed.profile import Profile
 from contourlab.geometry import Path
 
@@ -114,6 +115,10 @@ class Reference:
     recorded : Recorded or None
     correspondence : Correspondence or None
         Map from `path` to `programmed`, where they differ.
+    rapid : ndarray (n_curve,) of bool, or None
+        The curves at rapid rate; None for none.
+    chosen : Judged or None
+        Samples to judge, instead of `judged`'s default.
     """
 
     servo_period: float
@@ -125,6 +130,8 @@ class Reference:
     laps: tuple[tuple[int, int], ...] = ()
     recorded: Recorded | None = None
     correspondence: Correspondence | None = None
+    rapid: Flags | None = None
+    chosen: Judged | None = None
     _kept: dict[tuple[int, int, Filler | None], ReferenceBlock] = field(default_factory=dict, init=False, repr=False)
 
     @property
@@ -136,6 +143,22 @@ class Reference:
     def duration(self) -> float:
         """Duration of the motion [s]; the last sample is at its end or later."""
         return self.profile.duration if self.profile is not None else (self.n_sample - 1) * self.servo_period
+
+    @cached_property
+    def judged(self) -> Judged:
+        """The samples that figures cover: those `chosen`, else the last lap, the cutting moves, or all."""
+        if self.chosen is not None:
+            return self.chosen
+        if self.laps:
+            return Judged(self.laps[-1:], LAST_LAP)
+        if self.rapid is not None and 0 < np.count_nonzero(self.rapid) < len(self.rapid):
+            return Judged(self.of_curves(~self.rapid), CUTTING)
+        return Judged(((0, self.n_sample),), WHOLE)
+
+    def of_curves(self, curves: Flags) -> tuple[tuple[int, int], ...]:
+        """Return the sample ranges of some curves (n_curve,) of a planned motion of one lap; a rest belongs to the curve before it."""
+        assert self.profile is not None
+        return ranges_of_curves(self.profile, self.path.breaks, curves, self.servo_period, self.n_sample)
 
     def block(self, start: int, stop: int, fill: Filler | None = None) -> ReferenceBlock:
         """Return the samples [start, stop).

@@ -22,7 +22,7 @@ from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.builder import Signals
 from contourlab.loop.feeding import Feed, Learned
-from contourlab.loop.judging import WATCH, counted, effort_figures, effort_node, error_figures, judge_node, sums_of
+from contourlab.loop.judging import WATCH, effort_figures, effort_node, error_figures, judge_node, sums_of
 from contourlab.loop.machine import Controller, Machine, parameter_names
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
@@ -67,7 +67,6 @@ def simulate_batch(
     reference: Reference,
     variants: Mapping[str, ArrayLike],
     *,
-    window: tuple[int, int] | None = None,
     keep: Sequence[str] = (),
     threads: int | None = None,
     judge: bool = True,
@@ -88,8 +87,6 @@ def simulate_batch(
         Common to all variants.
     variants : mapping of str to array_like (n_variant,)
         Parameters that differ, by their dotted names (`contourlab.loop.parameter_names` lists them).
-    window : (int, int), optional
-        Samples [start, stop) that count; by default the last whole lap, or all.
     keep : sequence of str
         Signals to keep; none by default.
     threads : int, optional
@@ -128,15 +125,13 @@ def simulate_batch(
     The judge sees the axes' true positions; the machine's error map (lead error, squareness) is not in it.
     """
     columns, n = _checked(machine, controller, variants)
-    if window is not None and not 0 <= window[0] < window[1] <= reference.n_sample:
-        raise ParameterError("window", f"{window}", f"(first, last + 1) within the samples 0 to {reference.n_sample}")
     view = view or view_of(reference.path)
     compiled = jit_enabled() if jit is None else jit
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
     first, _ = feed.block(0, min(BLOCK, reference.n_sample))
-    extra: tuple[Node | Callable[[Signals], Node], ...] = (judge_node(machine, reference, view, window),) if judge else ()
+    extra: tuple[Node | Callable[[Signals], Node], ...] = (judge_node(machine, reference, view),) if judge else ()
     if effort:
-        extra += (lambda signals: effort_node(machine, signals["command"], columns, counted(reference, window)),)
+        extra += (lambda signals: effort_node(machine, reference, signals["command"], columns),)
     start, progress_at = first.position[0], float(first.arc_length[0])
     speed = first.velocity[0] if moving else None
     loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed, fed=feed.names, velocity=speed)

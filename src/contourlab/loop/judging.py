@@ -26,17 +26,16 @@ from contourlab.primitives import fabs, select
 from contourlab.result import Status
 from contourlab.threads import in_threads
 
-Window = tuple[int, int]
+
+def _counts(reference: Reference) -> dict[str, Array]:
+    """Return the table of the judged samples: 1 for each, else 0."""
+    counts = np.zeros(reference.n_sample)
+    counts[reference.judged.samples] = 1.0
+    return {"counts": counts}
 
 
-def counted(reference: Reference, window: Window | None) -> Window:
-    """Return the evaluated samples [start, stop): the given ones, the last whole lap, or all."""
-    return window or (reference.laps[-1] if reference.laps else (0, reference.n_sample))
-
-
-def judge_node(machine: Machine, reference: Reference, view: PathView, window: Window | None) -> Node:
+def judge_node(machine: Machine, reference: Reference, view: PathView) -> Node:
     """Return the node that computes the contour error of each lane."""
-    start, stop = counted(reference, window)
     n = len(machine.axes)
     wires: dict[str, Any] = {
         "position": tuple(Late(f"{axis.name}.plant.position") for axis in machine.axes),
@@ -45,20 +44,21 @@ def judge_node(machine: Machine, reference: Reference, view: PathView, window: W
     }
     reach = min(0.25 * reference.path.length, 4.0 * max(axis.limits.following_error for axis in machine.axes))
     corner_numbers, corner_tables = corner_parts(reference.path)
-    parameters = {"window": reach, "first": float(start), "last": float(stop - 1), **view.parameters, **corner_numbers}
+    parameters = {"window": reach, **view.parameters, **corner_numbers}
+    tables = {**view.tables, **_counts(reference), **corner_tables}
     foot = float(reference.block(0, 1).arc_length[0])
     step = judge_step(view, n, bool(corner_numbers))
-    return Node("judge", step, wires, parameters, {**view.tables, **corner_tables}, {"foot": foot})
+    return Node("judge", step, wires, parameters, tables, {"foot": foot})
 
 
-def effort_node(machine: Machine, commands: Sequence[str], columns: Mapping[str, Array], window: Window) -> Node:
+def effort_node(machine: Machine, reference: Reference, commands: Sequence[str], columns: Mapping[str, Array]) -> Node:
     """Return the node that sums up the commands of each lane; `commands` are the signals at the drives, one for each axis."""
     rates = {f"rate_{i}": _rate(axis, columns) for i, axis in enumerate(machine.axes)}
     wires: dict[str, Any] = {
         "command": tuple(commands),
         "accepted": tuple(f"{axis.name}.drive.{accepted_output(axis.drive)}" for axis in machine.axes),
     }
-    return Node("effort", effort_step(len(machine.axes)), wires, {**rates, "first": float(window[0]), "last": float(window[1] - 1)})
+    return Node("effort", effort_step(len(machine.axes)), wires, rates, _counts(reference))
 
 
 def _rate(axis: Axis, columns: Mapping[str, Array]) -> float | Array:
@@ -170,8 +170,6 @@ class TrialJudge:
         Of the reference.
     arc_length : ndarray (n_sample,) [m]
         Of the reference.
-    window : (int, int)
-        Samples [start, stop) that count.
     vector : bool
         Whether the vector is computed.
     compiled : bool
@@ -184,12 +182,11 @@ class TrialJudge:
         view: PathView,
         position: Array,
         arc_length: Array,
-        window: tuple[int, int],
         vector: bool,
         compiled: bool,
     ) -> None:
         n_sample, n = position.shape
-        node = judge_node(machine, reference, view, window)
+        node = judge_node(machine, reference, view)
         wires: dict[str, Any] = {name: f"in.{name}" for name in ("position", "reference", "arc_length")}
         nodes = [replace(node, wires=wires)]
         if vector:

@@ -82,13 +82,13 @@ class Trials:
         Whether to compute the contour-error vector of the measured position.
     seed : int
         Of all noise.
-    window : (int, int), optional
-        Samples [start, stop) that count; by default the last whole lap, or all.
     jit, view
         As of `simulate`.
 
     Attributes
     ----------
+    judged : ndarray of int
+        The judged samples.
     position, arc_length : ndarray (n_sample, n_axis) and (n_sample,) [m]
         Of the reference.
     engine_seconds, judge_seconds : float [s]
@@ -97,7 +97,7 @@ class Trials:
     Raises
     ------
     ParameterError
-        If the window is not within the samples, or a controller has no port for the learned table.
+        If a controller has no port for the learned table.
 
     Notes
     -----
@@ -113,13 +113,12 @@ class Trials:
         target: str = "command",
         vector: bool = False,
         seed: int = 0,
-        window: tuple[int, int] | None = None,
         jit: bool | None = None,
         view: PathView | None = None,
     ) -> None:
         self.machine, self.controller, self.reference, self.seed = machine, controller, reference, seed
         compiled = jit_enabled() if jit is None else jit
-        self.window = window or (reference.laps[-1] if reference.laps else (0, reference.n_sample))
+        self.judged = reference.judged.samples
         n = reference.n_sample
         self._feed = Feed(machine, controller, reference, Learned(**{target: np.zeros((n, reference.n_axis))}), sampler(compiled))
         self._fed = LEARNED_COMMAND if target == "command" else LEARNED_REFERENCE
@@ -137,7 +136,7 @@ class Trials:
         self._log = np.empty((n, len(self._column), 1))
         self._limit = np.array([_least_limit(axis.drive, controller.axes[axis.name].controller) for axis in machine.axes])
         seen = view or view_of(reference.path)
-        self._judge = TrialJudge(machine, reference, seen, self.position, self.arc_length, self.window, vector, compiled)
+        self._judge = TrialJudge(machine, reference, seen, self.position, self.arc_length, vector, compiled)
         self.engine_seconds = self.judge_seconds = 0.0
 
     def _built(self, trial: int) -> Loop:
@@ -231,7 +230,7 @@ class Trials:
                 doubtful = np.arange(len(tool))
             feet = path.foot_point(tool[doubtful], self.arc_length[doubtful], reach(path, self.position - tool))
             contour[doubtful] = feet.signed if path.is_planar else feet.distance
-        size = np.abs(contour[slice(*self.window)])
+        size = np.abs(contour[self.judged])
         return tool, vector, contour, (float(np.sqrt(np.mean(size**2))), float(size.max()), float(size.mean()))
 
 

@@ -9,7 +9,7 @@ from contourlab.metrics.circles import (
     circles_of,
     minimum_zone,
 )
-from contourlab.metrics.figures import AxisFigures, ErrorFigures, Metrics, evaluation_window, summarise
+from contourlab.metrics.figures import AxisFigures, ErrorFigures, Metrics, MoveFigures, judged_part, summarise
 from contourlab.metrics.judge import judge
 from contourlab.metrics.lost_motion import LostMotion, lost_motion_from_pair
 from contourlab.metrics.reversals import ReversalFigures, Spike, reversal_figures, reversal_spikes
@@ -22,6 +22,7 @@ __all__ = [
     "ErrorFigures",
     "LostMotion",
     "Metrics",
+    "MoveFigures",
     "ReversalFigures",
     "Spike",
     "backlash_from_circle",
@@ -29,8 +30,8 @@ __all__ = [
     "bidirectional",
     "circle_figures",
     "circles_of",
-    "evaluation_window",
     "judge",
+    "judged_part",
     "lost_motion_from_pair",
     "minimum_zone",
     "reversal_figures",

@@ -21,7 +21,7 @@ from contourlab.arrays import Array, Index
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.geometry import Arc
-from contourlab.metrics.figures import evaluation_window
+from contourlab.metrics.figures import judged_part
 from contourlab.result import Result
 
 
@@ -202,8 +202,7 @@ def circles_of(result: Result, reference: Reference) -> tuple[CircleFigures, ...
 
 def _pass(result: Result, reference: Reference, low: float, high: float) -> Index:
     along = reference.programmed_arc_length(result["arc_length"])
-    (start, stop), _ = evaluation_window(reference, result.n_sample, result.start)
-    counted = np.arange(start, stop)
+    counted = judged_part(result, reference).samples
     path = reference.programmed
     inside = along[counted] - path.length * np.floor(along[counted] / path.length) if path.closed else along[counted]
     moving = np.concatenate([[True], np.diff(along[counted]) > 0.0])

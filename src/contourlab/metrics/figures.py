@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import ClassVar
 
 import numpy as np
 
-from contourlab.arrays import Flags
+from contourlab.arrays import Flags, Index
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
+from contourlab.feed.judged import CUTTING, LAST_LAP, Judged
 from contourlab.result import Result
 
 
@@ -52,6 +56,16 @@ class ErrorFigures:
 
 
 @dataclass(frozen=True, slots=True)
+class MoveFigures:
+    """Moves that are not judged: ``approach``, ``rapids`` or ``retract``; their time [s], largest part error [m], and its place."""
+
+    moves: str
+    time: float
+    max: float
+    worst: Place
+
+
+@dataclass(frozen=True, slots=True)
 class AxisFigures:
     """Tracking error of an axis [m]: rms and max of the magnitude."""
 
@@ -65,10 +79,10 @@ class Metrics:
 
     Attributes
     ----------
-    window : (int, int)
-        Evaluated samples [start, stop).
-    basis : str
-        "last lap", "whole motion" or "window".
+    judged : Judged
+        The samples that all figures but `cycle_time` cover.
+    judged_time : float [s]
+        Their duration.
     part_error, contour_error, planning_deviation : ErrorFigures
     tracking_error : tuple of AxisFigures
         One for each axis.
@@ -82,10 +96,14 @@ class Metrics:
         Standard deviation of tool speed over reference speed, where the latter is constant.
     cycle_time : float [s]
         Duration of the whole motion.
+    others : tuple of MoveFigures
+        The moves that are not judged, where only cutting moves are.
     """
 
-    window: tuple[int, int]
-    basis: str
+    json_derived: ClassVar = ("basis",)
+
+    judged: Judged = field(metadata={"json": False})
+    judged_time: float
     part_error: ErrorFigures
     contour_error: ErrorFigures
     planning_deviation: ErrorFigures
@@ -95,15 +113,12 @@ class Metrics:
     feedrate_mean: float
     feedrate_ripple: float
     cycle_time: float
+    others: tuple[MoveFigures, ...] = ()
 
-
-def evaluation_window(reference: Reference, n_sample: int, first: int = 0) -> tuple[tuple[int, int], str]:
-    """Return the samples to evaluate, the last whole lap or all, and the name of that choice.
-
-    The result holds `n_sample` samples of the run from sample `first` on; the window is counted from there.
-    """
-    laps = [(start - first, stop - first) for start, stop in reference.laps if first <= start and stop <= first + n_sample]
-    return (laps[-1], "last lap") if laps else ((0, n_sample), "whole motion")
+    @property
+    def basis(self) -> str:
+        """The judged samples in words."""
+        return self.judged.basis
 
 
 def summarise(result: Result, reference: Reference, window: tuple[int, int] | None = None) -> Metrics:
@@ -115,42 +130,65 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
         With the judge's signals.
     reference : Reference
     window : (int, int), optional
-        Samples [start, stop) to evaluate; by default the last lap, or the whole motion.
+        Samples [start, stop) to judge; by default those of `Reference.judged`.
 
     Raises
     ------
     ResultError
         If the run has not been judged, or the window is empty.
     """
-    chosen, basis = (window, "window") if window else evaluation_window(reference, result.n_sample, result.start)
-    start, stop = chosen
-    if not 0 <= start < stop <= result.n_sample:
-        raise ResultError(f"window {start} .. {stop} of a result of {result.n_sample} samples: give a non-empty part of it")
-    cut = slice(start, stop)
-    period = result.servo_period
+    judged = judged_part(result, reference) if window is None else Judged((window,), "window")
+    if window is not None and not 0 <= window[0] < window[1] <= result.n_sample:
+        raise ResultError(f"window {window[0]} .. {window[1]} of a result of {result.n_sample} samples: give a non-empty part of it")
+    cut = judged.samples
     tracking = result["tracking_error"][cut]
     axes = tuple(AxisFigures(float(np.sqrt(np.mean(e**2))), float(np.abs(e).max())) for e in tracking.T)
     saturation = tuple(float(np.mean(row)) for row in _saturated(result, cut).T)
-    mean, ripple = _feedrate(result, cut)
-    cycle = (result.n_sample - 1) * period
+    mean, ripple = _feedrate(result, judged)
+    cycle = (result.n_sample - 1) * result.servo_period
     names = ("part_error", "contour_error", "planning_deviation")
-    part, contour, planning = (_error_figures(result, reference, name, start, stop) for name in names)
-    return Metrics(chosen, basis, part, contour, planning, axes, saturation, left_out(result, reference, chosen)[0], mean, ripple, cycle)
+    part, contour, planning = (_error_figures(result, reference, name, cut) for name in names)
+    missed, others = left_out(result, reference, judged)[0], tuple(_others(result, reference, judged))
+    time = cut.size * result.servo_period
+    return Metrics(judged, time, part, contour, planning, axes, saturation, missed, mean, ripple, cycle, others)
 
 
-def _error_figures(result: Result, reference: Reference, name: str, start: int, stop: int) -> ErrorFigures:
-    signed = result[name][start:stop]
+def judged_part(result: Result, reference: Reference) -> Judged:
+    """Return the samples of a result to judge; of a part of a run with laps, the last whole one."""
+    first, stop = result.start, result.start + result.n_sample
+    judged = reference.judged
+    if judged.basis == LAST_LAP:
+        judged = Judged(tuple(lap for lap in reference.laps if first <= lap[0] and lap[1] <= stop)[-1:], LAST_LAP)
+    return judged.within(first, result.n_sample)
+
+
+def _others(result: Result, reference: Reference, judged: Judged) -> Iterator[MoveFigures]:
+    """Yield the figures of the rapid moves before, between and after the cutting moves."""
+    if judged.basis != CUTTING:
+        return
+    first, last = judged.ranges[0][0], judged.ranges[-1][1]
+    between = tuple((one[1], other[0]) for one, other in pairwise(judged.ranges))
+    parts = (("approach", ((0, first),)), ("rapids", between), ("retract", ((last, result.n_sample),)))
+    for name, ranges in parts:
+        moved = tuple((start, stop) for start, stop in ranges if start < stop)
+        if moved:
+            samples = Judged(moved, name).samples
+            size = np.abs(result["part_error"][samples])
+            worst = _place(result, reference, samples[size.argmax()])
+            yield MoveFigures(name, samples.size * result.servo_period, float(size.max()), worst)
+
+
+def _place(result: Result, reference: Reference, sample: int) -> Place:
+    along = float(result["arc_length"][sample])
+    number = int(sample) + result.start
+    position = tuple(float(v) for v in result["tool_position"][sample])
+    return Place(number, number * result.servo_period, along, position, int(reference.source_line(np.array([along]))[0]))
+
+
+def _error_figures(result: Result, reference: Reference, name: str, cut: Index) -> ErrorFigures:
+    signed = result[name][cut]
     size = np.abs(signed)
     mean = float(signed.mean())
-    sample = start + int(np.argmax(size))
-    along = float(result["arc_length"][sample])
-    place = Place(
-        sample + result.start,
-        (sample + result.start) * result.servo_period,
-        along,
-        tuple(float(v) for v in result["tool_position"][sample]),
-        int(reference.source_line(np.array([along]))[0]),
-    )
     return ErrorFigures(
         rms=float(np.sqrt(np.mean(size**2))),
         max=float(size.max()),
@@ -159,13 +197,13 @@ def _error_figures(result: Result, reference: Reference, name: str, start: int, 
         integral=float(size.sum() * result.servo_period),
         signed_mean=mean,
         integral_without_mean=float(np.abs(signed - mean).sum() * result.servo_period),
-        worst=place,
+        worst=_place(result, reference, cut[size.argmax()]),
     )
 
 
-def _saturated(result: Result, cut: slice) -> Flags:
+def _saturated(result: Result, cut: Index) -> Flags:
     """Return where each drive was at the limit that the run recorded."""
-    saturated = np.zeros((cut.stop - cut.start, len(result.axes)), dtype=bool)
+    saturated = np.zeros((cut.size, len(result.axes)), dtype=bool)
     if "applied_command" in result:
         for j, axis in enumerate(result.axes):
             limit = float(result.attributes.get(f"command_limit_{axis}", math.inf))
@@ -173,18 +211,19 @@ def _saturated(result: Result, cut: slice) -> Flags:
     return saturated
 
 
-def _feedrate(result: Result, cut: slice) -> tuple[float, float]:
-    tool = result["tool_position"][cut]
-    if len(tool) < 3:
+def _feedrate(result: Result, judged: Judged) -> tuple[float, float]:
+    before = np.concatenate([np.arange(start, stop - 1) for start, stop in judged.ranges])
+    if before.size < 2:
         return math.nan, math.nan
-    speed = np.linalg.norm(np.diff(tool, axis=0), axis=1) / result.servo_period
-    wanted = result["feedrate"][cut][:-1] if "feedrate" in result else speed
+    tool = result["tool_position"]
+    speed = np.linalg.norm(tool[before + 1] - tool[before], axis=1) / result.servo_period
+    wanted = result["feedrate"][before] if "feedrate" in result else speed
     steady = (np.abs(np.gradient(wanted)) <= 1e-9 * wanted) & (wanted > 0.0)
     ripple = float(np.std(speed[steady] / wanted[steady])) if np.count_nonzero(steady) > 2 else math.nan
     return float(speed.mean()), ripple
 
 
-def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> tuple[float, float]:
+def left_out(result: Result, reference: Reference, judged: Judged) -> tuple[float, float]:
     """Return the longest piece [m] of the commanded part of the programmed path that has no foot point of the tool.
 
     Parameters
@@ -192,8 +231,8 @@ def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> t
     result : Result
         With the judge's ``foot_arc_length``.
     reference : Reference
-    window : (int, int)
-        Samples [start, stop) to evaluate. On a whole lap, places before the start count as the end of the lap.
+    judged : Judged
+        On a whole lap, places before the start count as the end of the lap.
 
     Returns
     -------
@@ -204,13 +243,17 @@ def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> t
     -----
     A tool that follows misses only the path between two samples, what it cuts off at a corner, and its lag at the ends of the motion.
     """
-    cut = slice(*window)
-    path = reference.programmed
+    path, cut = reference.programmed, judged.samples
     foot = result["foot_arc_length"][cut]
     commanded = reference.programmed_arc_length(result["arc_length"][cut])
     if path.closed and np.ptp(commanded) > (1.0 - 2.0 / len(commanded)) * path.length:
         foot = np.sort(np.mod(foot, path.length))
         return float(max(np.diff(foot).max(initial=0.0), foot[0] + path.length - foot[-1])), 0.0
-    low, high = commanded.min(), commanded.max()
-    seen = np.concatenate([[low], np.sort(np.clip(foot, low, high)), [high]])
-    return float(np.diff(seen).max()), float(high - seen[-2])
+    sizes = np.diff(judged.ranges, axis=1)[:, 0]
+    begins = np.cumsum(sizes) - sizes
+    low, high = (edge.reduceat(commanded, begins) for edge in (np.minimum, np.maximum))
+    # Lay the pieces of the path end to end.
+    total = np.cumsum(high - low)
+    behind = np.repeat(low - (total - (high - low)), sizes)
+    seen = np.sort(np.concatenate([[0.0], np.clip(foot, np.repeat(low, sizes), np.repeat(high, sizes)) - behind, total]))
+    return float(np.diff(seen).max()), float(seen[-1] - seen[-2])

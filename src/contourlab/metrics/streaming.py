@@ -47,8 +47,8 @@ def corner_parts(path: Path) -> tuple[dict[str, float], dict[str, Array]]:
 def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
     """Return the judge's step on a path.
 
-    Parameters of the node: ``window`` [m] around the reference for the foot point, ``first`` and ``last``, the evaluated ticks (inclusive),
-    those of the view, and with `corners` those of `corner_parts`.
+    Parameters of the node: ``window`` [m] around the reference for the foot point, those of the view, and with `corners` those of
+    `corner_parts`. The table ``counts`` has 1 for each tick that is judged, else 0.
 
     Notes
     -----
@@ -59,14 +59,14 @@ def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
 
     A controller's Newton estimator takes the same steps, but fewer; tests compare this judge with the exact foot point instead.
     """
-    parameters = ("window", "first", "last", *view.parameters, *(CORNER_PARAMETERS if corners else ()))
+    parameters = ("window", *view.parameters, *(CORNER_PARAMETERS if corners else ()))
     states = (Port("foot"), *(Port(name) for name in SUMS))
     inputs = (Port("position", n_axis), Port("reference", n_axis), Port("arc_length"))
     return Step(
         "judge",
         _make(view.evaluate, n_axis, corners),
         parameters,
-        (*view.tables, *(("corner_near",) if corners else ())),
+        (*view.tables, "counts", *(("corner_near",) if corners else ())),
         "",
         states,
         inputs,
@@ -122,7 +122,7 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
             at_edge = beside <= dot(gap, gap)
             signed = select(at_edge, copysign(sqrt(beside), signed) if planar else sqrt(beside), signed)
             s, moved = select(at_edge, edge, s), select(at_edge, 0.0, moved)
-        counts = select(clock.k >= par.first, select(clock.k <= par.last, 1.0, 0.0), 0.0)
+        counts = lookup(par.counts, clock.k)
         magnitude = counts * fabs(signed)
         behind = sub(inp.reference, position)
         tracking = counts * dot(behind, behind)
@@ -160,8 +160,8 @@ _AXIS = """
 def effort_step(n_axis: int) -> Step:
     """Return the step that sums up commands.
 
-    Parameters of the node: ``rate_0``, ``rate_1`` ..., a factor on the command of each axis (one over the limit of its drive, or 1), and
-    ``first`` and ``last``, the evaluated ticks (inclusive).
+    Parameters of the node: ``rate_0``, ``rate_1`` ..., a factor on the command of each axis (one over the limit of its drive, or 1). The
+    table ``counts`` is that of the judge.
 
     Notes
     -----
@@ -171,12 +171,12 @@ def effort_step(n_axis: int) -> Step:
     body = "".join(_AXIS.format(i=i) for i in range(n_axis))
     source = (
         "def step(par, x, inp, clock):\n    square, largest, limited = 0.0, 0.0, 0.0" + body + "\n"
-        "    counts = select(clock.k >= par.first, select(clock.k <= par.last, 1.0, 0.0), 0.0)\n"
+        "    counts = lookup(par.counts, clock.k)\n"
         "    return (x.count + counts, x.sum_square + counts * square, maximum(x.largest, counts * largest),\n"
         "            x.limited + counts * limited), ()\n"
     )
-    scope: dict[str, Any] = {"__name__": __name__, "fabs": fabs, "maximum": maximum, "select": select}
+    scope: dict[str, Any] = {"__name__": __name__, "fabs": fabs, "lookup": lookup, "maximum": maximum, "select": select}
     step = generated(source, scope, "step")
-    parameters = (*(f"rate_{i}" for i in range(n_axis)), "first", "last")
+    parameters = tuple(f"rate_{i}" for i in range(n_axis))
     inputs = (Port("command", n_axis), Port("accepted", n_axis))
-    return Step("effort", step, parameters, (), "", tuple(Port(name) for name in EFFORT_SUMS), inputs, ())
+    return Step("effort", step, parameters, ("counts",), "", tuple(Port(name) for name in EFFORT_SUMS), inputs, ())

@@ -137,12 +137,20 @@ def _change(before: float, after: float, lower_is_better: bool) -> Cell:
     return Cell(text, ("good" if percent < 0.0 else "poor") if lower_is_better and abs(percent) >= 1.0 else "")
 
 
-def _judged_part(schemes: Sequence[SchemeReport]) -> str:
+def judged_part(scheme: SchemeReport) -> str:
+    """Describe the judged samples of a run."""
+    metrics, period = scheme.metrics, scheme.result.servo_period
+    if len(metrics.judged.ranges) > 1:
+        return f"the {metrics.basis}, {figure(metrics.judged_time, 's', 4)} of {figure(metrics.cycle_time, 's', 4)}"
+    start, stop = (figure(sample * period, "s", 4) for sample in metrics.judged.ranges[0])
+    return f"the {metrics.basis}, {start} to {stop}"
+
+
+def _judged_parts(schemes: Sequence[SchemeReport]) -> str:
     """Describe the evaluated part of the run; by scheme if they differ."""
     parts: dict[str, list[str]] = {}
     for scheme in schemes:
-        start, stop = (figure(sample * scheme.result.servo_period, "s", 4) for sample in scheme.metrics.window)
-        parts.setdefault(f"the {scheme.metrics.basis}, {start} to {stop}", []).append(scheme.name)
+        parts.setdefault(judged_part(scheme), []).append(scheme.name)
     if len(parts) == 1:
         return f"Errors over {next(iter(parts))}."
     texts = [f"{part} ({listing(names)})" for part, names in parts.items()]
@@ -151,7 +159,7 @@ def _judged_part(schemes: Sequence[SchemeReport]) -> str:
 
 def _note(data: ReportData) -> str:
     """Describe what the numbers do not show."""
-    notes = [_judged_part(data.schemes)]
+    notes = [_judged_parts(data.schemes)]
     if data.is_measured:
         notes.append("Positions are those of the log's encoders: errors that no encoder measures are not included.")
     elif not data.is_blended:
@@ -207,6 +215,8 @@ def _figures(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
     if len(data.axes) == 2:  # in space the error has no side
         yield Figure("contour error, signed mean", error.signed_mean, UM, "um", lower_is_better=False)
     yield Figure("contour error, integral", error.integral, UM, "um s")
+    for other in metrics.others:
+        yield Figure(f"part error, {other.moves} (not judged)", other.max, UM, "um")
     for axis, tracking in zip(data.axes, metrics.tracking_error, strict=True):
         yield Figure(f"tracking error {axis}, rms", tracking.rms, UM, "um")
     for axis, part in zip(data.axes, metrics.saturation, strict=True):

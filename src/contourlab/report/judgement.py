@@ -189,7 +189,7 @@ class Verdict:
     left_out : float [m]
         Longest piece of the path that the tool skips, if it is too long to pass; else 0.
     findings : tuple of Finding
-        Skipped path, causes that could not be separated, the best single change.
+        Skipped path, causes that could not be separated, the best changes.
     """
 
     passed: bool

@@ -7,9 +7,10 @@ from itertools import combinations
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.figures import figure, number
+from contourlab.figures import figure
 from contourlab.geometry import Path
 from contourlab.report.charts import Curve, Magnified, PathChart
+from contourlab.report.comparison import judged_part
 from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.samples import keep_extremes, largest_magnitude, signal
 from contourlab.report.style import BAND, INK, REFERENCE, magnification, scheme_style
@@ -61,8 +62,8 @@ def _run(data: ReportData, scheme: SchemeReport, points: int) -> tuple[Array, Ar
     With many laps drawn, each would have too few points, and lines between them would cut corners.
     """
     result = scheme.result
-    start, stop = scheme.metrics.window
-    kept = start + keep_extremes(signal(result, "part_error")[start:stop], points)
+    judged = scheme.metrics.judged.samples
+    kept = judged[keep_extremes(signal(result, "part_error")[judged], points)]
     tool, along = signal(result, "tool_position")[kept], signal(result, "foot_arc_length")[kept]
     good = np.all(np.isfinite(tool), axis=1) & np.isfinite(along)
     foot = np.asarray(data.asked.position(along[good]), dtype=np.float64)
@@ -107,10 +108,8 @@ def _chart(
 
 def _caption(data: ReportData) -> str:
     """Describe how the errors are drawn, and which part of the run."""
-    first = data.schemes[0]
-    start, stop = (f"{number(sample * first.result.servo_period, 4)} s" for sample in first.metrics.window)
     how = "The path is to scale. The error of each run is magnified and drawn from the nearest point of the path."
-    return f"{how} Shown: the {first.metrics.basis}, {start} to {stop}."
+    return f"{how} Shown: {judged_part(data.schemes[0])}."
 
 
 def _outline(points: Array, name: str, colour: str, dash: str) -> Curve:

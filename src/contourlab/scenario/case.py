@@ -11,12 +11,23 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.registry import component
-from contourlab.errors import FeedError, ProgramError, ScenarioError
+from contourlab.errors import FeedError, ParameterError, ProgramError, ScenarioError
 from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_path, uniform
+from contourlab.feed.judged import WHOLE, Judged
 from contourlab.feed.route import controlled
 from contourlab.loop import Change, Controller, Machine
 from contourlab.scenario.motion_check import check_motion
-from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE, Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings
+from contourlab.scenario.values import (
+    DEFAULT_CORNER_TOLERANCE,
+    JUDGED_LINES,
+    Contour,
+    FeedSettings,
+    LearningSettings,
+    Motion,
+    PartProgram,
+    RunSettings,
+    checked_judge,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +90,7 @@ class Case:
         return self.machine.planner_limits()
 
     def reference(self, feed_scale: float = 1.0) -> Reference:
-        """Return the sampled reference, without laps if ``run.evaluate`` is ``"whole"``.
+        """Return the sampled reference, with the samples that ``run.judge`` chooses.
 
         Parameters
         ----------
@@ -89,13 +100,31 @@ class Case:
         Raises
         ------
         FeedError
-            If the motion cannot be planned within the limits of the axes, leaves their travel, or takes too many samples.
+            If the motion cannot be planned within the limits of the axes, leaves their travel, or takes too many samples; or if
+            ``run.judge`` names lines without a cutting move.
         ProgramError
             If the program moves an axis that the machine lacks, or beyond its travel.
         """
         reference = self._sampled(self.feed.override * feed_scale)
         check_motion(reference, self.machine, self._fault, bounded=self.feed.law != "uniform", cure=self._cure)
-        return replace(reference, laps=()) if self.run.evaluate == "whole" else reference
+        return replace(reference, chosen=self._chosen(reference))
+
+    def _chosen(self, reference: Reference) -> Judged | None:
+        """Return the samples that ``run.judge`` chooses; None for the default."""
+        choice = self.run.judge
+        if choice == "cutting":
+            return None
+        if choice == "all":
+            return Judged(((0, reference.n_sample),), WHOLE)
+        named = JUDGED_LINES.fullmatch(choice)
+        assert named is not None  # checked by the reader
+        first, last = int(named[1]), int(named[2] or named[1])
+        curves = (reference.source_lines >= first) & (reference.source_lines <= last)
+        if reference.rapid is not None:
+            curves &= ~reference.rapid
+        if not curves.any():
+            raise self._fault(f'judge = "{choice}": no cutting move is on these lines; write other lines, or "all"', 0)
+        return Judged(reference.of_curves(curves), f"cutting moves of {choice}")
 
     @property
     def _cure(self) -> str:
@@ -207,6 +236,23 @@ class Scenario:
         tools = motion.reading.tools if isinstance(motion, PartProgram) else None
         tables = [case.learning.table for case in self.cases() if case.learning is not None]
         return (*self.files, *(File(file) for file in (motion.file, tools, *tables) if file is not None))
+
+    def judging(self, choice: str | None) -> Scenario:
+        """Return the scenario with another choice of the moves to judge in all its cases; itself for None.
+
+        Raises
+        ------
+        ParameterError
+            If there is no such choice.
+        """
+        if choice is None:
+            return self
+        try:
+            checked_judge(choice)
+        except ValueError:
+            raise ParameterError("--judge", repr(choice), 'cutting, all, or lines such as "lines 10-40"') from None
+        base, *others = (replace(case, run=replace(case.run, judge=choice)) for case in (self.base, *self.all_cases))
+        return replace(self, base=base, all_cases=tuple(others))
 
     def cases(self) -> list[Case]:
         """Return one case for each scheme, in the order of the file; the base alone without schemes."""

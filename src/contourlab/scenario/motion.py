@@ -34,7 +34,7 @@ def read_run(table: Table) -> RunSettings:
         if signal not in known:
             raise table.error(f"no signal {signal!r}: {hint(signal, known)}", "signals")
     signals = None if plain.signals is None else tuple(plain.signals)
-    return RunSettings(plain.tolerance, signals, plain.seed, plain.evaluate, plain.start)
+    return RunSettings(plain.tolerance, signals, plain.seed, plain.judge, plain.start)
 
 
 def read_feed(table: Table, motion: Motion) -> FeedSettings:

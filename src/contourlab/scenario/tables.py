@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, ClassVar, Literal, TypeVar
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from contourlab.errors import ScenarioError, UnitError
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.program import Reading
 from contourlab.scenario.quantities import read_list, read_number, show_bound
 from contourlab.scenario.tree import Leaf, Table, hint
+from contourlab.scenario.values import checked_judge
 
 
 def _number(
@@ -194,7 +195,7 @@ class RunTable(_Strict):
     signals: list[str] | None = None
     seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
     tolerance: Distance | None = None
-    evaluate: Literal["last-lap", "whole"] = "last-lap"
+    judge: Annotated[str, AfterValidator(checked_judge)] = "cutting"
     start: Literal["rest", "moving"] = "rest"
     changes: list[Any] = []
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -165,6 +166,22 @@ class FeedSettings:
     curvature_step: float = 1.0
 
 
+JUDGED_LINES = re.compile(r"lines ([1-9]\d{0,8})(?:-([1-9]\d{0,8}))?")
+
+
+def checked_judge(choice: str) -> str:
+    """Return a choice of the moves to judge, as in `RunSettings`.
+
+    Raises
+    ------
+    ValueError
+        If it is none.
+    """
+    if choice not in ("cutting", "all") and not JUDGED_LINES.fullmatch(choice):
+        raise ValueError(f'{choice!r}: write "cutting", "all" or "lines 10-40"')
+    return choice
+
+
 @dataclass(frozen=True)
 class RunSettings:
     """Signals, seed and verdict of a run.
@@ -177,8 +194,8 @@ class RunSettings:
         Signals to write; None for all.
     seed : int
         Seed of all noise.
-    evaluate : {"last-lap", "whole"}
-        Samples that are evaluated.
+    judge : str
+        ``"cutting"``: the cutting moves, or the last lap of a contour; ``"all"``; ``"lines 10-40"``: the cutting moves of these lines.
     start : {"rest", "moving"}
         Whether the axes have the velocity of the reference at the first sample.
     """
@@ -186,7 +203,7 @@ class RunSettings:
     tolerance: float | None = None
     signals: tuple[str, ...] | None = None
     seed: int = 0
-    evaluate: Literal["last-lap", "whole"] = "last-lap"
+    judge: str = "cutting"
     start: Literal["rest", "moving"] = "rest"
 
 

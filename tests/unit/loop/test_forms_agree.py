@@ -100,7 +100,7 @@ def test_the_streaming_judge_takes_the_right_branch(name: str) -> None:
     path = cl.contour(name)
     machine, controller = stage(sensor=make("sensor", "ideal")), control(coupled=False)
     reference = cl.uniform(path, 0.1, 1, machine.servo_period)
-    batch = cl.simulate_batch(machine, controller, reference, {"axes.x.plant.gain": [1.1]}, window=(0, reference.n_sample))
+    batch = cl.simulate_batch(machine, controller, reference, {"axes.x.plant.gain": [1.1]})
     result = cl.judge(cl.simulate(machine, controller, reference), reference)
     assert batch.figures["contour_error_max"][0] == pytest.approx(np.max(np.abs(result["contour_error"])), rel=1e-5)
 

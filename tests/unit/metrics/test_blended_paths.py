@@ -57,7 +57,7 @@ def test_only_the_cut_corners_of_a_rounded_path_are_left_out(tolerance: float) -
     s = np.linspace(0.0, route.path.length, 20_001)
     reference = along_the_plan(route, s)
     judged = judge(made_run(reference, reference.block(0, len(s)).position), reference)
-    longest, at_end = left_out(judged, reference, (0, len(s)))
+    longest, at_end = left_out(judged, reference, reference.judged)
     # The middle of a right-angled blend is P off. Its foot jumps from one leg to the other there: sqrt(2) P before and after the corner.
     assert 1.1 * tolerance < longest < np.sqrt(2.0) * tolerance + 1.5 * s[1]
     assert at_end < 1e-9
@@ -66,7 +66,7 @@ def test_only_the_cut_corners_of_a_rounded_path_are_left_out(tolerance: float) -
     # A tool that stops early leaves out the rest of the programmed path; along a staircase its length is x + y.
     tool = reference.block(0, len(s)).position.copy()
     tool[19_800:] = tool[19_800]
-    _, at_end = left_out(judge(made_run(reference, tool), reference), reference, (0, len(s)))
+    _, at_end = left_out(judge(made_run(reference, tool), reference), reference, reference.judged)
     assert at_end == pytest.approx(route.programmed.length - tool[-1].sum(), rel=0, abs=2.0 * tolerance)
     off = route.programmed.position(reference.programmed_arc_length(s)) - route.path.position(s)
     assert np.linalg.norm(off, axis=1).max() < 2.0 * tolerance

@@ -57,7 +57,7 @@ def test_a_lag_on_laps_leaves_nothing_out() -> None:
     along = reference.block(0, reference.n_sample).arc_length
     lagging = run_along(reference, np.maximum(along - 30.0 * LAP / 800.0, 0.0))
     assert summarise(lagging, reference).left_out == pytest.approx(LAP / 800.0, rel=1e-3)
-    longest, at_end = left_out(run_along(reference, np.zeros_like(along)), reference, reference.laps[-1])
+    longest, at_end = left_out(run_along(reference, np.zeros_like(along)), reference, reference.judged)
     assert longest == pytest.approx(LAP, rel=1e-9) and at_end == 0.0
 
 
@@ -65,7 +65,7 @@ def test_a_missing_end_is_reported_separately() -> None:
     reference = open_path()
     along = reference.block(0, 201).arc_length
     jumping = np.where((along > 0.01) & (along < 0.05), np.where(along < 0.03, 0.01, 0.05), np.minimum(along, 0.0985))
-    longest, at_end = left_out(run_along(reference, jumping), reference, (0, 201))
+    longest, at_end = left_out(run_along(reference, jumping), reference, reference.judged)
     assert (longest, at_end) == (pytest.approx(0.04, abs=1e-9), pytest.approx(1.5e-3, abs=1e-9))
 
 

@@ -11,9 +11,9 @@ from made_runs import PERIOD, Array, circle_laps, made_run, samples_on, with_err
 
 from contourlab.app.json_values import json_values
 from contourlab.errors import ResultError
-from contourlab.feed import Reference, uniform
+from contourlab.feed import Judged, Reference, uniform
 from contourlab.geometry import Line, Path, contour
-from contourlab.metrics import ErrorFigures, evaluation_window, judge, summarise
+from contourlab.metrics import ErrorFigures, judge, summarise
 from contourlab.result import Result, Signal
 
 N = 4000
@@ -97,12 +97,12 @@ def test_the_last_lap_counts() -> None:
     error = np.concatenate([np.full(100, 9e-6), np.full(100, 5e-6), np.full(100, 2e-6)])
     result = with_error(made_run(reference, reference.block(0, 300).position), error)
     last = summarise(result, reference)
-    assert (last.window, last.basis) == ((200, 300), "last lap")
+    assert last.judged == Judged(((200, 300),), "last lap")
     assert last.contour_error.max == 2e-6
     assert summarise(result, reference, (100, 200)).contour_error.max == 5e-6
     # If the last lap fails, the previous one is judged.
     assert summarise(result.window(0, 250), reference).contour_error.max == 5e-6
-    assert evaluation_window(reference, 99) == ((0, 99), "whole motion")
+    assert summarise(result.window(0, 99), reference).judged == Judged(((0, 99),), "whole motion")
 
 
 def test_a_window_of_a_run_keeps_its_laps() -> None:
@@ -111,7 +111,7 @@ def test_a_window_of_a_run_keeps_its_laps() -> None:
     error = np.concatenate([np.full(100, 9e-6), np.full(100, 5e-6), np.full(100, 2e-6)])
     result = with_error(made_run(reference, reference.block(0, 300).position), error)
     later = summarise(result.window(150, 300), reference)
-    assert later.window == (50, 150)
+    assert later.judged.ranges == ((50, 150),)
     assert later.contour_error.mean == pytest.approx(2e-6, rel=1e-12)
     assert later.contour_error.worst.sample == 200
     assert later.contour_error.worst.time == pytest.approx(0.2)

@@ -27,12 +27,13 @@ def streamed(path: Path, along: Array, tool: Array, counted: tuple[int, int] | N
     """Return the sums of the streaming judge by name, its contour error (n_sample,), and the samples in doubt."""
     view = view_of(path, tolerance=TABLE, analytic=analytic)
     n = path.n_axis
-    first, stop = counted or (0, len(along))
+    counts = np.zeros(len(along))
+    counts[slice(*(counted or (0, None)))] = 1.0
     corner_numbers, corner_tables = corner_parts(path)
-    parameters = {"window": WINDOW, "first": float(first), "last": float(stop - 1), **view.parameters, **corner_numbers}
+    parameters = {"window": WINDOW, **view.parameters, **corner_numbers}
     step = judge_step(view, n, bool(corner_numbers))
     wires = {"position": "in.position", "reference": "in.reference", "arc_length": "in.arc_length"}
-    node = Node("judge", step, wires, parameters, {**view.tables, **corner_tables}, {"foot": float(along[0])})
+    node = Node("judge", step, wires, parameters, {**view.tables, "counts": counts, **corner_tables}, {"foot": float(along[0])})
     ports = (Port("position", n), Port("reference", n), Port("arc_length"))
     group = make_group(Schedule((node,), ports, PERIOD, 1), 1, slice(0, 1), False)
     row, error, doubts = group.schedule.row("judge.contour_error"), [], []

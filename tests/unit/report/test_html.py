@@ -119,7 +119,7 @@ def test_verdict_table_and_scenario_are_readable_without_pictures(page, circle):
     for words in (
         "independent axes: out of tolerance",
         "modified reference: within tolerance",
-        "adding a disturbance observer. Largest error 8 um -> 2.1 um",
+        "8 um -> 2.1 um",
         "Line 4",
         "contour error, integral um s",
         "contourlab report circle.toml --seed 1",

@@ -28,7 +28,7 @@ def test_magnified_error_is_the_radial_deviation(circle):
         np.testing.assert_allclose(out, synthetic.RADIUS * 1e3, rtol=1e-9)
         drawn = np.linalg.norm(run.drawn(500.0), axis=1) - out
         size = np.abs(drawn) * 1e3 / 500.0
-        counted = scheme.result["part_error"][slice(*scheme.metrics.window)]
+        counted = scheme.result["part_error"][scheme.metrics.judged.samples]
         assert size.max() == pytest.approx(np.abs(counted).max() * 1e6, rel=1e-9)
         inside = np.einsum("ij,ij->i", run.foot, run.error) < 0.0
         np.testing.assert_array_equal(inside, drawn < 0.0)
@@ -36,8 +36,7 @@ def test_magnified_error_is_the_radial_deviation(circle):
 
 def test_laps_that_do_not_count_are_not_drawn(square):
     run = path_charts(square, POINTS)[0].runs[0]
-    start, stop = square.schemes[0].metrics.window
-    assert len(run.foot) == stop - start < square.schemes[0].result.n_sample
+    assert len(run.foot) == square.schemes[0].metrics.judged.samples.size < square.schemes[0].result.n_sample
 
 
 def test_largest_drawn_error_covers_about_a_tenth(circle):

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 import synthetic
 
-from contourlab.feed import AxisLimits, plan, route_from_path
+from contourlab.feed import AxisLimits, Judged, plan, route_from_path
 from contourlab.geometry import Line, Path
 from contourlab.report.comparison import compare
 from contourlab.report.tables import comparison_text
@@ -76,7 +76,7 @@ def test_the_text_is_plain_ascii_and_fits_the_page(circle):
 def test_runs_with_different_judged_parts_name_them(circle):
     first, second = circle.schemes
     assert "2 s to 4 s." in compare(circle).note
-    other = replace(second, metrics=replace(second.metrics, window=(100, 900)))
+    other = replace(second, metrics=replace(second.metrics, judged=Judged(((100, 900),), "window")))
     note = compare(replace(circle, schemes=(first, other))).note
     assert f"2 s to 4 s ({first.name})" in note
     assert f"0.1 s to 0.9 s ({second.name})" in note

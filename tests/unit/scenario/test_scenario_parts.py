@@ -53,7 +53,7 @@ def test_a_reference_follows_from_a_case() -> None:
     np.testing.assert_allclose(reference.block(0, 4000).position, circle, atol=1e-12)
     assert case.reference(0.5).n_sample == 8000
     assert reference.laps == ((0, 2000), (2000, 4000))
-    assert replace(case, run=replace(case.run, evaluate="whole")).reference().laps == ()
+    assert replace(case, run=replace(case.run, judge="all")).reference().judged.basis == "whole motion"
 
 
 def test_a_planned_contour_respects_the_limits() -> None:

@@ -8,7 +8,20 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, WithInterval, listed, options_of
+from contourlab.cli.options import (
+    Json,
+    Judge,
+    Out,
+    Plots,
+    Plugins,
+    ScenarioFile,
+    Schemes,
+    Signals,
+    Trials,
+    WithInterval,
+    listed,
+    options_of,
+)
 from contourlab.cli.output import conclude
 
 
@@ -20,6 +33,7 @@ def compare(
     ] = None,
     schemes: Schemes = None,
     trials: Trials = None,
+    judge: Judge = None,
     out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
@@ -31,8 +45,8 @@ def compare(
     if others:
         from contourlab.features.measure.command import compare_runs
 
-        for_scenario = {"--schemes": schemes, "--trials": trials, "--signals": signals, "--interval": interval, "--plugin": plugin}
-        for option, value in for_scenario.items():
+        for_scenario = {"--schemes": schemes, "--trials": trials, "--judge": judge, "--signals": signals, "--interval": interval}
+        for option, value in {**for_scenario, "--plugin": plugin}.items():
             if value is not None:
                 raise typer.BadParameter("applies to a scenario only: omit it when you compare runs from files", param_hint=option)
         runs = [str(file), *others]
@@ -41,4 +55,4 @@ def compare(
     from contourlab.features.run.schemes import compare_schemes
 
     options = options_of(out, as_json, plugin, plots, signals, interval)
-    return conclude(compare_schemes(file, options, schemes=listed(schemes), trials=trials), as_json)
+    return conclude(compare_schemes(file, options, schemes=listed(schemes), trials=trials, judge=judge), as_json)

@@ -7,7 +7,20 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, WithInterval, listed, options_of
+from contourlab.cli.options import (
+    Json,
+    Judge,
+    Out,
+    Plots,
+    Plugins,
+    ScenarioFile,
+    Schemes,
+    Signals,
+    Trials,
+    WithInterval,
+    listed,
+    options_of,
+)
 from contourlab.cli.output import conclude
 
 
@@ -15,6 +28,7 @@ def learn(
     file: ScenarioFile,
     schemes: Schemes = None,
     trials: Trials = None,
+    judge: Judge = None,
     table: Annotated[Path | None, typer.Option(help="A learned table to start with.", show_default=False)] = None,
     out: Out = Path("results"),
     as_json: Json = False,
@@ -27,4 +41,4 @@ def learn(
     from contourlab.features.run.schemes import learn_schemes
 
     options = options_of(out, as_json, plugin, plots, signals, interval)
-    return conclude(learn_schemes(file, options, schemes=listed(schemes), trials=trials, table=table), as_json)
+    return conclude(learn_schemes(file, options, schemes=listed(schemes), trials=trials, judge=judge, table=table), as_json)

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from contourlab.cli.options import Json, MostMoves, Out, Plots, Plugins, Signals, WithInterval, options_of
+from contourlab.cli.options import Json, Judge, MostMoves, Out, Plots, Plugins, Signals, WithInterval, options_of
 from contourlab.cli.output import conclude
 
 
@@ -18,6 +18,7 @@ def run(
     machine: Annotated[str | None, typer.Option(help="Machine: a file, or the name of a shipped one.")] = None,
     controller: Annotated[str | None, typer.Option(help="Controller: a file, or the name of a shipped one.")] = None,
     tolerance: Annotated[str | None, typer.Option(help='Largest part error that passes, e.g. "25 um"; a scenario has its own.')] = None,
+    judge: Judge = None,
     fit: Annotated[bool, typer.Option("--fit", help="Scale and move a part program into the machine's travel.")] = False,
     block_delete: Annotated[bool, typer.Option("--block-delete", help="Skip lines of a part program that begin with /.")] = False,
     tools: Annotated[Path | None, typer.Option(help="LinuxCNC tool table, for G43 in a part program.", show_default=False)] = None,
@@ -47,5 +48,6 @@ def run(
     }
     given = {name: value for name, value in program.items() if value is not None}
     options = options_of(out, as_json, plugin, plots, signals, interval)
-    outcome = run_scenario(file, options, machine=machine, controller=controller, tolerance=tolerance, program=given, check=check)
+    parts: dict[str, Any] = {"machine": machine, "controller": controller, "tolerance": tolerance, "judge": judge}
+    outcome = run_scenario(file, options, **parts, program=given, check=check)
     return conclude(outcome, as_json)

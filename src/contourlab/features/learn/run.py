@@ -155,7 +155,6 @@ def learn(
     start: LearnedTable | None = None,
     stopping: Stopping | None = None,
     part: Part = "ends",
-    window: tuple[int, int] | None = None,
     jit: bool | None = None,
     view: PathView | None = None,
     progress: Callable[[int], None] | None = None,
@@ -176,8 +175,6 @@ def learn(
     stopping : Stopping, optional
     part : {"ends", "all", "none"}
         Trials to compute the distance to the programmed path for: the first and the best, all, or none.
-    window : (int, int), optional
-        Samples [start, stop) to judge; by default the last whole lap, or all.
     jit, view
         See `simulate`.
     progress : callable, optional
@@ -204,7 +201,7 @@ def learn(
     _check_reach(law, reference)
     began = time.perf_counter()
     settings = stopping or Stopping()
-    given = {"target": law.target, "vector": law.needs_contour_error, "seed": seed, "window": window, "jit": jit, "view": view}
+    given = {"target": law.target, "vector": law.needs_contour_error, "seed": seed, "jit": jit, "view": view}
     runner = Trials(machine, controller, reference, **given)  # type: ignore[arg-type]
     problem = learning_problem(machine, controller, reference, law.target, runner.arc_length)
     beforehand = feedforward_command(machine, controller, reference, jit=jit)
@@ -218,7 +215,7 @@ def learn(
             record = record_of(run, runner, table if law.target == "command" else nothing, beforehand)
             course.note(run, i, table)
             if run.status.ok:
-                course.figures[-1] = course.figures[-1].having(change=course.memory.change(record.tracking_error, runner.window))
+                course.figures[-1] = course.figures[-1].having(change=course.memory.change(record.tracking_error, runner.judged))
                 course.memory.add(record.feedback_command, record.tracking_error, run.contour_error)
             if on_trial is not None:
                 on_trial(course.figures[-1])

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
 from contourlab.components.learning.law import LearningLaw, LearningProblem
 from contourlab.errors import ComponentError
 
@@ -69,12 +69,11 @@ class Memory:
             kept.append(now)
             del kept[: -self.depth]
 
-    def change(self, tracking: Array, window: tuple[int, int]) -> float:
+    def change(self, tracking: Array, judged: Index) -> float:
         """Return the rms difference over all axes [m] between a tracking error and that of the last trial kept; NaN without one."""
         if not self.tracking:
             return math.nan
-        cut = slice(*window)
-        return float(np.sqrt(np.square(tracking[cut] - self.tracking[-1][cut]).sum(axis=1).mean()))
+        return float(np.sqrt(np.square(tracking[judged] - self.tracking[-1][judged]).sum(axis=1).mean()))
 
     def explained(self) -> bool:
         """Return whether chance explains the change of the tracking error over the trials kept."""

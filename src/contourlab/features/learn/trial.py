@@ -76,7 +76,7 @@ def figures_of(trial: int, run: Trial, trials: Trials) -> TrialFigures:
         unknown = (math.nan,) * n_axis
         reason = f"axis {run.status.axis}, sample {run.status.sample}: {run.status.reason}"
         return TrialFigures(trial, math.nan, math.nan, math.nan, unknown, unknown, unknown, 0, failed=reason)
-    cut = slice(*trials.window)
+    cut = trials.judged
     off = trials.position[cut] - run.position[cut]
     command = run.command[cut]
     same = trials.reference.programmed is trials.reference.path
@@ -112,7 +112,7 @@ def part_error(tool: Array, trials: Trials) -> float:
         "arc_length": Signal(trials.arc_length, ("sample",), "m"),
     }
     judged = judge(Result("trial", trials.machine.axis_names, trials.machine.servo_period, signals), trials.reference)
-    return float(np.abs(judged["part_error"][slice(*trials.window)]).max())
+    return float(np.abs(judged["part_error"][trials.judged]).max())
 
 
 def learning_problem(machine: Machine, controller: Controller, reference: Reference, target: str, arc_length: Array) -> LearningProblem:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -17,6 +17,7 @@ from contourlab.errors import ComponentError, ParameterError
 from contourlab.features.link.grid import EACH, LOSSES, passed_over, times
 from contourlab.features.run.causes.idealise import perfect_sensing, undisturbed, unlimited, without_friction
 from contourlab.feed import Reference
+from contourlab.feed.judged import Judged
 from contourlab.loop import Controller, Division, Machine, simulate_batch
 from contourlab.loop.tool import stream_of
 
@@ -191,12 +192,12 @@ class LinkSetting:
         """Return the worst error over the seeds with the links as given; nan if a run left its limits."""
         seeds = self.seeds if self.by_chance("delay") else 1
         own = {f"controller.axes.{a}.link.{w}.delay": np.full(seeds, part.delay) for (a, w), part in self.networks.items()}
-        return float(self._run(self.machine, own | self._streams(seeds, 1), None).max())
+        return float(self._run(self.machine, own | self._streams(seeds, 1), self.reference).max())
 
     def errors(self, quantity: str, values: Array) -> Array:
         """Return the error of each value for each seed (n, n_seed)."""
         seeds = self.seeds if self.by_chance(quantity) else 1
-        run = self._run(self.machine, self.columns(quantity, values, seeds), None)
+        run = self._run(self.machine, self.columns(quantity, values, seeds), self.reference)
         return np.asarray(run.reshape(len(values), seeds))
 
     def repeats(self, quantity: str, values: Array) -> Array:
@@ -205,14 +206,15 @@ class LinkSetting:
         if len(laps) < 2 or self.by_chance(quantity):
             return np.full(len(values), math.nan)
         columns = self.columns(quantity, values, 1)
-        before, last = (self._run(self.ideal, columns, lap) for lap in laps[-2:])
+        of_laps = (replace(self.reference, chosen=Judged((lap,), "lap")) for lap in laps[-2:])
+        before, last = (self._run(self.ideal, columns, reference) for reference in of_laps)
         with np.errstate(invalid="ignore", divide="ignore"):
             # A run that left its limits counts as infinite growth.
             return np.asarray(np.where(np.isnan(last), math.inf, last / before), dtype=float)
 
-    def _run(self, machine: Machine, columns: Mapping[str, Array], window: tuple[int, int] | None) -> Array:
-        given: dict[str, Any] = {"window": window, "seed": self.seed, "moving": self.moving}
-        return simulate_batch(machine, self.controller, self.reference, columns, **given).figures[self.figure]
+    def _run(self, machine: Machine, columns: Mapping[str, Array], reference: Reference) -> Array:
+        given: dict[str, Any] = {"seed": self.seed, "moving": self.moving}
+        return simulate_batch(machine, self.controller, reference, columns, **given).figures[self.figure]
 
     def growth(self, quantity: str, value: float, size_limit: int = LARGEST) -> float:
         """Return the growth of the linear model in the worst of a few directions; nan without a model or if it is too large."""

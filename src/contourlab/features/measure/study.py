@@ -13,6 +13,7 @@ from contourlab.features.measure.measured_path import farthest, last_lap, moving
 from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
 from contourlab.features.measure.shift import fitted_shift
 from contourlab.feed import Reference
+from contourlab.feed.judged import Judged
 from contourlab.findings import Finding, finding
 from contourlab.geometry import Path
 from contourlab.logs import Log
@@ -264,7 +265,7 @@ def _known_metrics(metrics: Metrics, run: Result, window: tuple[int, int]) -> Me
         metrics = replace(metrics, tracking_error=(AxisFigures(nan, nan),) * len(run.axes))
     if "applied_command" not in run:
         metrics = replace(metrics, saturation=(nan,) * len(run.axes))
-    return replace(metrics, basis="moving part", cycle_time=(window[1] - window[0]) * run.servo_period)
+    return replace(metrics, judged=Judged((window,), "moving part"), cycle_time=(window[1] - window[0]) * run.servo_period)
 
 
 def _of_axes(result: Result, axes: tuple[str, ...]) -> Result:

@@ -79,6 +79,7 @@ def run_scenario(
     machine: str | Path | None = None,
     controller: str | Path | None = None,
     tolerance: str | None = None,
+    judge: str | None = None,
     program: Mapping[str, Any] | None = None,
     check: bool = False,
 ) -> RunOutcome:
@@ -93,6 +94,8 @@ def run_scenario(
         Files, or names of shipped ones; a part program needs both.
     tolerance : str, optional
         Largest part error of a part program that passes, as ``"25 um"``.
+    judge : str, optional
+        Moves to judge, as in `contourlab.scenario.RunSettings`; by default as in the scenario.
     program : mapping, optional
         Further keys of the table ``program``, as ``{"fit": True}``.
     check : bool
@@ -108,7 +111,9 @@ def run_scenario(
         scenario = _from_scenario(path, parts, keys, options.plugins)
     else:
         scenario = _from_program(path, machine, controller, tolerance, keys, options.plugins)
-    return _checked(scenario) if check else run_session(scenario, options, command=options.command("run", file, parts))
+    scenario = scenario.judging(judge)
+    command = options.command("run", file, {**parts, "--judge": judge})
+    return _checked(scenario) if check else run_session(scenario, options, command=command)
 
 
 def _option(name: str, value: Any) -> str:

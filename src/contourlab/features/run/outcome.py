@@ -31,7 +31,7 @@ from contourlab.loop.feeding import Feed
 from contourlab.loop.simulate import sampler
 from contourlab.loop.switches import Switches, switches_of
 from contourlab.loop.template import build
-from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
+from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, judged_part, reversal_spikes, summarise
 from contourlab.report.judgement import Trust, Verdict
 from contourlab.result import Result
 from contourlab.scenario import Case
@@ -184,7 +184,7 @@ def run_case(
         metrics=figures,
         verdict=answer,
         circles=circles_of(judged, reference),
-        spikes=reversal_spikes(judged, (max(figures.window[0] - 5, 0), figures.window[1]), reference=reference),
+        spikes=_judged_spikes(judged, reference),
         bode=bode_of(machine, controller),
         limits=limits_of(case, reference),
         learning=learned,
@@ -194,6 +194,15 @@ def run_case(
         trust=trust_of(machine, controller, sampled),
         remarks=tuple(_remarks(case, reference, foretold, costs or foretell)),
     )
+
+
+def _judged_spikes(judged: Result, reference: Reference) -> tuple[Spike, ...]:
+    """Return the reversal spikes on the judged moves."""
+    part = judged_part(judged, reference)
+    counts = np.zeros(judged.n_sample, dtype=bool)
+    counts[part.samples] = True
+    spikes = reversal_spikes(judged, (max(part.ranges[0][0] - 5, 0), part.ranges[-1][1]), reference=reference)
+    return tuple(spike for spike in spikes if counts[spike.sample])
 
 
 def _check_memory(reference: Reference) -> None:

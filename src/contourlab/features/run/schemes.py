@@ -14,7 +14,9 @@ if TYPE_CHECKING:
     from contourlab.scenario import Case, Scenario
 
 
-def compare_schemes(file: str | Path, options: RunOptions, *, schemes: Sequence[str] = (), trials: int | None = None) -> RunOutcome:
+def compare_schemes(
+    file: str | Path, options: RunOptions, *, schemes: Sequence[str] = (), trials: int | None = None, judge: str | None = None
+) -> RunOutcome:
     """Run schemes of a scenario side by side and time the servo tick of each; schemes that learn run trial after trial.
 
     Parameters
@@ -26,19 +28,27 @@ def compare_schemes(file: str | Path, options: RunOptions, *, schemes: Sequence[
         Schemes of the scenario, or parts joined by + (`contourlab.scenario.FEATURES`); by default all schemes of the scenario.
     trials : int, optional
         Largest number of trials; by default that of the scenario.
+    judge : str, optional
+        Moves to judge; by default as in the scenario.
     """
-    scenario = _with_settings(loaded(file, schemes, options.plugins), trials)
-    return run_session(scenario, options, command=options.command("compare", file, _typed(schemes, trials)), costs=True)
+    scenario = _with_settings(loaded(file, schemes, options.plugins).judging(judge), trials)
+    return run_session(scenario, options, command=options.command("compare", file, _typed(schemes, trials, judge)), costs=True)
 
 
 def learn_schemes(
-    file: str | Path, options: RunOptions, *, schemes: Sequence[str] = (), trials: int | None = None, table: Path | None = None
+    file: str | Path,
+    options: RunOptions,
+    *,
+    schemes: Sequence[str] = (),
+    trials: int | None = None,
+    judge: str | None = None,
+    table: Path | None = None,
 ) -> RunOutcome:
     """Run the schemes that learn, trial after trial, beside the same without learning; write the learned tables.
 
     Parameters
     ----------
-    file, options, schemes, trials
+    file, options, schemes, trials, judge
         As in `compare_schemes`; by default all schemes that learn.
     table : Path, optional
         Learned table to start with.
@@ -48,18 +58,18 @@ def learn_schemes(
     ScenarioError
         If none of the schemes learns.
     """
-    scenario = loaded(file, schemes, options.plugins)
+    scenario = loaded(file, schemes, options.plugins).judging(judge)
     learning = tuple(case for case in scenario.cases() if case.learning is not None)
     if not learning:
         example = '[learning]\nlaw = {kind = "zero-phase", gain = 0.2, half_width = 11}\ntrials = 30'
         raise ScenarioError(f"no scheme learns: add a law, for example:\n\n{example}\n", file=scenario.file)
     scenario = _with_settings(replace(scenario, all_cases=_with_first(learning)), trials, table)
-    command = options.command("learn", file, {**_typed(schemes, trials), "--table": table})
+    command = options.command("learn", file, {**_typed(schemes, trials, judge), "--table": table})
     return run_session(scenario, options, command=command, foretell=True)
 
 
-def _typed(schemes: Sequence[str], trials: int | None) -> dict[str, Any]:
-    return {"--schemes": ",".join(schemes) or None, "--trials": trials}
+def _typed(schemes: Sequence[str], trials: int | None, judge: str | None) -> dict[str, Any]:
+    return {"--schemes": ",".join(schemes) or None, "--trials": trials, "--judge": judge}
 
 
 def _with_first(cases: Sequence[Case]) -> tuple[Case, ...]:

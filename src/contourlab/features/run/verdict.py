@@ -1,21 +1,24 @@
-"""The verdict against a tolerance: pass or fail, the worst place, its causes, and the single change that helps most."""
+"""The verdict against a tolerance: pass or fail, the worst place, its causes, and the changes that help most."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 
 import numpy as np
 
-from contourlab.features.run.causes.advice import advice
-from contourlab.features.run.causes.causes import causes
+from contourlab.features.run.causes.advice import Trial, advice, judged_run, proposal
+from contourlab.features.run.causes.causes import WOULD_HELP, causes
 from contourlab.feed import Reference
 from contourlab.findings import finding
 from contourlab.loop import Controller, Machine
-from contourlab.metrics import evaluation_window
+from contourlab.metrics import judged_part
 from contourlab.metrics.figures import left_out
 from contourlab.report.judgement import Verdict, Worst
 from contourlab.result import Result
 
+SHARE = 0.25
+"""Share of the tolerance for planning that leaves the rest to the servo loops."""
 
 def verdict(
     machine: Machine,
@@ -44,34 +47,47 @@ def verdict(
     slower : callable, optional
         Returns the reference at a scaled feed, for the advice.
     closer : callable, optional
-        Returns ways to plan closer to the programmed path, by name; tried where planning is the largest cause.
+        Returns ways to plan closer to the programmed path, by name; tried where planning takes a notable part of the tolerance.
     explain : bool
-        Whether to find causes and advice (about ten more runs).
+        Whether to find causes and advice (about thirty more runs).
     seed : int
         Of the run.
     """
-    window, _ = evaluation_window(reference, judged.n_sample)
-    sample = window[0] + int(np.argmax(np.abs(judged["part_error"][slice(*window)])))
+    samples = judged_part(judged, reference).samples
+    sample = int(samples[np.argmax(np.abs(judged["part_error"][samples]))])
     worst = _place(judged, reference, sample, lines)
-    skipped = _skipped(judged, reference, window, tolerance)
+    skipped = _skipped(judged, reference, tolerance)
     within = worst.value <= tolerance
+    off = np.abs(judged["planning_deviation"][samples])
+    planned = float(off.max())
     findings = [finding("CL201", length=skipped)] if skipped else []
+    if planned > tolerance:
+        line = int(reference.source_line(judged["arc_length"][samples[off.argmax()]][None])[0])
+        findings.append(finding("CL208", deviation=planned, line=line, tolerance=tolerance))
     # The error of a tool that skips part of the path says nothing about causes.
     if not explain or (skipped and within):
         return Verdict(bool(within) and not skipped, tolerance, worst, (), skipped, tuple(findings))
     ranked, diverging = causes(machine, controller, reference, judged, sample, seed)
-    # A quarter of the tolerance for the corners leaves the rest to the servo.
-    plans = closer(0.25 * tolerance) if closer is not None and ranked and ranked[0].name == "planning" else None
     if diverging:
         findings.append(finding("CL202", causes=diverging))
-    findings.append(advice(machine, controller, reference, worst.value, slower, seed, plans))
+    plans: dict[str, Callable[[], Reference]] = {} if slower is None else {"taking the feed down by a fifth": partial(slower, 0.8)}
+    if closer is not None and planned > SHARE * tolerance:
+        plans |= closer(SHARE * tolerance)
+    start = Trial((), controller, reference, worst.value)
+    best = advice(machine, start, tolerance, plans, seed)
+    if best is not start:
+        findings.append(proposal(start, best))
+    if best.worst > tolerance:
+        left = ranked if best is start else causes(machine, best.controller, best.reference, *judged_run(machine, best, seed), seed)[0]
+        findings.append(finding("CL204", tolerance=tolerance, cause=left[0].name, left=left[0].contribution, help=WOULD_HELP[left[0].name]))
     return Verdict(bool(within) and not skipped, tolerance, worst, ranked, skipped, tuple(findings))
 
 
-def _skipped(judged: Result, reference: Reference, window: tuple[int, int], tolerance: float) -> float:
-    longest, at_end = left_out(judged, reference, window)
-    asked = reference.programmed_arc_length(judged["arc_length"][slice(*window)])
-    step = 3.0 * float(np.abs(np.diff(asked)).max(initial=0.0))
+def _skipped(judged: Result, reference: Reference, tolerance: float) -> float:
+    part = judged_part(judged, reference)
+    longest, at_end = left_out(judged, reference, part)
+    asked = np.abs(np.diff(reference.programmed_arc_length(judged["arc_length"])))
+    step = 3.0 * float(asked[part.samples[:-1]].max(initial=0.0))
     # At a sharp corner a tool within the tolerance may skip several times as much, but not at the end.
     if longest > max(10.0 * tolerance, step):
         return longest

@@ -25,7 +25,6 @@ from contourlab.features.sensitivity.verdict import Ranking, ranking, verdict
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.loop import parameter_names, simulate
-from contourlab.loop.judging import counted
 from contourlab.report.table import paragraphs
 from contourlab.result import write_text_atomic
 
@@ -189,8 +188,7 @@ def _failure_level(case: Case, reference: Reference, plan: Plan) -> float:
     limit = max(axis.limits.following_error for axis in case.machine.axes)
     if plan.figure != "integral":
         return limit
-    start, stop = counted(reference, None)
-    return limit * (stop - start) * case.machine.servo_period
+    return float(limit * reference.judged.samples.size * case.machine.servo_period)
 
 
 def _on_case(case: Case, left_out: tuple[str, ...]) -> Iterator[Finding]:

@@ -20,8 +20,8 @@ from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
 from contourlab.analysis.linear.tick_map import DelayForm
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
+from contourlab.design.placement import model_of
 from contourlab.errors import ComponentError
-from contourlab.features.tune.pole_placement import model_of
 from contourlab.figures import listing
 from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, AxisController, Controller, Machine

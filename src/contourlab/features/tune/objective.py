@@ -216,12 +216,12 @@ def evaluate(
 def _figures(run: Result, machine: Machine, reference: Reference) -> dict[str, float]:
     metrics = summarise(run, reference)
     error = metrics.contour_error
-    window = slice(*metrics.window)
-    tracking = np.linalg.norm((run["reference"] - run["position"])[window], axis=1)
+    judged = metrics.judged.samples
+    tracking = np.linalg.norm((run["reference"] - run["position"])[judged], axis=1)
     # Relative to the drive's limit, if any, as in `contourlab.loop.BatchResult`.
     limits = np.array([getattr(axis.drive, "limit", math.inf) for axis in machine.axes], dtype=float)
     scales = np.where(np.isfinite(limits), limits, 1.0)
-    asked, applied = run["command"][window], run["applied_command"][window]
+    asked, applied = run["command"][judged], run["applied_command"][judged]
     return {
         "contour_error_integral": error.integral,
         "contour_error_rms": error.rms,

@@ -2,28 +2,20 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
-from contourlab.analysis.linear.loop_lanes import rough_margins, sampled_loops
-from contourlab.components.contract import Component
 from contourlab.design import Evaluator
-from contourlab.design.guards import SLACK, Bounds
-from contourlab.errors import ComponentError, ParameterError
+from contourlab.design.guards import Bounds
+from contourlab.design.placement import designed, fastest_speed, model_of
+from contourlab.errors import ParameterError
 from contourlab.features.tune.objective import Goal, Objective
-from contourlab.loop import Axis, AxisController, Controller, Machine, parameter_names
+from contourlab.loop import Controller, Machine, parameter_names
 
-SPEEDS = 96
-"""Number of pole speeds tried, from a ten-thousandth of the Nyquist frequency to half of it."""
 FRACTIONS = np.geomspace(0.1, 1.0, 32)
 """Fractions of the fastest poles, tried for all axes together."""
-SCALED = {"natural_frequency": 1.0, "bandwidth": 1.0, "crossover": 1.0, "pole": 1.4}
-"""Design requests that scale with the speed; ratio of the real pole as in Ghaffari & Ulsoy, 35 to 25 rad/s."""
-FIXED = {"damping": 0.7, "phase_margin": math.radians(60.0)}
 
 
 def placed_start(evaluator: Evaluator, goal: Goal, bounds: Bounds) -> Controller:
@@ -44,7 +36,7 @@ def placed_start(evaluator: Evaluator, goal: Goal, bounds: Bounds) -> Controller
         the drive limits.
     """
     machine, controller = evaluator.machine, evaluator.controller
-    speeds = {axis.name: _fastest(machine, axis, controller.axes[axis.name], bounds) for axis in machine.axes}
+    speeds = {axis.name: fastest_speed(machine, axis, controller.axes[axis.name], bounds) for axis in machine.axes}
     candidates = [placed for fraction in FRACTIONS.tolist() if (placed := _placed(machine, controller, speeds, fraction)) is not None]
     if not candidates:
         raise ParameterError("start", "placed", "scenario: no common fraction of the fastest poles gives gains on every axis")
@@ -70,63 +62,8 @@ def _placed(machine: Machine, controller: Controller, speeds: Mapping[str, float
     try:
         for axis in machine.axes:
             slots = axes[axis.name]
-            gains = _designed(slots.controller, fraction * speeds[axis.name], model_of(machine, axis, slots), axis.name)
+            gains = designed(slots.controller, fraction * speeds[axis.name], model_of(machine, axis, slots), axis.name)
             axes[axis.name] = replace(slots, controller=slots.controller.replace(**gains))
     except ParameterError:
         return None
     return replace(controller, axes=axes)
-
-
-def _fastest(machine: Machine, axis: Axis, slots: AxisController, bounds: Bounds) -> float:
-    """Return the largest speed [rad/s] of placed poles that keeps the margins, or comes nearest to keeping them."""
-    model = model_of(machine, axis, slots)
-    speeds = np.geomspace(1e-4, 0.5, SPEEDS) * math.pi / machine.servo_period
-    designs: list[tuple[float, dict[str, float]]] = []
-    for speed in speeds.tolist():
-        try:
-            designs.append((speed, _designed(slots.controller, speed, model, axis.name)))
-        except ParameterError as error:
-            last = error
-    if not designs:
-        raise ParameterError("start", "placed", f"scenario: axis {axis.name} has no gains at any pole speed: {last}") from last
-    head = f"controller.axes.{axis.name}.controller."
-    names = [name for name, value in designs[0][1].items() if math.isfinite(value)]
-    columns = {head + name: np.array([gains[name] for _, gains in designs]) for name in names}
-    base = replace(slots, controller=slots.controller.replace(**designs[0][1]))
-    try:
-        loops = sampled_loops(axis, base, machine.servo_period, columns, machine.carried_mass(axis.name))
-    except ComponentError as error:
-        raise ParameterError("start", "placed", f"scenario: the loop of axis {axis.name} has no linear model: {error}") from error
-    missing = [bounds.missing(rough_margins(loop), SLACK) for loop in loops]
-    least = min(missing)
-    if math.isinf(least):
-        raise ParameterError("start", "placed", f"scenario: axis {axis.name} is unstable at every pole speed")
-    # If the observer alone breaks the margins, take the nearest poles; another parameter restores the margins.
-    return max(speed for (speed, _), short in zip(designs, missing, strict=True) if short <= least)
-
-
-def model_of(machine: Machine, axis: Axis, slots: AxisController) -> tuple[float, float]:
-    """Return gain and damping of the plant in the position loop: the observer's model if there is one, else the loaded plant's."""
-    observer = slots.observer
-    if observer is not None and {"model_gain", "model_damping"} <= set(observer.parameters):
-        values = observer.values()
-        return float(values["model_gain"]), float(values["model_damping"])
-    return machine.loaded_plant(axis.name).rigid_model()
-
-
-def _designed(part: Component, speed: float, model: tuple[float, float], axis: str) -> dict[str, float]:
-    """Return the gains of a component for poles at a speed [rad/s]."""
-    kind: Any = type(part)
-    wishes: dict[str, float] = {}
-    for name, parameter in kind.wishes.items():
-        if name in SCALED and not (name == "pole" and parameter.default is not None and not part.values().get("integral_gain")):
-            wishes[name] = SCALED[name] * speed
-        elif name in FIXED:
-            wishes[name] = FIXED[name]
-        elif parameter.default is not None:
-            wishes[name] = parameter.default
-        else:
-            raise ParameterError("start", "placed", f"scenario: designing {part.kind} on axis {axis} also needs {name}")
-    if not set(wishes) & set(SCALED):
-        raise ParameterError("start", "placed", f"scenario: {part.kind} on axis {axis} cannot be designed from poles")
-    return dict(kind.designed(wishes, *model))

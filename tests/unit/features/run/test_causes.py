@@ -13,7 +13,8 @@ import contourlab as cl
 from contourlab.components.registry import component
 from contourlab.features.run.causes.causes import causes
 from contourlab.features.run.verdict import verdict
-from contourlab.feed import Reference
+from contourlab.feed import AxisLimits, Reference, plan, route_from_path
+from contourlab.geometry import Line, Path
 
 PERIOD = 1e-3
 MASS, FORCE = 10.0, 50.0
@@ -69,21 +70,38 @@ def test_coarse_encoders_are_quantisation() -> None:
     assert found["quantisation"] > 0.95 * error
 
 
-def test_an_external_load_is_a_disturbance_and_not_reversal() -> None:
+def test_an_external_load_is_a_disturbance_and_not_friction() -> None:
     """A proportional loop yields by load / stiffness: 100 N against 2000 A/m * 50 N/A is a millimetre."""
     pushed = axis("x", disturbance=make("disturbance", "constant", force=100.0))
     found, _, error = followed(pushed, axis("y"))
     assert error == pytest.approx(1e-3, rel=0.03)
     assert found["disturbance"] == pytest.approx(error, rel=0.03)
-    assert found["reversal"] == 0.0
+    assert found["friction"] == 0.0
 
 
-def test_friction_is_reversal() -> None:
+def test_friction_is_a_cause() -> None:
     rubbing = axis("x", friction=make("friction", "coulomb", coulomb=100.0, breakaway=100.0, stribeck_velocity=1e-3))
     found, _, error = followed(rubbing, axis("y"))
     assert error == pytest.approx(1e-3, rel=0.05)
-    assert found["reversal"] == pytest.approx(error, rel=0.03)
+    (name,) = set(found) & {"friction", "reversal", "breakaway"}
+    assert found[name] == pytest.approx(error, rel=0.03)
     assert found["disturbance"] == 0.0
+
+
+@pytest.mark.parametrize(("turns", "name"), [(True, "reversal"), (False, "breakaway")])
+def test_friction_after_a_reversal_differs_from_a_start_from_rest(turns: bool, name: str) -> None:
+    """A stiff loop shows friction right after the motion of an axis begins: y moves along x, then starts or turns."""
+    points = [(0.0, 0.0), (0.02, 0.02), (0.04, 0.0)] if turns else [(0.0, 0.0), (0.02, 0.0), (0.04, 0.02)]
+    path = Path(Line.many(np.array(points[:-1]), np.array(points[1:])))
+    limits = AxisLimits([0.2, 0.2], [2.0, 2.0], [50.0, 50.0])
+    reference = plan(route_from_path(path, 0.05), limits, PERIOD)
+    rubbing = axis("y", friction=make("friction", "coulomb", coulomb=100.0, breakaway=100.0, stribeck_velocity=1e-3))
+    machine = cl.Machine("made", (axis("x"), rubbing), PERIOD)
+    controller = cl.Controller(dict.fromkeys("xy", loop(200.0, 40_000.0, model_gain=FORCE / MASS)))
+    judged = cl.judge(cl.simulate(machine, controller, reference), reference)
+    corner = int(np.searchsorted(judged["arc_length"], path.breaks[1] + 1e-9))
+    found = {cause.name: cause.contribution for cause in causes(machine, controller, reference, judged, corner + 20)[0]}
+    assert found[name] > 0.9 * float(abs(judged["part_error"][corner + 20])) > 1e-6
 
 
 def test_a_drive_at_its_limit_is_saturation() -> None:
@@ -116,7 +134,7 @@ def test_unequal_loops_are_a_mismatch() -> None:
     loops = {"x": loop(40.0, 300.0), "y": loop(40.0, 900.0)}
     found, _, error = followed(axis("x"), axis("y"), loops=loops)
     assert abs(found["servo mismatch"]) > 0.3 * error
-    assert found["geometry"] == found["quantisation"] == found["reversal"] == found["saturation"] == 0.0
+    assert found["geometry"] == found["quantisation"] == found["friction"] == found["saturation"] == 0.0
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
@@ -135,7 +153,7 @@ def test_a_cause_whose_removal_diverges_is_named_and_the_sum_still_holds() -> No
     held = make("friction", "coulomb", coulomb=1.0, breakaway=1.0, stribeck_velocity=1e-3, viscous=900.0)
     wild = cl.AxisController(make("controller", "position", velocity_gain=1e-3, position_gain=2000.0, integral_gain=20.0, structure="ipv"))
     found, untold, error = followed(axis("x", friction=held), axis("y", friction=held), loops=dict.fromkeys("xy", wild))
-    assert "reversal" in untold and "reversal" not in found
+    assert "friction" in untold and not set(found) & {"friction", "reversal", "breakaway"}
     assert all(math.isfinite(value) for value in found.values())
     assert error > 0.0
 

@@ -1,1 +1,1 @@
-"""What is the error at the worst place made of, and which single change helps most?"""
+"""What is the error at the worst place made of, and which changes help most?"""

@@ -4,9 +4,11 @@ The same reference is run again with ever fewer imperfections. The contribution 
 the direction of the error, when the cause is taken away:
 
 1. *network*: no links between base and axes; 2. *geometry*: no error map; 3. *quantisation*: ideal encoders; 4. *saturation*: drives
-without limit; 5. *disturbance*: no external load; 6. *backlash*: no free travel, and controllers that assume none; 7. *reversal*: no
+without limit; 5. *disturbance*: no external load; 6. *backlash*: no free travel, and controllers that assume none; 7. *friction*: no
 friction; 8. *servo mismatch*: every axis a copy of one of them, averaged over the choice; 9. *lag*: a tool that is at the reference, so
 that overshoot counts as lag; 10. *planning*: the rest, the distance of the planned path from the programmed one.
+
+The error that friction causes is called *reversal* after an axis has reversed, *breakaway* after it has started from rest, else *friction*.
 
 The contributions add up to the error. A step after which the loop diverges is left out and named; its part stays in the next step. The
 order matters where effects interact, and is therefore fixed.
@@ -35,6 +37,9 @@ def _of_machine(take_away: Callable[[Machine], Machine]) -> Step:
     return lambda machine, controller: (take_away(machine), controller)
 
 
+FRICTION = "friction"
+SOON = 0.25
+"""Longest time from a reversal or a start to the error that friction then causes [s]."""
 _STEPS: tuple[tuple[str, Step], ...] = (
     ("network", idealise.without_links),
     ("geometry", _of_machine(idealise.perfect_geometry)),
@@ -42,8 +47,23 @@ _STEPS: tuple[tuple[str, Step], ...] = (
     ("saturation", _of_machine(idealise.unlimited)),
     ("disturbance", _of_machine(idealise.undisturbed)),
     ("backlash", idealise.without_backlash),
-    ("reversal", _of_machine(idealise.without_friction)),
+    (FRICTION, _of_machine(idealise.without_friction)),
 )
+WOULD_HELP = {
+    "network": "a faster link between base and axes",
+    "geometry": "compensation of the error map",
+    "quantisation": "a finer encoder",
+    "saturation": "a stronger drive, or lower acceleration",
+    "disturbance": "a stiffer loop, or a smaller load",
+    "backlash": "less free travel, or feedback from the load",
+    "reversal": "less friction, or a stiffer loop",
+    "breakaway": "less friction, or a stiffer loop",
+    FRICTION: "less friction, or a stiffer loop",
+    "servo mismatch": "equal gains on all axes",
+    "lag": "feedforward, or a lower feed",
+    "planning": "a smaller corner tolerance",
+}
+"""What reduces each cause."""
 
 
 @dataclass
@@ -79,6 +99,22 @@ class _Place:
         return float((judged["tool_position"][0] - self.reference.programmed.position(judged["foot_arc_length"])[0]) @ self.direction)
 
 
+def _at_start(judged: Result, sample: int) -> str:
+    """Return whether an axis has lately reversed or started from rest."""
+    first = max(sample - round(SOON / judged.servo_period), 0)
+    if "reference_velocity" not in judged:
+        return FRICTION
+    latest, name = -1, FRICTION
+    for velocity in judged["reference_velocity"].T:
+        moving = np.flatnonzero(velocity[: sample + 1])
+        sign = np.sign(velocity[moving])
+        fresh = np.flatnonzero(np.concatenate([[True], (sign[1:] != sign[:-1]) | (np.diff(moving) > 1)])[: moving.size])
+        if fresh.size and moving[fresh[-1]] > max(latest, first - 1):
+            latest, last = int(moving[fresh[-1]]), int(fresh[-1])
+            name = "reversal" if last and sign[last] != sign[last - 1] else "breakaway"
+    return name
+
+
 def causes(
     machine: Machine, controller: Controller, reference: Reference, judged: Result, sample: int, seed: int = 0
 ) -> tuple[tuple[Cause, ...], tuple[str, ...]]:
@@ -99,7 +135,7 @@ def causes(
         if np.isnan(now):
             diverging.append(name)
             continue
-        contributions.append((name, left - now))
+        contributions.append((_at_start(judged, sample) if name == FRICTION and not same else name, left - now))
         left, kept, controller = now, better, driven
     copies = np.array([place.after(*idealise.same_axes(kept, controller, axis.name)) for axis in machine.axes])
     if np.isfinite(copies).any():

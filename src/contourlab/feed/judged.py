@@ -1,0 +1,51 @@
+"""The samples of a motion that figures and verdicts cover: the cutting moves, unless another choice is made."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from contourlab.arrays import Array, Flags, Index
+from contourlab.feed.profile import Profile
+
+_SAME_PLACE = 1e-10
+"""A span that begins this close to a border [m] begins there."""
+
+
+class Judged(NamedTuple):
+    """Sample ranges [start, stop), in order and apart from each other, and their name in words."""
+
+    ranges: tuple[tuple[int, int], ...]
+    basis: str
+
+    def within(self, first: int, n_sample: int) -> Judged:
+        """Return the part in a result of `n_sample` samples that begins at sample `first`, counted from there; all of it if none is."""
+        cut = ((max(start - first, 0), min(stop - first, n_sample)) for start, stop in self.ranges)
+        inside = tuple((start, stop) for start, stop in cut if start < stop)
+        return Judged(inside, self.basis) if inside else Judged(((0, n_sample),), WHOLE)
+
+    @property
+    def samples(self) -> Index:
+        """Numbers of the samples (n,)."""
+        return np.concatenate([np.arange(start, stop) for start, stop in self.ranges])
+
+
+WHOLE, LAST_LAP, CUTTING = "whole motion", "last lap", "cutting moves"
+
+
+def ranges_of_curves(profile: Profile, breaks: Array, chosen: Flags, servo_period: float, n_sample: int) -> tuple[tuple[int, int], ...]:
+    """Return the sample ranges of chosen curves (n_curve,) between `breaks` (n_curve + 1,) [m]; a rest belongs to the curve before it."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], chosen, [False]]).astype(np.int8)))
+    samples = np.ceil(_leaving(profile, breaks[edges]) / servo_period).astype(np.int64)
+    samples[edges == 0], samples[edges == len(chosen)] = 0, n_sample
+    pairs = samples.reshape(-1, 2)
+    return tuple((int(start), int(stop)) for start, stop in pairs[pairs[:, 0] < pairs[:, 1]])
+
+
+def _leaving(profile: Profile, place: Array) -> Array:
+    """Return the times [s] at which the motion leaves some places."""
+    span = np.clip(np.searchsorted(profile.s0, place + _SAME_PLACE, side="right") - 1, 0, profile.n_span - 1)
+    reached, dt = profile.reached(place)
+    begins = np.abs(profile.s0[span] - place) <= _SAME_PLACE
+    return np.where(begins, profile.t0[span], profile.t0[reached] + dt)
