@@ -72,7 +72,7 @@ def test_every_kind_of_controller_is_calibrated_and_its_file_runs(kind: str, tmp
     found = json.loads(capsys.readouterr().out)
     assert found["passed"] is True and found["result"]["after"]["violations"] == []
     before, after = (found["result"][key] for key in ("before", "after"))
-    assert before["figures"]["contour_error_integral"] > 1.2 * after["figures"]["contour_error_integral"]
+    assert after["figures"]["part_error_max"] <= before["figures"]["part_error_max"]
     for margins in after["margins"].values():
         assert margins["gain"] is None or 20.0 * math.log10(margins["gain"]) >= 6.0
         assert math.degrees(margins["phase"]) >= 30.0

@@ -32,6 +32,8 @@ class Evaluator:
         Of all noise, the same for all candidates.
     threads : int, optional
         One per processor by default.
+    part : bool
+        Whether to compute the part error as well.
     effort : bool
         Whether to compute figures of the drives as well.
     runs : int
@@ -44,6 +46,7 @@ class Evaluator:
     moving: bool = False
     seed: int = 0
     threads: int | None = None
+    part: bool = False
     effort: bool = True
     runs: int = 0
     view: PathView = field(init=False, repr=False)
@@ -75,6 +78,7 @@ class Evaluator:
                 self.controller,
                 self.reference,
                 part,
+                part=self.part,
                 effort=self.effort,
                 view=self.view,
                 seed=self.seed,

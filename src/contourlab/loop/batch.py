@@ -22,7 +22,7 @@ from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.builder import Signals
 from contourlab.loop.feeding import Feed, Learned
-from contourlab.loop.judging import WATCH, effort_figures, effort_node, error_figures, judge_node, sums_of
+from contourlab.loop.judging import PART, WATCH, effort_figures, effort_node, error_figures, judge_node, part_nodes, sums_of
 from contourlab.loop.machine import Controller, Machine, parameter_names
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
@@ -40,9 +40,9 @@ class BatchResult:
     figures : mapping of str to ndarray (n_variant,)
         ``contour_error_rms``, ``contour_error_mean``, ``contour_error_max`` and ``contour_error_signed_mean`` [m] (in space the last is the
         mean magnitude), ``contour_error_integral`` [m s], ``contour_error_max_time`` [s], ``tracking_error_rms`` and ``tracking_error_max``
-        [m]. With `effort`, ``command_energy`` [s], the integral of the squared accepted commands, and ``command_largest``, both relative to
-        each drive's limit (in command units if it has none), and ``limited_share``, the share of time at which a drive did not accept the
-        whole command. NaN for a variant that failed.
+        [m]. With `part`, ``part_error_max`` and ``part_error_rms`` [m]. With `effort`, ``command_energy`` [s], the integral of the squared
+        accepted commands, and ``command_largest``, both relative to each drive's limit (in command units if it has none), and
+        ``limited_share``, the share of time at which a drive did not accept the whole command. NaN for a variant that failed.
     failed_at : ndarray (n_variant,) of int
         Sample at which the variant left its following-error limit, or produced a non-finite command; -1 for neither.
     unsure : ndarray (n_variant,)
@@ -70,6 +70,7 @@ def simulate_batch(
     keep: Sequence[str] = (),
     threads: int | None = None,
     judge: bool = True,
+    part: bool = False,
     effort: bool = False,
     view: PathView | None = None,
     seed: int = 0,
@@ -93,6 +94,8 @@ def simulate_batch(
         Threads over groups of 32 lanes; by default one for each processor.
     judge : bool
         Whether the contour error is computed.
+    part : bool
+        Whether the part error is computed too.
     effort : bool
         Whether to sum up the commands to the drives.
     view : PathView, optional
@@ -130,6 +133,9 @@ def simulate_batch(
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
     first, _ = feed.block(0, min(BLOCK, reference.n_sample))
     extra: tuple[Node | Callable[[Signals], Node], ...] = (judge_node(machine, reference, view),) if judge else ()
+    blended = part and reference.programmed is not reference.path
+    if blended:
+        extra += part_nodes(machine, reference)
     if effort:
         extra += (lambda signals: effort_node(machine, reference, signals["command"], columns),)
     start, progress_at = first.position[0], float(first.arc_length[0])
@@ -142,6 +148,9 @@ def simulate_batch(
     failed = _advance_all(groups, feed, rows, log, threads or os.cpu_count() or 1, progress)[:n]
     sums = sums_of(groups, "judge", n)[1:] if judge else np.zeros((len(SUMS), n))
     figures = error_figures(sums, failed, machine.servo_period) if judge else {}
+    if part:
+        errors = error_figures(sums_of(groups, PART, n)[1:], failed, machine.servo_period) if blended else figures
+        figures |= {f"part_error_{name}": errors[f"contour_error_{name}"] for name in ("max", "rms")}
     if effort:
         figures |= effort_figures(sums_of(groups, "effort", n), failed, machine.servo_period)
     return BatchResult(figures, failed, sums[SUMS.index("unsure")], _split(log, n, keep, loop), log)

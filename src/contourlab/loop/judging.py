@@ -17,12 +17,13 @@ from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Port, Step
 from contourlab.feed import Reference
-from contourlab.geometry.view import PathView
+from contourlab.geometry import Path
+from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.builder import accepted_output
 from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.streaming import EFFORT_SUMS, SUMS, corner_parts, effort_step, judge_step
 from contourlab.native.generated import generated
-from contourlab.primitives import fabs, select
+from contourlab.primitives import fabs, lookup, select
 from contourlab.result import Status
 from contourlab.threads import in_threads
 
@@ -36,19 +37,46 @@ def _counts(reference: Reference) -> dict[str, Array]:
 
 def judge_node(machine: Machine, reference: Reference, view: PathView) -> Node:
     """Return the node that computes the contour error of each lane."""
+    return _judge_node(machine, reference, reference.path, view, "judge", "in.arc_length")
+
+
+PART, PLACE = "part", "programmed"
+
+
+def part_nodes(machine: Machine, reference: Reference) -> tuple[Node, Node]:
+    """Return the nodes that compute the part error of each lane: the place on the programmed path, and its judge."""
+    blocks = ((k, min(k + _PLACES, reference.n_sample)) for k in range(0, reference.n_sample, _PLACES))
+    place = np.concatenate([reference.programmed_arc_length(reference.block(*block).arc_length) for block in blocks])
+    programmed = reference.programmed
+    judge = _judge_node(machine, reference, programmed, view_of(programmed), PART, f"{PLACE}.arc_length", float(place[0]))
+    return Node(PLACE, _PLACE_STEP, {}, {}, {"place": place}), judge
+
+
+def _place_step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    return (), (lookup(par.place, clock.k),)
+
+
+_PLACES = 1 << 16
+"""Samples of the reference in memory at once."""
+_PLACE_STEP = Step(PLACE, _place_step, (), ("place",), "", (), (), (Port("arc_length"),))
+
+
+def _judge_node(
+    machine: Machine, reference: Reference, path: Path, view: PathView, name: str, arc_length: str, start: float | None = None
+) -> Node:
     n = len(machine.axes)
     wires: dict[str, Any] = {
         "position": tuple(Late(f"{axis.name}.plant.position") for axis in machine.axes),
         "reference": "in.reference",
-        "arc_length": "in.arc_length",
+        "arc_length": arc_length,
     }
-    reach = min(0.25 * reference.path.length, 4.0 * max(axis.limits.following_error for axis in machine.axes))
-    corner_numbers, corner_tables = corner_parts(reference.path)
+    reach = min(0.25 * path.length, 4.0 * max(axis.limits.following_error for axis in machine.axes))
+    corner_numbers, corner_tables = corner_parts(path)
     parameters = {"window": reach, **view.parameters, **corner_numbers}
     tables = {**view.tables, **_counts(reference), **corner_tables}
-    foot = float(reference.block(0, 1).arc_length[0])
+    foot = float(reference.block(0, 1).arc_length[0]) if start is None else start
     step = judge_step(view, n, bool(corner_numbers))
-    return Node("judge", step, wires, parameters, tables, {"foot": foot})
+    return Node(name, step, wires, parameters, tables, {"foot": foot})
 
 
 def effort_node(machine: Machine, reference: Reference, commands: Sequence[str], columns: Mapping[str, Array]) -> Node:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import Json, Out, Parameters, Plots, Plugins, ScenarioFile, Seed, Threads, Width, listed
+from contourlab.cli.options import Json, Judge, Out, Parameters, Plots, Plugins, ScenarioFile, Seed, Threads, Width, listed
 from contourlab.cli.output import emit_json, say, wants_progress
 
 
@@ -35,6 +35,7 @@ def sensitivity(
     ] = None,
     transform: Annotated[str, typer.Option(help="log or none: whether morris and sobol use the logarithm of the figure.")] = "log",
     servo_period: Annotated[str, typer.Option(help='Servo period in place of the machine\'s, e.g. "0.1 ms".', show_default=False)] = "",
+    judge: Judge = None,
     seed: Seed = 0,
     threads: Threads = None,
     out: Out = Path("results/sensitivity"),
@@ -50,7 +51,7 @@ def sensitivity(
     from contourlab.features.sensitivity.study import PARTS, Plan
 
     plan = Plan(listed(parts) or PARTS, figure, values, base, second_order, trajectories, transform, seed)
-    request = Request(plan, scheme, tuple(parameter or ()), width, distribution, tuple(deviation or ()), servo_period, threads)
+    request = Request(plan, scheme, tuple(parameter or ()), width, distribution, tuple(deviation or ()), servo_period, threads, judge)
     result = sensitivity_of(file, out, request, plugins=tuple(plugin or ()), plots=tuple(plots or ()), progress=wants_progress(as_json))
     if as_json:
         emit_json(result)

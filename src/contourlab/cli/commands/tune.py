@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import GainMargin, Json, Parameters, PhaseMargin, Plots, Plugins, Seed, Threads, Width
+from contourlab.cli.options import GainMargin, Json, Judge, Parameters, PhaseMargin, Plots, Plugins, Seed, Threads, Width
 from contourlab.cli.output import emit_json, say, wants_progress
 
 
@@ -19,9 +19,13 @@ def tune(
         str | None, typer.Option(help="Controller of a part program: a file, or a shipped name.", show_default=False)
     ] = None,
     tolerance: Annotated[str | None, typer.Option(help='Largest part error of a part program, e.g. "25 um".', show_default=False)] = None,
-    method: Annotated[str, typer.Option(help="sequential, global, or both.")] = "sequential",
+    judge: Judge = None,
+    method: Annotated[str, typer.Option(help="sequential, global, or both: the better result.")] = "both",
     start: Annotated[str, typer.Option(help="scenario, or placed: poles as fast as the margins allow.")] = "scenario",
-    objective: Annotated[str, typer.Option(help="integral, max, rms, tracking, energy; or a sum, integral=1,energy=0.1.")] = "integral",
+    objective: Annotated[
+        str,
+        typer.Option(help="part (largest part error, then rms), max, rms, integral, tracking, energy; or a sum, integral=1,energy=0.1."),
+    ] = "part",
     parameter: Parameters = None,
     width: Width = 4.0,
     gain_margin: GainMargin = 6.0,
@@ -72,6 +76,7 @@ def tune(
         machine=machine,
         controller=controller,
         tolerance=tolerance,
+        judge=judge,
         out=out,
         plots=tuple(plots or ()),
         folder=folder,

@@ -56,6 +56,8 @@ class Request:
     servo_period : str
         Replaces that of the machine, with its unit; empty to keep it.
     threads : int, optional
+    judge : str, optional
+        Moves to judge; by default as in the scenario.
     """
 
     plan: Plan = field(default_factory=Plan)
@@ -66,6 +68,7 @@ class Request:
     deviations: Sequence[str] = ()
     servo_period: str = ""
     threads: int | None = None
+    judge: str | None = None
 
     def __post_init__(self) -> None:
         if self.threads is not None and self.threads < 1:
@@ -138,7 +141,7 @@ def sensitivity_of(
         If the scenario, an option or the folder is invalid, or the scenario's own run fails.
     """
     check_plots(plots)
-    scenario = loaded(file, (request.scheme,) if request.scheme else (), plugins)
+    scenario = loaded(file, (request.scheme,) if request.scheme else (), plugins).judging(request.judge)
     case = scenario.cases()[0] if request.scheme else scenario.base
     if request.servo_period:
         period = positive("--servo-period", request.servo_period, "s", 'a time, such as "0.1 ms"')

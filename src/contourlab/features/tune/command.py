@@ -71,6 +71,7 @@ def tune_scenario(
     machine: str | Path | None = None,
     controller: str | Path | None = None,
     tolerance: str | None = None,
+    judge: str | None = None,
     out: str | Path | None = None,
     plots: Sequence[str] = (),
     folder: str | Path = "results",
@@ -88,6 +89,8 @@ def tune_scenario(
         Scheme of the scenario; by default the scenario without schemes.
     machine, controller, tolerance
         For a part program: see `contourlab.features.run.command.run_scenario`.
+    judge : str, optional
+        Moves to judge; by default as in the scenario.
     out : str or Path, optional
         Controller file to write; not written if the controller breaks a bound.
     plots : sequence of str
@@ -108,7 +111,7 @@ def tune_scenario(
     check_plots(plots)
     if out is not None and Path(out).suffix.lower() != ".toml":
         raise ParameterError("--out", repr(str(out)), "a controller file, which ends in .toml")
-    scenario = _scenario(file, machine, controller, tolerance, plugins)
+    scenario = _scenario(file, machine, controller, tolerance, plugins).judging(judge)
     case = scenario.base if scheme is None else scenario.case(scheme)
     if case.changes:
         raise ScenarioError("the controller changes during the run: calibrate each controller in its own scenario", file=file)
@@ -173,8 +176,8 @@ def _write(tuned: Tuned, case: Case, out: Path, name: str, plugins: Sequence[str
     from contourlab.scenario.dump import dump
     from contourlab.scenario.load import load_controller
 
-    before, after = (1e6 * one.figures["contour_error_integral"] for one in (tuned.before, tuned.after))
-    head = f"# Calibrated for {name}, scheme {case.name}: integral of the contour error {before:.4g} um s before, {after:.4g} after.\n\n"
+    before, after = (1e6 * one.figures["part_error_max"] for one in (tuned.before, tuned.after))
+    head = f"# Calibrated for {name}, scheme {case.name}: largest part error {before:.4g} um before, {after:.4g} um after.\n\n"
     text = head.replace("\r", " ") + dump(tuned.controller, case.machine)
     with tempfile.TemporaryDirectory() as folder:
         trial = Path(folder) / "controller.toml"

@@ -19,11 +19,12 @@ from contourlab.metrics import judge, summarise
 from contourlab.result import Result
 
 FIGURES = {
+    "part_error_max": ("part error, largest", "um"),
+    "part_error_rms": ("part error, rms", "um"),
     "contour_error_integral": ("contour error, integral", "um s"),
     "contour_error_rms": ("contour error, rms", "um"),
     "contour_error_max": ("contour error, largest", "um"),
     "contour_error_signed_mean": ("contour error, signed mean", "um"),
-    "part_error_max": ("part error, largest", "um"),
     "tracking_error_rms": ("tracking error, rms", "um"),
     "command_energy": ("command energy", "s"),
     "command_largest": ("largest command, share of the drive's limit", "%"),
@@ -31,6 +32,7 @@ FIGURES = {
 }
 """Figures of a run: printed name and display unit."""
 GOALS = {
+    "part": "part_error_max",
     "integral": "contour_error_integral",
     "max": "contour_error_max",
     "rms": "contour_error_rms",
@@ -38,6 +40,8 @@ GOALS = {
     "energy": "command_energy",
 }
 """Figures that a calibration can minimise."""
+TIE = 1e-3
+"""Weight of the part error's rms beside its largest value: it decides between gains that reach the same."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +54,7 @@ class Goal:
         Names from `GOALS`, weights > 0. In a sum, each figure is relative to its value at the start.
     """
 
-    weights: tuple[tuple[str, float], ...] = (("integral", 1.0),)
+    weights: tuple[tuple[str, float], ...] = (("part", 1.0),)
 
     def __post_init__(self) -> None:
         names = [name for name, _ in self.weights]
@@ -132,6 +136,7 @@ class Objective:
     Attributes
     ----------
     evaluator : Evaluator
+        Computes the part error from now on if the goal includes it.
     goal : Goal
     start : mapping of str to float [SI]
         Parameters at which the figures of a sum are scaled to 1.
@@ -143,6 +148,7 @@ class Objective:
     _scales: dict[str, float] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
+        self.evaluator.part |= any(name == "part" for name, _ in self.goal.weights)
         if self.goal.figure is None:
             figures = self.at(self.start).figures
             scales = {GOALS[name]: float(figures[GOALS[name]][0]) for name, _ in self.goal.weights}
@@ -153,6 +159,8 @@ class Objective:
     def __call__(self, columns: Mapping[str, Array]) -> ObjectiveValues:
         """Run with parameter values [SI], each (n,)."""
         figures = self.evaluator(columns)
+        if self.evaluator.part:
+            figures |= {"part_error_max": figures["part_error_max"] + TIE * figures["part_error_rms"]}
         values = figures[GOALS[self.goal.weights[0][0]]]
         if self._scales:
             parts = [weight * figures[GOALS[name]] / self._scales[GOALS[name]] for name, weight in self.goal.weights]
@@ -185,6 +193,12 @@ class Evaluation:
     margins: dict[str, Margins]
     violations: tuple[str, ...]
     run: Result | None = field(metadata={"json": False})
+
+    def worse_than(self, other: Evaluation, figure: str | None) -> bool:
+        """Return whether the run failed, breaks a bound, or has a larger figure; None for a goal without a single figure."""
+        if self.run is None or self.violations:
+            return True
+        return figure is not None and self.figures[figure] > other.figures[figure]
 
 
 def evaluate(
@@ -223,11 +237,12 @@ def _figures(run: Result, machine: Machine, reference: Reference) -> dict[str, f
     scales = np.where(np.isfinite(limits), limits, 1.0)
     asked, applied = run["command"][judged], run["applied_command"][judged]
     return {
+        "part_error_max": metrics.part_error.max,
+        "part_error_rms": metrics.part_error.rms,
         "contour_error_integral": error.integral,
         "contour_error_rms": error.rms,
         "contour_error_max": error.max,
         "contour_error_signed_mean": error.signed_mean,
-        "part_error_max": metrics.part_error.max,
         "tracking_error_rms": float(np.sqrt(np.mean(tracking**2))),
         "command_energy": float(((applied / scales) ** 2).sum() * run.servo_period),
         "command_largest": float((np.abs(asked) / scales).max()),

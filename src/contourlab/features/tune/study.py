@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from contourlab.design import Evaluator, Space, calibration_order
@@ -57,7 +58,7 @@ class TuneSettings:
     goal: Goal = field(default_factory=Goal)
     bounds: Bounds = field(default_factory=Bounds)
     rule: LineRule = field(default_factory=LineRule)
-    method: str = "sequential"
+    method: str = "both"
     start: str = "scenario"
     parameters: tuple[str, ...] = ()
     width: float = 4.0
@@ -92,7 +93,7 @@ class Tuned:
     values : dict of str to float [SI]
         Their calibrated values.
     method : str
-        Method of the result: "sequential" or "global"; "none" if a global search alone finds nothing that keeps the bounds.
+        Method of the result: "sequential" or "global"; "none" if the given controller is better, or nothing found keeps the bounds.
     before, after : Evaluation
         Evaluations of the given and the calibrated controller.
     start_objective : float
@@ -119,11 +120,6 @@ class Tuned:
     runs: int
     findings: tuple[Finding, ...] = field(metadata=HIDDEN)
 
-    @property
-    def gain(self) -> float:
-        """Integral of the contour error before, divided by that after."""
-        after = self.after.figures["contour_error_integral"]
-        return self.before.figures["contour_error_integral"] / after if after else math.inf
 
 
 def tune(
@@ -175,12 +171,18 @@ def tune(
     values = {variable.name: variable.nearest for variable in space.numbers}
     objective, guards = Objective(evaluator, settings.goal, values), Guards([(machine, start)], settings.bounds)
     start_objective = float(objective.at(values).value[0])
-    path, global_result, candidates = _candidates((objective, guards, space), values, settings, begin, progress)
+    placed = _placed_values(evaluator, settings, space, begin)
+    path, global_result, candidates = _candidates((objective, guards, space), values, placed, settings, begin, progress)
     method, best, rejected = _chosen(objective, guards, values, candidates)
     begin("checking the result")
     best = {variable.name: float(variable.written(best[variable.name])) for variable in space.numbers}
     tuned = with_values(machine, start, best)[1]
     after = evaluate(machine, tuned, reference, guards, seed=seed, moving=moving)
+    inside = all(variable.nearest == variable.value for variable in space.numbers)
+    if inside and not before.violations and after.worse_than(before, settings.goal.figure):
+        known = parameter_names(machine, controller)
+        best = {variable.name: float(getattr(*known[variable.name])) for variable in space.numbers}
+        method, tuned, after = "none", controller, before
     terms = drive_terms(machine, tuned, after.run)
     runs = evaluator.runs + (len(FRACTIONS) if settings.start == "placed" else 0) + 2
     findings = [*_range_findings(space, best, guards), *rejected]
@@ -221,9 +223,21 @@ def _conclusions(goal: Goal, before: Evaluation, after: Evaluation) -> Iterator[
             yield finding("CL609", FIGURES[key][0], ratio=after.figures[key] / before.figures[key])
 
 
+def _placed_values(evaluator: Evaluator, settings: TuneSettings, space: Space, begin: Callable[[str], None]) -> list[dict[str, float]]:
+    """Return placed poles as a further start of the global search, within the ranges; nothing where the controller has none."""
+    if settings.method == "sequential" or settings.start == "placed":
+        return []
+    begin("placing poles")
+    with suppress(ParameterError):
+        known = parameter_names(evaluator.machine, placed_start(evaluator, settings.goal, settings.bounds))
+        return [{one.name: min(max(float(getattr(*known[one.name])), one.low), one.high) for one in space.numbers}]
+    return []
+
+
 def _candidates(
     problem: Problem,
     values: Mapping[str, float],
+    placed: Sequence[dict[str, float]],
     settings: TuneSettings,
     begin: Callable[[str], None],
     progress: Callable[[int, int], None] | None,
@@ -243,7 +257,15 @@ def _candidates(
     if settings.method == "sequential":
         return path, None, candidates
     begin("all parameters at once")
-    result = global_search(*problem, starts, starts=settings.starts, budget=settings.budget, seed=settings.seed, progress=progress)
+    starts += placed
+    try:
+        result = global_search(
+            *problem, starts, starts=settings.starts, budget=settings.budget, seed=settings.seed, progress=progress
+        )  # fmt: skip
+    except ParameterError:  # every run fails
+        if settings.method == "global":
+            raise
+        return path, None, candidates
     if result.values is not None:
         candidates.append((result.objective, "global", result.values))
     return path, result, candidates

@@ -14,7 +14,11 @@ from contourlab.report.table import Column, Table
 
 
 def tables(goal: Goal, tuned: Tuned) -> Iterator[str]:
-    """Yield the tables of a calibration."""
+    """Yield the figure that was minimised, before and after, and the tables of a calibration."""
+    if goal.figure is not None:
+        name, unit = FIGURES[goal.figure]
+        before, after = (figure(run.figures[goal.figure], unit, 4) for run in (tuned.before, tuned.after))
+        yield f"{name}: {before} before, {after} after"
     if tuned.path.steps:
         yield _steps(goal, tuned).text()
     if tuned.global_result is not None:
