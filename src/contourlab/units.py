@@ -20,8 +20,17 @@ if TYPE_CHECKING:
 
 Numbers = TypeVar("Numbers", float, "Array")
 
-_CLOSE = re.compile(r"(?P<number>[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)(?P<unit>[A-Za-zµμ°%Ω].*)\Z")
+_CLOSE = re.compile(r"(?P<number>[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)(?P<unit>[A-Za-zµμ°%Ω(].*)\Z")
 """A number and a unit without a space between them; digits after an e are the number's exponent."""
+
+_SIGNS = str.maketrans({"·": "*", "⋅": "*", "∙": "*", "\u00b5": "u", "\u03bc": "u", "°": "deg", "\u2126": "ohm", "\u03a9": "ohm"})
+_RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+_POWER = re.compile("[⁻⁰¹²³⁴-⁹]+")
+_JOINED = re.compile(
+    r"(?<![A-Za-z_])(?:(?P<force>[kmMu]?N)(?P<arm>[mc]?m)?(?P<time>s)?|(?P<volt>[kmu]?V)s|(?P<mass>kg(?=[mc]?m)|g(?=[mc]m))(?P<length>[mc]?m))"
+    r"(?![A-Za-z_])"
+)
+"""Units written without a sign between them: Nm, Ns, Nms, Vs, kgcm^2."""
 
 _USUAL = {"m": "mm", "s": "ms", "m/s": "mm/s", "rad": "deg"}
 """Usual units where the SI unit is too large for most quantities of a machine."""
@@ -42,13 +51,24 @@ def registry() -> pint.UnitRegistry[Any]:
 
 
 @cache
+def plain(unit: str) -> str:
+    """Return a unit as the registry reads it, from the forms of data sheets.
+
+    >>> plain("N·m"), plain("mNm/A"), plain("kgcm²"), plain("s⁻¹"), plain("µm")
+    ('N*m', 'mN*m/A', 'kg*cm^2', 's^-1', 'um')
+    """
+    text = _POWER.sub(lambda power: "^" + power[0].translate(_RAISED), unit.translate(_SIGNS))
+    return _JOINED.sub(lambda joined: "*".join(filter(None, [*joined.groups(), "s" * bool(joined["volt"])])), text)
+
+
+@cache
 def _factor(unit: str) -> tuple[Any, float]:
     """Return the dimension of `unit` and its size in SI base units."""
     import pint
 
     units = registry()
     try:
-        one = units.Quantity(1.0, units.parse_units(unit)).to_base_units() if unit else units.Quantity(1.0)
+        one = units.Quantity(1.0, units.parse_units(plain(unit))).to_base_units() if unit else units.Quantity(1.0)
     except pint.OffsetUnitCalculusError as error:
         raise UnitError(f"unit {unit!r} has an offset and cannot be used here") from error
     except Exception as error:  # pint's parser raises anything for text that is no unit: an AssertionError for "-"
@@ -73,8 +93,8 @@ def si_unit(unit: str) -> str:
     """
     dimension, size = _factor(unit)
     if size == 1.0:
-        return unit
-    base = registry().Quantity(1.0, unit).to_base_units().units
+        return plain(unit)
+    base = registry().Quantity(1.0, plain(unit)).to_base_units().units
     return next((name for name in _NAMED if _factor(name)[0] == dimension), f"{base:~C}")
 
 

@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from contourlab.errors import ContourlabError, UnitError
-from contourlab.units import from_si, split, to_si
+from contourlab.units import from_si, plain, split, to_si
 
-_UNIT = re.compile(r"[A-Za-zµμ°%Ω0-9_ */^().+-]{0,60}\Z")
-_TURNS = re.compile(r"\b(rad|radians?|deg|degrees?|rev|revolutions?|turns?|rpm|cycles?|[mµμu]rad)\b|°")
+_UNIT = re.compile(r"[A-Za-z%0-9_ */^().+-]{0,60}\Z")
+_TURNS = re.compile(r"\b(rad|radians?|deg|degrees?|rev|revolutions?|turns?|rpm|cycles?|[mu]rad)\b")
 _HERTZ = re.compile(r"\b[kMGm]?(Hz|hertz)\b")
 
 
@@ -63,7 +63,7 @@ def read_number(value: Any, unit: str, display: str = "") -> float:
     message = f"{value[:60]!r} is not a quantity: write a number, a space and a unit{example}"
     if len(value) > 120:
         raise UnitError(message)
-    given = split(value)[1]
+    given = plain(split(value)[1])
     if not _UNIT.match(given):
         raise UnitError(message)
     if unit and not given:

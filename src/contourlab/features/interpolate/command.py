@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
@@ -21,7 +20,6 @@ from contourlab.units import to_si
 
 FILES = {"counts": "interpolated.csv", "picture": "interpolation.png", "summary": "interpolation.json"}
 """Files written into the folder."""
-MICRO, MU = "\u00b5", "\u03bc"
 
 
 def interpolate_file(
@@ -73,10 +71,9 @@ def interpolate_file(
 
 
 def _length(option: str, text: str, example: str) -> float:
-    """Read a length; accept the micro sign and a missing blank, such as ``20µm``."""
-    parted = re.fullmatch(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\D.*)", text)
+    """Read a length."""
     try:
-        return to_si(f"{parted[1]} {parted[2].replace(MICRO, 'u').replace(MU, 'u')}" if parted else text, "m")
+        return to_si(text, "m")
     except UnitError as error:
         raise ParameterError(option, repr(text), f'a length with its unit, such as "{example}"') from error
 

@@ -131,6 +131,6 @@ def _factor(record: Record, channel: Channel, unit: str) -> float:
         example = f"{channel.name} [{unit}]"
         raise LogError(f"column {channel.name} has no unit: write it in the header, such as {example}", file=record.file)
     try:
-        return to_si(f"1 {channel.unit.replace('µ', 'u').replace('μ', 'u')}", unit)
+        return to_si(f"1 {channel.unit}", unit)
     except UnitError as error:
         raise LogError(f"column {channel.name}: {error}", file=record.file) from error
