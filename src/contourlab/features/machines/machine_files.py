@@ -1,81 +1,97 @@
-"""Tables of the files that ``contourlab new machine`` writes: each value with its origin."""
+"""Tables of the files that ``contourlab new machine`` writes: each value with its origin, each guess with its range."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from contourlab.components.origin import Origin
-from contourlab.features.machines import sizing
-from contourlab.features.machines.sizing import SizedAxis, rounded
-from contourlab.scenario.dump import quantity
+from contourlab.features.machines.questions import AXIS
+from contourlab.features.machines.sizing import FILTER_RATIO, SizedAxis, rounded
 from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted
-from contourlab.units import from_si
+from contourlab.units import from_si, show
+
+_QUESTIONS = {question.key: question for question in AXIS}
 
 
-def _guessed(value: Any, note: str) -> Noted:
-    return Noted(origin_table(value, Origin("assumed", note=note), str))
+def _written(value: float, unit: str) -> str | float:
+    """Write an SI value in a unit; a bare number without one."""
+    number = f"{from_si(value, unit):.12g}"
+    return f"{number} {unit}" if unit else float(number)
 
 
-def _designed(value: Any, note: str) -> Noted:
-    """Return a value computed for a controller."""
-    return Noted(origin_table(value, Origin("design", note=note), str))
+def _number(axis: SizedAxis, key: str, unit: str, of: Callable[[SizedAxis], float] | None = None, note: str = "") -> Noted:
+    """Return a number in a unit that follows from the answer `key`: as given, or guessed within a range."""
+    value = of or (lambda sized: float(sized.values[key]))
+    question = _QUESTIONS[key]
+    if key not in axis.guesses:
+        return _noted(value(axis), unit, Origin("datasheet", reference="as given", note=note))
+    span = axis.span(key, value, question.spread) if question.spread else None
+    why = f"guess: {question.rule or question.guess()}" + (f"; {note}" if note else "")
+    return _noted(rounded(value(axis)), unit, Origin("assumed", span=span, note=why))
 
 
-def _given(axis: SizedAxis, key: str, value: Any, note: str = "") -> Noted:
-    """Return an answer: from a data sheet, or assumed if it is the default of its question."""
-    if key in axis.defaults:
-        return _guessed(value, note or "default of the question")
-    return Noted(origin_table(value, Origin("datasheet", reference="as given", note=note), str))
+def _noted(value: float, unit: str, origin: Origin) -> Noted:
+    return Noted(origin_table(_written(value, unit), origin, lambda end: _written(rounded(end), unit)))
+
+
+def _plant(axis: SizedAxis) -> dict[str, Any]:
+    mass = {"mass": _number(axis, "moved_mass", "kg")}
+    damping = {"damping": _number(axis, "damping", "N*s/m")}
+    if axis.linear:
+        return {"kind": "mass-damper", **mass, "force_constant": _number(axis, "force_constant", "N/A"), **damping}
+    return {
+        "kind": "ball-screw",
+        **mass,
+        "inertia": _number(axis, "screw_inertia", "kg*cm^2", lambda sized: sized.inertia, "rotor, coupling and screw"),
+        "lead": _number(axis, "lead", "mm"),
+        "torque_constant": _number(axis, "torque_constant", "N*m/A"),
+        "efficiency": _number(axis, "efficiency", ""),
+        **damping,
+    }
+
+
+def _friction(axis: SizedAxis) -> dict[str, Any]:
+    rest = Origin("assumed", span=(axis.friction, 2.0 * axis.friction), note="guess: a quarter above sliding")
+    return {
+        "kind": "coulomb",
+        "coulomb": _number(axis, "friction", "N", note="measure it"),
+        "breakaway": _noted(rounded(1.25 * axis.friction), "N", rest),
+        "stribeck_velocity": _noted(2e-3, "mm/s", Origin("assumed", span=(5e-4, 1e-2), note="guess: typical of rail guides")),
+    }
 
 
 def axis_tables(axis: SizedAxis) -> dict[str, Any]:
     """Return the axis file."""
-    viscous = f"guess: {sizing.DAMPING_SHARE:.0%} of the {axis.force(axis.rated_torque):.4g} N at rated torque, at top speed"
-    limit = quantity(rounded(axis.peak_torque / axis.torque_constant), "A")
-    peak = f"peak torque over torque constant: {axis.force(axis.peak_torque):.4g} N at the table"
-    sliding = f"guess: {sizing.FRICTION_SHARE:.0%} of the force at rated torque; measure it"
+    peak = "peak_force" if axis.linear else "peak_torque"
     tables: dict[str, Any] = {
-        "plant": {
-            "kind": "ball-screw",
-            "mass": _given(axis, "moved_mass", quantity(axis.moved_mass, "kg")),
-            "inertia": _given(axis, "rotor_inertia", f"{from_si(axis.inertia, 'kg*cm^2'):.10g} kg*cm^2", "rotor, coupling and screw"),
-            "lead": _given(axis, "lead", quantity(axis.lead, "m", "mm")),
-            "torque_constant": _given(axis, "torque_constant", quantity(axis.torque_constant, "N*m/A")),
-            "efficiency": _guessed(sizing.EFFICIENCY, "typical of a ball screw"),
-            "damping": _guessed(quantity(axis.damping, "N*s/m"), viscous),
-        },
-        "friction": {
-            "kind": "coulomb",
-            "coulomb": _guessed(quantity(axis.friction, "N"), sliding),
-            "breakaway": _guessed(quantity(rounded(sizing.BREAKAWAY_RATIO * axis.friction), "N"), "guess: a quarter above sliding"),
-            "stribeck_velocity": _guessed("2 mm/s", "typical of rail guides"),
-        },
-        "drive": {"kind": "saturation", "limit": _given(axis, "peak_torque", limit, peak)},
-        "sensor": {"kind": "encoder", "resolution": _given(axis, "encoder_resolution", quantity(axis.encoder_resolution, "m", "um"))},
+        "plant": _plant(axis),
+        **({"friction": _friction(axis)} if axis.friction else {}),
+        "drive": {"kind": "saturation", "limit": _number(axis, peak, "A", lambda sized: rounded(sized.current), f"{axis.peak:.4g} N")},
+        "sensor": {"kind": "encoder", "resolution": _number(axis, "encoder_resolution", "um")},
         "limits": {
-            "velocity": _given(axis, "velocity", quantity(axis.velocity, "m/s", "m/min")),
-            "acceleration": _given(axis, "acceleration", quantity(axis.acceleration, "m/s^2")),
-            "jerk": _given(axis, "jerk", quantity(axis.jerk, "m/s^3")),
+            "velocity": _number(axis, "velocity", "m/min"),
+            "acceleration": _number(axis, "acceleration", "m/s^2"),
+            "jerk": _number(axis, "jerk", "m/s^3"),
         },
     }
     if axis.weight:
         note = "weight of the unbalanced mass; the positive direction is up"
-        tables["disturbance"] = {"kind": "constant", "force": _given(axis, "unbalanced_mass", quantity(-axis.weight, "N"), note)}
+        tables["disturbance"] = {"kind": "constant", "force": _number(axis, "unbalanced_mass", "N", lambda sized: -sized.weight, note)}
     return tables
 
 
-def machine_tables(name: str, period: float, axes: Sequence[SizedAxis]) -> dict[str, Any]:
+def machine_tables(name: str, period: float, axes: Sequence[SizedAxis], below: Mapping[str, str]) -> dict[str, Any]:
     """Return the machine file."""
 
     def placed(axis: SizedAxis) -> dict[str, Any]:
         table: dict[str, Any] = {"file": f"axis-{axis.name}.toml"}
-        if axis.mounted_on:
-            table |= {"mounted_on": axis.mounted_on, "alignment": 0.0, "stage_mass": quantity(axis.stage_mass, "kg")}
+        if axis.name in below:
+            table |= {"mounted_on": below[axis.name], "alignment": 0.0, "stage_mass": _written(axis.stage_mass, "kg")}
         return table
 
-    head = {"name": name, "servo_period": quantity(period, "s", "ms"), "axes": [axis.name for axis in axes]}
+    head = {"name": name, "servo_period": _written(period, "ms"), "axes": [axis.name for axis in axes]}
     return {"machine": head, "axes": {axis.name: placed(axis) for axis in axes}}
 
 
@@ -83,34 +99,24 @@ def controller_tables(axes: Sequence[SizedAxis]) -> dict[str, Any]:
     """Return the controller file."""
 
     def of_axis(axis: SizedAxis) -> dict[str, Any]:
-        kv, observer = axis.kv, sizing.OBSERVER_RATIO * axis.kv
-        pole = f"{rounded(kv):g} rad/s"
-        gain, decay = axis.model
-        gains = {"natural_frequency": Noted(pole, "Kv"), "damping": sizing.DAMPING, "pole": Noted(pole, "Kv")}
+        rate = axis.bandwidth_rate
+        gains = {
+            "bandwidth": Noted(_written(rate, "rad/s"), show(axis.bandwidth, "Hz", 4)),
+            "position_gain": Noted(_written(axis.kv, "1/s"), f"Kv, {show(axis.kv, '(m/min)/mm', 4)}"),
+        }
         return {
-            "velocity": {"kind": "filtered-difference", "bandwidth": f"{rounded(sizing.VELOCITY_RATIO * kv):g} rad/s"},
-            "observer": {
-                "kind": "disturbance-observer",
-                "bandwidth": f"{rounded(observer):g} rad/s",
-                "filter_bandwidth": f"{rounded(sizing.FILTER_RATIO * observer):g} rad/s",
-                "model_gain": _designed(f"{gain:g} m/s^2/A", f"force per ampere over {axis.mass:.4g} kg"),
-                "model_damping": _designed(f"{decay:g} 1/s", f"damping over {axis.mass:.4g} kg"),
-            },
-            "controller": {"kind": "position", "gains": gains},
+            "velocity": {"kind": "filtered-difference", "bandwidth": _written(rounded(FILTER_RATIO * rate), "rad/s")},
+            "controller": {"kind": "cascade", "gains": gains},
         }
 
-    tables: dict[str, Any] = {"axes": {axis.name: of_axis(axis) for axis in axes}}
-    if len(axes) > 1:
-        coupling = {"kind": "modified-reference", "weight": 0.5}
-        tables = {"estimator": {"kind": "newton"}, "coupling": coupling, **tables}
-    return {"controller": tables}
+    return {"controller": {"axes": {axis.name: of_axis(axis) for axis in axes}}}
 
 
-def scenario_tables(name: str, axes: Sequence[SizedAxis]) -> dict[str, Any] | None:
+def scenario_tables(name: str, axes: Sequence[SizedAxis], tolerance: float) -> dict[str, Any] | None:
     """Return a first scenario: the shipped test part for x, y and z, a circle for two axes; None for other machines."""
     names = [axis.name for axis in axes]
     parts: dict[str, Any] = {"name": f"{name}: first run", "machine": "machine.toml", "controller": "controller.toml"}
-    run = {"run": {"tolerance": "50 um"}}
+    run = {"run": {"tolerance": _written(tolerance, "um")}}
     if [n.lower() for n in names] == ["x", "y", "z"]:
         return {**parts, "program": "builtin:programs/circle_diamond_square.ngc", **run}
     if len(names) != 2:
@@ -119,6 +125,6 @@ def scenario_tables(name: str, axes: Sequence[SizedAxis]) -> dict[str, Any] | No
     return {
         **parts,
         "contour": {"name": "circle", "radius": "20 mm"},
-        "feed": {"law": "planned", "feedrate": quantity(rounded(feed * 60.0) / 60.0, "m/s", "m/min"), "laps": 2},
+        "feed": {"law": "planned", "feedrate": _written(feed, "m/min"), "laps": 2},
         **run,
     }

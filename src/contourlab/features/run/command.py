@@ -88,10 +88,10 @@ def run_scenario(
     Parameters
     ----------
     file : str or Path
-        ``.toml``: a scenario; anything else is a part program.
+        ``.toml``: a scenario; a folder: its ``scenario.toml``; anything else is a part program.
     options : RunOptions
     machine, controller : str or Path, optional
-        Files, or names of shipped ones; a part program needs both.
+        Files, or names of shipped ones; a part program needs both. The folder of a machine stands for its two files.
     tolerance : str, optional
         Largest part error of a part program that passes, as ``"25 um"``.
     judge : str, optional
@@ -104,6 +104,10 @@ def run_scenario(
     from contourlab.scenario import BUILTIN
 
     path, keys = Path(file), program or {}
+    path = path / "scenario.toml" if path.is_dir() else path
+    if machine is not None and Path(machine).is_dir():
+        folder = Path(machine)
+        machine, controller = folder / "machine.toml", folder / "controller.toml" if controller is None else controller
     parts: dict[str, Any] = {"--machine": machine, "--controller": controller, "--tolerance": tolerance}
     parts |= {_option(name, value): value for name, value in keys.items()}
     shipped = str(file).startswith(BUILTIN) and path.suffix != ".ngc"

@@ -21,7 +21,7 @@ from contourlab.errors import ComponentError, ResultError
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.features.learn.foretold import learning_findings
 from contourlab.features.run.trust.interval import contour_interval
-from contourlab.features.run.trust.provenance import trust_of
+from contourlab.features.run.trust.provenance import numbers_of, trust_of
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.feed.binding import NEAR_FEED
@@ -174,8 +174,10 @@ def run_case(
     )  # fmt: skip
     sampled = None
     if interval is not False:
-        begin(f"drawing machines from the deviations, {case.name}")
+        if any(number.drawn for number in numbers_of(machine, controller)):
+            begin(f"drawing machines from the deviations, {case.name}")
         sampled = contour_interval(machine, controller, reference, tolerance=case.tolerance, progress=progress, **given)  # type: ignore[arg-type]
+    begin(f"checking limits and margins of {case.name}")
     return Outcome(
         name=case.name,
         case=case,

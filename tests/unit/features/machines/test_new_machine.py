@@ -1,0 +1,194 @@
+"""The wizard: answers in other words, plausible ranges, guesses with ranges, questions on a terminal."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+
+import pytest
+
+from contourlab.errors import OutputError, ScenarioError
+from contourlab.features.machines.answers import BLANK, PRESETS, answers_text, interview, preset_file, read_answers
+from contourlab.features.machines.new_machine import new_machine, write_machine
+from contourlab.scenario import load_machine
+from contourlab.units import to_si
+
+ROUTER = """
+name = "Router 3ax"
+axes = ["x", "y", "z"]
+servo_period = "1 ms"
+[x]
+rated_torque = "1.27 N*m"
+peak_torque = "3.8 N*m"
+torque_constant = "0.47 N*m/A"
+rotor_inertia = "0.3 kg*cm^2"
+screw_inertia = "0.3 kg*cm^2"
+lead = "16 mm"
+moved_mass = "40 kg"
+encoder_resolution = "1.6 um"
+velocity = "0.25 m/s"
+acceleration = "3 m/s^2"
+jerk = "40 m/s^3"
+kv = "30 1/s"
+[y]
+same_as = "x"
+moved_mass = "60 kg"
+[z]
+same_as = "x"
+moved_mass = "5 kg"
+mounted_on = "y"
+"""
+TYPED = [
+    *("x y z", "", "z on y", "", "1.27 Nm", "0.47 Nm/A", "0.3 kg cm²", "16", "40", "2500 x 4", "15", "3", "", "30"),
+    *("", "60", "", "5", ""),
+]
+"""Typed answers for the same machine: an empty line takes the default."""
+
+
+def answers(text: str = ROUTER) -> dict[str, str]:
+    tables = tomllib.loads(text)
+    flat = {key: value if isinstance(value, str) else ", ".join(value) for key, value in tables.items() if not isinstance(value, dict)}
+    return flat | {f"{axis}.{key}": value for axis in "xyz" for key, value in tables.get(axis, {}).items()}
+
+
+def asked_with(typed):
+    """Return the answers of an interview, the keys asked and the remarks."""
+    lines, keys, remarks = iter(typed), [], []
+
+    def ask(question):
+        keys.append(question.key)
+        return next(lines)
+
+    return interview(ask, remarks.append, new_machine), keys, remarks
+
+
+@pytest.mark.parametrize(
+    ("words", "metres"),
+    [
+        ("1.6 um", 1.6e-6), ("1.6", 1.6e-6), ("2500 x 4", 1.6e-6), ("2500 lines x 4", 1.6e-6), ("2500 lines/rev x 4", 1.6e-6),
+        ("10000 counts per revolution", 1.6e-6), ("17 bit", 0.016 / 2**17), ("0.1 µm", 1e-7),
+    ],
+)  # fmt: skip
+def test_an_encoder_in_several_words(words, metres):
+    axis = new_machine(answers() | {"x.encoder_resolution": words}).axes[0]
+    assert axis.encoder_resolution == pytest.approx(metres, rel=1e-12)
+
+
+def test_a_grating_is_interpolated():
+    stage = read_answers(preset_file("stage"))
+    assert new_machine(stage).axes[0].encoder_resolution == pytest.approx(50e-9)
+    with pytest.raises(ScenarioError) as refused:
+        new_machine(stage | {"x.encoder_resolution": "2500 x 4"})
+    assert refused.value.key == "x.encoder_resolution"
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("x.encoder_resolution", "2.5 mm"), ("x.lead", "1 parsec"), ("x.lead", "16 m"), ("x.unbalanced_mass", "40 kg"),
+        ("x.moved_mass", "-40 kg"), ("x.moved_mass", "nan kg"), ("x.moved_mass", "40 mm"), ("x.peak_torque", "1 Nm"), ("x.kv", "1500 1/s"),
+        ("x.kv", "30 Hz"), ("x.bandwidth", "1 kHz"), ("x.acceleration", "60 m/s^2"), ("z.unbalanced_mass", "6 kg"), ("x.drive", "steam"),
+        ("x.rated_force", "20 N"), ("x.led", "16 mm"), ("led", "16 mm"), ("w.lead", "16 mm"), ("y.same_as", "x except led"),
+        ("x.same_as", "y"), ("z.mounted_on", "z"), ("z.mounted_on", "w"), ("axes", "x, X"), ("mounting", "y under z"),
+        ("servo_period", "1 s"), ("y.same_as", "y"), ("mounting", "y on z"), ("tolerance", "3 kg"), ("x.rated_torque", ""),
+    ],
+)  # fmt: skip
+def test_an_answer_that_no_machine_has_is_refused_by_its_key(key, value):
+    with pytest.raises(ScenarioError) as refused:
+        new_machine(answers() | {key: value})
+    assert refused.value.key in (key, "y.same_as", "z.mounted_on")
+    assert "\n" not in refused.value.message
+
+
+def test_an_implausible_answer_is_named_with_its_range():
+    with pytest.raises(ScenarioError) as refused:
+        new_machine(answers() | {"x.encoder_resolution": "2.5 mm"})
+    assert all(word in refused.value.message for word in ("2.5 mm", "1e-05", "100 um"))
+
+
+def test_an_unknown_key_gets_the_nearest_and_all():
+    with pytest.raises(ScenarioError) as refused:
+        new_machine(answers() | {"x.led": "16 mm"})
+    assert "'lead'" in refused.value.message
+    assert "torque_constant" in refused.value.message
+
+
+def test_only_one_axis_hangs():
+    hanging = answers(ROUTER.replace('mounted_on = "y"', "")) | {"y.unbalanced_mass": "20 kg", "z.unbalanced_mass": "2 kg"}
+    with pytest.raises(ScenarioError) as refused:
+        new_machine(hanging)
+    assert refused.value.key == "z.unbalanced_mass"
+
+
+def test_every_guess_that_is_simulated_has_a_range(tmp_path):
+    left_out = {"x.peak_torque", "x.screw_inertia", "x.lead", "x.encoder_resolution"}
+    few = {key: text for key, text in answers().items() if key not in left_out}
+    write_machine(new_machine(few), tmp_path)
+    for axis in load_machine(tmp_path / "machine.toml").axes:
+        parts = (axis.plant, axis.friction, axis.drive, axis.sensor)
+        guesses = [name for part in parts for name, origin in part.origins.items() if origin.source == "assumed"]
+        assert {"damping", "coulomb", "breakaway", "efficiency", "inertia", "lead", "limit", "resolution"} <= set(guesses)
+        assert all(origin.span for part in parts for origin in part.origins.values() if origin.source == "assumed")
+
+
+def test_a_repeated_axis_repeats_all_but_its_place():
+    x, y, z = new_machine(answers() | {"z.unbalanced_mass": "5 kg"}).axes
+    place = {"moved_mass", "stage_mass", "unbalanced_mass", "mounted_on"}
+    same = {key: value for key, value in x.values.items() if key not in place}
+    assert {key: value for key, value in z.values.items() if key not in place} == same
+    assert (x.weight, y.weight, z.weight) == (0.0, 0.0, 49.05)
+    assert (x.carried, y.carried, z.carried) == (0.0, 5.0, 0.0)
+
+
+def test_a_router_takes_at_most_twenty_answers():
+    given, keys, remarks = asked_with(TYPED)
+    assert len(keys) == len(TYPED) <= 20
+    assert not remarks
+    by_file, by_hand = new_machine(answers()), new_machine(given)
+    assert [axis.mass for axis in by_hand.axes] == [axis.mass for axis in by_file.axes]
+    assert by_hand.files()["controller.toml"] == by_file.files()["controller.toml"].replace("Router 3ax", "My machine")
+
+
+def test_back_returns_to_the_question_before():
+    corrected = [*TYPED[:4], "12.7 Nm", "back", *TYPED[4:]]
+    assert asked_with(corrected)[0] == asked_with(TYPED)[0]
+    assert asked_with(["back", *TYPED])[0] == asked_with(TYPED)[0]
+
+
+def test_what_does_not_fit_together_is_asked_again():
+    fast = [*TYPED[:11], "20", *TYPED[12:]]  # 20 m/s^2 are too much for y, which repeats x
+    given, keys, remarks = asked_with([*fast, "3"])
+    assert [error.key for error in remarks] == ["y.acceleration"]
+    assert keys[-1] == "y.acceleration"
+    assert [axis.acceleration for axis in new_machine(given).axes] == [20.0, 3.0, 20.0]
+
+
+def test_saved_answers_make_the_same_machine(tmp_path):
+    for name in PRESETS:
+        made = new_machine(read_answers(preset_file(name)))
+        write_machine(made, tmp_path / name)
+        again = new_machine(read_answers(tmp_path / name / "answers.toml"))
+        assert again.files() == made.files()
+
+
+def test_a_template_misses_only_what_has_no_default(tmp_path):
+    file = tmp_path / "answers.toml"
+    file.write_text(answers_text(BLANK), encoding="utf-8")
+    empty = [key for key, text in read_answers(file).items() if not text]
+    motor = ("rated_torque", "torque_constant", "rotor_inertia")
+    assert empty == [*(f"x.{key}" for key in motor), *(f"{axis}.moved_mass" for axis in "xyz")]
+    filled = {**read_answers(file), **dict.fromkeys(empty, "1"), "x.torque_constant": "0.5"}
+    assert new_machine(filled).axes[2].moved_mass == 1.0
+
+
+def test_units_of_the_gains():
+    x = new_machine(answers() | {"x.kv": "1.8 (m/min)/mm", "x.bandwidth": "40 Hz"}).axes[0]
+    assert x.kv == pytest.approx(30.0)
+    assert x.bandwidth_rate == pytest.approx(80.0 * math.pi, rel=2e-4)
+    gains = tomllib.loads(new_machine(answers()).files()["controller.toml"])["controller"]["axes"]["x"]["controller"]["gains"]
+    assert to_si(gains["bandwidth"], "rad/s") == pytest.approx(250.0)
+
+
+def test_a_folder_is_no_toml_file(tmp_path):
+    with pytest.raises(OutputError):
+        write_machine(new_machine(answers()), tmp_path / "mill.toml")
