@@ -146,7 +146,7 @@ def _gains(axis: SizedAxis) -> str:
 def _about(axis: SizedAxis) -> list[str]:
     rotating = "" if axis.linear else f", rotating parts {axis.reflected:.4g} kg ({axis.reflected / axis.mass:.0%})"
     carried = f", {axis.carried:.4g} kg carried" if axis.carried else ""
-    rated, margins = axis.force(axis.rated), axis.margins()
+    rated, margins, model = axis.force(axis.rated), axis.margins(), axis.plant.loaded(axis.carried).rigid_model()
     lines = [
         f"axis {axis.name}: {axis.mass:.4g} kg in total: {axis.moved_mass:.4g} kg moved{carried}{rotating}",
         f"  force {rated:.4g} N rated, {axis.peak:.4g} N peak; {axis.wanted_force:.4g} N needed at its limits",
@@ -154,6 +154,7 @@ def _about(axis: SizedAxis) -> list[str]:
     loss = {"friction": f"friction {axis.friction:.4g} N", "damping": f"damping {axis.damping:.4g} N*s/m"}
     guessed = [text for key, text in loss.items() if key in axis.guesses]
     lines += [f"  guessed {' and '.join(guessed)}: measure them"] if guessed else []
+    lines.append(f"  model {model[0]:.4g} m/s^2/A, {model[1]:.4g} 1/s")
     lines.append(f"  {_gains(axis)}: margins {20.0 * math.log10(margins.gain):.3g} dB, {math.degrees(margins.phase):.3g} deg")
     if margins.gain < ENOUGH[0] or margins.phase < ENOUGH[1]:
         lines.append("  that is less than 6 dB and 30 deg: lower bandwidth or Kv, or leave them to the proposal")
