@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 
+from contourlab.analysis.linear.margins import Margins
 from contourlab.components.compensation.backlash_inverse import BacklashInverse
 from contourlab.components.compensation.backlash_offset import BacklashOffset
 from contourlab.components.controller.cascade import Cascade
@@ -18,7 +19,7 @@ from contourlab.components.observer.disturbance_observer import DisturbanceObser
 from contourlab.components.plant.plant import SingleMass
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.velocity.filtered_difference import FilteredDifference
-from contourlab.design.guards import Bounds
+from contourlab.design.guards import Bounds, Guards
 from contourlab.design.placement import designed, fastest_speed, model_of
 from contourlab.errors import ContourlabError
 from contourlab.loop import Axis, AxisController, Controller, Machine
@@ -52,7 +53,15 @@ def remedies(machine: Machine, controller: Controller) -> list[tuple[str, Contro
     if controller.coupling is None and len(machine.axes) > 1:
         coupled = replace(controller, estimator=Newton(), coupling=ModifiedReference())
         changes.append(("coupling the axes by a modified reference", coupled))
-    return [(name, changed) for name, changed in changes if changed != controller]
+    kept = Guards([(machine, controller)]).exact({})
+    return [(name, changed) for name, changed in changes if changed != controller and _keeps_margins(machine, changed, kept)]
+
+
+def _keeps_margins(machine: Machine, changed: Controller, before: Mapping[str, Margins]) -> bool:
+    """Tell whether each axis has 6 dB and 30 degrees, or at least the margins it had; an axis without a linear model counts as good."""
+    bounds = Bounds()
+    after = Guards([(machine, changed)]).exact({})
+    return all(bounds.missing(margins) <= (bounds.missing(before[axis]) if axis in before else 0.0) for axis, margins in after.items())
 
 
 def _faster(factor: float, machine: Machine, name: str, part: AxisController) -> AxisController:
