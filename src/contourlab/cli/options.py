@@ -38,7 +38,7 @@ WithInterval: TypeAlias = Annotated[
     bool | None,
     typer.Option(
         "--interval/--no-interval",
-        help="Compute an uncertainty interval of the contour error from the stated deviations, as by default.",
+        help="Compute an uncertainty interval of the part error from the stated deviations, as by default.",
         show_default=False,
     ),
 ]

@@ -54,7 +54,7 @@ class SchemeReport:
     gaps : mapping of str to (ndarray (n,), ndarray (n,)) [m]
         Load positions and the free travel there, for each axis with motor and load.
     trust : Trust or None
-        Sources of the parameters, and the interval of the contour error.
+        Sources of the parameters, and the interval of the part error.
     findings : sequence of Finding
     """
 

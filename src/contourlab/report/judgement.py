@@ -1,4 +1,4 @@
-"""The verdict on a run, and how far to trust its figures: sources of the numbers, interval of the contour error."""
+"""The verdict on a run, and how far to trust its figures: sources of the numbers, interval of the part error."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ class Spread:
 
 @dataclass(frozen=True)
 class Rank:
-    """Rank correlation of a sampled number with rms and maximum of the contour error, over the samples that did not fail."""
+    """Rank correlation of a sampled number with rms and maximum of the part error, over the samples that did not fail."""
 
     name: str
     rms: float
@@ -96,7 +96,7 @@ class Rank:
 
 @dataclass(frozen=True, eq=False)
 class Interval:
-    """Contour error of machines sampled from the stated deviations.
+    """Part error of machines sampled from the stated deviations.
 
     Attributes
     ----------
@@ -106,7 +106,7 @@ class Interval:
     failed : int
         Samples that left a following-error limit or produced a non-finite command.
     beyond_tolerance : int or None
-        Samples that failed or whose largest contour error exceeds the tolerance; None without one.
+        Samples that failed or whose largest part error exceeds the tolerance; None without one.
     ranks : tuple of Rank
         Strongest first.
     noticeable : float

@@ -52,7 +52,7 @@ class RunOptions:
     progress : bool
         Whether to show a bar.
     interval : bool or None
-        Whether to compute the interval of the contour error from the stated deviations; None, for no option given, computes it.
+        Whether to compute the interval of the part error from the stated deviations; None, for no option given, computes it.
     """
 
     out: Path

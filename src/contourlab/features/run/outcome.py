@@ -20,7 +20,7 @@ from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.features.learn.foretold import learning_findings
-from contourlab.features.run.trust.interval import contour_interval
+from contourlab.features.run.trust.interval import part_interval
 from contourlab.features.run.trust.provenance import numbers_of, trust_of
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
@@ -131,7 +131,7 @@ def run_case(
     foretell : bool
         Whether to analyse learning and coupling beforehand.
     interval : bool or None
-        Whether to draw machines from the stated deviations, for the interval of the contour error; None does too.
+        Whether to draw machines from the stated deviations, for the interval of the part error; None does too.
 
     Raises
     ------
@@ -176,7 +176,7 @@ def run_case(
     if interval is not False:
         if any(number.drawn for number in numbers_of(machine, controller)):
             begin(f"drawing machines from the deviations, {case.name}")
-        sampled = contour_interval(machine, controller, reference, tolerance=case.tolerance, progress=progress, **given)  # type: ignore[arg-type]
+        sampled = part_interval(machine, controller, reference, tolerance=case.tolerance, progress=progress, **given)  # type: ignore[arg-type]
     begin(f"checking limits and margins of {case.name}")
     return Outcome(
         name=case.name,

@@ -161,7 +161,7 @@ class SchemeSummary:
     tick : float or None [s]
         Time that one servo tick takes to compute, under `compare`.
     trust : Trust or None
-        Sources of the numbers, and the interval of the contour error, where asked for.
+        Sources of the numbers, and the interval of the part error, where asked for.
     """
 
     machine: str

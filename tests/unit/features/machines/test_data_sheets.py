@@ -11,6 +11,7 @@ import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.features.machines.answers import read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
+from contourlab.features.tune.study import tune
 from contourlab.scenario import Case, load_controller, load_machine, scenario_from_parts
 
 SHEETS = sorted((Path(__file__).parents[3] / "data_sheets").glob("*.toml"))
@@ -52,9 +53,20 @@ def test_the_files_keep_6_db_and_30_degrees(folder):
         assert math.degrees(margins.phase) >= 30.0
 
 
-def test_a_circle_and_a_part_run(folder, tmp_path):
+@pytest.fixture(params=["circle", "part"])
+def case(request, folder, tmp_path):
     (tmp_path / "part.ngc").write_text(PART, encoding="utf-8")
-    files = {"machine": folder / "machine.toml", "controller": folder / "controller.toml"}
-    for motion in ({"program": None, **ROUND}, {"program": tmp_path / "part.ngc"}):
-        # The least stiff of them, a rack at 2 ms, keeps 60 um.
-        assert largest_error(scenario_from_parts(**files, **motion).cases()[0]) < 100e-6
+    motion = {"program": None, **ROUND} if request.param == "circle" else {"program": tmp_path / "part.ngc"}
+    return scenario_from_parts(machine=folder / "machine.toml", controller=folder / "controller.toml", **motion).base
+
+
+def test_a_circle_and_a_part_run(case):
+    # The least stiff of them, a rack at 2 ms, keeps 60 um.
+    assert largest_error(case) < 100e-6
+
+
+@pytest.mark.slow
+def test_tuning_finds_at_most_a_factor_of_one_and_a_half(case):
+    tuned = tune(case.machine, case.controller, case.reference())
+    before, after = (one.figures["part_error_max"] for one in (tuned.before, tuned.after))
+    assert before <= 1.5 * after

@@ -1,4 +1,4 @@
-"""The interval of contour error that the stated deviations of the machine's numbers imply.
+"""The interval of part error that the stated deviations of the machine's numbers imply.
 
 64 machines are drawn from the deviations, run in lanes and judged there. The points are a scrambled Sobol sequence that depends on the seed
 only: the figures are the same for any number of threads.
@@ -23,10 +23,10 @@ SAMPLES = 64
 """Machines that are drawn: two groups of 32 lanes."""
 LEVELS = (0.05, 0.95)
 """Shares of the samples below the ends of an interval."""
-FIGURES = {"rms": "contour_error_rms", "max": "contour_error_max"}
+FIGURES = {"rms": "part_error_rms", "max": "part_error_max"}
 
 
-def contour_interval(
+def part_interval(
     machine: Machine,
     controller: Controller,
     reference: Reference,
@@ -40,7 +40,7 @@ def contour_interval(
     n: int = SAMPLES,
     progress: Callable[[int, int], None] | None = None,
 ) -> Interval:
-    """Return the interval of the contour error that the stated deviations imply.
+    """Return the interval of the part error that the stated deviations imply.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def contour_interval(
     seed : int
         Of the run: all samples see its noise, and the points depend on it.
     tolerance : float [m], optional
-        Limit for the largest contour error.
+        Limit for the largest part error.
     moving : bool
         As in `contourlab.loop.simulate_batch`.
     changes : sequence
@@ -69,7 +69,7 @@ def contour_interval(
 
     Notes
     -----
-    The contour error is that of the true axis positions, without the machine's error map.
+    The part error is that of the true axis positions, without the machine's error map.
     """
     simulated = [number for number in numbers_of(machine, controller) if number.simulated]
     uncertain = [number for number in simulated if number.drawn]
@@ -84,7 +84,7 @@ def contour_interval(
         if progress is not None:
             progress(done, reference.n_sample)
 
-    given = {"seed": seed, "threads": threads, "moving": moving, "learned": learned}
+    given = {"seed": seed, "threads": threads, "moving": moving, "learned": learned, "part": True}
     try:
         batch = simulate_batch(machine, controller, reference, columns, progress=report_progress, **given)  # type: ignore[arg-type]
     except ContourlabError as error:

@@ -12,7 +12,7 @@ from contourlab.report.judgement import Interval, Number, Trust
 
 
 def trust_of(machine: Machine, controller: Controller, interval: Interval | None = None) -> Trust:
-    """Return the sources of the numbers, with the interval of the contour error where one was asked for."""
+    """Return the sources of the numbers, with the interval of the part error where one was asked for."""
     numbers = numbers_of(machine, controller)
     return Trust(stated(numbers), tuple(number.name for number in numbers if not number.is_stated), interval)
 
