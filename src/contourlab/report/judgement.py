@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from contourlab.arrays import Array
 from contourlab.findings import Finding
+from contourlab.loop import Controller
 from contourlab.units import from_si
 
 NOT_STATED = "not stated"
@@ -190,6 +191,8 @@ class Verdict:
         Longest piece of the path that the tool skips, if it is too long to pass; else 0.
     findings : tuple of Finding
         Skipped path, causes that could not be separated, the best changes.
+    proposed : Controller or None
+        With the best changes; None if they leave the controller as it is.
     """
 
     passed: bool
@@ -198,3 +201,4 @@ class Verdict:
     causes: tuple[Cause, ...] = ()
     left_out: float = 0.0
     findings: tuple[Finding, ...] = field(default=(), metadata={"json": False})
+    proposed: Controller | None = field(default=None, metadata={"json": False})

@@ -7,7 +7,7 @@ from typing import Any
 
 from contourlab.components.origin import Origin
 from contourlab.features.machines.questions import AXIS
-from contourlab.features.machines.sizing import FILTER_RATIO, SizedAxis, rounded
+from contourlab.features.machines.sizing import DAMPING, FILTER_RATIO, SizedAxis, rounded
 from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted
 from contourlab.units import from_si, show
@@ -102,6 +102,7 @@ def controller_tables(axes: Sequence[SizedAxis]) -> dict[str, Any]:
         rate = axis.bandwidth_rate
         gains = {
             "bandwidth": Noted(_written(rate, "rad/s"), show(axis.bandwidth, "Hz", 4)),
+            "damping": DAMPING,
             "position_gain": Noted(_written(axis.kv, "1/s"), f"Kv, {show(axis.kv, '(m/min)/mm', 4)}"),
         }
         return {

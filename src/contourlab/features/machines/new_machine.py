@@ -16,7 +16,7 @@ from contourlab.features.machines.answers import answers_text, axis_names, check
 from contourlab.features.machines.command import refuse_existing
 from contourlab.features.machines.machine_files import axis_tables, controller_tables, machine_tables, scenario_tables
 from contourlab.features.machines.questions import fault
-from contourlab.features.machines.sizing import FASTEST, SizedAxis
+from contourlab.features.machines.sizing import FASTEST, KV_RATIO, SizedAxis
 from contourlab.result import write_text_atomic
 from contourlab.scenario.toml_text import toml
 from contourlab.units import show
@@ -124,7 +124,7 @@ def _check(axis: SizedAxis, names: Sequence[str]) -> None:
         raise fault(f"{axis.name}.bandwidth", f"{show(axis.bandwidth, 'Hz', 4)} is too low for the damping of the axis: {error}") from error
     if not stable:
         fast = "bandwidth" if axis.bandwidth_rate * axis.period > FASTEST else "kv"
-        most = f"{show(FASTEST / axis.period / (2.0 * math.pi), 'Hz', 3)} and a Kv of a fifth of it"
+        most = f"{show(FASTEST / axis.period / (2.0 * math.pi), 'Hz', 3)} and a Kv of {show(KV_RATIO * FASTEST / axis.period, '1/s', 3)}"
         raise fault(f"{axis.name}.{fast}", f"the loop is unstable with {_gains(axis)}: at {axis.period * 1e3:g} ms the proposal is {most}")
 
 

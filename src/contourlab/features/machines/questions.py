@@ -140,7 +140,9 @@ AXIS = (
         "bandwidth", "Bandwidth of the velocity loop (its natural frequency)", "Hz", 0.5, 2000.0,
         lambda axis: FASTEST / axis.period / (2.0 * math.pi), "the fastest that keeps 6 dB and 30 degrees at the servo period",
     ),
-    Question("kv", "Kv, the gain of the position loop", "1/s", 0.5, 2000.0, lambda axis: KV_RATIO * axis.bandwidth_rate, "a fifth of it"),
+    Question(
+        "kv", "Kv, the gain of the position loop", "1/s", 0.5, 2000.0, lambda axis: KV_RATIO * axis.bandwidth_rate, "0.35 of it in rad/s",
+    ),
     Question("mounted_on", "Axis below it", default="", rule="the bed", asked=False),
     Question("stage_mass", "Mass of the whole module, carried by the axis below", "kg", 0.01, 50000.0, lambda axis: axis.moved_mass,
              "the moved mass", asked=False),

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
     from contourlab.analysis.linear.margins import Margins
 
 GRAVITY = 9.81
-FASTEST = 0.25
-"""Proposed bandwidth times servo period: a rigid axis then keeps 9.6 dB and 32 degrees."""
-FILTER_RATIO, KV_RATIO = 10.0, 0.2
+FASTEST, DAMPING = 0.22, 1.1
+"""Proposed bandwidth times servo period, and damping ratio of the velocity loop."""
+FILTER_RATIO, KV_RATIO = 10.0, 0.35
 """Velocity filter and proposed Kv, over the bandwidth."""
 
 
@@ -140,7 +140,7 @@ class SizedAxis:
         from contourlab.loop import Axis, AxisController
 
         gain, decay = self.plant.loaded(self.carried).rigid_model()
-        gains: dict[str, Any] = Cascade.tune(self.bandwidth_rate, 1.0, gain, decay, self.kv)
+        gains: dict[str, Any] = Cascade.tune(self.bandwidth_rate, DAMPING, gain, decay, self.kv)
         velocity = FilteredDifference(bandwidth=FILTER_RATIO * self.bandwidth_rate)
         controller = AxisController(controller=Cascade(**gains), velocity=velocity)
         return sampled_loop(Axis(self.name, self.plant), controller, self.period, self.carried).margins()

@@ -205,7 +205,7 @@ def _checked(scenario: Scenario) -> RunOutcome:
 
 
 def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs: bool = False, foretell: bool = False) -> RunOutcome:
-    """Run every scheme of a scenario; write signals, summary.json, report.html and plots into a folder.
+    """Run every scheme of a scenario; write signals, summary.json, report.html, plots and proposed controllers into a folder.
 
     A scheme that diverges is named in the summary; the others run on. `costs` times the servo tick, `foretell` analyses learning
     beforehand.
@@ -223,6 +223,8 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
     names = file_names([case.name for case in cases])
     outputs = ["summary.json", "report.html", *(f"signals/{name}.nc" for name in names.values())]
     outputs += [f"learned/{names[case.name]}.nc" for case in cases if case.learning is not None]
+    from contourlab.scenario.dump import dump
+
     with staged(out, *outputs, inputs=scenario.inputs) as folder:
         outcomes: list[Outcome] = []
         diverged: dict[str, DivergenceError] = {}
@@ -243,6 +245,9 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
                 _write_signals(outcome, folder / "signals" / f"{names[outcome.name]}.nc", signals or outcome.case.signals)
                 if outcome.learning is not None:
                     outcome.learning.table.save(folder / "learned" / f"{names[outcome.name]}.nc")
+                if outcome.verdict is not None and outcome.verdict.proposed is not None:
+                    text = dump(outcome.verdict.proposed, outcome.case.machine)
+                    write_text_atomic(folder / "proposed" / f"{names[outcome.name]}.toml", text)
                 if outcome.switches is not None:
                     with switch_file(folder / "switches" / f"{names[outcome.name]}.csv") as listed:
                         listed.append(outcome.switches)
@@ -250,11 +255,14 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
             write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
             stages.begin("writing the report")
             text = _write_report(scenario, outcomes, folder, command, options.plots)
+            proposed = [name for name in names if (folder / "proposed" / f"{names[name]}.toml").exists()]
+            files = {f"{name}, changed controller": f"proposed/{names[name]}.toml" for name in proposed} | {"report": "report.html"}
     if any(_interrupted(outcome) for outcome in outcomes):
         stopped = KeyboardInterrupt()
         stopped.add_note(f"Kept what was learned so far: {out / 'report.html'}, {out / 'learned'}")
         raise stopped
-    return RunOutcome(summary["passed"] is not False, summary, f"{text}\n\nreport: {out / 'report.html'}", first)
+    written = "\n".join(f"{what}: {out / file}" for what, file in files.items())
+    return RunOutcome(summary["passed"] is not False, summary, f"{text}\n\n{written}", first)
 
 
 def _interrupted(outcome: Outcome) -> bool:

@@ -186,7 +186,7 @@ def test_units_of_the_gains():
     assert x.kv == pytest.approx(30.0)
     assert x.bandwidth_rate == pytest.approx(80.0 * math.pi, rel=2e-4)
     gains = tomllib.loads(new_machine(answers()).files()["controller.toml"])["controller"]["axes"]["x"]["controller"]["gains"]
-    assert to_si(gains["bandwidth"], "rad/s") == pytest.approx(250.0)
+    assert to_si(gains["bandwidth"], "rad/s") == pytest.approx(220.0)
 
 
 def test_a_folder_is_no_toml_file(tmp_path):
