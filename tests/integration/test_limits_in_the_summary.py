@@ -39,7 +39,8 @@ def test_the_peaks_of_a_line_and_half_a_circle(part: Finished) -> None:
     assert (acceleration["line"], jerk["line"]) == (line, line)
     # The line is tangent to the arc: only the centripetal acceleration, along y, jumps.
     assert (step["axis"], step["limit"]) == ("y", ACCELERATION)
-    assert step["value"] == pytest.approx(FEED**2 / RADIUS, rel=1e-3)
+    assert step["value"] == pytest.approx(FEED**2 / RADIUS, rel=1e-6)
+    assert step["ratio"] == pytest.approx(FEED**2 / RADIUS / ACCELERATION, rel=1e-6)
     # Five millimetres, and half a rise of 2 sqrt(v / J), during which the mean speed is half of the feed.
     assert step["time"] == pytest.approx(5e-3 / FEED + (FEED / JERK) ** 0.5, abs=1e-3)
     assert found["kink"] is None

@@ -29,7 +29,7 @@ class Worst:
     axis : int
     value, limit : float [m/s, m/s^2 or m/s^3]
     allowance : float
-        Part of `value` due to rounded positions; for a curvature step also the part due to the permitted jerk.
+        Part of `value` due to rounded positions.
     sample : int
         -1 if no sample counts.
     time : float [s]
@@ -53,6 +53,20 @@ class Worst:
         return max(self.value - self.allowance, 0.0) / self.limit
 
 
+class CurvatureSteps(NamedTuple):
+    """Steps of acceleration where the curvature jumps, in order of time.
+
+    Attributes
+    ----------
+    sample : ndarray (n,) of int
+        The last sample before each step.
+    size : ndarray (n, n_axis) [m/s^2]
+    """
+
+    sample: Index
+    size: Array
+
+
 @dataclass(frozen=True)
 class LimitReport:
     """The largest values, one `Worst` per axis.
@@ -67,8 +81,10 @@ class LimitReport:
     kink : tuple of Worst
         Steps of velocity [m/s] where the direction jumps by up to `contourlab.feed.junctions.MOST_KINK`, compared with the acceleration
         limit times `KINK_TIME`.
-    n_step, n_kink : int
-        Number of curvature steps and of kinks passed.
+    n_kink : int
+        Number of kinks passed.
+    steps : CurvatureSteps or None
+        All curvature steps passed; None stands for no steps.
     """
 
     velocity: tuple[Worst, ...]
@@ -76,12 +92,20 @@ class LimitReport:
     jerk: tuple[Worst, ...]
     curvature_step: tuple[Worst, ...]
     kink: tuple[Worst, ...]
-    n_step: int = 0
     n_kink: int = 0
+    steps: CurvatureSteps | None = field(default=None, compare=False, repr=False)
 
     def ok(self, tolerance: float = 0.005) -> bool:
         """Return whether every limit holds within `tolerance`, a fraction of the limit >= 0."""
         return all(worst.ratio <= 1.0 + tolerance for worst in self.all())
+
+    def jerk_peaks(self, axis: int, servo_period: float) -> CurvatureSteps:
+        """Return the curvature steps at which the jerk of an axis, over a servo period [s], exceeds its limit: `size` is (n,)."""
+        if self.steps is None:
+            return CurvatureSteps(np.zeros(0, dtype=np.int64), np.zeros(0))
+        sample, size = self.steps.sample, self.steps.size[:, axis]
+        kept = size > self.jerk[axis].limit * servo_period
+        return CurvatureSteps(sample[kept], size[kept])
 
     def all(self) -> tuple[Worst, ...]:
         """Return every entry: velocity, acceleration, jerk, curvature step, kink."""
@@ -100,6 +124,11 @@ class _Jumps(NamedTuple):
         laps = np.floor(arc_length / self.length)
         within = np.searchsorted(self.place, arc_length - laps * self.length, side="right")
         return np.asarray(within + laps * self.place.size, dtype=np.int64)
+
+    def first(self, before: Index, after: Index) -> Array:
+        """Return the arc length (m,) of the first jump between two different numbers of jumps passed (m,)."""
+        low = np.minimum(before, after)
+        return np.asarray(self.place[low % self.place.size] + low // self.place.size * self.length)
 
     def largest(self, before: Index, after: Index) -> Array:
         """Return the largest jumps (m, n_axis) between two different numbers of jumps passed (m,)."""
@@ -177,42 +206,44 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
     Notes
     -----
     Sample k labels the differences p[k+1] - p[k], p[k+1] - 2 p[k] + p[k-1] and p[k+2] - 3 p[k+1] + 3 p[k] - p[k-1].
-    A curvature step between k and k+1 is the second difference at k+2 less the one at k-1, the nearest that do not span it; its allowance
-    is three servo periods of permitted jerk. At a kink the velocity step of an axis is the direction jump times a speed: the lowest speed
-    at the samples around, less half a servo period of the largest acceleration limit. Recorded references know their progress only to about
-    a sample, so one more sample on each side is left out.
+    A curvature step between k and k+1 is the jump of the curvature times v^2; or, if that is more, the second difference at
+    k+2 less the one at k-1, the nearest that do not span it, less three servo periods of permitted jerk. At a kink the velocity step of an
+    axis is the direction jump times a speed: the lowest speed at the samples around, less half a servo period of the largest acceleration
+    limit. Recorded references know their progress only to about a sample, so one more sample on each side is left out, and the
+    speed at a curvature step is the lowest around.
     """
     limits = limits.for_axes(reference.n_axis)
     period, wide = reference.servo_period, 0 if reference.recorded is None else 1
     ends = reference.block(0, 1), reference.block(reference.n_sample - 1, reference.n_sample)
     extent = max(float(np.max(np.abs(end.position))) + float(end.arc_length[0]) for end in ends) + reference.path.length
     noise = 2.0 * np.finfo(float).eps * extent * np.ones(limits.n_axis)
-    with np.errstate(invalid="ignore"):
-        eased = np.where(np.isinf(limits.jerk), 0.0, limits.jerk * period * (3 + 2 * wide))
+    eased = limits.jerk * period * (3 + 2 * wide)
     step_limit = np.where(np.isinf(limits.jerk), np.inf, limits.acceleration)
     records = _Records(
         _Record(limits.velocity, noise / period),
         _Record(limits.acceleration, 2.0 * noise / period**2),
         _Record(limits.jerk, 4.0 * noise / period**3),
-        _Record(step_limit, eased + 4.0 * noise / period**2),
+        _Record(step_limit, 4.0 * noise / period**2),
         _Record(limits.acceleration * KINK_TIME, MOST_KINK * noise / period),
     )
     path, curvature, direction = reference.path, curvature_jump(reference.path), direction_jump(reference.path)
     angle = np.linalg.norm(direction, axis=1)
     bends = _jumps(path, curvature, np.any(curvature != 0.0, axis=1))
     kinks = _jumps(path, direction, (angle > 0.0) & (angle <= MOST_KINK))
-    n_step = n_kink = 0
+    n_kink, steps = 0, []
     for start in range(0, reference.n_sample, BLOCK):
-        counts = _check_block(reference, start, min(start + BLOCK, reference.n_sample), records, bends, kinks, wide)
-        n_step, n_kink = n_step + counts[0], n_kink + counts[1]
+        passed, kinked = _check_block(reference, start, min(start + BLOCK, reference.n_sample), records, bends, kinks, eased, wide)
+        n_kink += kinked
+        steps.append(passed)
     velocity, acceleration, jerk, step, kink = (record.located(reference) for record in records)
-    return LimitReport(velocity, acceleration, jerk, step, kink, n_step, n_kink)
+    samples, sizes = (np.concatenate(column) for column in zip(*steps, strict=True))
+    return LimitReport(velocity, acceleration, jerk, step, kink, n_kink, CurvatureSteps(samples, sizes))
 
 
 def _check_block(
-    reference: Reference, start: int, stop: int, records: _Records, bends: _Jumps, kinks: _Jumps, wide: int
-) -> tuple[int, int]:
-    """Add the samples [start, stop), and the neighbours they need, to the records; return the numbers of curvature steps and kinks."""
+    reference: Reference, start: int, stop: int, records: _Records, bends: _Jumps, kinks: _Jumps, eased: Array, wide: int
+) -> tuple[CurvatureSteps, int]:
+    """Add the samples [start, stop), and the neighbours they need, to the records; return the curvature steps and the number of kinks."""
     margin = 4 + wide
     low, high = max(start - margin, 0), min(stop + margin, reference.n_sample)
     block = reference.block(low, high)
@@ -220,8 +251,8 @@ def _check_block(
     velocity = np.diff(block.position, axis=0) / period  # row i: samples low + i and the next
     acceleration = np.diff(velocity, axis=0) / period  # row i: centred at low + i + 1
     jerk = np.diff(acceleration, axis=0) / period  # row i: from low + i to low + i + 3
-    index, n_kink = np.arange(low, high), kinks.passed(block.arc_length)
-    n_jump = n_kink + bends.passed(block.arc_length)
+    index, n_kink, n_bend = np.arange(low, high), kinks.passed(block.arc_length), bends.passed(block.arc_length)
+    n_jump = n_kink + n_bend
 
     def clear(passed: Index, order: int) -> Flags:
         """Return which differences of an order span no jump."""
@@ -233,18 +264,44 @@ def _check_block(
     records.acceleration.add(np.abs(acceleration[smooth]), index[1:-1][smooth])
     smooth = clear(n_jump, 3)
     records.jerk.add(np.abs(jerk[smooth]), index[1 : 1 + jerk.shape[0]][smooth])
+    around = np.linalg.norm(velocity, axis=1)
     # A step between rows i and i + 1 shows between the second differences centred at i + 2 + wide and i - 1 - wide.
     at = np.flatnonzero(np.diff(n_jump) != 0)
     at = at[(at - 2 - wide >= 0) & (at + 1 + wide < acceleration.shape[0])]
-    records.step.add(np.abs(acceleration[at + 1 + wide] - acceleration[at - 2 - wide]), index[at])
+    size = np.maximum(np.abs(acceleration[at + 1 + wide] - acceleration[at - 2 - wide]) - eased, 0.0)
+    bend = n_bend[at] != n_bend[at + 1]
+    row = at[bend]
+    size[bend] = np.maximum(size[bend], _turning(bends, n_bend, row, around, block.arc_length, wide))
+    records.step.add(size, index[at])
     # Row k spans a kink between the samples k and k + 1.
     turn = np.flatnonzero(np.diff(n_kink) != 0)
     turn = turn[(turn - 1 - wide >= 0) & (turn + 1 + wide < velocity.shape[0])]
     if turn.size:
-        around = np.linalg.norm(velocity, axis=1)
-        speed = np.min([around[turn + i] for i in range(-1 - wide, 2 + wide)], axis=0)
-        slowest = np.maximum(speed - 0.5 * period * float(np.max(records.acceleration.limit)), 0.0)
+        slowest = np.maximum(_lowest(around, turn, wide) - 0.5 * period * float(np.max(records.acceleration.limit)), 0.0)
         records.kink.add(kinks.largest(n_kink[turn], n_kink[turn + 1]) * slowest[:, None], index[turn])
-    at = at[np.diff(n_jump - n_kink)[at] != 0]
-    n_step, n_turn = (int(np.count_nonzero((index[some] >= start) & (index[some] < stop))) for some in (at, turn))
-    return n_step, n_turn
+    here = (index[row] >= start) & (index[row] < stop)
+    n_turn = int(np.count_nonzero((index[turn] >= start) & (index[turn] < stop)))
+    return CurvatureSteps(index[row[here]], size[bend][here]), n_turn
+
+
+def _lowest(around: Array, row: Index, wide: int) -> Array:
+    """Return the lowest speed between the samples around those of each row (m,)."""
+    return np.asarray(np.min([around[row + i] for i in range(-1 - wide, 2 + wide)], axis=0))
+
+
+def _turning(bends: _Jumps, passed: Index, row: Index, around: Array, arc_length: Array, wide: int) -> Array:
+    """Return the jump of the curvature times v^2 (m, n_axis) between the samples of each row (m,) and the next."""
+    before, after = passed[row], passed[row + 1]
+    speed = _speed_at(bends.first(before, after), row, around, arc_length, wide)
+    return bends.largest(before, after) * speed[:, None] ** 2
+
+
+def _speed_at(place: Array, row: Index, around: Array, arc_length: Array, wide: int) -> Array:
+    """Return the speed at places (m,) between the samples of each row (m,) and the next: the lowest of three linear estimates."""
+    if wide:
+        return _lowest(around, row, wide)
+    part = (place - arc_length[row]) / (arc_length[row + 1] - arc_length[row])
+    middle = around[row] + (part - 0.5) * 0.5 * (around[row + 1] - around[row - 1])
+    left = around[row - 1] + (0.5 + part) * (around[row - 1] - around[row - 2])
+    right = around[row + 1] - (1.5 - part) * (around[row + 2] - around[row + 1])
+    return np.maximum(np.minimum(middle, np.minimum(left, right)), 0.0)

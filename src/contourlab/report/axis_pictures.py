@@ -8,8 +8,9 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.figures import figure, number, shown_unit
-from contourlab.report.charts import Chart, Curve, Level, Panel
+from contourlab.report.charts import Chart, Curve, Level, Panel, Tick
 from contourlab.report.data import ReportData, SchemeReport
+from contourlab.report.error_pictures import MARKS
 from contourlab.report.run_data import AxisBounds, FeedRun
 from contourlab.report.samples import axis_column, keep_extremes, largest_magnitude, times
 from contourlab.report.style import LIMIT, REFERENCE, scheme_style
@@ -20,6 +21,8 @@ OFF_SCALE = 4.0
 """Peaks above this multiple of the limit are cut off, because they would flatten the rest."""
 FAR = 0.08
 """Curves below this share of the limit are drawn without it, because they would look flat."""
+STEP = "curvature step"
+"""Kind of the marks at steps of curvature."""
 DEEPEST = 120.0
 """Drawn range of magnitude [dB]; smaller values are rounding."""
 FEED_COLOURS = ("#8a949e", "#0072b2", "#009e73", "#d55e00", "#cc79a7", "#e69f00", "#56b4e9")
@@ -76,7 +79,7 @@ def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
     peaks = [text for panel in drawn if (text := _off_scale(panel))]
     bounded = ["Dashed lines are the limits."] if any(panel.levels for panel in drawn) else []
     planned = ["Acceleration and jerk are those of the reference."] if _reference_of(data, "reference_acceleration") is not None else []
-    caption = " ".join([*bounded, *planned, *peaks])
+    caption = " ".join([*bounded, *planned, *peaks, *_steps_of(drawn)])
     return Chart(f"axis-{axis}", f"Axis {name}", caption, drawn)
 
 
@@ -105,7 +108,9 @@ def _limited(panel: Panel, bounds: AxisBounds | None, name: str, axis: int, fact
     text = f"limit ±{number(limit, 6)} {unit}"
     top = max(largest_magnitude(curve.y) for curve in panel.curves)
     far = 0.0 < top < FAR * limit
-    edge = 1.25 * (top if far else limit if top > OFF_SCALE * limit else max(limit, top))
+    cut = top > OFF_SCALE * limit
+    text += f"; peaks of {number(top)} {unit} off scale" if cut else ""
+    edge = 1.25 * (top if far else limit if cut else max(limit, top))
     return replace(panel, levels=(Level(limit, text), Level(-limit, "")), y_range=(-edge, edge), far=far)
 
 
@@ -154,7 +159,28 @@ def _planned(data: ReportData, axis: int, points: int, name: str) -> Panel | Non
         values = np.diff(values) / float(source.servo_period)
     unit = "m/s^2" if name == "acceleration" else "m/s^3"
     curve = _curve(source, values, points, 1.0, ("reference", REFERENCE, "solid"))
-    return _limited(Panel("time [s]", f"{name} [{unit}]", (curve,)), _bounds(data), name, axis, 1.0, unit)
+    ticks = _curvature_steps(data, axis) if name == "jerk" else ()
+    return _limited(Panel("time [s]", f"{name} [{unit}]", (curve,), ticks=ticks), _bounds(data), name, axis, 1.0, unit)
+
+
+def _curvature_steps(data: ReportData, axis: int) -> tuple[Tick, ...]:
+    """Return marks at the curvature steps whose jerk over a servo period exceeds the limit; the largest ones if there are many."""
+    scheme = next(scheme for scheme in data.schemes if "reference_acceleration" in scheme.result)
+    if scheme.limits is None:
+        return ()
+    period, start = float(scheme.result.servo_period), int(scheme.result.start)
+    steps = scheme.limits.jerk_peaks(axis, period)
+    shown = [i for i in np.argsort(-steps.size)[:MARKS] if 0 <= steps.sample[i] - start < scheme.result.n_sample - 1]
+    return tuple(
+        Tick(float(steps.sample[i] * period), f"step of {figure(steps.size[i], 'm/s^2')}: {figure(steps.size[i] / period, 'm/s^3')}", STEP)
+        for i in sorted(shown, key=lambda i: int(steps.sample[i]))
+    )
+
+
+def _steps_of(panels: tuple[Panel, ...]) -> list[str]:
+    """Explain the marks of curvature steps, if any."""
+    marked = any(tick.kind == STEP for panel in panels for tick in panel.ticks)
+    return ["Triangles mark curvature steps; their jerk over a servo period exceeds the limit, see the table above."] if marked else []
 
 
 def _command(data: ReportData, axis: int, points: int) -> Panel | None:

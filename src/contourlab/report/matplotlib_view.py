@@ -155,7 +155,7 @@ def _decades(panel: Panel) -> float:
 def _ticks(place: Axes, panel: Panel) -> None:
     """Draw the marks along the foot of a panel."""
     transform = place.get_xaxis_transform()
-    for kind, symbol in (("reversal", "^"), ("corner", "D"), ("first zero", "o")):
+    for kind, symbol in (("reversal", "^"), ("corner", "D"), ("first zero", "o"), ("curvature step", "v")):
         x = [tick.x for tick in panel.ticks if tick.kind == kind]
         if x:
             style: dict[str, Any] = {"linestyle": "none", "marker": symbol, "markersize": 3.2, "color": MUTED}

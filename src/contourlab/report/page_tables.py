@@ -59,10 +59,11 @@ def _circle_table(name: str, runs: dict[tuple[str, str], dict[str, float]]) -> C
 
 @dataclass(frozen=True)
 class LimitTable:
-    """A planned motion: a row per kind of limit with worst axis, value, limit, share of it, time, line."""
+    """A planned motion: a row per kind of limit with worst axis, value, limit, share of it, time, line; and what the jerk leaves out."""
 
     title: str
     rows: tuple[tuple[str, tuple[str, ...]], ...]
+    note: str = ""
 
 
 def nearest(entries: Sequence[Worst]) -> Worst | None:
@@ -73,21 +74,39 @@ def nearest(entries: Sequence[Worst]) -> Worst | None:
 
 def limit_tables(data: ReportData) -> tuple[LimitTable, ...]:
     """Return a table for each motion planned within limits; schemes with equal figures share it."""
-    motions: list[tuple[LimitReport, list[str]]] = []
+    motions: list[tuple[LimitReport, float, list[str]]] = []
     for scheme in data.schemes:
         if scheme.limits is None:
             continue
-        names = next((names for report, names in motions if report == scheme.limits), None)
+        names = next((names for report, _, names in motions if report == scheme.limits), None)
         if names is None:
-            motions.append((scheme.limits, [scheme.name]))
+            motions.append((scheme.limits, float(scheme.result.servo_period), [scheme.name]))
         else:
             names.append(scheme.name)
-    return tuple(_limit_table(report, names if len(names) < len(data.schemes) else [], data.axes) for report, names in motions)
+    count = len(data.schemes)
+    return tuple(_limit_table(report, period, names if len(names) < count else [], data.axes) for report, period, names in motions)
 
 
-def _limit_table(report: LimitReport, names: Sequence[str], axes: Sequence[str]) -> LimitTable:
+def _limit_table(report: LimitReport, period: float, names: Sequence[str], axes: Sequence[str]) -> LimitTable:
     title = f"{LIMIT_TITLE}: {', '.join(names)}" if names else LIMIT_TITLE
-    return LimitTable(title, tuple((label, _limit_cells(nearest(getattr(report, kind)), unit, axes)) for label, kind, unit in LIMIT_ROWS))
+    note = _peaks_note(report, period)
+    rows = tuple((label, _limit_cells(nearest(getattr(report, kind)), unit, axes)) for label, kind, unit in LIMIT_ROWS)
+    names_shown = {"jerk": "jerk between curvature steps"} if note else {}
+    return LimitTable(title, tuple((names_shown.get(label, label), cells) for label, cells in rows), note)
+
+
+def _peaks_note(report: LimitReport, period: float) -> str:
+    """Describe the curvature steps that samples show as a jerk above the limit; empty without any."""
+    peaks = [report.jerk_peaks(axis, period) for axis in range(len(report.jerk))]
+    count = len({int(sample) for steps in peaks for sample in steps.sample})
+    if not count:
+        return ""
+    largest = max(float(steps.size.max(initial=0.0)) for steps in peaks)
+    return (
+        f"Curvature steps whose jerk exceeds the limit: {count}. The largest, {figure(largest, 'm/s^2')}, is a jerk of"
+        f" {figure(largest / period, 'm/s^3')} over one servo period of {figure(period, 'ms')}."
+        " Where the curvature jumps, no jerk limit can hold without a stop; curvature_step limits the step."
+    )
 
 
 def _limit_cells(worst: Worst | None, unit: str, axes: Sequence[str]) -> tuple[str, ...]:

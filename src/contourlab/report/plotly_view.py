@@ -90,7 +90,7 @@ def _line(curve: Curve | Magnified, **more: Any) -> Figure:
     return {"type": "scatter", "mode": "lines", "name": name, "line": style, "legendgroup": name, **more}
 
 
-TICKS = (("reversal", "triangle-up"), ("corner", "diamond"), ("first zero", "circle"))
+TICKS = (("reversal", "triangle-up"), ("corner", "diamond"), ("first zero", "circle"), ("curvature step", "triangle-down"))
 """Symbols of marks on the x axis."""
 
 

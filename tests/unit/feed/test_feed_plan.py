@@ -136,7 +136,7 @@ def test_tangent_joints_need_no_stop():
 def test_curvature_steps_are_limited_and_reported():
     route = route_of("slot")
     free = limit_report(plan(route, LIMITS, 1e-3), LIMITS)
-    assert free.n_step == 3
+    assert free.steps.sample.size == 3
     assert 0.5 < max(worst.value / worst.limit for worst in free.curvature_step) <= 1.05
     tight_plan = plan(route, LIMITS, 1e-3, curvature_step=0.1)
     tight = limit_report(tight_plan, LIMITS)

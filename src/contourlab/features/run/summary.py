@@ -100,7 +100,7 @@ class NearestLimit:
     value, limit : float [m/s, m/s^2 or m/s^3]
         The limit is null if there is none.
     ratio : float
-        Value over limit, without what rounding and, at a step of curvature, the permitted jerk explain; above 1 the limit is violated.
+        Value over limit, without what rounding explains; above 1 the limit is violated.
     time : float [s]
     line : int
         Program line; 0 for none.
@@ -121,7 +121,7 @@ class LimitSummary:
     Attributes
     ----------
     curvature_step : NearestLimit or None
-        Steps of acceleration where the curvature jumps.
+        Steps of acceleration where the curvature jumps; `jerk` leaves them out.
     kink : NearestLimit or None
         Steps of velocity where the direction jumps slightly.
     """
