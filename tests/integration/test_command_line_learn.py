@@ -86,7 +86,7 @@ def test_the_text_shows_trials_and_the_forecast(contourlab: Run, tmp_path: Path)
     assert said.code == 0
     assert "before learning" in said.out
     assert "contour rms" in said.out
-    assert "ilc: CL310" in said.out
+    assert "ilc: CL315" in said.out
 
 
 @pytest.mark.parametrize(

@@ -17,6 +17,7 @@ from contourlab.components.coupling.cross_coupled_filter import CrossCoupledFilt
 from contourlab.components.coupling.modified_reference import ModifiedError, ModifiedReference
 from contourlab.components.estimator.local import Tangent
 from contourlab.errors import ComponentError
+from contourlab.features.run.outcome import coupling_findings
 from contourlab.feed import uniform
 from contourlab.geometry import Line, Path, contour
 from contourlab.loop import Controller, Learned, simulate
@@ -160,6 +161,27 @@ def test_results_are_described_in_words() -> None:
     assert "gain" in bad.verdict
     machine, controller = stages(5e-3, 15e-3)
     assert "own controller" in internal_stability(machine, controller).verdict
+
+
+@pytest.mark.parametrize("gain", [80.0, 500.0])
+def test_an_unstable_coupling_doubles_an_error_in_the_time_it_states(gain: float) -> None:
+    machine, controller = stages(0.1, 15e-3, coupling=CrossCoupled(gain=gain))
+    found = contour_margins(machine, controller)
+    assert not found.stable
+    normal = np.array(found.modulus_direction)
+    along = np.tile([-normal[1], normal[0]], (400, 1))
+    growth = np.abs(np.linalg.eigvals(TrialMap(coupled_loop(machine, controller), along).monodromy())).max()
+    assert growth == pytest.approx(2.0 ** (400 * machine.servo_period / found.doubling), rel=1e-3)
+    (one,) = coupling_findings(internal_stability(machine, controller))
+    assert (one.code, one.values["doubling"]) == ("CL206", found.doubling)
+
+
+def test_growth_per_lap_has_its_doubling() -> None:
+    machine, controller = unlike(2, CrossCoupled(gain=4000.0))
+    lap = internal_stability(machine, controller, uniform(contour("circle", radius=0.02), 1.0 / 0.12, 2, 1e-3))
+    (one,) = coupling_findings(lap)
+    assert (one.code, one.values["growth"]) == ("CL207", lap.lap - 1.0)
+    assert lap.lap ** one.values["doubling"] == pytest.approx(2.0)
 
 
 def test_without_a_coupling_there_is_no_transfer_function() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Callable
 
@@ -19,7 +20,7 @@ from contourlab.analysis.learning.learning_analysis import (
     worst_zero_phase,
 )
 from contourlab.analysis.learning.learning_frequency import averaging, frequency_learning, law_kernels
-from contourlab.analysis.learning.learning_lifted import TrialOperator, lifted_learning
+from contourlab.analysis.learning.learning_lifted import LiftedLearning, TrialOperator, lifted_learning
 from contourlab.analysis.linear.coupled_loop import coupled_loop
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.learning.error_law import CrossCoupledLearning, PType, ZeroPhase
@@ -188,6 +189,27 @@ def test_divergence_is_a_finding() -> None:
     assert learning_analysis(*stages(0.1, 15e-3), better).worst_factor <= 1.001
     bare = learning_analysis(*stages(0.1, 0.0), PType(gain=5.0))
     assert [one.code for one in learning_findings(bare)] == ["CL310"]
+
+
+@pytest.mark.parametrize(
+    ("factor", "code", "trials"),
+    [(1.003, "CL310", 231.4), (1.00001, "CL310", 69315.0), (1.07, "CL310", 10.24), (1.08, "CL315", 9.006), (2.0, "CL315", 1.0)],
+)
+def test_slow_growth_is_told_from_a_runaway(factor: float, code: str, trials: float) -> None:
+    found = learning_analysis(*stages(0.1, 15e-3), ZeroPhase())
+    response = dataclasses.replace(found.response, worst_radius=(118.0 * TURN, factor))
+    (first, *_) = learning_findings(dataclasses.replace(found, response=response, design=None))
+    assert first.code == code
+    assert dict(first.values) == pytest.approx({"frequency": 118.0, "growth": factor - 1.0, "doubling": trials}, rel=1e-3)
+    # The error has doubled after so many factors.
+    assert factor ** first.values["doubling"] == pytest.approx(2.0)
+
+
+def test_growth_along_the_path_alone_has_the_same_figures() -> None:
+    found = learning_analysis(*stages(0.1, 15e-3), ZeroPhase())
+    response = dataclasses.replace(found.response, worst_radius=(118.0 * TURN, 0.9), worst_norm=(118.0 * TURN, 0.9))
+    one, *_ = learning_findings(dataclasses.replace(found, response=response, design=None, lifted=LiftedLearning(1.02, 1.1)))
+    assert (one.code, dict(one.values)) == ("CL314", pytest.approx({"growth": 0.02, "doubling": math.log(2.0) / math.log(1.02)}))
 
 
 def test_convergence_is_reported() -> None:

@@ -20,6 +20,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from contourlab.analysis.growth import doubling
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, coupled_loop, normal_basis
 from contourlab.analysis.linear.margins import HullMargin, edge_margins, frequency_grid, hull_modulus, nearest_approach
 from contourlab.analysis.linear.tick_map import poles_of
@@ -49,7 +50,9 @@ class ContourMargins:
     modulus : float
         Smallest distance of the loop gain from -1 over frequency and direction.
     modulus_frequency : float [rad/s]
+        Of an unstable coupling: the frequency of the fastest growth.
     modulus_direction : tuple of float
+        Of an unstable coupling: the direction of the fastest growth, among each axis, the diagonal, and where -1 is nearest.
     gain : float
         Smallest factor > 1 on the coupling at which some direction would reach -1; infinite if none.
     gain_direction : tuple of float
@@ -58,6 +61,8 @@ class ContourMargins:
     phase_direction : tuple of float
     crossover : float [rad/s]
         Frequency of the phase margin; nan if there is none.
+    doubling : float [s]
+        Time in which an error doubles; only of an unstable coupling.
     """
 
     stable: bool
@@ -69,6 +74,7 @@ class ContourMargins:
     phase: float = math.nan
     phase_direction: tuple[float, ...] = ()
     crossover: float = math.nan
+    doubling: float = math.nan
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,12 +121,12 @@ class ContourTransfer:
     @cached_property
     def grid(self) -> Array:
         """Frequencies fine enough for every crossing of the loop gains."""
-        n_axis = range(len(self.loop.axes))
-        poles = [*(axis.loop.poles for axis in self.loop.axes), poles_of(self.loop.coupling.f), *(self._vertex_poles(i) for i in n_axis)]
+        units = np.eye(len(self.loop.axes))
+        poles = [*(axis.loop.poles for axis in self.loop.axes), poles_of(self.loop.coupling.f), *(self._poles(unit) for unit in units)]
         return frequency_grid(self.loop.servo_period, np.concatenate(poles), max(len(axis.a) for axis in self.loop.axes))
 
-    def _vertex_poles(self, i: int) -> Complex:
-        unit = np.eye(len(self.loop.axes))[i]
+    def _poles(self, unit: Array) -> Complex:
+        """Return the poles with a constant direction, a unit vector (n_axis,)."""
         if self.along:
             return self.loop.poles(normal_basis(unit) if len(unit) > 1 else np.zeros((1, 0)))
         scaled = np.sqrt(self.strength) * unit
@@ -139,7 +145,7 @@ class ContourTransfer:
         If one direction is stable and no polygon contains -1, no pole can leave the unit circle on the way to any other direction.
         """
         axes = all(axis.loop.stable for axis in self.loop.axes)
-        inside = all(_settles(self._vertex_poles(i)) for i in range(len(self.loop.axes)))
+        inside = all(_settles(self._poles(unit)) for unit in np.eye(len(self.loop.axes)))
         return axes and inside and self._modulus.value > TOUCHING
 
     def margins(self) -> ContourMargins:
@@ -147,15 +153,31 @@ class ContourTransfer:
         worst = self._modulus
         direction = _direction(worst.weights)
         if not self.stable:
-            return ContourMargins(False, math.nan, worst.frequency, direction)
+            return self._fastest(direction)
         phase, gain = edge_margins(self.vertices, self.grid, list(combinations(range(len(self.loop.axes)), 2)))
         of_gain, of_phase = (gain.value, _direction(gain.weights)), (phase.value, _direction(phase.weights))
         return ContourMargins(True, worst.value, worst.frequency, direction, *of_gain, *of_phase, phase.frequency)
 
 
+    def _fastest(self, nearest: tuple[float, ...]) -> ContourMargins:
+        """Return the fastest growth among a few directions: along each axis, along the diagonal, and where -1 is nearest."""
+        n = len(self.loop.axes)
+        units = [*np.eye(n), np.full(n, n**-0.5), np.array(nearest)]
+        unit, pole = max(((unit, _moving(self._poles(unit))) for unit in units), key=lambda pair: abs(pair[1]))
+        period = self.loop.servo_period
+        direction = tuple(float(x) for x in unit)
+        return ContourMargins(False, math.nan, abs(float(np.angle(pole))) / period, direction, doubling=period * doubling(abs(pole)))
+
+
+def _moving(poles: Complex) -> complex:
+    """Return the largest pole, without poles at 1: only the sum of the axes' and coupling's integrals acts."""
+    moving = poles[np.abs(poles - 1.0) > LEFT_STANDING]
+    return complex(moving[np.argmax(np.abs(moving))]) if moving.size else 0j
+
+
 def _settles(poles: Complex) -> bool:
-    """Return whether all poles lie inside the unit circle, except poles at 1: only the sum of the axes' and coupling's integrals acts."""
-    return bool(np.abs(poles[np.abs(poles - 1.0) > LEFT_STANDING]).max(initial=0.0) < 1.0)
+    """Return whether all poles lie inside the unit circle, except poles at 1."""
+    return abs(_moving(poles)) < 1.0
 
 
 def _direction(weights: Array) -> tuple[float, ...]:
@@ -236,7 +258,8 @@ class InternalStability:
         if math.isnan(self.lap):
             return f"{at_rest}; a path that turns fast may differ"
         if self.lap >= 1.0:
-            return f"{at_rest}, but unstable on this path: an error grows by {self.lap:.3g} per lap, because the path turns too fast"
+            growth = f"{100.0 * (self.lap - 1.0):.3g} % per lap"
+            return f"{at_rest}, but unstable on this path: an error grows by {growth}, because the path turns too fast"
         return f"{at_rest}, and on this path: one lap leaves {self.lap:.2g} of an error"
 
     @property

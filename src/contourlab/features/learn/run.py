@@ -11,6 +11,7 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
+from contourlab.analysis.growth import doubling
 from contourlab.arrays import Array
 from contourlab.components.learning.law import LearningLaw, LearningProblem
 from contourlab.errors import ParameterError, ResultError
@@ -135,7 +136,8 @@ class _Course:
         elif status == "interrupted":
             status += f", trial {best} kept"
         if growth is not None:
-            band = {"low": growth.low, "high": growth.high, "peak": growth.peak, "factor": growth.factor}
+            band = {"low": growth.low, "high": growth.high, "peak": growth.peak}
+            band |= {"growth": growth.factor - 1.0, "doubling": doubling(growth.factor)}
             findings.append(finding("CL309", place=f"axis {growth.axis}", **band))
         table = LearnedTable.of(self.best_table.copy(), runner.machine, runner.controller, runner.reference, self.law, _columns(figures))
         positions, contours = zip(self.first, self.best, strict=True)

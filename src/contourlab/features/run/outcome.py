@@ -10,6 +10,7 @@ from time import perf_counter
 
 import numpy as np
 
+from contourlab.analysis.growth import doubling
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis, learning_analysis
 from contourlab.analysis.linear.contour_transfer import InternalStability, internal_stability
 from contourlab.analysis.linear.margins import Margins
@@ -256,9 +257,10 @@ def coupling_findings(stability: InternalStability) -> Iterator[Finding]:
     if not stability.directions.stable:
         parts = zip(stability.axes, stability.directions.modulus_direction, strict=True)
         direction = [f"{axis} {part:.2f}" for axis, part in parts]
-        yield finding("CL206", frequency=stability.directions.modulus_frequency / (2.0 * math.pi), direction=direction)
+        hertz, time = stability.directions.modulus_frequency / (2.0 * math.pi), stability.directions.doubling
+        yield finding("CL206", frequency=hertz, direction=direction, doubling=time)
     elif stability.lap >= 1.0:
-        yield finding("CL207", growth=stability.lap)
+        yield finding("CL207", growth=stability.lap - 1.0, doubling=doubling(stability.lap))
 
 
 def _unreached(name: str, supervisor: PreRouted, reference: Reference) -> Iterator[Finding]:

@@ -84,6 +84,7 @@ def test_p_type_without_q_diverges_as_predicted_and_is_rolled_back() -> None:
     assert run.growth.factor == pytest.approx(at_peak, rel=0.01)
     assert run.findings[-1].code == "CL309"
     assert run.findings[-1].values["peak"] == run.growth.peak
+    assert run.findings[-1].values["growth"] == run.growth.factor - 1.0
     merits = [trial.merit for trial in run.trials]
     assert run.trials[run.best].merit == min(merits)
     # The returned table reproduces the best trial.
