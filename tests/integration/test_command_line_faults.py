@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -89,7 +91,7 @@ def test_a_wrong_program_is_one_line_and_2(contourlab: Run, tmp_path: Path, name
 
 WRONG_NAMES = [
     (["none.toml"], r"none\.toml: "),
-    (["folder.toml"], r"folder\.toml: "),
+    (["folder.toml"], r"folder\.toml.scenario\.toml: "),
     (["folder.ngc", *ON_XYZ], r"folder\.ngc: "),
     (["part.ngc", "--machine", "xyz"], r"part\.ngc: .*--machine and --controller"),
     (["circle.toml", "--machine", "xyz"], r"circle\.toml: .*--machine"),
@@ -192,3 +194,13 @@ def test_a_loop_that_runs_away_is_3_and_leaves_the_old_results(contourlab: Run, 
     assert 0 < sample < 100  # it runs away at once
     assert contents(old.parent).keys() == {LIST, "summary.json"}
     assert old.read_text(encoding="utf-8") == "older"
+
+
+@pytest.mark.parametrize("words", [["run", "--help"], ["machines"]])
+def test_a_reader_that_closes_early_is_no_fault(words: list[str]) -> None:
+    """As in ``contourlab run --help | head``."""
+    read, write = os.pipe()
+    os.close(read)
+    done = subprocess.run([sys.executable, "-m", "contourlab", *words], stdout=write, stderr=subprocess.PIPE, check=False)
+    os.close(write)
+    assert (done.returncode, done.stderr) == (0, b"")

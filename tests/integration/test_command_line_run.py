@@ -37,7 +37,8 @@ def test_json_is_alone_on_standard_output_and_is_the_summary(circle: Finished) -
 
 
 def test_a_run_leaves_report_summary_and_the_signals_of_each_scheme(circle: Finished) -> None:
-    assert set(contents(circle.folder)) == {LIST, "report.html", "summary.json", "signals/position-loop.nc", "signals/all-of-it.nc"}
+    written = {LIST, "report.html", "summary.json", "signals/position-loop.nc", "signals/all-of-it.nc", "proposed/position-loop.toml"}
+    assert set(contents(circle.folder)) == written
     page = (circle.folder / "report.html").read_text(encoding="utf-8")
     assert page.lower().startswith("<!doctype html>")
     assert page.rstrip().endswith("</html>")

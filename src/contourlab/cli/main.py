@@ -121,6 +121,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         silence()
         return 0
     except BaseException as error:  # a plug-in may raise anything
+        if isinstance(error, SystemExit) and isinstance(error.__context__, BrokenPipeError):  # the printer of help
+            silence()
+            return 0
         if debug:
             import traceback
 

@@ -101,7 +101,7 @@ MostMoves: TypeAlias = Annotated[
 
 def reading_of(file: Path, dialect: str, block_delete: bool, tools: Path | None, most_moves: int | None) -> Reading:
     """Return the options of the reader, which reports a missing end as a notice only; refuse a drawing."""
-    from contourlab.features.run.command import refuse_drawing
+    from contourlab.features.run.inputs import refuse_drawing
     from contourlab.program import Reading
 
     refuse_drawing(file)

@@ -179,7 +179,7 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scena
     Parameters
     ----------
     file : str or Path
-        Or ``builtin:`` and the name of a shipped one.
+        Or ``builtin:`` and the name of a shipped one; of a folder, its ``scenario.toml``.
     plugins : sequence of str or Path
         Python files with further components.
 
@@ -198,7 +198,7 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scena
     >>> [case.name for case in load_scenario("builtin:ghaffari/demo-stage").cases()][0]
     'position loop'
     """
-    reader, content = _open(file, plugins)
+    reader, content = _open(Path(file) / "scenario.toml" if Path(file).is_dir() else file, plugins)
     return _scenario(reader, content, Path(content.file))
 
 

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 from contourlab.app.results import staged
 from contourlab.app.stages import shown
 from contourlab.components.friction.laws import NoFriction
-from contourlab.errors import DivergenceError, ParameterError, ProgramEndError, ScenarioError
+from contourlab.errors import DivergenceError, ParameterError
+from contourlab.features.run.inputs import of_program, scenario_of
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.summary import summary_of
@@ -101,97 +102,11 @@ def run_scenario(
     check : bool
         Read and check everything and plan the motion, without simulating.
     """
-    from contourlab.scenario import BUILTIN
-
-    path, keys = Path(file), program or {}
-    path = path / "scenario.toml" if path.is_dir() else path
-    if machine is not None and Path(machine).is_dir():
-        folder = Path(machine)
-        machine, controller = folder / "machine.toml", folder / "controller.toml" if controller is None else controller
-    parts: dict[str, Any] = {"--machine": machine, "--controller": controller, "--tolerance": tolerance}
-    parts |= {_option(name, value): value for name, value in keys.items()}
-    shipped = str(file).startswith(BUILTIN) and path.suffix != ".ngc"
-    if shipped or path.suffix.lower() == ".toml":
-        scenario = _from_scenario(path, parts, keys, options.plugins)
-    else:
-        scenario = _from_program(path, machine, controller, tolerance, keys, options.plugins)
-    scenario = scenario.judging(judge)
-    command = options.command("run", file, {**parts, "--judge": judge})
+    parts: dict[str, Any] = {"machine": machine, "controller": controller, "tolerance": tolerance}
+    scenario = scenario_of(file, **parts, program=program, plugins=options.plugins).judging(judge)
+    typed = {f"--{name}": value for name, value in {**parts, "judge": judge}.items()} | of_program(program or {})
+    command = options.command("run", file, typed)
     return _checked(scenario) if check else run_session(scenario, options, command=command)
-
-
-def _option(name: str, value: Any) -> str:
-    """Return the command-line option for a key of the table ``program``."""
-    return f"--{'no-' if value is False else ''}{name.replace('_', '-')}"
-
-
-def _from_scenario(path: Path, parts: Mapping[str, Any], options: Mapping[str, Any], plugins: Sequence[str | Path]) -> Scenario:
-    from contourlab.scenario import load_scenario
-
-    of_program = {_option(name, value): name for name, value in options.items()}
-    for option, value in parts.items():
-        if value is None:
-            continue
-        if option in of_program:
-            setting = f" = {str(value).lower()}" if isinstance(value, bool) else ""
-            key = f"{of_program[option]}{setting} under [program]"
-        else:
-            key = "tolerance under [run]" if option == "--tolerance" else option.removeprefix("--")
-        raise ScenarioError(f"{option} is for part programs: write {key} in the scenario", file=path)
-    try:
-        return load_scenario(path, plugins=plugins)
-    except ProgramEndError as error:
-        error.add_note("To run it to its last line: write require_end = false under [program] in the scenario.")
-        raise
-
-
-def _from_program(
-    path: Path,
-    machine: str | Path | None,
-    controller: str | Path | None,
-    tolerance: str | None,
-    options: Mapping[str, Any],
-    plugins: Sequence[str | Path],
-) -> Scenario:
-    from contourlab.scenario import scenario_from_parts
-
-    refuse_drawing(path, machine, controller)
-    if machine is None or controller is None:
-        raise ScenarioError("a part program needs --machine and --controller; a scenario ends in .toml", file=path)
-    run = {} if tolerance is None else {"tolerance": tolerance}
-    try:
-        return scenario_from_parts(path, machine, controller, run=run, options=options, plugins=plugins)
-    except ProgramEndError as error:
-        error.add_note("To run it to its last line: add --no-require-end.")
-        raise
-
-
-def refuse_drawing(file: str | Path, machine: str | Path | None = None, controller: str | Path | None = None) -> None:
-    """Refuse a drawing or points in place of a part program; show the scenario to write, with this machine and controller.
-
-    Raises
-    ------
-    ScenarioError
-        If the file name ends as that of a drawing or of points.
-    """
-    path = Path(file)
-    what = {".dxf": "a drawing", ".svg": "a drawing", ".csv": "a list of points"}.get(path.suffix.lower())
-    if what is None:
-        return
-    from contourlab.scenario.load import named_file
-
-    lines = [
-        f"machine = {json.dumps(named_file(machine or 'xyz'))}",
-        f"controller = {json.dumps(named_file(controller or 'xyz-controller'))}",
-        "[contour]",
-        f"file = {json.dumps(str(path), ensure_ascii=False)}",
-        "[feed]",
-        'feedrate = "1000 mm/min"',
-    ]
-    raise ScenarioError(
-        f"{what}, not a part program: write a scenario, say {path.stem}.toml, and run that:\n\n" + "\n".join(lines) + "\n",
-        file=path,
-    )
 
 
 def _checked(scenario: Scenario) -> RunOutcome:

@@ -91,7 +91,7 @@ def loaded(file: str | Path, schemes: Sequence[str], plugins: Sequence[str | Pat
     """
     from contourlab.scenario import BUILTIN, chosen, load_scenario
 
-    if not str(file).startswith(BUILTIN) and Path(file).suffix.lower() != ".toml":
+    if not (str(file).startswith(BUILTIN) or Path(file).suffix.lower() == ".toml" or Path(file).is_dir()):
         raise ScenarioError("not a scenario: its name must end in .toml", file=file)
     scenario = load_scenario(file, plugins=plugins)
     return chosen(scenario, schemes) if schemes else scenario

@@ -7,12 +7,13 @@ from collections.abc import Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from contourlab.app.results import check_file, staged
 from contourlab.app.stages import shown
 from contourlab.errors import ParameterError, ScenarioError
-from contourlab.features.run.command import check_plots, refuse_drawing
+from contourlab.features.run.command import check_plots
+from contourlab.features.run.inputs import scenario_of
 from contourlab.features.tune.study import Tuned, TuneSettings, tune
 from contourlab.features.tune.text import tables
 from contourlab.findings import Finding, finding
@@ -20,7 +21,7 @@ from contourlab.report.table import paragraphs
 from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
-    from contourlab.scenario import Case, Scenario
+    from contourlab.scenario import Case
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +89,7 @@ def tune_scenario(
     scheme : str, optional
         Scheme of the scenario; by default the scenario without schemes.
     machine, controller, tolerance
-        For a part program: see `contourlab.features.run.command.run_scenario`.
+        For a part program: see `contourlab.features.run.inputs.scenario_of`.
     judge : str, optional
         Moves to judge; by default as in the scenario.
     out : str or Path, optional
@@ -111,7 +112,8 @@ def tune_scenario(
     check_plots(plots)
     if out is not None and Path(out).suffix.lower() != ".toml":
         raise ParameterError("--out", repr(str(out)), "a controller file, which ends in .toml")
-    scenario = _scenario(file, machine, controller, tolerance, plugins).judging(judge)
+    parts: dict[str, Any] = {"machine": machine, "controller": controller, "tolerance": tolerance}
+    scenario = scenario_of(file, **parts, plugins=plugins).judging(judge)
     case = scenario.base if scheme is None else scenario.case(scheme)
     if case.changes:
         raise ScenarioError("the controller changes during the run: calibrate each controller in its own scenario", file=file)
@@ -151,24 +153,6 @@ def _verdict(case: Case, tuned: Tuned) -> list[Finding]:
         code = "CL607" if largest <= case.tolerance else "CL608"
         findings.append(finding(code, largest=largest, tolerance=case.tolerance))
     return findings
-
-
-def _scenario(
-    file: str | Path, machine: str | Path | None, controller: str | Path | None, tolerance: str | None, plugins: Sequence[str | Path]
-) -> Scenario:
-    """Read a scenario, or make one from a part program, a machine and a controller."""
-    from contourlab.scenario import BUILTIN, load_scenario, scenario_from_parts
-
-    if (str(file).startswith(BUILTIN) and Path(file).suffix != ".ngc") or Path(file).suffix.lower() == ".toml":
-        for option, value in {"--machine": machine, "--controller": controller, "--tolerance": tolerance}.items():
-            if value is not None:
-                raise ScenarioError(f"the scenario already defines this: leave {option} out", file=file)
-        return load_scenario(file, plugins=plugins)
-    refuse_drawing(file, machine, controller)
-    if machine is None or controller is None:
-        raise ScenarioError("a part program needs --machine and --controller; a scenario ends in .toml", file=file)
-    run = {} if tolerance is None else {"tolerance": tolerance}
-    return scenario_from_parts(file, machine, controller, run=run, plugins=plugins)
 
 
 def _write(tuned: Tuned, case: Case, out: Path, name: str, plugins: Sequence[str | Path]) -> None:

@@ -140,15 +140,24 @@ class Objective:
     goal : Goal
     start : mapping of str to float [SI]
         Parameters at which the figures of a sum are scaled to 1.
+
+    Notes
+    -----
+    A largest part error counts as larger by as much as the rms exceeds that of the start: a circle that shrinks to hide its reversal spikes
+    is no better.
     """
 
     evaluator: Evaluator
     goal: Goal
     start: Mapping[str, float]
     _scales: dict[str, float] = field(default_factory=dict, init=False, repr=False)
+    _rms: float = field(default=math.inf, init=False, repr=False)
 
     def __post_init__(self) -> None:
         self.evaluator.part |= any(name == "part" for name, _ in self.goal.weights)
+        if self.evaluator.part:
+            rms = float(self.at(self.start).figures["part_error_rms"][0])
+            self._rms = rms if rms > 0.0 else math.inf
         if self.goal.figure is None:
             figures = self.at(self.start).figures
             scales = {GOALS[name]: float(figures[GOALS[name]][0]) for name, _ in self.goal.weights}
@@ -160,7 +169,9 @@ class Objective:
         """Run with parameter values [SI], each (n,)."""
         figures = self.evaluator(columns)
         if self.evaluator.part:
-            figures |= {"part_error_max": figures["part_error_max"] + TIE * figures["part_error_rms"]}
+            rms = figures["part_error_rms"]
+            excess = np.maximum(rms / self._rms - 1.0, 0.0)
+            figures |= {"part_error_max": (1.0 + excess) * figures["part_error_max"] + TIE * rms}
         values = figures[GOALS[self.goal.weights[0][0]]]
         if self._scales:
             parts = [weight * figures[GOALS[name]] / self._scales[GOALS[name]] for name, weight in self.goal.weights]

@@ -1,0 +1,114 @@
+"""The scenario that a command is given: a file, the folder of a machine, or a part program with machine and controller."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from contourlab.errors import ProgramEndError, ScenarioError
+
+if TYPE_CHECKING:
+    from contourlab.scenario import Scenario
+
+
+def scenario_of(
+    file: str | Path,
+    *,
+    machine: str | Path | None = None,
+    controller: str | Path | None = None,
+    tolerance: str | None = None,
+    program: Mapping[str, Any] | None = None,
+    plugins: Sequence[str | Path] = (),
+) -> Scenario:
+    """Read a scenario, or make one from a part program.
+
+    Parameters
+    ----------
+    file : str or Path
+        ``.toml``: a scenario; a folder: its ``scenario.toml``; anything else is a part program.
+    machine, controller : str or Path, optional
+        Files, or names of shipped ones; a part program needs both. The folder of a machine stands for its two files.
+    tolerance : str, optional
+        Largest part error of a part program that passes, as ``"25 um"``.
+    program : mapping, optional
+        Further keys of the table ``program``, as ``{"fit": True}``.
+    plugins : sequence of str or Path
+        Python files with components.
+
+    Raises
+    ------
+    ScenarioError, ProgramError
+        If the content is invalid, or an option does not fit the file.
+    """
+    from contourlab.scenario import BUILTIN, load_scenario, scenario_from_parts
+
+    path, keys = Path(file), program or {}
+    if (str(file).startswith(BUILTIN) and path.suffix != ".ngc") or path.suffix.lower() == ".toml" or path.is_dir():
+        _refuse_options(path, {"--machine": machine, "--controller": controller, "--tolerance": tolerance}, keys)
+        try:
+            return load_scenario(file, plugins=plugins)
+        except ProgramEndError as error:
+            error.add_note("To run it to its last line: write require_end = false under [program] in the scenario.")
+            raise
+    refuse_drawing(path, machine, controller)
+    if machine is not None and Path(machine).is_dir():
+        folder = Path(machine)
+        machine, controller = folder / "machine.toml", folder / "controller.toml" if controller is None else controller
+    if machine is None or controller is None:
+        raise ScenarioError("a part program needs --machine and --controller; a scenario ends in .toml", file=path)
+    run = {} if tolerance is None else {"tolerance": tolerance}
+    try:
+        return scenario_from_parts(path, machine, controller, run=run, options=keys, plugins=plugins)
+    except ProgramEndError as error:
+        error.add_note("To run it to its last line: add --no-require-end.")
+        raise
+
+
+def _refuse_options(path: Path, parts: Mapping[str, Any], program: Mapping[str, Any]) -> None:
+    """Refuse the options of part programs beside a scenario; name the key to write there."""
+    keys = {option: "tolerance under [run]" if option == "--tolerance" else option.removeprefix("--") for option in parts}
+    for name, value in program.items():
+        setting = f" = {str(value).lower()}" if isinstance(value, bool) else ""
+        keys[_option(name, value)] = f"{name}{setting} under [program]"
+    for option, value in {**parts, **of_program(program)}.items():
+        if value is not None:
+            raise ScenarioError(f"{option} is for part programs: write {keys[option]} in the scenario", file=path)
+
+
+def of_program(keys: Mapping[str, Any]) -> dict[str, Any]:
+    """Return keys of the table ``program`` as command-line options, with their values."""
+    return {_option(name, value): value for name, value in keys.items()}
+
+
+def _option(name: str, value: Any) -> str:
+    return f"--{'no-' if value is False else ''}{name.replace('_', '-')}"
+
+
+def refuse_drawing(file: str | Path, machine: str | Path | None = None, controller: str | Path | None = None) -> None:
+    """Refuse a drawing or points in place of a part program; show the scenario to write, with this machine and controller.
+
+    Raises
+    ------
+    ScenarioError
+        If the file name ends as that of a drawing or of points.
+    """
+    path = Path(file)
+    what = {".dxf": "a drawing", ".svg": "a drawing", ".csv": "a list of points"}.get(path.suffix.lower())
+    if what is None:
+        return
+    from contourlab.scenario.load import named_file
+
+    lines = [
+        f"machine = {json.dumps(named_file(machine or 'xyz'))}",
+        f"controller = {json.dumps(named_file(controller or 'xyz-controller'))}",
+        "[contour]",
+        f"file = {json.dumps(str(path), ensure_ascii=False)}",
+        "[feed]",
+        'feedrate = "1000 mm/min"',
+    ]
+    raise ScenarioError(
+        f"{what}, not a part program: write a scenario, say {path.stem}.toml, and run that:\n\n" + "\n".join(lines) + "\n",
+        file=path,
+    )
