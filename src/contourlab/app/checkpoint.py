@@ -128,11 +128,11 @@ def run_identity(
 
 def _plugins(machines: Iterable[Machine], controller: Controller) -> list[str]:
     """Return name and digest of the file of each plugin component in use; files that it imports are ignored."""
-    from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS
+    from contourlab.loop.machine import AXIS_SLOTS
 
     parts = [getattr(axis, slot) for machine in machines for axis in machine.axes for slot in AXIS_SLOTS]
     for axis in controller.axes.values():
-        parts += [*(getattr(axis, slot) for slot in CONTROLLER_SLOTS), *(part for _, part in axis.others)]
+        parts += axis.parts.values()
         parts += [] if axis.link is None else [axis.link.down, axis.link.up]
     parts += [controller.estimator, controller.coupling]
     modules = {type(part).__module__ for part in parts if part is not None}

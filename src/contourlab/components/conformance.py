@@ -47,6 +47,7 @@ SLOTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         (*ASKED, *BOTH_SIDES, "position", "velocity", "gap_estimate", "disturbance_estimate", "feedforward", "applied", "accepted"),
         ("command",),
     ),
+    "filter": (("command",), ("command",)),
     "feedforward": ((*ASKED, "reference_ahead"), ("reference_shift", "command")),
     "compensation": ((*ASKED, *BOTH_SIDES, "gap_estimate"), ("reference_shift", "command")),
     "estimator": (("position", "arc_length"), ("foot_position", "error_vector", "contour_error_estimate", "tangent")),

@@ -46,6 +46,7 @@ FAMILIES = (
     "compensation",
     "supervisor",
     "controller",
+    "filter",
     "estimator",
     "coupling",
     "link",

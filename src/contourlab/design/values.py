@@ -44,9 +44,10 @@ def controller_with(controller: Controller, values: Mapping[str, float]) -> Cont
     mine: dict[str, AxisController] = dict(controller.axes)
     for head, numbers in _by_part(values).items():
         match head.split("."):
-            case ["controller", "axes", axis, "others", label] if axis in mine and label in dict(mine[axis].others):
-                others = tuple((known, _with(part, numbers) if known == label else part) for known, part in mine[axis].others)
-                mine[axis] = replace(mine[axis], others=others)
+            case ["controller", "axes", axis, slot, label] if axis in mine and f"{slot}.{label}" in mine[axis].parts:
+                named = tuple((known, _with(part, numbers) if known == label else part) for known, part in getattr(mine[axis], slot))
+                changed: dict[str, Any] = {slot: named}
+                mine[axis] = replace(mine[axis], **changed)
             case ["controller", "axes", axis, slot] if axis in mine:
                 mine[axis] = _changed(mine[axis], slot, numbers)
             case ["controller", slot]:

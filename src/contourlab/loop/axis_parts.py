@@ -86,7 +86,7 @@ DIVISIONS = {
 }
 """Local parts, from the fewest to all, in words."""
 
-_LOCAL = {"drive": ("velocity",), "observer": ("velocity", "observer")}
+_LOCAL = {"drive": ("velocity", "filters"), "observer": ("velocity", "observer", "filters")}
 """Slots in the axis; with "controller" all of them."""
 
 
@@ -94,8 +94,9 @@ _LOCAL = {"drive": ("velocity",), "observer": ("velocity", "observer")}
 class Division:
     """An axis' controller divided into a base, the same for any axis, and a local part that moves with the axis.
 
-    Each wire between the two goes through the link of its direction. Plant, drive and sensors are always in the axis, and so is the
-    velocity, unless a predictor in the base precedes it. Contour estimator, coupling, reference and learned tables are always in the base.
+    Each wire between the two goes through the link of its direction. Plant, filters, drive and sensors are always in the axis, and so is
+    the velocity, unless a predictor in the base precedes it. Contour estimator, coupling, reference and learned tables are always in the
+    base.
 
     Attributes
     ----------

@@ -87,8 +87,12 @@ class Builder:
         return max(lengths)
 
     def accepted(self, axis: str) -> Any:
-        """Return the wire of the last accepted command, as the axis' controller knows it."""
-        return f"{axis}.taken.accepted" if self.controlled_from_base(axis) else self.drive_accepted(axis)
+        """Return the wire of the last accepted command, as the axis' controller knows it: before its filters."""
+        return f"{axis}.taken.accepted" if self.controlled_from_base(axis) else self.unfiltered_accepted(axis)
+
+    def unfiltered_accepted(self, axis: str) -> Late:
+        """Return the wire of the last command before the filters, less what the drive did not accept."""
+        return Late(f"{axis}.unfiltered.accepted") if self.controller.axes[axis].filters else self.drive_accepted(axis)
 
     def drive_accepted(self, axis: str) -> Late:
         """Return the wire of the drive's last accepted command, after its limit and before its delay."""
@@ -105,8 +109,13 @@ class Builder:
         return self.controller.coupling is not None and self.controller.coupling.gives(output)
 
     def command(self, axis: str) -> str:
-        """Return the signal of the command to an axis' drive, before any link."""
+        """Return the signal of the command to an axis' filters and drive, before any link."""
         return f"{axis}.compensated.command" if self.compensated_in_axis(axis) else self.wanted(axis)
+
+    def filtered(self, axis: str) -> str:
+        """Return the signal of the command to an axis' drive."""
+        filters = self.controller.axes[axis].filters
+        return f"{axis}.filter_{filters[-1][0]}.command" if filters else self.arrived.get(axis, self.command(axis))
 
     def wanted(self, axis: str) -> str:
         """Return the signal of the command from an axis' controller."""

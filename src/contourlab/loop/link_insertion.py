@@ -19,7 +19,7 @@ from contourlab.loop.builder import Builder
 from contourlab.primitives import select
 
 BASE = "base"
-_IN_AXIS = ("plant", "drive", "sensor", "motor_sensor", "kept", "compensated")
+_IN_AXIS = ("plant", "drive", "sensor", "motor_sensor", "kept", "compensated", "unfiltered")
 _STANDING = re.compile(r"(^|_)(position|reference|reference_total|reference_ahead)$")
 """Signals that equal the axis' initial position before the first message."""
 
@@ -66,7 +66,7 @@ def add_taken(builder: Builder, axis: str) -> None:
         builder.nodes.append(Node(f"{axis}.taken", _ECHO, own))
         return
     estimate = Late(f"{axis}.observer.disturbance_estimate") if builder.compensated_in_axis(axis) else 0.0
-    wires = {"command": Late(builder.command(axis)), "accepted": builder.drive_accepted(axis), "estimate": estimate}
+    wires = {"command": Late(builder.command(axis)), "accepted": builder.unfiltered_accepted(axis), "estimate": estimate}
     builder.nodes.append(Node(f"{axis}.kept", _KEPT, {**wires, "received": Late(builder.wanted(axis))}))
     builder.nodes.append(Node(f"{axis}.taken", _TAKEN, {**own, "taken": f"{axis}.kept.taken", "short": f"{axis}.kept.short"}))
 
@@ -101,7 +101,9 @@ class _LinkInsertion:
         parts = self.builder.controller.axes.get(axis)
         if not part or parts is None or parts.link is None or axis not in self.builder.names:
             return BASE
-        if part == "observer":
+        if part.startswith("filter_"):
+            local = True
+        elif part == "observer":
             local = parts.link.is_local("observer")
         elif part.endswith("velocity"):
             # After a predictor it is computed where the predictor is.

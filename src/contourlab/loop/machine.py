@@ -190,6 +190,9 @@ AXIS_SLOTS = ("plant", "friction", "motor_friction", "drive", "sensor", "motor_s
 CONTROLLER_SLOTS = ("predictor", "velocity", "observer", "gap_observer", "feedforward", "compensation", "supervisor", "controller")
 """Component slots of an axis' controller, in the order of a tick."""
 
+NAMED_SLOTS = ("others", "filters")
+"""Slots of an axis' controller that hold any number of components, each with a name."""
+
 SIDES = ("load", "motor")
 
 
@@ -199,6 +202,8 @@ class AxisController:
 
     `feedback` and `velocity_feedback` select the side of a drive with backlash on which position and velocity are measured. Under a
     `supervisor` the `controller` is number 0; those of `others`, each with its name, are 1, 2 ...
+
+    The command passes through `filters`, each with its name, in their order, on its way to the drive.
 
     With a `link` a part of it is in the axis and the rest in the base. The base is the same for all axes, so `local` may only name
     parameters of the part in the axis.
@@ -214,6 +219,7 @@ class AxisController:
     compensation: Component | None = None
     supervisor: Component | None = None
     others: tuple[tuple[str, Component], ...] = ()
+    filters: tuple[tuple[str, Component], ...] = ()
     feedback: str = "load"
     velocity_feedback: str = "motor"
     link: Division | None = None
@@ -222,6 +228,13 @@ class AxisController:
     def controllers(self) -> dict[str, Component]:
         """All controllers of the axis by name, in the order of their numbers; the first is called ``controller``."""
         return {"controller": self.controller, **dict(self.others)}
+
+    @property
+    def parts(self) -> dict[str, Component]:
+        """All components of the axis' controller by their slots, such as ``others.NAME``; those of a link are not among them."""
+        slots = {slot: getattr(self, slot) for slot in CONTROLLER_SLOTS}
+        slots |= {f"{slot}.{label}": part for slot in NAMED_SLOTS for label, part in getattr(self, slot)}
+        return {slot: part for slot, part in slots.items() if part is not None}
 
     def __post_init__(self) -> None:
         for name in ("feedback", "velocity_feedback"):
@@ -255,8 +268,7 @@ class AxisController:
         """Names of the parameters that may move with the axis: `local`, or else all parameters of the parts in the axis."""
         if self.local or self.link is None:
             return self.local
-        parts = {slot: getattr(self, slot) for slot in CONTROLLER_SLOTS} | {f"others.{label}": part for label, part in self.others}
-        local = {slot: part for slot, part in parts.items() if part is not None and self.link.is_local(slot)}
+        local = {slot: part for slot, part in self.parts.items() if self.link.is_local(slot.partition(".")[0])}
         return tuple(f"{slot}.{name}" for slot, part in local.items() for name in part.numeric())
 
 
@@ -301,10 +313,8 @@ def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
         for slot in AXIS_SLOTS:
             collect(f"axes.{axis.name}.{slot}", getattr(axis, slot))
         parts = controller.axes[axis.name]
-        for slot in CONTROLLER_SLOTS:
-            collect(f"controller.axes.{axis.name}.{slot}", getattr(parts, slot))
-        for label, part in parts.others:
-            collect(f"controller.axes.{axis.name}.others.{label}", part)
+        for slot, part in parts.parts.items():
+            collect(f"controller.axes.{axis.name}.{slot}", part)
         for direction in ("down", "up") if parts.link is not None else ():
             collect(f"controller.axes.{axis.name}.link.{direction}", getattr(parts.link, direction))
     collect("controller.estimator", controller.estimator)

@@ -1,9 +1,9 @@
 """Replace the controller while the machine runs.
 
 All components are compiled before the run. At the sample of the change a new schedule is built. Every node that both loops have keeps its
-state (plants, and drives with their delays); a node that only the new loop has starts at rest. A new controller takes over the states of
-the old one, with the integral scaled to the same command. The remaining jump of the command is handed over, see
-`contourlab.loop.supervision`.
+state (plants, and drives with their delays); a node that only the new loop has starts at rest, a filter at the last command. A new
+controller takes over the states of the old one, with the integral scaled to the same command. The remaining jump of the command is handed
+over, see `contourlab.loop.supervision`.
 """
 
 from __future__ import annotations
@@ -114,6 +114,10 @@ def taken_over(
     known = {node.name: j for j, node in enumerate(running.schedule.nodes)}
     for i, node in enumerate(loop.schedule.nodes):
         j = known.get(node.name, -1)
+        if node.step.name.startswith("filter/"):
+            group.state[i][:] = _accepted(running, node.name)  # its states are commands
+        if node.step.name == "unfiltered" and j < 0:
+            group.signals[loop.schedule.first_row[i]] = _accepted(running, node.name)
         if j < 0:
             continue
         before = running.schedule.nodes[j]
@@ -134,10 +138,10 @@ def _same(before: Node, node: Node) -> bool:
 
 
 def _accepted(running: Group, node: str) -> float:
-    """Return the last command that the drive of a node's axis accepted."""
-    drive = f"{node.partition('.')[0]}.drive"
-    known = running.schedule.row_of
-    return float(running.signals[known.get(f"{drive}.accepted", known[f"{drive}.applied"]), 0])
+    """Return the last command of a node's axis that the drive accepted, as the controller knows it."""
+    axis, known = node.partition(".")[0], running.schedule.row_of
+    names = (f"{axis}.unfiltered.accepted", f"{axis}.drive.accepted", f"{axis}.drive.applied")
+    return float(running.signals[next(known[name] for name in names if name in known), 0])
 
 
 def _carry(before: Node, old: Array, node: Node, new: Array, accepted: float) -> None:

@@ -34,7 +34,7 @@ class Sensing:
         self._add_sensors()
         prefix = f"controller.axes.{self.name}"
         if self.parts.predictor is not None:
-            wires = {"position": self.measured, "applied": builder.accepted(self.name)}
+            wires = {"position": self.measured, "applied": self.sent}
             builder.add(f"{self.name}.predictor", self.parts.predictor, f"{prefix}.predictor", wires, at)
         # Computed before every part that may need it.
         self.velocity_on(self.parts.velocity_feedback)
@@ -76,6 +76,11 @@ class Sensing:
     def measured(self) -> Any:
         """Wire of the position that the position loop uses."""
         return self.position_on(self.parts.feedback)
+
+    @property
+    def sent(self) -> Any:
+        """Wire of the last command that the drive accepted, as a predictor knows it; in the base it does not know the filters."""
+        return self.builder.accepted(self.name) if self.builder.controlled_from_base(self.name) else self.builder.drive_accepted(self.name)
 
     @property
     def position(self) -> Any:

@@ -41,6 +41,7 @@ UNITS = {
     "velocity": "m/s",
     "command": "command",
     "applied_command": "command",
+    "unfiltered_command": "command",
     "modified_reference": "m",
     "coupling_command": "command",
     "disturbance_estimate": "command",

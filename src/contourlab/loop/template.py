@@ -8,8 +8,8 @@ At each tick, for every axis,
 3. the **observer** estimates the disturbance of the axis, from its velocity and its last accepted command (one tick late); the **gap
    observer** estimates the motor's position in the gap;
 4. the **feedforward** and the **compensation** of backlash act on the reference, the **controller** computes a command, to which the
-   correction and the learned table are added; a **supervisor** chooses among several controllers; the **drive** delays and
-   limits the command;
+   correction and the learned table are added; a **supervisor** chooses among several controllers; **filters** pass the command on to
+   the **drive**, which delays and limits it;
 
 signals are recorded here, and then
 
@@ -28,7 +28,7 @@ from typing import Any
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port
+from contourlab.engine.step import Port, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
@@ -66,9 +66,11 @@ def signal_map(builder: Builder, sensing: Mapping[str, Sensing]) -> dict[str, tu
         "axis_position": tuple(f"{name}.plant.position" for name in builder.names),
         "axis_velocity": tuple(f"{name}.plant.velocity" for name in builder.names),
         "velocity": tuple(plain(sensing[name].velocity) for name in builder.names),
-        "command": tuple(builder.arrived.get(name, builder.command(name)) for name in builder.names),
+        "command": tuple(map(builder.filtered, builder.names)),
         "applied_command": tuple(f"{name}.drive.applied" for name in builder.names),
     }
+    if any(builder.controller.axes[name].filters for name in builder.names):
+        signals["unfiltered_command"] = tuple(builder.arrived.get(name, builder.command(name)) for name in builder.names)
     signals |= _inside(builder)
     if all(builder.controller.axes[name].observer is not None for name in builder.names):
         signals["disturbance_estimate"] = tuple(f"{name}.observer.disturbance_estimate" for name in builder.names)
@@ -108,6 +110,13 @@ class Loop:
     signals: Signals
 
 
+def _unfilter(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    # Exactly the command while the drive accepts everything: a filter must not look like a limit.
+    return (), (inp.command - (inp.filtered - inp.accepted),)
+
+
+UNFILTERED = Step("unfiltered", _unfilter, (), (), "", (), ports("command", "filtered", "accepted"), ports("accepted"))
+"""A command before its filters, less what the drive did not accept of it after them."""
 EXTERNALS = ("reference", "reference_velocity", "reference_acceleration")
 
 
@@ -146,7 +155,7 @@ class _Slots(Builder):
             applied, seen = Late(f"{name}.drive.applied"), self.sensing[name]
             if parts.observer is not None:
                 # A predicted velocity belongs to the commands before their delay.
-                wires = {"velocity": seen.velocity, "applied": applied if parts.predictor is None else self.accepted(name)}
+                wires = {"velocity": seen.velocity, "applied": applied if parts.predictor is None else seen.sent}
                 self.add(f"{name}.observer", parts.observer, f"{prefix}.observer", wires)
             offered: dict[str, Any] = {signal: f"in.{signal}[{j}]" for signal in EXTERNALS}
             offered |= {AHEAD: f"in.{AHEAD}[{j}]", "arc_length": "in.arc_length", "applied": applied, "accepted": self.accepted(name)}
@@ -170,7 +179,18 @@ class _Slots(Builder):
             self.decide(name, float(at), offered)
             if here:
                 self.nodes.append(subtract_node(name, self.wanted(name)))
-            self.add(f"{name}.drive", axis.drive, f"axes.{name}.drive", {"command": self.command(name)})
+            self.filter(name)
+            self.add(f"{name}.drive", axis.drive, f"axes.{name}.drive", {"command": self.filtered(name)})
+            if parts.filters:
+                wires = {"command": self.command(name), "filtered": self.filtered(name), "accepted": self.drive_accepted(name).signal}
+                self.nodes.append(Node(f"{name}.unfiltered", UNFILTERED, wires))
+
+    def filter(self, name: str) -> None:
+        """Add the filters of an axis, one after another."""
+        wire = self.command(name)
+        for label, part in self.controller.axes[name].filters:
+            self.add(f"{name}.filter_{label}", part, f"controller.axes.{name}.filters.{label}", {"command": wire})
+            wire = f"{name}.filter_{label}.command"
 
     def wires_of(self, part: Component, axis: str, offered: Mapping[str, Any]) -> dict[str, Any]:
         """Return the wires of a part's inputs: offered signals, measurements on both sides of the drive, outputs of the gap observer."""
@@ -318,7 +338,7 @@ def build(
     insert_links(builder)
     signals = signal_map(builder, builder.sensing)
     builder.nodes += (node if isinstance(node, Node) else node(signals) for node in extra)
-    builder.nodes.append(watch_node(machine, tuple(map(builder.command, machine.axis_names))))
+    builder.nodes.append(watch_node(machine, tuple(map(builder.filtered, machine.axis_names))))
     record_point = len(builder.nodes)
     add_plants(builder)
     n = len(builder.names)

@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.components.contract import Component
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.ideal import IdealSensor
 from contourlab.engine.runner import Group, make_group
@@ -44,7 +43,7 @@ class Trial:
     position, measured, tool : ndarray [m]
         Of the axes, their encoders, and the tool.
     command, excess : ndarray [command unit]
-        Of the controllers, including the learned table; and the part beyond the limit of the drive.
+        Of the controllers, including the learned table, before filters; and the part beyond the limit of the drive.
     estimate : ndarray [command unit]
         Disturbance estimate that was subtracted from the command; zero without an observer.
     contour_vector : ndarray [m] or None
@@ -134,7 +133,9 @@ class Trials:
         self._noisy = any("stream" in node.step.parameters for node in loop.schedule.nodes)
         self._column = self._wanted()
         self._log = np.empty((n, len(self._column), 1))
-        self._limit = np.array([_least_limit(axis.drive, controller.axes[axis.name].controller) for axis in machine.axes])
+        self._drive_limit = np.array([float(getattr(axis.drive, "limit", np.inf)) for axis in machine.axes])
+        own = (controller.axes[name].controller for name in machine.axis_names)
+        self._own_limit = np.array([float(getattr(part, "command_limit", np.inf)) for part in own])
         seen = view or view_of(reference.path)
         self._judge = TrialJudge(machine, reference, seen, self.position, self.arc_length, vector, compiled)
         self.engine_seconds = self.judge_seconds = 0.0
@@ -146,12 +147,17 @@ class Trials:
 
     def _wanted(self) -> dict[str, int]:
         """Return the logged signals, and the column of each."""
-        kinds = ["axis_position", "position", "command"]
+        kinds = ["axis_position", "position", "command", self._asked]
         if not ToolPosition(self.machine, self.seed).exact:
             kinds.append("axis_velocity")
         names = [signal for kind in kinds for signal in self._signals[kind]]
         names += [self._estimate_of(name) for name in self.machine.axis_names if self.controller.axes[name].observer is not None]
         return {name: i for i, name in enumerate(dict.fromkeys(names))}
+
+    @property
+    def _asked(self) -> str:
+        """Signal with the commands of the controllers."""
+        return "unfiltered_command" if "unfiltered_command" in self._signals else "command"
 
     @staticmethod
     def _estimate_of(axis: str) -> str:
@@ -201,7 +207,7 @@ class Trials:
         def signal(names: Iterable[str]) -> Array:
             return rows[[self._column[name] for name in names]].T
 
-        position, measured, command = (signal(self._signals[name]) for name in ("axis_position", "position", "command"))
+        position, measured, command = (signal(self._signals[name]) for name in ("axis_position", "position", self._asked))
         estimate = np.zeros(command.T.shape).T
         for j, name in enumerate(self.machine.axis_names):
             if self._estimate_of(name) in self._column:
@@ -210,7 +216,8 @@ class Trials:
             nan, no_excess = np.nan, np.zeros_like(command)
             unknown = np.full(len(position), nan)
             return Trial(status, position, measured, position, command, no_excess, estimate, None, unknown, nan, nan, nan)
-        excess = _excess(command, self._limit)
+        beyond = _excess(signal(self._signals["command"]), self._drive_limit)
+        excess = np.where(beyond == 0.0, _excess(command, self._own_limit), beyond)
         velocity = signal(self._signals["axis_velocity"]) if self._signals["axis_velocity"][0] in self._column else position
         began = time.perf_counter()
         tool, vector, contour, figures = self._judged(trial, position, measured, velocity)
@@ -234,11 +241,6 @@ class Trials:
         return tool, vector, contour, (float(np.sqrt(np.mean(size**2))), float(size.max()), float(size.mean()))
 
 
-def _least_limit(drive: Component, controller: Component) -> float:
-    """Return the lower of the limits of controller and drive."""
-    return min(float(getattr(drive, "limit", np.inf)), float(getattr(controller, "command_limit", np.inf)))
-
-
 def _excess(command: Array, limit: Array) -> Array:
     """Return the part of commands beyond a limit; for commands limited by the controller itself, only the direction."""
     beyond = np.abs(command) - limit
@@ -250,7 +252,7 @@ def _excess(command: Array, limit: Array) -> Array:
 def _undisturbed(parts: AxisController) -> AxisController:
     """Return an axis' controller without the parts that react to errors besides its own law."""
     bare: dict[str, Any] = dict.fromkeys(("observer", "predictor", "gap_observer", "compensation", "supervisor", "link"))
-    return replace(parts, controller=parts.controller.linear(), others=(), **bare)
+    return replace(parts, controller=parts.controller.linear(), others=(), filters=(), **bare)
 
 
 def _followed(wire: Any, names: tuple[str, ...]) -> Any:
@@ -263,7 +265,8 @@ def _followed(wire: Any, names: tuple[str, ...]) -> Any:
 def feedforward_command(machine: Machine, controller: Controller, reference: Reference, *, jit: bool | None = None) -> Array:
     """Return the commands on a machine without errors: the feedforward of the reference (n_sample, n_axis) [command unit].
 
-    Feedforward, velocity and controller run with the reference in place of all measurements, without observers, coupling and compensation.
+    Feedforward, velocity and controller run with the reference in place of all measurements, without observers, coupling, compensation and
+    filters.
     Of several controllers the first runs, without a known gap.
     """
     compiled = jit_enabled() if jit is None else jit

@@ -11,7 +11,7 @@ import numpy as np
 
 from contourlab.components.contract import Component
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
-from contourlab.loop.machine import AXIS_SLOTS
+from contourlab.loop.machine import AXIS_SLOTS, NAMED_SLOTS
 from contourlab.scenario.components import find_kind, read_component, read_values, read_wishes
 from contourlab.scenario.files import EVERY
 from contourlab.scenario.provenance import read_correlations, read_machine_correlations, without_origins
@@ -186,6 +186,7 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     parts = _parts(table, ("predictor", "velocity", *_OPTIONAL), units, ("predictor", *_OPTIONAL))
     model = _model(machine, axis, parts.get("observer"))
     parts["controller"] = _position(table.entries["controller"], units, model)
+    parts["filters"] = _filters(table.table("filters"), units, machine.servo_period)
     if "feedforward" in table.entries:
         parts["feedforward"] = _feedforward(table, units, parts, machine, axis)
     parts["others"] = _others(table.table("others"), units, model)
@@ -209,10 +210,29 @@ def _link(node: Node, units: tuple[str, str]) -> Division | None:
 
 def _others(table: Table, units: tuple[str, str], model: _Model) -> tuple[tuple[str, Component], ...]:
     """Return the further controllers that a supervisor may activate, by name."""
-    for name in table.entries:
-        if not name.isidentifier() or name == "controller":
-            raise table.error("write a name of letters, digits and _, other than controller, the name of the first one", name)
+    _check_names(table)
+    if "controller" in table.entries:
+        raise table.error("write another name: controller is the name of the first one", "controller")
     return tuple((name, _position(node, units, model)) for name, node in table.entries.items())
+
+
+def _filters(table: Table, units: tuple[str, str], servo_period: float) -> tuple[tuple[str, Component], ...]:
+    """Return the filters of the command, by name; ``NAME = "none"`` leaves one out."""
+    _check_names(table)
+    filters = []
+    for name, node in table.entries.items():
+        part = read_component(node, "filter", units, optional=True)
+        if part is not None:
+            with located(table, name):
+                part.block(servo_period)
+            filters.append((name, part))
+    return tuple(filters)
+
+
+def _check_names(table: Table) -> None:
+    for name in table.entries:
+        if not name.isidentifier():
+            raise table.error("write a name of letters, digits and _", name)
 
 
 def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any], machine: Machine, axis: Axis) -> Component | None:
@@ -233,7 +253,7 @@ def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any],
 
 def _local(names: list[str], parts: Mapping[str, Any], table: Table) -> tuple[str, ...]:
     """Check the names of parameters that move with an axis, such as ``observer.model_gain``."""
-    slots = {**parts, **{f"others.{label}": part for label, part in parts.get("others", ())}}
+    slots = {**parts, **{f"{slot}.{label}": part for slot in NAMED_SLOTS for label, part in parts.get(slot, ())}}
     known = [f"{slot}.{name}" for slot, part in slots.items() if isinstance(part, Component) for name in part.numeric()]
     for name in names:
         if name not in known:

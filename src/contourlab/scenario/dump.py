@@ -11,7 +11,7 @@ from typing import Any
 
 from contourlab.components.contract import Component, Parameter
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine
-from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS
+from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
 from contourlab.scenario.case import Case, Scenario
 from contourlab.scenario.components import parameters_of
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
@@ -176,8 +176,9 @@ def _axis_controller_table(part: AxisController, units: tuple[str, str]) -> dict
     backlash = ("gap_observer", "compensation", "supervisor")
     kept = [slot for slot in reversed(CONTROLLER_SLOTS) if slot not in backlash or getattr(part, slot) is not None]
     table = {slot: component_table(getattr(part, slot), units) for slot in kept}
-    if part.others:
-        table["others"] = {label: component_table(other, units) for label, other in part.others}
+    for slot in NAMED_SLOTS:
+        if named := getattr(part, slot):
+            table[slot] = {label: component_table(other, units) for label, other in named}
     encoders = {name: getattr(part, name) for name in ("feedback", "velocity_feedback")}
     plain = {name: value for name, value in encoders.items() if value != getattr(AxisController, name)}
     if part.link is not None:

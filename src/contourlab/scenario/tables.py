@@ -126,7 +126,7 @@ class AxisControllerTable(_Strict):
     """``[controller.axes.x]``."""
 
     needed = ("controller",)
-    parts = ("velocity", "observer", "gap_observer", "predictor", "feedforward", "compensation", "supervisor", "others", "link")
+    parts = ("velocity", "observer", "gap_observer", "predictor", "feedforward", "compensation", "supervisor", "others", "filters", "link")
     feedback: Literal["load", "motor"] = "load"
     velocity_feedback: Literal["load", "motor"] = "motor"
     local: list[str] = []

@@ -17,6 +17,7 @@ from contourlab.components.coupling.modified_reference import ModifiedReference
 from contourlab.components.disturbance.loads import SineLoad
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.estimator.newton import Newton
+from contourlab.components.filter.biquad import Notch
 from contourlab.components.friction.laws import Coulomb, LuGre, SmoothCoulomb
 from contourlab.components.link.network import Network
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
@@ -39,7 +40,7 @@ def rotten(condition: bool) -> float:
     return select(condition, INFINITY - INFINITY, 0.0)
 
 
-observe, sense, differ = DisturbanceObserver.step, Encoder.step, FilteredDifference.step
+observe, sense, differ, stop = DisturbanceObserver.step, Encoder.step, FilteredDifference.step, Notch.step
 
 
 class RottenSensor(Encoder):
@@ -79,6 +80,15 @@ class RottenPredictor(Component):
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         return (), (inp.position + rotten(clock.k >= TICK),)
+
+
+class RottenFilter(Notch):
+    kind = "rotten"
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        state, out = stop(par, x, inp, clock)
+        return state, (out[0] + rotten(clock.k >= TICK),)
 
 
 class RottenFeedforward(Component):
@@ -213,6 +223,7 @@ PLANTED = [
     (RottenSensor(resolution=1e-7), 0),
     (RottenPredictor(), 0),
     (RottenVelocity(bandwidth=800.0), 0),
+    (RottenFilter(frequency=200.0), 0),
     (RottenFeedforward(), 0),
     (RottenCompensation(), 0),
     (RottenGapObserver(), 0),
@@ -258,6 +269,8 @@ def loop_with(planted: Component | None) -> tuple[cl.Machine, cl.Controller]:
         parts |= dict.fromkeys(("predictor", "feedforward", "compensation", "gap_observer", "supervisor"))
         if name == "x" and family == "link":
             return cl.AxisController(**parts, link=Division("observer", planted, planted))
+        if name == "x" and family == "filter":
+            return cl.AxisController(**parts, filters=(("rotten", planted),))
         if name == "x" and family == "supervisor":
             parts["others"] = (("other", parts["controller"]),)
         return cl.AxisController(**{**parts, **({family: planted} if name == "x" and family in parts else {})})

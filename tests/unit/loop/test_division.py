@@ -51,7 +51,14 @@ def fed() -> cl.Controller:
     return replace(plain, axes={name: replace(mine, feedforward=friction) for name, mine in plain.axes.items()})
 
 
-CONTROLLERS = {"modified reference": control, "cross-coupled": crossed, "predictor": predicted, "feedforward": fed}
+def filtered() -> cl.Controller:
+    """Return position loops with filters, and a cross-coupling that reads the commands accepted before them."""
+    filters = (("notch", make("filter", "notch", frequency=150.0)), ("smooth", make("filter", "first-order-low-pass", frequency=300.0)))
+    plain = crossed()
+    return replace(plain, axes={name: replace(mine, filters=filters) for name, mine in plain.axes.items()})
+
+
+CONTROLLERS = {"modified reference": control, "cross-coupled": crossed, "predictor": predicted, "feedforward": fed, "filters": filtered}
 
 
 @pytest.mark.parametrize("division", DIVISIONS)

@@ -253,10 +253,16 @@ def _diagonal(parts: list[Array]) -> Array:
 
 
 def _blocks(plant: TwoInertia, controller: AxisController, law: Component, delay: float) -> list[_Block]:
-    command = "drive.applied" if delay > 0.0 else "controller.command"
+    sent = "controller.command"
+    filters = []
+    for label, part in controller.filters:
+        filters.append(_Block(f"filter {label}", _linear(part), {"command": sent}))
+        sent = f"filter {label}.command"
+    command = "drive.applied" if delay > 0.0 else sent
     blocks = [_Block("plant", _split(plant), {"command": command, "shaft": "shaft"})]
     if delay > 0.0:
-        blocks.append(_Block("drive", _delayed(delay), {"command": "controller.command"}))
+        blocks.append(_Block("drive", _delayed(delay), {"command": sent}))
+    blocks += filters
     sides = {"motor_position": "plant.motor_position", "load_position": "plant.position"}
     sides |= {"motor_velocity": "plant.motor_velocity", "load_velocity": "plant.velocity"}
     if not isinstance(controller.velocity, TrueVelocity):

@@ -32,7 +32,7 @@ class LaneLoops:
     ----------
     a : ndarray (n_variant, n, n)
     b : ndarray (n_variant, n, 2)
-        Command that enters the drive, estimate that enters the controller.
+        Command that enters the filters and the drive, estimate that enters the controller.
     c : ndarray (n_variant, 2, n)
     """
 

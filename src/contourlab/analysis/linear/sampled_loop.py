@@ -1,6 +1,6 @@
 """Poles, frequency response and margins of the sampled loop of one axis.
 
-The schedule of the servo loop is built for the axis alone and cut where the command enters the drive and where the observer's estimate
+The schedule of the servo loop is built for the axis alone and cut where the command leaves the controller and where the observer's estimate
 enters the controller. Each cut becomes an input. Every response then follows from one linear map, which has the node order, one-tick
 delays, sampled filters, hold and drive delay of a run.
 """
@@ -41,7 +41,7 @@ class AxisResponse:
     modified : ndarray
         Position over the modified reference alone, which acts on position and integral, without feedforward of its derivatives.
     loop_gain : ndarray
-        The loop opened at the drive, sign such that -1 is the critical point.
+        The loop opened at the command, sign such that -1 is the critical point.
     compliance : ndarray [m per force unit]
         Position over load; in a sampled loop the load is held over the servo period.
     compensated : ndarray [m/s per command unit]
@@ -70,7 +70,8 @@ class SampledLoop:
     servo_period : float [s]
     a : ndarray (n, n)
     b : ndarray (n, 6)
-        Inputs: command that enters the drive, estimate that enters the controller, reference, its velocity and acceleration, load.
+        Inputs: command that enters the filters and the drive, estimate that enters the controller, reference, its velocity and
+        acceleration, load.
     c : ndarray (2, n)
         Outputs: the controller's command, the observer's estimate (zero without an observer). They close the loop at the first two inputs.
     state : ndarray (2, n)
@@ -245,11 +246,12 @@ def loop_of(machine: Machine, controller: Controller, opened: TickMap) -> Sample
 
 
 def _opened(name: str, whole: Schedule) -> Schedule:
-    """Cut the command before the drive and the estimate before the controller, and add a load input."""
-    cuts = {"drive": {"command": INPUTS[0]}, "controller": {"disturbance_estimate": INPUTS[1]}, "plant": {"load": INPUTS[-1]}}
+    """Cut the command after the controller and the estimate before it, and add a load input."""
+    cuts = {"controller": {"disturbance_estimate": INPUTS[1]}, "plant": {"load": INPUTS[-1]}}
     nodes = []
     for node in whole.nodes:
         wires = {port: wire for port, wire in cuts.get(node.name.rpartition(".")[2], {}).items() if port in node.wires}
+        wires |= {port: INPUTS[0] for port, wire in node.wires.items() if wire == f"{name}.controller.command"}
         if node.name != WATCH:
             nodes.append(replace(node, wires={**node.wires, **wires}))
     externals = (*whole.externals, *(Port(signal.removeprefix("in.")) for signal in (*INPUTS[:2], INPUTS[-1])))

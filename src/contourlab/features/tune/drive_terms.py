@@ -112,7 +112,7 @@ def _comparable(axis: Axis, slots: AxisController) -> bool:
     """Return whether the command consists of the law, the observer's estimate and a feedforward that LinuxCNC also has."""
     others = (slots.compensation, slots.gap_observer, slots.supervisor, slots.predictor)
     ahead = slots.feedforward is None or slots.feedforward.kind == "inverse-dynamics"
-    return ahead and not axis.plant.two_sided and all(part is None for part in others)
+    return ahead and not axis.plant.two_sided and not slots.filters and all(part is None for part in others)
 
 
 def _kv(machine: Machine, axis: Axis, slots: AxisController, gains: LinuxCNCGains | None) -> float:
@@ -237,6 +237,7 @@ def linuxcnc_gains(axis: AxisController, controller: Controller) -> LinuxCNCGain
     for slot in ("observer", "predictor", "compensation", "gap_observer", "supervisor"):
         part = getattr(axis, slot)
         missing += [] if part is None else [f"{slot.replace('_', ' ')} {part.kind}"]
+    missing += [f"filter {part.kind}" for _, part in axis.filters]
     if controller.coupling is not None:
         missing.append(f"coupling {controller.coupling.kind}")
     findings = [*gains.findings]

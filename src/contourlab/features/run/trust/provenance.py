@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import Origin
 from contourlab.loop import Axis, Controller, Machine
-from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS
+from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.report.judgement import Interval, Number, Trust
 
 
@@ -28,9 +28,7 @@ def numbers_of(machine: Machine, controller: Controller) -> tuple[Number, ...]:
     units = {axis.name: (axis.plant.command_unit, axis.plant.force_unit) for axis in machine.axes}
     first = units[machine.axis_names[0]]
     for name in machine.axis_names:
-        loop = controller.axes[name]
-        parts = {slot: getattr(loop, slot) for slot in CONTROLLER_SLOTS} | {f"others.{label}": part for label, part in loop.others}
-        for slot, part in parts.items():
+        for slot, part in controller.axes[name].parts.items():
             numbers += _component(f"controller.axes.{name}.{slot}", part, units[name])
     for slot in ("estimator", "coupling"):
         numbers += _component(f"controller.{slot}", getattr(controller, slot), first)

@@ -1,0 +1,1 @@
+"""Filters of an axis' command, between its controller and its drive."""
