@@ -15,7 +15,8 @@ from two_mass_rig import DRIVE, NONE, Drive, energy
 
 from contourlab.analysis.backlash.exact_simulation import simulate_exact
 from contourlab.components.friction.laws import Coulomb
-from contourlab.components.plant.two_inertia import COARSEST, TwoInertia
+from contourlab.components.plant.two_inertia import TwoInertia
+from contourlab.components.plant.two_sided import COARSEST
 from contourlab.papers.shahin.two_inertia_loop import Feedback, TwoInertias, two_inertia_loop
 
 Array = NDArray[np.float64]

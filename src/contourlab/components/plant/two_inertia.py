@@ -9,23 +9,17 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.components.contract import LinearModel, param, text_param
-from contourlab.components.mechanics.two_mass_bristle import two_mass_bristle_step
-from contourlab.components.mechanics.two_mass_mechanics import two_mass_step
-from contourlab.components.plant.plant import Plant
-from contourlab.engine.step import Port, ports
-from contourlab.errors import ComponentError, ParameterError
+from contourlab.components.contract import param, text_param
+from contourlab.components.plant.two_sided import DERIVED, TwoSided, even_gap
+from contourlab.errors import ParameterError
 from contourlab.primitives import clip, floor, lookup, select
-
-COARSEST = 0.5
-"""Largest phase of the shaft's oscillation in a sub-step [rad]; there the fourth-order method damps it by 1e-4 per sub-step."""
 
 CONTACT_MODEL = text_param(
     default="physical", choices=("physical", "dead-zone"), doc="how a damped shaft leaves a flank", source="Nordin, Galic & Gutman 1997"
 )
 
 
-class TwoInertia(Plant):
+class TwoInertia(TwoSided):
     """Two-inertia feed drive: J_m w_m' + c_m w_m = g u - T, J_l w_l' + c_l w_l = T; the table moves by the lead in a turn.
 
     The shaft transmits T = k_s theta_s + d_s theta_s', theta_s its twist beyond the gap. All states are lengths at the table: an angle of
@@ -33,7 +27,7 @@ class TwoInertia(Plant):
     `backlash_gap` + l/(2 pi) `backlash_angle`; `gap_profile` varies it along the table. Loads, frictions and forces on the motor are given
     at the table.
 
-    `two_mass_mechanics` integrates the contact; `two_mass_bristle` does with bristle friction. In the physical model the twist decays in
+    In the physical model the twist decays in
     the gap; in the dead-zone model a damped shaft can also pull. The path refers to the load's position. Lost motion is the gap plus the
     twist due to guide friction, 2 F_c/k_s.
 
@@ -46,24 +40,8 @@ class TwoInertia(Plant):
     kind = "two-inertia"
     reference = "Shahin, ElMaraghy & ElBeheiry, eqs 1-4; Nordin, Galic & Gutman 1997"
     command_unit = "N*m"
-    two_sided = True
     rest_depends = ("backlash_gap", "backlash_angle", "start_in_gap", "lead")
-    states = ports("motor_position", "motor_velocity", "position", "velocity", "side", "twist")
-    inputs = (Port("command"), Port("load"))
-    outputs = ports("position", "velocity", "acceleration", "motor_position", "motor_velocity", "gap_state", "shaft_force")
-    derived = (
-        "force_value",
-        "motor_mobility",
-        "motor_decay",
-        "load_mobility",
-        "load_decay",
-        "stiffness_value",
-        "damper_value",
-        "half_gap",
-        "bonded",
-        "unwinding",
-        "profile_rate",
-    )
+    derived = (*DERIVED, "profile_rate")
     tables = ("profile",)
     example = {
         "motor_inertia": 5.2e-3,
@@ -136,18 +114,12 @@ class TwoInertia(Plant):
 
     def gap_function(self) -> Any:
         """Return ``gap(par, position)``: half the gap at the load's position, and its slope."""
-        return _varying(len(self.gap_profile)) if len(self.gap_profile) > 1 else _even
+        return _varying(len(self.gap_profile)) if len(self.gap_profile) > 1 else even_gap
 
-    def joined(self, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Any:
-        laws = {motor.law, load.law}
-        if laws > {"bristle"} and laws != {"bristle", "smooth"}:
-            # A held body and one with bending bristles would need a joint solution at every stop.
-            raise ComponentError(
-                f"a {self.kind} cannot combine a bristle friction with one of law {(laws - {'bristle'}).pop()!r} (motor {motor.kind}, load "
-                f"{load.kind}): use bristles on both sides, or a smooth friction or none on the other side"
-            )
-        join = two_mass_bristle_step if "bristle" in laws else two_mass_step
-        return join(self.gap_function(), self.contact_model == "physical", motor, load, motor_view, load_view)
+    @property
+    def physical(self) -> bool:  # type: ignore[override]
+        """Whether the contact is that of the physical model."""
+        return bool(self.contact_model == "physical")
 
     def gap_at(self, position: float) -> float:
         """Return the total gap [m] with the load at `position` [m]."""
@@ -167,44 +139,8 @@ class TwoInertia(Plant):
         motor = position + 0.5 * self.start_in_gap * self.gap_at(position)
         return {"position": position, "motor_position": motor}, {"position": position, "motor_position": motor}
 
-    def rigid_model(self) -> tuple[float, float]:
-        turn = 2.0 * math.pi / self.lead
-        whole = (self.motor_inertia + self.load_inertia) * turn * turn + self.mass + self.carried_mass
-        return self.torque_gain * turn / whole, (self.motor_damping + self.load_damping) * turn * turn / whole
-
     def linear(self) -> Any:
         return self.replace(backlash_gap=0.0, backlash_angle=0.0)
-
-    def linearize(self) -> LinearModel:
-        """Return the model in contact: the drive without its gap."""
-        d = self.constants()
-        k, c, motor, load = d.stiffness_value, d.damper_value, d.motor_mobility, d.load_mobility
-        a = np.array(
-            [
-                [0.0, 1.0, 0.0, 0.0],
-                [-k * motor, -c * motor - d.motor_decay, k * motor, c * motor],
-                [0.0, 0.0, 0.0, 1.0],
-                [k * load, c * load, -k * load, -c * load - d.load_decay],
-            ]
-        )
-        b = np.array([[0.0, 0.0], [d.force_value * motor, 0.0], [0.0, 0.0], [0.0, load]])
-        names = ("position", "velocity", "motor_position", "motor_velocity")
-        return LinearModel(a, b, np.eye(4)[[2, 3, 0, 1]], np.zeros((4, 2)), ("command", "load"), names)
-
-    def mobilities(self) -> tuple[float, ...]:
-        d = self.constants()
-        return float(d.load_mobility), float(d.motor_mobility)
-
-    def fewest_substeps(self, dt: float) -> tuple[int, str]:
-        d = self.constants()
-        fast = math.sqrt(d.stiffness_value * (d.motor_mobility + d.load_mobility))
-        damped = d.damper_value * (d.motor_mobility + d.load_mobility) + max(d.motor_decay, d.load_decay)
-        wanted = max(fast * dt / COARSEST, damped * dt / 1.0)
-        return max(1, math.ceil(wanted - 1e-9)), f"a shaft that oscillates at {fast / (2.0 * math.pi):.4g} Hz"
-
-
-def _even(par: Any, position: float) -> tuple[float, float]:
-    return par.half_gap, 0.0
 
 
 @cache

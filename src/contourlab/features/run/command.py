@@ -260,7 +260,7 @@ def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path,
 def _shows_reversals(outcome: Outcome) -> bool:
     """Tell whether an axis has friction, backlash or hysteresis, which show at reversals."""
     return any(
-        axis.plant.two_sided or not isinstance(axis.friction, NoFriction) or axis.error.repeatability > 0.0
+        axis.plant.linear() != axis.plant or not isinstance(axis.friction, NoFriction) or axis.error.repeatability > 0.0
         for axis in outcome.case.machine.axes
     )
 

@@ -93,7 +93,8 @@ class Outcome:
     def loop_meant(self, axis: str) -> str:
         """Return which loop of an axis the linear analysis is of; empty where it has just one."""
         several = self.case.controller.axes[axis].supervisor is not None
-        contact = self.case.machine.axis(axis).plant.two_sided
+        plant = self.case.machine.axis(axis).plant
+        contact = plant.linear() != plant
         return ", ".join(["first controller"] * several + ["in contact"] * contact)
 
     @property
