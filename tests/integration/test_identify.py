@@ -147,7 +147,7 @@ def test_the_measured_axis_can_repeat_its_motion(
         (["--column", "force.x=push", "--decimation", "0"], "decimation"),
         (["--column", "force.x=push", "--axis", "q"], "no axis q"),
         (["--column", "force.x=push", "--lead", "10 mm"], "must be omitted, or used with a command in N*m, for model rigid: the command"),
-        (["--model", "friction", "--side", "load"], "--side = load: must be omitted: it applies to two-inertia"),
+        (["--model", "friction", "--side", "load"], "--side = load: must be omitted: it applies to two-mass, two-inertia"),
         (["--model", "first-order", "--validation", "more.csv"], "it applies to rigid, rigid-by-direction, and the model is first-order"),
         (["--column", "command.x=push [V]"], "give --gain"),
         (["--column", "command.x=push [V]", "--gain", "three"], "--gain"),

@@ -185,7 +185,7 @@ def test_nothing_is_fitted_across_a_long_gap(tmp_path: Path, capsys: pytest.Capt
 
 
 def test_columns_that_are_exchanged_are_no_response(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    from contourlab.analysis.identification.drive_fit import held_response, linear_motor
+    from contourlab.analysis.identification.drive_models import held_response, linear_motor
 
     lap = 1000
     lines = np.arange(1, 301)

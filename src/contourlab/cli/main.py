@@ -30,6 +30,7 @@ from contourlab.cli.commands.link import link
 from contourlab.cli.commands.machines import machines
 from contourlab.cli.commands.measure import measure
 from contourlab.cli.commands.new import new
+from contourlab.cli.commands.notch import notch
 from contourlab.cli.commands.refine import refine
 from contourlab.cli.commands.reproduce import reproduce
 from contourlab.cli.commands.run import run as run_command
@@ -58,6 +59,7 @@ app.command("backlash")(backlash)
 app.command("link")(link)
 app.command("measure")(measure)
 app.command("identify")(identify)
+app.command("notch")(notch)
 app.command("sensitivity")(sensitivity)
 app.command("refine")(refine)
 app.command("tune")(tune)

@@ -50,9 +50,14 @@ class Bounds:
             raise ParameterError("command", f"{self.command:g}", "> 0, as a part of the drive's limit")
 
     @property
+    def margin_words(self) -> str:
+        """The margins, as text."""
+        return f"gain margin at least {self.gain_margin:g} dB, phase margin at least {self.phase_margin:g} deg"
+
+    @property
     def words(self) -> str:
         """The guards, as text."""
-        parts = [f"gain margin at least {self.gain_margin:g} dB", f"phase margin at least {self.phase_margin:g} deg"]
+        parts = [self.margin_words]
         limited = f"drives at their limits for at most {100.0 * self.limited:g} % of the time"
         parts.append(limited if self.limited else "drives never at their limits")
         if math.isfinite(self.command):

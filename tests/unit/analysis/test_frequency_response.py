@@ -10,16 +10,8 @@ from axis_bench import driven
 from numpy.typing import NDArray
 from refusals import refuses
 
-from contourlab.analysis.identification.drive_fit import (
-    damping_ratio,
-    fit_linear_motor,
-    fit_two_inertia,
-    held_response,
-    linear_motor,
-    load_side,
-    resonances,
-    two_inertia,
-)
+from contourlab.analysis.identification.drive_fit import fit_linear_motor, fit_two_inertia
+from contourlab.analysis.identification.drive_models import damping_ratio, held_response, linear_motor, load_side, resonances, two_inertia
 from contourlab.analysis.identification.frequency_response import (
     Measured,
     MeasuredResponse,

@@ -50,17 +50,13 @@ def test_a_static_force_twists_it_by_its_stiffness() -> None:
 def test_the_response_is_that_of_python_control() -> None:
     control = pytest.importorskip("control")
     c = 80.0
-    plant = AXIS.replace(damping=c)
     s = control.tf("s")
-    motor, load, d = (1.0 - SHARE) * M, SHARE * M, 2.0 * D * STIFFNESS / W
-    spring = STIFFNESS + d * s
-    below = (motor * s**2 + spring) * (load * s**2 + c * s + spring) - spring**2
-    model = plant.linearize()
+    slow, fast = 1.0 / (s**2 + s * c / M), 1.0 / (s**2 + (2.0 * D * W + c / M) * s + W**2)
+    model = AXIS.replace(damping=c).linearize()
     own = control.ss(model.a, model.b[:, :1], model.c, np.zeros((4, 1)))
     w = np.geomspace(1.0, 5e3, 60)
-    for row, above in ((0, spring), (2, load * s**2 + c * s + spring)):
-        found, expected = own(1j * w)[row, 0], K_F * (above / below)(1j * w)
-        assert found == pytest.approx(expected, rel=1e-6)
+    for row, sum_of in ((0, slow - fast), (2, slow + SHARE / (1.0 - SHARE) * fast)):
+        assert own(1j * w)[row, 0] == pytest.approx(K_F / M * sum_of(1j * w), rel=1e-6)
 
 
 def test_resonance_and_antiresonance_of_the_motor_side() -> None:
@@ -109,7 +105,8 @@ def test_a_ball_screw_has_its_rotor_and_screw_on_the_motor_side() -> None:
         lead=0.01,
         stiffness=reduced * W**2,
         shaft_damping=2.0 * 0.02 * W * reduced,
-        load_damping=90.0 / (200.0 * math.pi) ** 2,
+        load_damping=90.0 * 30.0 / whole / (200.0 * math.pi) ** 2,
+        motor_damping=90.0 * rotor / whole / (200.0 * math.pi) ** 2,
         torque_gain=0.45,
     )
     command = np.random.default_rng(1).normal(size=300)

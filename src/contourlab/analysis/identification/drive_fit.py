@@ -1,12 +1,10 @@
-"""Models of a drive over frequency and their fit to a measured response: one mass with damping and delay, or two inertias and a shaft.
+"""The fit of a drive's model to a measured frequency response: one mass with damping and delay, or two masses.
 
-The fit is on log magnitude and phase [rad], each point weighted by its deviation. The command is held between samples and the position is
-sampled: the model's response is summed over its aliases, so that points near half the sample frequency are usable too.
+The fit is on log magnitude and phase [rad], each point weighted by its deviation.
 
 References
 ----------
-Altintas, Verl, Brecher, Uriarte & Pritschow, "Machine tool feed drives", CIRP Annals 60 (2011), for the two-inertia drive; Pintelon &
-Schoukens, "System Identification: a frequency domain approach", 2nd ed., section 9.8 (logarithmic least squares).
+Pintelon & Schoukens, "System Identification: a frequency domain approach", 2nd ed., section 9.8 (logarithmic least squares).
 """
 
 from __future__ import annotations
@@ -18,82 +16,20 @@ from itertools import product
 
 import numpy as np
 
+from contourlab.analysis.identification.drive_models import (
+    Parameters,
+    held_response,
+    linear_motor,
+    load_side,
+    resonances,
+    two_inertia,
+    two_mass,
+)
 from contourlab.analysis.identification.frequency_response import MeasuredResponse
 from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output, fit_percent
 from contourlab.arrays import Array, Complex
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
-
-Parameters = Mapping[str, float]
-
-ALIASES = 4
-"""Aliases on either side; the rest is below 1e-3 of the response of a position."""
-
-
-def linear_motor(x: Parameters, s: Complex) -> Complex:
-    """Return position over force of a mass M with damping B and a delay."""
-    return np.asarray(np.exp(-s * x.get("delay", 0.0)) / (s * (x["M"] * s + x["B"])))
-
-
-def two_inertia(x: Parameters, s: Complex, side: str = "motor") -> Complex:
-    """Return position over force of two masses with a shaft between them, with the position of motor or load."""
-    shaft = x["shaft_damping"] * s + x["stiffness"]
-    load = x["load_mass"] * s * s + shaft
-    # motor load - shaft^2, without the terms that cancel at low frequencies.
-    whole = (x["motor_mass"] * s + x["damping"]) * load + x["load_mass"] * s * shaft
-    return np.asarray(np.exp(-s * x.get("delay", 0.0)) * (load if side == "motor" else shaft) / (s * whole))
-
-
-def load_side(x: Parameters, s: Complex) -> Complex:
-    """Return position over force at the load, from parameters visible there: total mass, resonance [Hz], damping ratio, damping, delay.
-
-    Notes
-    -----
-    Seen from the load, a drive is (1 + s d/k)/(s (M s + c)) times one resonance; the division of the mass M into motor m and load l is not
-    visible. The damping ratio of the resonance is, to first order,
-
-        zeta = d/(2 w m l/M) + c l/(2 w m M),
-
-    whose shaft and motor parts cannot be separated without m and l. The lead d/k is taken as 2 zeta/w, as if all damping were in the
-    shaft; damping of the motor then makes the delay too large, by less than 2 zeta/w.
-    """
-    w = 2.0 * math.pi * x["resonance"]
-    lead = 2.0 * x["damping_ratio"] / w
-    rigid = s * (x["mass"] * s + x["damping"])
-    return np.asarray(np.exp(-s * x["delay"]) * (1.0 + lead * s) / (rigid * (1.0 + lead * s + (s / w) ** 2)))
-
-
-def held_response(model: Callable[[Complex], Complex], frequency: Array, period: float) -> Complex:
-    """Return the sampled response of a continuous model: command held, position sampled, aliases summed.
-
-    Parameters
-    ----------
-    model : callable
-        From s (n,) to the response.
-    frequency : ndarray (n,) [Hz]
-        Below half the sample frequency.
-    period : float [s]
-    """
-    total = np.zeros(frequency.size, dtype=complex)
-    for k in range(-ALIASES, ALIASES + 1):
-        s = np.asarray(2j * np.pi * (frequency + k / period), dtype=complex)
-        total += model(s) * -np.expm1(-s * period) / (s * period)
-    return total
-
-
-def resonances(x: Parameters) -> tuple[float, float]:
-    """Return resonance and antiresonance [Hz] of two masses, without damping."""
-    k, motor, load = x["stiffness"], x["motor_mass"], x["load_mass"]
-    return math.sqrt(k * (1.0 / motor + 1.0 / load)) / (2.0 * math.pi), math.sqrt(k / load) / (2.0 * math.pi)
-
-
-def damping_ratio(x: Parameters) -> float:
-    """Return the damping ratio of the resonance of two masses, from the damping of shaft and motor."""
-    motor, load, shaft, c = x["motor_mass"], x["load_mass"], x["shaft_damping"], x["damping"]
-    powers = [motor * load, (motor + load) * shaft + load * c, (motor + load) * x["stiffness"] + c * shaft, c * x["stiffness"]]
-    pole = max(np.roots(powers), key=lambda root: abs(root.imag))
-    return float(-pole.real / abs(pole))
-
 
 CLEAREST = 2e-3
 """Smallest relative deviation of a point."""
@@ -124,6 +60,8 @@ class DriveFit:
         Of the complex velocity response.
     usable : bool
     findings : tuple of Finding
+    transfer : callable
+        The model: from s (n,) to position over command.
     given : mapping of str to float
         Parameters with given values.
     """
@@ -135,6 +73,7 @@ class DriveFit:
     fit: float
     usable: bool
     findings: tuple[Finding, ...]
+    transfer: Callable[[Complex], Complex]
     given: Mapping[str, float] = field(default_factory=dict)
 
     @property
@@ -250,6 +189,39 @@ def fit_two_inertia(measured: MeasuredResponse, side: str = "motor") -> DriveFit
     return _with_resonance(points, _fitted(points, load_side, start), rigid)
 
 
+def fit_two_mass(measured: MeasuredResponse, side: str = "motor") -> DriveFit:
+    """Fit the plant "two-mass" with a delay to a frequency response; the load's share is fitted at the motor only.
+
+    Parameters
+    ----------
+    measured : MeasuredResponse
+    side : str
+        Where the position is measured: ``"motor"`` or ``"load"``.
+
+    Raises
+    ------
+    ParameterError
+        If there are fewer than 8 points, the mass is below zero, or the parameters cannot be separated.
+    """
+    points = _points(measured, 8)
+    rigid = _fitted(points, linear_motor, _rigid_start(points))
+    start = _two_inertia_start(points, side, rigid["delay"] + 0.5 * points.period)
+    if side == "motor":
+        masses = {name: start[name].start for name in MASSES}
+        low, high = float(points.frequency.min()), float(points.frequency.max())
+        mass, share, resonance = masses["motor_mass"] + masses["load_mass"], masses["load_mass"], resonances(masses)[0]
+        loss = start["shaft_damping"].start * math.pi * resonance / masses["stiffness"]
+        start = {
+            "mass": Free(mass, 1e-4 * mass, 1e4 * mass, mass),
+            "load_share": Free(share / mass, 0.01, 0.99, 0.1),
+            "resonance": Free(resonance, low, 3.0 * high, low),
+            "damping_ratio": Free(loss, 0.0, 1.0, 0.01),
+            "damping": start["damping"],
+            "delay": start["delay"],
+        }
+    return _with_resonance(points, _fitted(points, two_mass, start), rigid)
+
+
 def fit_load_share(measured: MeasuredResponse, whole: DriveFit, motor_mass: float) -> DriveFit:
     """Fit load, shaft, damping and delay to a frequency response at the load, with a known mass of motor and screw.
 
@@ -335,7 +307,7 @@ def _two_inertia_start(points: _Points, side: str, delay: float) -> dict[str, Fr
 
 
 MASSES = ("motor_mass", "load_mass", "stiffness")
-VITAL = ("M", "mass", "resonance", *MASSES)
+VITAL = ("M", "mass", "resonance", "load_share", *MASSES)
 """Parameters that a usable model needs."""
 
 
@@ -346,7 +318,8 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
     output_fit = fit_output(lambda x: points.row(response(x)), points.measured, free)
     # Points over frequency are not a record in time, and often few: do not let the robust deviations be smaller.
     output_fit = replace(output_fit, robust_deviations=np.maximum(output_fit.deviations, output_fit.robust_deviations))
-    predicted = response(dict(zip(output_fit.names, output_fit.values.tolist(), strict=True)))
+    best = dict(zip(output_fit.names, output_fit.values.tolist(), strict=True))
+    predicted = response(best)
     fit = fit_percent(points.speed(points.response), points.speed(predicted))
     findings, usable = [], True
     if points.left_out:
@@ -364,7 +337,7 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
     if fit < EXPLAINED:
         findings.append(finding("CL533", fit=fit / 100.0, output="response"))
         usable = usable and fit > 0.5 * EXPLAINED
-    return DriveFit(output_fit, points.frequency, points.response, predicted, fit, usable, tuple(findings))
+    return DriveFit(output_fit, points.frequency, points.response, predicted, fit, usable, tuple(findings), lambda s: model(best, s))
 
 
 def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit:
@@ -375,7 +348,7 @@ def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit
     if not points.frequency.min() < resonance < 1.1 * points.frequency.max():
         findings.append(finding("CL538", frequency=resonance))
         usable = False
-    if "resonance" in x:
+    if "resonance" in x and "load_share" not in x:
         findings.append(finding("CL539"))
     elif fit.given:
         findings.append(finding("CL540"))

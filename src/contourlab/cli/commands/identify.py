@@ -10,7 +10,7 @@ import typer
 from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Plots, SamplePeriod
 from contourlab.cli.output import emit_json, say
 
-MODEL = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor or two-inertia."
+MODEL = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor, two-mass, two-inertia."
 
 
 def identify(
@@ -45,7 +45,10 @@ def identify(
         str | None,
         typer.Option(help='two-inertia at the load: inertia of motor and screw, e.g. "2 kg*cm^2"; for an axis file.', show_default=False),
     ] = None,
-    side: Annotated[str, typer.Option(help="two-inertia: where the position is measured, motor or load.")] = "motor",
+    side: Annotated[str, typer.Option(help="two-mass, two-inertia: where the position is measured, motor or load.")] = "motor",
+    excitation: Annotated[
+        str, typer.Option(help="Frequency response: reference, where it moves; or command, if a test signal is added to it.")
+    ] = "reference",
     out: Annotated[Path | None, typer.Option(help="The axis file to write.", show_default=False)] = None,
     folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
     as_json: Json = False,
@@ -71,6 +74,7 @@ def identify(
         lead=lead,
         motor_inertia=motor_inertia,
         side=side,
+        excitation=excitation,
     )
     identification = identify_log(request, out=out, plots=tuple(plots or ()), folder=folder)
     if as_json:

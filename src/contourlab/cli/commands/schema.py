@@ -20,6 +20,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.link.result import LinkResult
     from contourlab.features.machines.command import Shipped
     from contourlab.features.measure.summary import MeasuredSummary
+    from contourlab.features.notch.command import Notched
     from contourlab.features.refine.command import Refinement
     from contourlab.features.run.demo import Demo
     from contourlab.features.run.summary import Summary
@@ -44,6 +45,7 @@ def results() -> dict[str, Any]:
         "link": LinkResult,
         "machines": Shipped | tuple[Shipped, ...] | tuple[Path, ...],
         "measure": MeasuredSummary,
+        "notch": Notched,
         "refine": Refinement,
         "reproduce": tuple[Row, ...],
         "run": Summary,

@@ -11,11 +11,15 @@ from contourlab.components.plant.two_sided import DERIVED, TwoSided
 
 
 class Elastic(TwoSided):
-    """Base of axes with a resonance at w_r: m_m v_m' = F - f, (m_l + m_c) v_l' = f - c v_l + load, f = k (x_m - x_l) + d (v_m - v_l).
+    """Base of axes with a resonance: m_m v_m' = F - f - c_m v_m, (m_l + m_c) v_l' = f - c_l v_l + load, f = k (x_m - x_l) + d (v_m - v_l).
 
-    k = mu w_r^2 and d = 2 D mu w_r with the reduced mass mu = m_m m_l/(m_m + m_l). So w_r and D are those of the free axis without carried
-    mass and without c; w_a = w_r sqrt(m_m/(m_m + m_l)) is the antiresonance, at which the load absorbs the motion of the motor. A subclass
-    gives m_m, m_l and F per command.
+    With the mass m = m_m + m_l and the reduced mass mu = m_m m_l/m, k = mu w_r^2 and d = 2 D mu w_r; the viscous damping c acts on both in
+    proportion to their masses. So without carried mass the axis has two modes that do not couple,
+
+        x_m/F = (1/(s^2 + s c/m) + (m_l/m_m)/(s^2 + s (2 D w_r + c/m) + w_r^2))/m,
+        x_l/F = (1/(s^2 + s c/m) - 1/(s^2 + s (2 D w_r + c/m) + w_r^2))/m,
+
+    and at the antiresonance w_a = w_r sqrt(m_m/m) the load absorbs the motion of the motor. A subclass gives m_m, m_l and F per command.
     """
 
     derived = DERIVED
@@ -32,9 +36,10 @@ class Elastic(TwoSided):
         load, w = own + par.carried_mass, 2.0 * math.pi * par.resonance
         reduced = motor * own / (motor + own)
         stiffness, damper = reduced * w * w, 2.0 * par.damping_ratio * w * reduced
+        decay = par.damping / (motor + own)
         # Without a gap there is no twist to unwind.
         nothing = 0.0 * load
-        return force, 1.0 / motor, nothing, 1.0 / load, par.damping / load, stiffness, damper, nothing, 1.0 + nothing, nothing
+        return force, 1.0 / motor, decay, 1.0 / load, decay * own / load, stiffness, damper, nothing, 1.0 + nothing, nothing
 
 
 class TwoMass(Elastic):
@@ -56,7 +61,7 @@ class TwoMass(Elastic):
 
     mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="moving mass, both sides; rotating parts as J (2 pi / lead)^2")
     carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="additional mass on the load side")
-    damping: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous damping of the load's guides, c")
+    damping: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous damping of guides, screw and motor, c")
     force_constant: float = param(unit="N/A", minimum=0.0, exclusive=True, doc="force of the drive per command")
     load_share: float = param(default=0.5, minimum=0.01, maximum=0.99, doc="part of `mass` on the load side, m_l/(m_m + m_l)")
 

@@ -108,7 +108,11 @@ def axis_file(identified: Identified) -> str:
 
 def _number(key: str, value: Any, unit: str, origin: Origin) -> Noted:
     shown = "mm/s" if key.endswith("_velocity") else SHOWN.get(unit, unit)
-    return Noted(origin_table(f"{from_si(value, shown):.6g} {shown}", origin, lambda number: f"{from_si(number, shown):.3g} {shown}"))
+
+    def quantity(number: float, digits: int) -> str:
+        return f"{from_si(number, shown):.{digits}g} {shown}".strip()
+
+    return Noted(origin_table(quantity(value, 6), origin, lambda number: quantity(number, 3)))
 
 
 def _text(identified: Identified) -> str:

@@ -8,18 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.analysis.identification.drive_fit import (
-    DriveFit,
-    damping_ratio,
-    fit_linear_motor,
-    fit_load_share,
-    fit_two_inertia,
-    held_response,
-    linear_motor,
-    load_side,
-    resonances,
-    two_inertia,
-)
+from contourlab.analysis.identification.drive_fit import DriveFit, fit_linear_motor, fit_load_share, fit_two_inertia
+from contourlab.analysis.identification.drive_models import damping_ratio, held_response, resonances
 from contourlab.analysis.identification.filtered_motion import filtered_motion
 from contourlab.analysis.identification.fit_plausibility import mass_findings
 from contourlab.analysis.identification.frequency_response import (
@@ -57,6 +47,8 @@ PRINTED = 24
 FEW = 40
 """Largest number of points drawn with their deviations."""
 COHERENT = 0.5
+EXCITATIONS = ("reference", "command")
+"""What excites an axis: the reference where it moves, else the command; or the command in any case."""
 MODEL_POINTS = 400
 """Points of a model curve."""
 BEYOND, BELOW_NYQUIST = 2.0, 0.4
@@ -65,13 +57,15 @@ SMOOTHED, SLOW, RARELY = 0.005, 0.1, 0.05
 """Interval [s] for a speed, share of the top speed that counts as motion, share of the samples that counts as reversing."""
 
 
-def identify_response(records: Sequence[AxisRecord]) -> Identified:
+def identify_response(records: Sequence[AxisRecord], excitation: str = EXCITATIONS[0]) -> Identified:
     """Measure the frequency response of an axis with coherence and deviations.
 
     Parameters
     ----------
     records : sequence of AxisRecord
         With command or force; in closed loop with the reference.
+    excitation : str
+        ``"reference"``: the reference where it moves, else the command; ``"command"`` if a test signal is added to the command.
 
     Raises
     ------
@@ -82,7 +76,7 @@ def identify_response(records: Sequence[AxisRecord]) -> Identified:
     ParameterError
         If a record is too short, or its response is noise.
     """
-    response, unit = _measured_response(records), records[0].unit
+    response, unit = measured_response(records, excitation), records[0].unit
     weak = int(np.count_nonzero(response.coherence < COHERENT))
     low = [finding("CL507", limit=COHERENT, count=weak, points=response.frequency.size)] if weak else []
     doubts = response_findings(response)
@@ -102,22 +96,23 @@ def identify_response(records: Sequence[AxisRecord]) -> Identified:
     )
 
 
-def identify_linear_motor(records: Sequence[AxisRecord]) -> Identified:
+def identify_linear_motor(records: Sequence[AxisRecord], excitation: str = EXCITATIONS[0]) -> Identified:
     """Fit mass, damping and delay of a drive to its frequency response.
 
     Parameters
     ----------
     records : sequence of AxisRecord
-        See `identify_response`.
+    excitation : str
+        Both as in `identify_response`.
 
     Raises
     ------
     ResultError, ParameterError
         If the response cannot be measured or the model cannot be fitted.
     """
-    response = _measured_response(records)
+    response = measured_response(records, excitation)
     fit, forces = fit_linear_motor(response), forces_of(records)
-    uncertainty = _propagated(fit, lambda x: plant_numbers(forces, 1.0 / x["M"], x["B"] / x["M"]) | {"drive.delay": x["delay"]})
+    uncertainty = propagated(fit, lambda x: plant_numbers(forces, 1.0 / x["M"], x["B"] / x["M"]) | {"drive.delay": x["delay"]})
     tables: Tables = {}
     if fit.usable:
         tables = rigid_tables(
@@ -127,13 +122,17 @@ def identify_linear_motor(records: Sequence[AxisRecord]) -> Identified:
             fit["B"] / fit["M"],
             lambda name, note="": uncertainty.origin(reference_name(records), name, note or "frequency response"),
             delay=fit["delay"],
-            peak=_peak(records, fit),
+            peak=largest_acceleration(records, fit),
         )
-    return _identified("linear-motor", records, response, fit, tables, uncertainty)
+    return identified_drive("linear-motor", records, response, fit, tables, uncertainty)
 
 
 def identify_two_inertia(
-    records: Sequence[AxisRecord], side: str = "motor", lead: float | None = None, motor_inertia: float | None = None
+    records: Sequence[AxisRecord],
+    side: str = "motor",
+    lead: float | None = None,
+    motor_inertia: float | None = None,
+    excitation: str = EXCITATIONS[0],
 ) -> Identified:
     """Fit two inertias, their shaft, damping and delay of a drive to its frequency response.
 
@@ -147,6 +146,8 @@ def identify_two_inertia(
     motor_inertia : float [kg m^2], optional
         Inertia of motor and screw, from a data sheet. The response at the load does not show it, and an axis file needs it. Used only with
         a lead and commands that are forces.
+    excitation : str
+        As in `identify_response`.
 
     Raises
     ------
@@ -156,7 +157,7 @@ def identify_two_inertia(
     """
     if motor_inertia is not None and side == "motor":
         raise ParameterError("motor_inertia", f"{motor_inertia:g} kg*m^2", "omitted: with the position of the motor it is identified")
-    response, unit = _measured_response(records), records[0].unit
+    response, unit = measured_response(records, excitation), records[0].unit
     fit = fit_two_inertia(response, side)
     if motor_inertia is not None and lead is not None and unit == "N" and fit.usable:
         fit = _with_motor(response, fit, motor_inertia, lead)
@@ -169,15 +170,15 @@ def identify_two_inertia(
         findings.append(finding("CL504", options=tuple(dict.fromkeys(missing))))
     elif fit.usable and lead is not None:
         note = "frequency response at the load, with the motor's inertia as given" if fit.given else "frequency response"
-        uncertainty = _propagated(fit, lambda x: two_inertia_numbers(lead, {**fit.given, **x}))
+        uncertainty = propagated(fit, lambda x: two_inertia_numbers(lead, {**fit.given, **x}))
 
         def origin(name: str) -> Origin:
             return uncertainty.origin(reference_name(records), name, note)
 
         effort = Effort(forces_of(records), 1.0 / fit.whole_mass, fit["damping"] / fit.whole_mass)
-        limits = motion_limits(records, effort, _peak(records, fit))
+        limits = motion_limits(records, effort, largest_acceleration(records, fit))
         tables = two_inertia_tables(records, lead, fit.parameters, fit.given, origin, limits)
-    return _identified("two-inertia", records, response, fit, tables, uncertainty, findings)
+    return identified_drive("two-inertia", records, response, fit, tables, uncertainty, findings)
 
 
 def _with_motor(response: MeasuredResponse, whole: DriveFit, motor_inertia: float, lead: float) -> DriveFit:
@@ -189,10 +190,12 @@ def _with_motor(response: MeasuredResponse, whole: DriveFit, motor_inertia: floa
     return fit_load_share(response, whole, motor_inertia / arm**2)
 
 
-def _measured_response(records: Sequence[AxisRecord]) -> MeasuredResponse:
-    """Return position over command of an axis, measured by the method that fits the excitation."""
+def measured_response(records: Sequence[AxisRecord], excitation: str = EXCITATIONS[0]) -> MeasuredResponse:
+    """Return position over command of an axis, measured by the method that fits the excitation, one of `EXCITATIONS`."""
+    if excitation not in EXCITATIONS:
+        raise ParameterError("--excitation", repr(excitation), f"one of {', '.join(EXCITATIONS)}")
     common_unit(records, "one response")
-    runs = [_run(record) for record in records]
+    runs = [_run(record, excitation) for record in records]
     excitations = [run.command if run.outside is None else run.outside for run in runs]
     if any(sine_stretch(excitation, run.period) is not None for excitation, run in zip(excitations, runs, strict=True)):
         return sine_responses(runs, [record.source for record in records])
@@ -204,19 +207,20 @@ def _measured_response(records: Sequence[AxisRecord]) -> MeasuredResponse:
     return swept_response(runs[0]) if is_sweep(excitations[0]) else spectral_response(runs)
 
 
-def _run(record: AxisRecord) -> Measured:
+def _run(record: AxisRecord, excitation: str) -> Measured:
     # A moving reference means a closed loop. The reference, unlike the command, has no noise.
-    closed = record.reference is not None and np.ptp(record.reference) > 0.0
+    closed = excitation == "reference" and record.reference is not None and np.ptp(record.reference) > 0.0
     with about(record.source):
         return Measured(record.period, record.driven(), record.position, record.reference if closed else None)
 
 
-def _propagated(fit: DriveFit, numbers: Callable[[Mapping[str, float]], Mapping[str, float]]) -> Propagated:
+def propagated(fit: DriveFit, numbers: Callable[[Mapping[str, float]], Mapping[str, float]]) -> Propagated:
+    """Return the uncertainty of the parameters of an axis file that `numbers` computes from those of the fit."""
     found = fit.found
     return propagate(numbers, found.names, found.values, found.robust_deviations, found.correlation)
 
 
-def _peak(records: Sequence[AxisRecord], fit: DriveFit) -> Peak:
+def largest_acceleration(records: Sequence[AxisRecord], fit: DriveFit) -> Peak:
     """Return the largest acceleration up to the fitted frequencies; above them encoder counts and noise dominate."""
     peaks = []
     for record in records:
@@ -227,7 +231,7 @@ def _peak(records: Sequence[AxisRecord], fit: DriveFit) -> Peak:
     return Peak(max(peaks))
 
 
-def _identified(
+def identified_drive(
     model: str,
     records: Sequence[AxisRecord],
     response: MeasuredResponse,
@@ -236,6 +240,7 @@ def _identified(
     uncertainty: Propagated,
     findings: Sequence[Finding] = (),
 ) -> Identified:
+    """Return the result of a model fitted to a response."""
     unit, found = records[0].unit, fit.found
     units = _units(unit)
     on_mass, possible = mass_findings(fit.whole_mass) if unit == "N" else ([], True)
@@ -252,7 +257,7 @@ def _identified(
         fit.usable and possible,
         tuple(findings),
         details={"method": response.method, "condition_number": found.condition_number, "points": _json_points(response, unit)},
-        lines=(response.method, fitted, *(_resonance_lines(fit) if model == "two-inertia" else ())),
+        lines=(response.method, fitted, *(_resonance_lines(fit) if model != "linear-motor" else ())),
         tables=tables,
         correlations=uncertainty.correlations if tables else (),
         pictures=_pictures(records[0].axis, model, response, fit, unit),
@@ -264,11 +269,13 @@ def _units(unit: str) -> dict[str, str]:
     force = unit or "command"
     mass, loss = ("kg", "N*s/m") if unit == "N" else (f"{force}*s^2/m", f"{force}*s/m")
     units = dict.fromkeys(("M", "mass", "motor_mass", "load_mass"), mass) | dict.fromkeys(("B", "damping", "shaft_damping"), loss)
-    return units | {"delay": "s", "stiffness": f"{force}/m", "resonance": "Hz", "damping_ratio": ""}
+    return units | {"delay": "s", "stiffness": f"{force}/m", "resonance": "Hz", "damping_ratio": "", "load_share": ""}
 
 
 def _resonance_lines(fit: DriveFit) -> tuple[str, ...]:
-    """Return a line on the resonance of two masses; none if the resonance is itself a parameter."""
+    """Return a line on resonance and antiresonance of two masses; none at the load, where the resonance is a parameter."""
+    if "load_share" in fit.parameters:
+        return (f"antiresonance {fit['resonance'] * math.sqrt(1.0 - fit['load_share']):.4g} Hz",)
     if "resonance" in fit.parameters:
         return ()
     resonance, antiresonance = resonances(fit.parameters)
@@ -350,7 +357,7 @@ def _bode_graphs(response: MeasuredResponse, unit: str, model: tuple[Array, Comp
 
 def _pictures(axis: str, model: str, response: MeasuredResponse, fit: DriveFit, unit: str) -> tuple[Picture, ...]:
     f = np.geomspace(response.frequency[0], response.frequency[-1], MODEL_POINTS)
-    velocity = 2j * np.pi * f * held_response(_model(fit), f, response.period)
+    velocity = 2j * np.pi * f * held_response(fit.transfer, f, response.period)
     ratio = fit.measured / fit.predicted
 
     def residual(key: str, unit: str, values: Array) -> Graph:
@@ -363,13 +370,3 @@ def _pictures(axis: str, model: str, response: MeasuredResponse, fit: DriveFit, 
         Picture("bode", f"Frequency response of axis {axis}, {model}", _bode_graphs(response, unit, (f, velocity)), response.method),
         Picture("residual", "Residual of the response", left, "Size: measured over model, minus one. Phase: measured minus model."),
     )
-
-
-def _model(fit: DriveFit) -> Callable[[Complex], Complex]:
-    """Return the transfer function of the model."""
-    x = fit.parameters
-    if "M" in x:
-        return lambda s: linear_motor(x, s)
-    if "resonance" in x:
-        return lambda s: load_side(x, s)
-    return lambda s: two_inertia(x, s, "load" if fit.given else "motor")

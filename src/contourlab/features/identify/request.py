@@ -10,12 +10,13 @@ from pathlib import Path
 from contourlab.analysis.identification.inverse_dynamics import InverseDynamicsSettings
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.identify.first_order import identify_behind_observer, identify_open_loop
-from contourlab.features.identify.frequency import identify_linear_motor, identify_response, identify_two_inertia
+from contourlab.features.identify.frequency import EXCITATIONS, identify_linear_motor, identify_response, identify_two_inertia
 from contourlab.features.identify.friction import identify_friction, identify_stiction
 from contourlab.features.identify.records import AxisRecord, axis_pieces, longest_piece, newtons_per, samples_digest
 from contourlab.features.identify.result import Identified, join_names
 from contourlab.features.identify.rigid import MODELS as RIGID
 from contourlab.features.identify.rigid import identify_rigid
+from contourlab.features.identify.two_mass import identify_two_mass
 from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log, positive
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
@@ -52,6 +53,8 @@ class Request:
         Inertia of motor and screw, as ``"2 kg*cm^2"``.
     side : str
         Where the position is measured, ``"motor"`` or ``"load"``.
+    excitation : str
+        ``"reference"`` or ``"command"``, for a frequency response.
     """
 
     model: str
@@ -68,6 +71,7 @@ class Request:
     lead: str | None = None
     motor_inertia: str | None = None
     side: str = "motor"
+    excitation: str = EXCITATIONS[0]
     _on_logs: list[tuple[Finding, list[str]]] = field(default_factory=list)
     _doubts: list[Finding] = field(default_factory=list)
 
@@ -287,7 +291,7 @@ def _two_inertia(request: Request) -> Identified:
     lead, inertia = request.travel(), None
     if request.motor_inertia is not None:
         inertia = positive("--motor-inertia", request.motor_inertia, "kg*m^2", 'of motor and screw, such as "2 kg*cm^2"')
-    return identify_two_inertia(request.records(), request.side, lead, inertia)
+    return identify_two_inertia(request.records(), request.side, lead, inertia, request.excitation)
 
 
 _OF_RIGID = ("cutoff", "slowest", "decimation", "validation")
@@ -302,13 +306,20 @@ MODELS = {
     ),
     "closed-loop": Model(_closed_loop, "a' and b' behind a disturbance observer", ("position_gain", "velocity_gain")),
     "frequency-response": Model(
-        lambda request: identify_response(request.records()),
+        lambda request: identify_response(request.records(), request.excitation),
         "position over command from sines, a chirp, noise or a multisine",
+        ("excitation",),
     ),
     "linear-motor": Model(
-        lambda request: identify_linear_motor(request.records()),
+        lambda request: identify_linear_motor(request.records(), request.excitation),
         "mass, damping and delay fitted to the frequency response",
+        ("excitation",),
     ),
-    "two-inertia": Model(_two_inertia, "motor, load and shaft fitted to the frequency response", ("motor_inertia", "side")),
+    "two-mass": Model(
+        lambda request: identify_two_mass(request.records(), request.side, request.excitation),
+        "mass and one structural resonance fitted to the frequency response",
+        ("side", "excitation"),
+    ),
+    "two-inertia": Model(_two_inertia, "motor, load and shaft fitted to the frequency response", ("motor_inertia", "side", "excitation")),
 }
 """Models by name, in the order of the messages."""

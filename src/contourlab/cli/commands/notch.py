@@ -1,0 +1,33 @@
+"""``contourlab notch``: notch filters for the structural resonances of a scenario."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from contourlab.cli.options import GainMargin, Json, PhaseMargin, Plugins, ScenarioFile, listed
+from contourlab.cli.output import show_result
+
+
+def notch(
+    file: ScenarioFile,
+    scheme: Annotated[str | None, typer.Option(help="Scheme of the scenario; by default the scenario itself.", show_default=False)] = None,
+    axes: Annotated[
+        str | None, typer.Option(help="Axes, with commas; by default those whose margins are too small.", show_default=False)
+    ] = None,
+    gain_margin: GainMargin = 6.0,
+    phase_margin: PhaseMargin = 30.0,
+    out: Annotated[Path | None, typer.Option(help="Controller file to write; creates missing folders.", show_default=False)] = None,
+    as_json: Json = False,
+    plugin: Plugins = None,
+) -> int:
+    """Propose a notch filter for each resonance that spoils a loop; write a controller file."""
+    from contourlab.design.guards import Bounds
+    from contourlab.features.notch.command import notch_scenario
+
+    bounds = Bounds(gain_margin, phase_margin)
+    notched = notch_scenario(file, scheme=scheme, axes=listed(axes), bounds=bounds, out=out, plugins=tuple(plugin or ()))
+    show_result(notched, as_json)
+    return 0 if notched.passed else 1

@@ -1,0 +1,1 @@
+"""A notch filter for the structural resonance of each axis that needs one."""

@@ -1,0 +1,200 @@
+"""``contourlab notch``: propose a notch filter for each resonance that spoils a loop, with margins and contour error before and after."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from contourlab.analysis.linear.margins import Margins
+from contourlab.app.results import check_file
+from contourlab.design.guards import Bounds, Guards
+from contourlab.design.notch import MOVED, NotchDesign, design_notch, resonance_of, with_velocity_gain
+from contourlab.errors import ParameterError
+from contourlab.features.run.margin_words import decibel, degrees
+from contourlab.features.tune.objective import FIGURES, Evaluation, evaluate
+from contourlab.figures import figure, number
+from contourlab.findings import Finding, finding
+from contourlab.loop import Controller, Machine
+from contourlab.report.table import Column, Table, paragraphs
+from contourlab.result import write_text_atomic
+
+if TYPE_CHECKING:
+    from contourlab.scenario import Scenario
+
+SHOWN = ("contour_error_rms", "contour_error_max", "part_error_max", "tracking_error_rms", "limited_share")
+"""Figures of the runs before and after."""
+
+
+@dataclass(frozen=True, eq=False)
+class Notched:
+    """The result of the command; its fields are the JSON output.
+
+    Attributes
+    ----------
+    name, scheme : str
+        Name of the scenario and of its scheme.
+    passed : bool
+        Whether every axis keeps the margins.
+    bounds : Bounds
+    designs : dict of str to NotchDesign
+        By axis.
+    before, after : Evaluation
+        The scenario as it is, and with the notches.
+    without : Evaluation or None
+        The scenario without notches, each velocity gain lowered until the margins are kept; None where nothing has to be lowered, or
+        nothing helps.
+    findings : tuple of Finding
+    controller_file : Path or None
+        The file written.
+    """
+
+    name: str
+    scheme: str
+    passed: bool
+    bounds: Bounds
+    designs: dict[str, NotchDesign]
+    before: Evaluation
+    after: Evaluation
+    without: Evaluation | None
+    findings: tuple[Finding, ...]
+    controller_file: Path | None
+
+    @property
+    def text(self) -> str:
+        """Tables, findings, and the file written."""
+        parts = [f"{self.name}, {self.scheme}", *(_design_text(axis, design) for axis, design in self.designs.items()), _runs(self)]
+        parts.append(paragraphs(map(str, self.findings)))
+        written = self.controller_file
+        parts.append("no controller file: name one with --out" if written is None else f"controller file: {written}")
+        return "\n\n".join(filter(None, parts))
+
+
+def notch_scenario(
+    file: str | Path,
+    *,
+    scheme: str | None = None,
+    axes: tuple[str, ...] = (),
+    bounds: Bounds | None = None,
+    out: str | Path | None = None,
+    plugins: tuple[str | Path, ...] = (),
+) -> Notched:
+    """Propose a notch for the resonance of each axis that breaks its margins, or of the given axes, and run the scenario without and with.
+
+    Parameters
+    ----------
+    file : str or Path
+        A scenario.
+    scheme : str, optional
+        By default the scenario without schemes.
+    axes : tuple of str
+    bounds : Bounds, optional
+        Margins to keep; by default 6 dB and 30 degrees.
+    out : str or Path, optional
+        Controller file to write.
+    plugins : tuple of str or Path
+        Python files with components.
+
+    Raises
+    ------
+    ScenarioError, ParameterError
+        If the scenario cannot be read, or a given axis has no resonance.
+    ComponentError
+        If the loop of an axis has no linear model.
+    OutputError
+        If `out` cannot be written; raised before anything is simulated.
+    """
+    from contourlab.scenario import load_scenario
+    from contourlab.scenario.dump import dump
+
+    if out is not None and Path(out).suffix.lower() != ".toml":
+        raise ParameterError("--out", repr(str(out)), "a controller file, which ends in .toml")
+    scenario: Scenario = load_scenario(file, plugins=plugins)
+    if out is not None:
+        check_file(out, scenario.inputs)
+    case, bounds = scenario.base if scheme is None else scenario.case(scheme), bounds or Bounds()
+    machine, made = case.machine, case.controller
+    unknown = [name for name in axes if name not in machine.axis_names]
+    if unknown:
+        raise ParameterError("--axes", unknown[0], f"one of {', '.join(machine.axis_names)}")
+    designs: dict[str, NotchDesign] = {}
+    for name in axes or _in_need(machine, made, bounds):
+        designs[name], made = design_notch(machine, made, name, bounds)
+    reference, guards = case.reference(), Guards([(machine, made)], bounds)
+    runs = [
+        None if tried is None else evaluate(machine, tried, reference, guards, seed=case.seed, moving=case.moving)
+        for tried in (case.controller, made, _lowered(case.controller, designs))
+    ]
+    before, after, without = runs
+    assert before is not None and after is not None
+    findings = tuple(one for name, design in designs.items() for one in _findings(name, design, bounds))
+    findings = findings or ((finding("CL640", bounds=bounds.margin_words),) if not designs else ())
+    if out is not None and designs:
+        head = f"# Notch filters for {scenario.name}, scheme {case.name}.\n\n".replace("\r", " ")
+        write_text_atomic(Path(out), head + dump(made, machine))
+    passed = not any(bounds.broken(margins) for margins in after.margins.values())
+    written = Path(out) if out is not None and designs else None
+    return Notched(scenario.name, case.name, passed, bounds, designs, before, after, without, findings, written)
+
+
+def _lowered(controller: Controller, designs: Mapping[str, NotchDesign]) -> Controller | None:
+    """Return the controller with velocity gains that keep the margins without a notch; None if there are none, or no need for them."""
+    factors = {name: design.largest_before / design.velocity_gain_before for name, design in designs.items()}
+    if not factors or not all(factor > 0.0 for factor in factors.values()) or min(factors.values()) >= 1.0:
+        return None
+    for name, factor in factors.items():
+        controller = with_velocity_gain(controller, name, min(factor, 1.0))
+    return controller
+
+
+def _in_need(machine: Machine, controller: Controller, bounds: Bounds) -> list[str]:
+    """Return the axes with a resonance whose loops break the margins."""
+    margins = Guards([(machine, controller)], bounds).exact({})
+    ringing = [name for name in machine.axis_names if resonance_of(machine.loaded_plant(name)) is not None]
+    return [name for name in ringing if name in margins and bounds.broken(margins[name])]
+
+
+def _findings(name: str, design: NotchDesign, bounds: Bounds) -> list[Finding]:
+    place = f"axis {name}"
+    broken = [words for margins in (design.margins_after, *design.margins_moved) if (words := bounds.broken(margins))]
+    if broken:
+        return [finding("CL641", place, margins=broken[0])]
+    if design.velocity_gain_after != design.velocity_gain_before:
+        return [finding("CL642", place, share=design.velocity_gain_after / design.velocity_gain_before)]
+    return []
+
+
+def _design_text(axis: str, design: NotchDesign) -> str:
+    head = (
+        f"axis {axis}: resonance {figure(design.resonance, 'Hz', 4)} with a damping ratio of {number(design.damping_ratio)}; notch at "
+        f"{figure(design.frequency, 'Hz', 4)}, damping ratio {number(design.denominator_damping_ratio)}, of its zeros "
+        f"{number(design.numerator_damping_ratio)}"
+    )
+    table = Table([Column(f"axis {axis}", left=True), Column("before"), Column("after")])
+    both = (design.margins_before, design.margins_after)
+    table.add("gain margin", *map(decibel, both))
+    table.add("phase margin", *map(degrees, both))
+    for share, moved in zip((-MOVED, MOVED), design.margins_moved, strict=False):
+        table.add(f"margins, resonance {100.0 * share:+.0f} %", "", _margins(moved))
+    if math.isfinite(design.velocity_gain_before):
+        table.add("velocity gain [command s/m]", number(design.velocity_gain_before, 4), number(design.velocity_gain_after, 4))
+        table.add("largest that keeps the margins", number(design.largest_before, 4), number(design.largest_after, 4))
+    return f"{paragraphs([head])}\n\n{table.text()}"
+
+
+def _margins(margins: Margins) -> str:
+    return f"{decibel(margins)}, {degrees(margins)}" if margins.stable else "unstable"
+
+
+def _runs(notched: Notched) -> str:
+    if not notched.designs:
+        return ""
+    runs = {"before": notched.before, "before, lower gain": notched.without, "after": notched.after}
+    shown = {head: run for head, run in runs.items() if run is not None}
+    table = Table([Column("run", left=True), *map(Column, shown)])
+    for key in SHOWN:
+        label, unit = FIGURES[key]
+        table.add(label, *("diverges" if one.run is None else figure(one.figures[key], unit) for one in shown.values()))
+    return table.text()
