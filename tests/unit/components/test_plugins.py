@@ -250,6 +250,6 @@ def test_an_entry_point_cannot_replace_a_built_in_component(monkeypatch: pytest.
 def test_unknown_families_and_kinds_are_answered_with_the_valid_ones() -> None:
     with pytest.raises(ComponentError, match=r"'gearbox'.* plant, friction"):
         registry.components("gearbox")
-    plants = "ball-screw, linear-motor, mass-damper, rigid-axis, second-order-integrator, two-inertia"
+    plants = "ball-screw, elastic-ball-screw, linear-motor, mass-damper, rigid-axis, second-order-integrator, two-inertia, two-mass"
     with pytest.raises(ComponentError, match=rf"'rigid axis'.* {plants}$"):
         registry.component("plant", "rigid axis")
