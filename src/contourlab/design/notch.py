@@ -117,13 +117,7 @@ def design_notch(machine: Machine, controller: Controller, name: str, bounds: Bo
     The zeros of the notch cancel the poles of the resonance, or are ten times less damped than its poles. Among `RATIOS` and `WIDTHS`, the
     notch is the one whose smallest margin, relative to the bounds, is largest while the resonance moves by `MOVED`.
     """
-    work = _Axis(machine, name, bounds or Bounds())
-    found = resonance_of(machine.loaded_plant(name))
-    if found is None:
-        raise ParameterError(f"axes.{name}.plant", f'"{machine.axis(name).plant.kind}"', "one with a resonance, such as two-mass")
-    if 2.0 * found[0] * machine.servo_period >= 1.0:
-        bound = f"a resonance below half of the servo frequency, {0.5 / machine.servo_period:g} Hz"
-        raise ParameterError(f"axes.{name}.plant", f"{found[0]:g} Hz", bound)
+    work, found = _work(machine, name, bounds)
     own = gain = work.velocity_gain(controller)
     notch = work.best(controller, *found)
     most = work.largest(work.having(controller, notch))
@@ -137,7 +131,7 @@ def design_notch(machine: Machine, controller: Controller, name: str, bounds: Bo
                 break
             notch, most = other, further
         gain = most if most > 0.0 else own
-    notched = work.having(with_velocity_gain(controller, name, gain / own) if gain != own else controller, notch)
+    changed = work.having(with_velocity_gain(controller, name, gain / own) if gain != own else controller, notch)
     design = NotchDesign(
         *found,
         notch.frequency,
@@ -148,10 +142,27 @@ def design_notch(machine: Machine, controller: Controller, name: str, bounds: Bo
         work.largest(controller),
         most,
         work.margins(controller),
-        work.margins(notched),
-        tuple(work.margins(notched, factor) for factor in work.moves[1:]),
+        work.margins(changed),
+        tuple(work.margins(changed, factor) for factor in work.moves[1:]),
     )
-    return design, notched
+    return design, changed
+
+
+def notched(machine: Machine, controller: Controller, name: str) -> Controller:
+    """Return the controller with the best notch for its gains; parameters and errors as of `design_notch`."""
+    work, found = _work(machine, name, None)
+    return work.having(controller, work.best(controller, *found))
+
+
+def _work(machine: Machine, name: str, bounds: Bounds | None) -> tuple[_Axis, tuple[float, float]]:
+    """Return the axis to work on, and frequency and damping ratio of its resonance."""
+    found = resonance_of(machine.loaded_plant(name))
+    if found is None:
+        raise ParameterError(f"axes.{name}.plant", f'"{machine.axis(name).plant.kind}"', "one with a resonance, such as two-mass")
+    if 2.0 * found[0] * machine.servo_period >= 1.0:
+        bound = f"a resonance below half of the servo frequency, {0.5 / machine.servo_period:g} Hz"
+        raise ParameterError(f"axes.{name}.plant", f"{found[0]:g} Hz", bound)
+    return _Axis(machine, name, bounds or Bounds()), found
 
 
 def with_velocity_gain(controller: Controller, name: str, factor: float) -> Controller:

@@ -11,20 +11,28 @@ import numpy as np
 
 from contourlab.components.contract import REFERENCE, Component, LinearModel, param, require_positive, text_param
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
+from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip
 
 
 @cache
-def cascade_step(anti_windup: str, over_load: bool = False) -> Any:
-    """Return the step of a cascade; `over_load` selects `load-side-cascade`: load position, motor velocity, damping."""
+def cascade_step(anti_windup: str, over_load: bool = False, balanced: bool = False) -> Any:
+    """Return the step of a cascade.
+
+    `over_load` selects `load-side-cascade`: load position, motor velocity, damping; `balanced` the filter of the reference velocity.
+    """
     rise = integral_rise(anti_windup)
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         position = inp.load_position if over_load else inp.position
         velocity = inp.motor_velocity if over_load else inp.velocity
-        wanted = par.position_gain * (inp.reference - position) + par.velocity_feedforward * inp.reference_velocity
+        asked, smooth = inp.reference_velocity, 0.0
+        if balanced:
+            # A measured velocity is the mean over the last tick, then filtered.
+            smooth = x.smooth + par.balance_weight * (0.5 * (asked + x.last_velocity) - x.smooth)
+        wanted = par.position_gain * (inp.reference - position) + par.velocity_feedforward * (smooth if balanced else asked)
         speed_error = wanted - velocity
         integral = x.integral + rise(clock.dt * par.integral_rate * speed_error, x.last_command - inp.accepted, par.recovery)
         forward = par.acceleration_feedforward * inp.reference_acceleration + inp.feedforward
@@ -32,7 +40,7 @@ def cascade_step(anti_windup: str, over_load: bool = False) -> Any:
         if over_load:
             command = command - par.damping_gain * (velocity - inp.load_velocity)
         command = command - inp.disturbance_estimate
-        return (integral, command), (clip(command, -par.command_limit, par.command_limit),)
+        return (integral, command, asked, smooth), (clip(command, -par.command_limit, par.command_limit),)
 
     return step
 
@@ -44,6 +52,9 @@ class Cascade(Component):
     feedforward the axis lags by v/K_v at the speed v; with w = 1 and k_a the inverse of the model's acceleration per command, an axis
     without damping follows its reference. The integral is in command units, by backward Euler; for limits see
     `contourlab.components.controller.anti_windup`.
+
+    A measured velocity is late: by half a tick, and by its filter. With `balance_bandwidth` (that of the filter) the velocity fed forward
+    is as late, so that an axis that follows exactly has no velocity error, and does not overshoot where it stops.
 
     References
     ----------
@@ -64,12 +75,13 @@ class Cascade(Component):
         "velocity_feedforward": 0.9,
         "acceleration_feedforward": 0.5,
         "command_limit": 300.0,
+        "balance_bandwidth": 600.0,
     }
     without_effect = ("tracking_time",)  # the example holds the integral
-    states = (Port("integral"), Port("last_command"))
+    states = ports("integral", "last_command", "last_velocity", "smooth")
     inputs: ClassVar[tuple[Port, ...]] = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
     outputs = (Port("command"),)
-    derived = ("integral_rate", "recovery")
+    derived = ("integral_rate", "recovery", "balance_weight")
 
     position_gain: float = param(unit="1/s", minimum=0.0, doc="velocity per position error, K_v")
     velocity_gain: float = param(unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="gain of the velocity loop, K")
@@ -78,15 +90,19 @@ class Cascade(Component):
     acceleration_feedforward: float = param(
         default=0.0, unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="command per reference acceleration, k_a"
     )
+    balance_bandwidth: float = param(
+        default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="corner of the low-pass on the velocity fed forward; inf: none"
+    )
     command_limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command (peak current)")
     anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="action of the integral at a limit")
     tracking_time: float = TRACKING_TIME
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        return par.velocity_gain / par.integral_time, recovery_part(par.tracking_time, dt)
+        weight = low_pass_weight(par.balance_bandwidth, dt, "backward-euler")
+        return par.velocity_gain / par.integral_time, recovery_part(par.tracking_time, dt), weight
 
     def step_function(self) -> Any:
-        return cascade_step(self.anti_windup, self.over_load)
+        return cascade_step(self.anti_windup, self.over_load, math.isfinite(self.balance_bandwidth))
 
     wishes = {
         "bandwidth": param(unit="rad/s", minimum=0.0, exclusive=True, doc="bandwidth of the velocity loop"),
@@ -156,8 +172,14 @@ class Cascade(Component):
         names = tuple(port.name for port in self.inputs[:-1])
         asked = np.array([asked_by.get(name, 0.0) for name in names])
         through = self.velocity_gain * asked + np.array([direct.get(name, 0.0) for name in names])
-        rate = self.velocity_gain / self.integral_time
-        return LinearModel(np.zeros((1, 1)), rate * asked[None, :], np.ones((1, 1)), through[None, :], names, ("command",))
+        rate, low_pass = self.velocity_gain / self.integral_time, self.balance_bandwidth
+        if not math.isfinite(low_pass):
+            return LinearModel(np.zeros((1, 1)), rate * asked[None, :], np.ones((1, 1)), through[None, :], names, ("command",))
+        fed = np.array([float(name == "reference_velocity") for name in names])
+        asked, through = asked - w * fed, through - self.velocity_gain * w * fed
+        a = np.array([[0.0, rate * w], [0.0, -low_pass]])
+        b, c = np.stack([rate * asked, low_pass * fed]), np.array([[1.0, self.velocity_gain * w]])
+        return LinearModel(a, b, c, through[None, :], names, ("command",))
 
 
 class LoadSideCascade(Cascade):

@@ -7,7 +7,7 @@ from typing import Any
 
 from contourlab.components.origin import Origin
 from contourlab.features.machines.questions import AXIS
-from contourlab.features.machines.sizing import DAMPING, FILTER_RATIO, SizedAxis, rounded
+from contourlab.features.machines.sizing import DAMPING, SizedAxis, rounded
 from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted
 from contourlab.units import from_si, show
@@ -39,16 +39,19 @@ def _noted(value: float, unit: str, origin: Origin) -> Noted:
 def _plant(axis: SizedAxis) -> dict[str, Any]:
     mass = {"mass": _number(axis, "moved_mass", "kg")}
     damping = {"damping": _number(axis, "damping", "N*s/m")}
+    elastic = {"resonance": _number(axis, "resonance", "Hz", lambda sized: sized.own_resonance)} if axis.resonance else {}
     if axis.linear:
-        return {"kind": "mass-damper", **mass, "force_constant": _number(axis, "force_constant", "N/A"), **damping}
+        kind = "two-mass" if elastic else "mass-damper"
+        return {"kind": kind, **mass, "force_constant": _number(axis, "force_constant", "N/A"), **damping, **elastic}
     return {
-        "kind": "ball-screw",
+        "kind": "elastic-ball-screw" if elastic else "ball-screw",
         **mass,
         "inertia": _number(axis, "screw_inertia", "kg*cm^2", lambda sized: sized.inertia, "rotor, coupling and screw"),
         "lead": _number(axis, "lead", "mm"),
         "torque_constant": _number(axis, "torque_constant", "N*m/A"),
         "efficiency": _number(axis, "efficiency", ""),
         **damping,
+        **elastic,
     }
 
 
@@ -65,11 +68,13 @@ def _friction(axis: SizedAxis) -> dict[str, Any]:
 def axis_tables(axis: SizedAxis) -> dict[str, Any]:
     """Return the axis file."""
     peak = "peak_force" if axis.linear else "peak_torque"
+    sensor = "motor_sensor" if axis.resonance else "sensor"
     tables: dict[str, Any] = {
+        **({"substeps": axis.substeps} if axis.resonance else {}),
         "plant": _plant(axis),
         **({"friction": _friction(axis)} if axis.friction else {}),
         "drive": {"kind": "saturation", "limit": _number(axis, peak, "A", lambda sized: rounded(sized.current), f"{axis.peak:.4g} N")},
-        "sensor": {"kind": "encoder", "resolution": _number(axis, "encoder_resolution", "um")},
+        sensor: {"kind": "encoder", "resolution": _number(axis, "encoder_resolution", "um")},
         "limits": {
             "velocity": _number(axis, "velocity", "m/min"),
             "acceleration": _number(axis, "acceleration", "m/s^2"),
@@ -105,12 +110,23 @@ def controller_tables(axes: Sequence[SizedAxis]) -> dict[str, Any]:
             "damping": DAMPING,
             "position_gain": Noted(_written(axis.kv, "1/s"), f"Kv, {show(axis.kv, '(m/min)/mm', 4)}"),
         }
-        return {
-            "velocity": {"kind": "filtered-difference", "bandwidth": _written(rounded(FILTER_RATIO * rate), "rad/s")},
-            "controller": {"kind": "cascade", "gains": gains},
+        late = _written(axis.filter_rate, "rad/s")
+        table: dict[str, Any] = {
+            "velocity": {"kind": "filtered-difference", "bandwidth": late},
+            "controller": {"kind": "cascade", "gains": gains, "balance_bandwidth": late},
         }
+        if axis.resonance:
+            shapes = {name: {"kind": part.kind, **part.values()} for name, part in axis.controller.filters}
+            table |= {"feedback": "motor", "filters": {name: _rounded(shape) for name, shape in shapes.items()}}
+        return table
 
     return {"controller": {"axes": {axis.name: of_axis(axis) for axis in axes}}}
+
+
+def _rounded(shape: dict[str, Any]) -> dict[str, Any]:
+    """Return the numbers of a filter with four digits; its frequency has a unit."""
+    numbers = {key: rounded(value) for key, value in shape.items() if isinstance(value, float)}
+    return {"kind": shape["kind"], **numbers, "frequency": _written(numbers["frequency"], "Hz")}
 
 
 def scenario_tables(name: str, axes: Sequence[SizedAxis], tolerance: float) -> dict[str, Any] | None:

@@ -90,7 +90,7 @@ def new_machine(answers: Mapping[str, str], name: str = "My machine") -> NewMach
     general, below = machine_values(answers), mounting(answers)
     period = general["servo_period"]
     bare = {name: sized(answers, name, period) for name in axis_names(answers)}
-    axes = tuple(replace(axis, carried=_carried(axis.name, bare, below)) for axis in bare.values())
+    axes = tuple(replace(axis, carried=_carried(axis.name, bare, below)).slowed_down() for axis in bare.values())
     hanging = [axis.name for axis in axes if axis.weight]
     if len(hanging) > 1:
         raise fault(f"{hanging[1]}.unbalanced_mass", f"{hanging[0]} hangs already: only one axis is vertical")

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from contourlab.errors import ScenarioError, UnitError
-from contourlab.features.machines.sizing import FASTEST, KV_RATIO, SizedAxis, rounded
+from contourlab.features.machines.sizing import KV_RATIO, SizedAxis, rounded
 from contourlab.scenario.quantities import read_number
 from contourlab.units import from_si, show, split
 
@@ -136,9 +136,10 @@ AXIS = (
         "reaches the acceleration in 50 ms", asked=False,
     ),
     Question("unbalanced_mass", "Unbalanced mass, if the axis is vertical (Enter: balanced, or horizontal)", "kg", 0.01, 50000.0, ""),
+    Question("resonance", "Lowest structural resonance, measured on the assembled machine", "Hz", 1.0, 2000.0, "", "none", asked=False),
     Question(
-        "bandwidth", "Bandwidth of the velocity loop (its natural frequency)", "Hz", 0.5, 2000.0,
-        lambda axis: FASTEST / axis.period / (2.0 * math.pi), "the fastest that keeps 6 dB and 30 degrees at the servo period",
+        "bandwidth", "Bandwidth of the velocity loop (its natural frequency)", "Hz", 0.5, 2000.0, lambda axis: axis.fastest,
+        "the fastest that keeps 6 dB and 30 degrees, with a notch for a resonance",
     ),
     Question(
         "kv", "Kv, the gain of the position loop", "1/s", 0.5, 2000.0, lambda axis: KV_RATIO * axis.bandwidth_rate, "0.35 of it in rad/s",

@@ -3,23 +3,37 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from functools import cached_property
+from typing import Any
 
+import numpy as np
+
+from contourlab.analysis.linear.margins import Margins
+from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.plant.ball_screw import BallScrew
 from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.plant import Plant
+from contourlab.components.plant.two_mass import ElasticBallScrew, TwoMass
 from contourlab.components.velocity.filtered_difference import FilteredDifference
-
-if TYPE_CHECKING:
-    from contourlab.analysis.linear.margins import Margins
+from contourlab.design.guards import Bounds
+from contourlab.design.notch import notched
+from contourlab.errors import ParameterError
+from contourlab.loop import Axis, AxisController, Controller, Machine
 
 GRAVITY = 9.81
 FASTEST, DAMPING = 0.22, 1.1
 """Proposed bandwidth times servo period, and damping ratio of the velocity loop."""
 FILTER_RATIO, KV_RATIO = 10.0, 0.35
 """Velocity filter and proposed Kv, over the bandwidth."""
+SLOWER = np.geomspace(1.0, 0.1, 15).tolist()
+"""Bandwidths to try with a resonance, over the fastest."""
+LOAD_SHARE = 0.5
+"""Share of a linear axis' mass beyond the spring of its resonance."""
 
 
 def rounded(value: float) -> float:
@@ -121,26 +135,77 @@ class SizedAxis:
         return rounded(2.0 * math.pi * self.bandwidth)
 
     @property
-    def plant(self) -> BallScrew | MassDamper:
-        """The plant, without what it carries."""
-        if self.linear:
-            return MassDamper(mass=self.moved_mass, damping=self.damping, force_constant=self.force_constant)
-        turning = {name: self.values[name] for name in ("lead", "torque_constant", "efficiency", "damping")}
-        return BallScrew(mass=self.moved_mass, inertia=self.inertia, **turning)
+    def filter_rate(self) -> float:
+        """Bandwidth of the velocity filter [rad/s]."""
+        return rounded(FILTER_RATIO * self.bandwidth_rate)
 
-    def margins(self) -> Margins:
-        """Return the margins of the proposed cascade.
+    @property
+    def plant(self) -> Plant:
+        """The plant, without what it carries."""
+        own: dict[str, Any] = {"mass": self.moved_mass, "damping": self.damping}
+        elastic = {"resonance": self.own_resonance} if self.resonance else {}
+        if self.linear:
+            return (TwoMass if elastic else MassDamper)(**own, force_constant=self.force_constant, **elastic)
+        own |= {name: self.values[name] for name in ("lead", "torque_constant", "efficiency")}
+        return (ElasticBallScrew if elastic else BallScrew)(**own, inertia=self.inertia, **elastic)
+
+    @property
+    def own_resonance(self) -> float:
+        """The resonance without carried mass [Hz]; it is measured on the assembled machine."""
+        motor = LOAD_SHARE * self.moved_mass if self.linear else self.reflected
+        own = (1.0 - LOAD_SHARE) * self.moved_mass if self.linear else self.moved_mass
+        reduced, loaded = (motor * load / (motor + load) for load in (own, own + self.carried))
+        return rounded(self.resonance * math.sqrt(loaded / reduced))
+
+    @property
+    def substeps(self) -> int:
+        """Sub-steps that the plant needs."""
+        return int(self.plant.loaded(self.carried).fewest_substeps(self.period)[0])
+
+    @property
+    def fastest(self) -> float:
+        """Natural frequency of the velocity loop that a rigid axis permits [Hz]."""
+        return FASTEST / self.period / (2.0 * math.pi)
+
+    def slowed_down(self) -> SizedAxis:
+        """Return the axis with a guessed bandwidth, and a Kv in proportion, at which its resonance leaves 6 dB and 30 degrees."""
+        if not self.resonance or "bandwidth" not in self.guesses:
+            return self
+        kv = self.kv if "kv" not in self.guesses else math.inf
+        rates = [2.0 * math.pi * factor * self.fastest for factor in SLOWER]
+        slower = [{"bandwidth": rate / (2.0 * math.pi), "kv": min(kv, KV_RATIO * rate)} for rate in rates]
+        trials = [replace(self, values={**self.values, **gains}) for gains in slower]
+
+        def keeps(trial: SizedAxis) -> bool:
+            with suppress(ParameterError):
+                return not Bounds().broken(trial.margins())
+            return False
+
+        return trials[min(bisect_left(trials, True, key=keeps), len(trials) - 1)]
+
+    @cached_property
+    def controller(self) -> AxisController:
+        """The proposed cascade, with a notch for a resonance.
 
         Raises
         ------
         ParameterError
-            If the axis has more damping than the bandwidth allows.
+            If the axis has more damping than the bandwidth allows, or a resonance above half of the servo frequency.
         """
-        from contourlab.analysis.linear.sampled_loop import sampled_loop
-        from contourlab.loop import Axis, AxisController
-
         gain, decay = self.plant.loaded(self.carried).rigid_model()
         gains: dict[str, Any] = Cascade.tune(self.bandwidth_rate, DAMPING, gain, decay, self.kv)
-        velocity = FilteredDifference(bandwidth=FILTER_RATIO * self.bandwidth_rate)
-        controller = AxisController(controller=Cascade(**gains), velocity=velocity)
-        return sampled_loop(Axis(self.name, self.plant), controller, self.period, self.carried).margins()
+        velocity = FilteredDifference(bandwidth=self.filter_rate)
+        cascade = Cascade(**gains, balance_bandwidth=self.filter_rate)
+        plain = AxisController(controller=cascade, velocity=velocity, feedback="motor" if self.resonance else "load")
+        if not self.resonance:
+            return plain
+        return notched(self._alone, Controller({self.name: plain}), self.name).axes[self.name]
+
+    @property
+    def _alone(self) -> Machine:
+        """A machine of this axis, with what it carries."""
+        return Machine(self.name, (Axis(self.name, self.plant.loaded(self.carried), substeps=self.substeps),), self.period)
+
+    def margins(self) -> Margins:
+        """Return the margins of the proposed controller; raise as `controller` does."""
+        return sampled_loop(self._alone.axes[0], self.controller, self.period).margins()
