@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.findings import Finding, finding
 from contourlab.result.atomic import write_bytes_atomic
+from contourlab.result.digest import DIGEST_SIZE, append_digest, is_intact
 
 if TYPE_CHECKING:
     from contourlab.feed import Reference
@@ -37,7 +38,7 @@ class Checkpoint:
     study : str
         Everything that affects the pieces, except the key of each piece. Pieces of another study are never used.
     reused, damaged : int
-        Number of pieces read from disk, and of unreadable files, whose pieces are computed again.
+        Number of pieces read from disk, and of damaged files, whose pieces are computed again.
     """
 
     folder: Path
@@ -63,22 +64,27 @@ class Checkpoint:
         return self.home / f"{digest.hexdigest()[:32]}.npz"
 
     def load(self, file: Path) -> dict[str, NDArray[Any]] | None:
-        """Return the arrays of a piece; None if there is no file, or it is damaged."""
+        """Return the arrays of a piece; None if there is no file, or it is damaged or another piece."""
         if not file.exists():
             return None
         try:
-            with np.load(io.BytesIO(file.read_bytes()), allow_pickle=False) as data:  # a zip: damage fails its checksum
-                arrays = dict(data)
-        except Exception:  # zipfile, zlib, NumPy and the system raise different errors for a damaged file
+            stream = io.BytesIO(file.read_bytes())
+        except OSError:
+            stream = io.BytesIO()
+        # From a damaged file NumPy may return wrong values: it does not check all that it reads.
+        if not is_intact(stream, file.name.encode()):
             self.damaged += 1
             return None
+        with np.load(io.BytesIO(stream.getvalue()[:-DIGEST_SIZE]), allow_pickle=False) as data:
+            arrays = dict(data)
         self.reused += 1
         return arrays
 
     def store(self, file: Path, arrays: Mapping[str, ArrayLike]) -> None:
-        """Write the arrays of a piece, completely or not at all."""
+        """Write the arrays of a piece, completely or not at all, and a digest of them and of the name of the file."""
         buffer = io.BytesIO()
         np.savez(buffer, allow_pickle=False, **{name: np.asarray(values) for name, values in arrays.items()})
+        append_digest(buffer, file.name.encode())
         write_bytes_atomic(file, buffer.getvalue())
 
     def findings(self, pieces: str, reused: int | None = None) -> tuple[Finding, ...]:

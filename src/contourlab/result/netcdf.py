@@ -7,18 +7,18 @@ HDF5 returns wrong numbers, never returns, or ends the process.
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import io
 import os
 from collections.abc import Mapping
 from pathlib import Path
 from types import TracebackType
-from typing import Any, BinaryIO
+from typing import Any
 
 import numpy as np
 
 from contourlab.errors import OutputError, ResultError
 from contourlab.result.atomic import replacing
+from contourlab.result.digest import append_digest, is_intact
 from contourlab.result.signals import Signal, Status
 
 
@@ -73,7 +73,6 @@ class Spool(io.FileIO):
 
 _CHUNK = 1 << 14
 FORMAT = "contourlab-result/2"
-_DIGEST = hashlib.sha256().digest_size
 _FIXED = ("format", "scheme", "axes", "servo_period", "start", "status_ok", "status_sample", "status_axis", "status_reason")
 
 
@@ -183,7 +182,7 @@ class ResultWriter:
             for name, value in self.header.items():
                 self._note(name, value)
             self._data.close()
-            self._spool.write(_digest(self._spool, self._spool.seek(0, io.SEEK_END)))
+            append_digest(self._spool)
             self._spool.check()
 
     def _note(self, name: str, value: str | int | float) -> None:
@@ -200,30 +199,15 @@ def _text_type() -> Any:
     return h5py.string_dtype("utf-8")
 
 
-def _digest(stream: BinaryIO, size: int) -> bytes:
-    """Return the digest of the first `size` bytes of a file; leave it there."""
-    stream.seek(0)
-    digest, left = hashlib.sha256(), size
-    while left and (part := stream.read(min(left, 1 << 20))):
-        digest.update(part)
-        left -= len(part)
-    return digest.digest()
-
-
-def _check_digest(file: str | Path) -> None:
-    with Path(file).open("rb") as stream:
-        size = stream.seek(0, io.SEEK_END) - _DIGEST
-        if _digest(stream, max(size, 0)) != stream.read():
-            raise ResultError(f"{file}: no result of contourlab, or damaged or changed since it was written")
-
-
 def read_netcdf(file: str | Path) -> dict[str, Any]:
     """Return the arguments of a `Result` from its file; see `Result.load`."""
     import h5netcdf
     import h5py
 
     try:
-        _check_digest(file)
+        with Path(file).open("rb") as stream:
+            if not is_intact(stream):
+                raise ResultError(f"{file}: no result of contourlab, or damaged or changed since it was written")
         # h5py first: if the root of the file is damaged, h5netcdf fails again in its own clean-up.
         with h5py.File(file, "r") as raw:
             header = {name: _plain(value) for name, value in raw.attrs.items() if not name.startswith("_")}
