@@ -212,7 +212,7 @@ def test_the_planted_jitter_is_measured(period: float, size: float, seed: int) -
     assert not report.gaps
 
 
-def jittering(size: float, lost: list[int], seed: int = 1, n: int = 5000) -> tuple[np.ndarray, np.ndarray]:
+def jittering(size: float, lost: list[int] | np.ndarray, seed: int = 1, n: int = 5000) -> tuple[np.ndarray, np.ndarray]:
     """Return written and true times of samples every millisecond, some lost."""
     true = np.delete(np.arange(n) * 1e-3, lost)
     return np.sort(true + size * 1e-3 * np.random.default_rng(seed).uniform(-1.0, 1.0, true.size)), true
@@ -226,6 +226,38 @@ def test_jitter_is_not_taken_for_gaps(size: float, seed: int) -> None:
     assert report.missing == 41 and max(gap.missing for gap in report.gaps) >= 39
     assert report.period == pytest.approx(1e-3, rel=1e-5)
     assert report.jitter_rms == pytest.approx(size * 1e-3 / np.sqrt(3.0), rel=0.05)
+
+
+@pytest.mark.parametrize("n", [100, 200, 1000, 5000, 100_000])
+@pytest.mark.parametrize("size", [0.13, 0.2, 0.4, 0.45])
+@pytest.mark.parametrize("share", [0.0, 0.01, 0.05])
+def test_scattered_losses_are_counted_under_jitter(n: int, size: float, share: float) -> None:
+    lost = np.random.default_rng(7).choice(np.arange(1, n - 1), round(share * n), replace=False)
+    report, _ = look_at_clock(jittering(size, lost, n=n)[0], "a", FILE)
+    assert report.missing == lost.size
+    assert report.period == pytest.approx(1e-3, rel=4.0 * size / n**1.5)  # of a fitted line: 2 size / n^1.5 is one standard deviation
+    assert report.jitter_rms == pytest.approx(size * 1e-3 / np.sqrt(3.0), rel=0.1 if n < 500 else 0.04)
+
+
+@pytest.mark.parametrize("n", [200, 5000])
+@pytest.mark.parametrize("share", [0.06, 0.1, 0.2, 0.5])
+def test_more_scattered_losses_are_refused_under_jitter(n: int, share: float) -> None:
+    lost = np.random.default_rng(7).choice(np.arange(1, n - 1), round(share * n), replace=False)
+    with pytest.raises(LogError, match="are missing"):
+        look(jittering(0.4, lost, n=n)[0])
+
+
+def test_a_drifting_clock_is_followed_under_jitter_and_losses() -> None:
+    """The period changes by 300 ppm, over the record by several samples."""
+    time, true = jittering(0.4, np.arange(7, 20_000, 25), n=20_000)
+    report, _ = look_at_clock(time + 3e-4 * np.sin(true) + 3e-4 * np.sin(true / 10.0) * 10.0, "a", FILE)
+    assert report.missing == 800
+
+
+def test_times_without_a_clock_are_refused() -> None:
+    for seed in range(3):
+        with pytest.raises(LogError, match="check the period"):
+            look(np.cumsum(np.random.default_rng(seed).exponential(1e-3, 3000)))
 
 
 def test_the_error_of_resampling_is_stated() -> None:
