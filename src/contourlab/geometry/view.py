@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
+from contourlab.errors import ParameterError
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.path import Path
 from contourlab.native.generated import generated
@@ -24,12 +25,20 @@ from contourlab.primitives import clip, cos, floor, lookup, maximum, select, sin
 class PathView:
     """A path for a step: ``evaluate(par, s)`` returns r, dr/ds and d2r/ds2 as tuples over the axes.
 
-    Add `parameters` and `tables` to those of the step; every name starts with ``path_``.
+    Add `parameters` and `tables` to those of the step; every name starts with ``path_``. `path` is the path of `view_of`.
     """
 
     evaluate: Callable[[Any, float], Any]
     parameters: Mapping[str, float]
     tables: Mapping[str, Array]
+    path: Path | None = None
+
+
+def check_view(view: PathView | None, path: Path) -> None:
+    """Raise ParameterError if a view is not that of the path; None stands for that view."""
+    seen = getattr(view, "path", None)
+    if view is not None and (seen is None or (seen is not path and seen.digest != path.digest)):
+        raise ParameterError("view", "a view of another path" if seen is not None else f"{view!r:.60}", "view_of(reference.path), or None")
 
 
 @lru_cache(maxsize=4)
@@ -58,7 +67,7 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
         "path_last_piece": float(len(table.coefficients) - 1),
     }
     tables = {"path_start": table.start, "path_coefficients": table.coefficients, "path_cell": table.cell}
-    return PathView(_table_evaluator(path.n_axis, table.halvings), parameters, tables)
+    return PathView(_table_evaluator(path.n_axis, table.halvings), parameters, tables, path)
 
 
 def _circle(path: Path) -> PathView:
@@ -74,7 +83,7 @@ def _circle(path: Path) -> PathView:
         "path_centre_0": float(centre[0]),
         "path_centre_1": float(centre[1]),
     }
-    return PathView(_on_circle, parameters, {})
+    return PathView(_on_circle, parameters, {}, path)
 
 
 def _on_circle(par: Any, s: float) -> Any:

@@ -19,7 +19,7 @@ from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Node
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
-from contourlab.geometry.view import PathView, view_of
+from contourlab.geometry.view import PathView, check_view, view_of
 from contourlab.loop.builder import Signals
 from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.judging import PART, WATCH, effort_figures, effort_node, error_figures, judge_node, part_nodes, sums_of
@@ -99,7 +99,7 @@ def simulate_batch(
     effort : bool
         Whether to sum up the commands to the drives.
     view : PathView, optional
-        View of the path for estimator and judge.
+        View of the path for estimator and judge; see `contourlab.geometry.view.view_of`.
     seed : int
         Of all noise.
     jit : bool, optional
@@ -121,15 +121,16 @@ def simulate_batch(
     Raises
     ------
     ParameterError
-        If a name is unknown, a value out of range, or the arrays differ in length.
+        If a name is unknown, a value out of range, the arrays differ in length, or the view is that of another path.
 
     Notes
     -----
     The judge sees the axes' true positions; the machine's error map (lead error, squareness) is not in it.
     """
     columns, n = _checked(machine, controller, variants)
+    check_view(view, reference.path)
     view = view or view_of(reference.path)
-    compiled = jit_enabled() if jit is None else jit
+    compiled = jit_enabled(jit)
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
     first, _ = feed.block(0, min(BLOCK, reference.n_sample))
     extra: tuple[Node | Callable[[Signals], Node], ...] = (judge_node(machine, reference, view),) if judge else ()
@@ -180,6 +181,8 @@ def _advance_all(
 
 
 def _checked(machine: Machine, controller: Controller, variants: Mapping[str, ArrayLike]) -> tuple[dict[str, Array], int]:
+    if not isinstance(variants, Mapping):
+        raise ParameterError("variants", f"{variants!r:.60}", "a mapping from names of parameters to numbers")
     known = parameter_names(machine, controller)
     columns: dict[str, Array] = {}
     for name, values in variants.items():

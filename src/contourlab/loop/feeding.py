@@ -31,7 +31,7 @@ class Learned:
     Raises
     ------
     ParameterError
-        If an array is not a matrix, or holds a non-finite number.
+        If an array is not a matrix, or holds anything but finite real numbers.
     """
 
     command: Array | None = None
@@ -39,9 +39,12 @@ class Learned:
 
     def __post_init__(self) -> None:
         for name in ("command", "reference"):
-            values = getattr(self, name)
-            if values is not None and (values.ndim != 2 or not np.isfinite(values).all()):
-                raise ParameterError(f"learned.{name}", f"an array of shape {values.shape}", "finite, (n_sample, n_axis)")
+            if getattr(self, name) is None:
+                continue
+            values = np.asarray(getattr(self, name))
+            if values.dtype.kind not in "fiu" or values.ndim != 2 or not np.isfinite(values).all():
+                raise ParameterError(f"learned.{name}", f"{values.dtype} {values.shape}", "finite real numbers, (n_sample, n_axis)")
+            object.__setattr__(self, name, values)
 
     def check(self, n_sample: int, n_axis: int) -> None:
         """Raise ParameterError unless the arrays fit a motion with this number of samples and axes."""

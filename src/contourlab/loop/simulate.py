@@ -14,7 +14,7 @@ from contourlab.arrays import Array
 from contourlab.engine.runner import Group, make_group
 from contourlab.errors import DivergenceError, ParameterError
 from contourlab.feed import Reference, ReferenceBlock
-from contourlab.geometry.view import PathView
+from contourlab.geometry.view import PathView, check_view
 from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.judging import watched
 from contourlab.loop.machine import Controller, Machine
@@ -62,9 +62,11 @@ UNITS = {
 """Unit of each signal; "command" is the unit of the plants' commands."""
 
 
-def jit_enabled() -> bool:
-    """Return whether steps are compiled: unless ``CONTOURLAB_JIT`` is 0."""
-    return os.environ.get("CONTOURLAB_JIT", "1") != "0"
+def jit_enabled(jit: bool | None = None) -> bool:
+    """Return whether steps are compiled: as given, or unless ``CONTOURLAB_JIT`` is 0."""
+    if jit is not None and not isinstance(jit, bool | np.bool_):
+        raise ParameterError("jit", repr(jit), "True, False or None")
+    return os.environ.get("CONTOURLAB_JIT", "1") != "0" if jit is None else bool(jit)
 
 
 def sampler(compiled: bool) -> Any:
@@ -110,7 +112,7 @@ def simulate(
     jit : bool, optional
         Compiled, or plain Python; by default `jit_enabled`.
     view : PathView, optional
-        View of the path for the estimator.
+        View of the path for the estimator; see `contourlab.geometry.view.view_of`.
     signals : sequence of str, optional
         Which signals to keep; all by default.
     progress : callable, optional
@@ -133,7 +135,11 @@ def simulate(
     ------
     DivergenceError
         If a state is not finite, or a tracking error passes the axis' following-error limit, and `on_failure` is "raise".
+    ParameterError
+        If an argument is out of its range, or the view is that of another path.
     """
+    if on_failure not in ("raise", "return"):
+        raise ParameterError("on_failure", repr(on_failure), "'raise' or 'return'")
     kept: dict[str, Array] = {}
     status = Status(ok=True)
     done = 0
@@ -213,7 +219,8 @@ def simulate_blocks(
     After a failure the last block ends with the failing sample; a block also ends where a controller takes over. Arguments as in
     `simulate`; `block` is the number of samples of a block.
     """
-    compiled = jit_enabled() if jit is None else jit
+    check_view(view, reference.path)
+    compiled = jit_enabled(jit)
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
     first, _ = feed.block(0, min(block, reference.n_sample))
     start_at: dict[str, Any] = {"start": first.position[0], "progress": float(first.arc_length[0])}

@@ -12,10 +12,10 @@ from contourlab.loop.machine import Machine
 from contourlab.primitives import normal
 
 
-def check_seed(seed: object) -> None:
-    """Raise ParameterError unless a seed is a whole number >= 0."""
+def check_seed(seed: object, name: str = "seed") -> None:
+    """Raise ParameterError unless a seed, or the number of a trial, is a whole number >= 0."""
     if not isinstance(seed, int | np.integer) or seed < 0:
-        raise ParameterError("seed", repr(seed), "a whole number >= 0")
+        raise ParameterError(name, repr(seed), "a whole number >= 0")
 
 
 def stream_of(seed: int, *words: object) -> float:
@@ -28,6 +28,7 @@ class ToolPosition:
     """Convert blocks of true axis positions, in order, to tool positions; the direction of motion is kept between blocks."""
 
     def __init__(self, machine: Machine, seed: int, trial: int = 0) -> None:
+        check_seed(trial, "trial")
         self.machine = machine
         self._streams = [stream_of(seed, axis.name, "repeatability", *((trial,) if trial else ())) for axis in machine.axes]
         self._direction = np.zeros(len(machine.axes))

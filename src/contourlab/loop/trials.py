@@ -18,7 +18,7 @@ from contourlab.components.ideal import IdealSensor
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Late, Schedule
 from contourlab.feed import Reference
-from contourlab.geometry.view import PathView, view_of
+from contourlab.geometry.view import PathView, check_view, view_of
 from contourlab.loop.feeding import LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Learned
 from contourlab.loop.judging import TrialJudge, watched
 from contourlab.loop.machine import AxisController, Controller, Machine
@@ -116,7 +116,8 @@ class Trials:
         view: PathView | None = None,
     ) -> None:
         self.machine, self.controller, self.reference, self.seed = machine, controller, reference, seed
-        compiled = jit_enabled() if jit is None else jit
+        check_view(view, reference.path)
+        compiled = jit_enabled(jit)
         self.judged = reference.judged.samples
         n = reference.n_sample
         self._feed = Feed(machine, controller, reference, Learned(**{target: np.zeros((n, reference.n_axis))}), sampler(compiled))
@@ -269,7 +270,7 @@ def feedforward_command(machine: Machine, controller: Controller, reference: Ref
     filters.
     Of several controllers the first runs, without a known gap.
     """
-    compiled = jit_enabled() if jit is None else jit
+    compiled = jit_enabled(jit)
     feed = Feed(machine, controller, reference, None, sampler(compiled))
     alone = Controller({name: _undisturbed(controller.axes[name]) for name in machine.axis_names})
     ideal: dict[str, Any] = {"drive": Saturation(), "sensor": IdealSensor(), "motor_sensor": IdealSensor()}

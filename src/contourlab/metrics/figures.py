@@ -14,6 +14,7 @@ from contourlab.arrays import Flags, Index
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.feed.judged import CUTTING, LAST_LAP, Judged
+from contourlab.metrics.judge import check_reference
 from contourlab.result import Result
 
 
@@ -135,8 +136,9 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
     Raises
     ------
     ResultError
-        If the run has not been judged, or the window is empty.
+        If the run has not been judged, the window is empty, or the result is of another reference.
     """
+    check_reference(result, reference)
     judged = judged_part(result, reference) if window is None else Judged((window,), "window")
     if window is not None and not 0 <= window[0] < window[1] <= result.n_sample:
         raise ResultError(f"window {window[0]} .. {window[1]} of a result of {result.n_sample} samples: give a non-empty part of it")

@@ -42,18 +42,17 @@ def judge(result: Result, reference: Reference) -> Result:
     Raises
     ------
     ResultError
-        If a position is not finite, the result and the path have different axes, or the result is of another reference.
+        If a position is not finite or not in metres, the result and the path have different axes, or the result is of another reference.
 
     Notes
     -----
     Signals ``contour_error``, ``part_error``, ``planning_deviation``, ``foot_arc_length`` (on the programmed path) and ``tracking_error``:
     the reference less the true axis positions, or less the tool position if those were not recorded.
     """
-    if result.attributes.get("reference_digest", reference.digest) != reference.digest:
-        raise ResultError(f"{result.scheme} is the result of another reference: judge it with the one it was simulated along")
+    check_reference(result, reference)
     tool, wanted, along = result["tool_position"], result["reference"], result["arc_length"]
     for name in ("tool_position", "reference", "arc_length"):
-        _check_finite(result, name)
+        _check_positions(result, name)
     if tool.shape[1] != reference.n_axis:
         raise ResultError(f"a result of axes {', '.join(result.axes)} for a path of {reference.n_axis} coordinates")
     off = wanted - tool
@@ -66,7 +65,10 @@ def judge(result: Result, reference: Reference) -> Result:
         planning, at = _errors(programmed, wanted, place, window)
         part, part_foot = _errors(programmed, tool, at, reach(programmed, off) + float(np.abs(planning).max(initial=0.0)))
     # The tracking error is that of the axes; the machine's error map moves the tool only.
-    tracking = wanted - result["axis_position"] if "axis_position" in result.signals else off
+    tracking = off
+    if "axis_position" in result.signals:
+        _check_positions(result, "axis_position")
+        tracking = wanted - result["axis_position"]
     return result.with_signals(
         contour_error=Signal(contour, ("sample",), "m"),
         part_error=Signal(part, ("sample",), "m"),
@@ -89,7 +91,15 @@ def _around(reference: Reference, wanted: Array, along: Array) -> tuple[Array, A
     return place, reference.correspondence.span(along) + 3.0 * off + 1e-9
 
 
-def _check_finite(result: Result, name: str) -> None:
+def check_reference(result: Result, reference: Reference) -> None:
+    """Raise ResultError if a result was simulated along another reference."""
+    if result.attributes.get("reference_digest", reference.digest) != reference.digest:
+        raise ResultError(f"{result.scheme} is the result of another reference: judge it with the one it was simulated along")
+
+
+def _check_positions(result: Result, name: str) -> None:
+    if result.signals[name].unit != "m":
+        raise ResultError(f"{name} is in {result.signals[name].unit or 'no unit'}: convert it to m")
     good = np.isfinite(result[name])
     if not good.all():
         where = np.argwhere(~good)[0]

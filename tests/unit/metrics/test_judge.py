@@ -11,7 +11,7 @@ from made_runs import circle_laps, made_run, samples_on
 
 from contourlab.errors import ResultError
 from contourlab.geometry import Arc, Line, Path, contour
-from contourlab.metrics import judge
+from contourlab.metrics import judge, summarise
 from contourlab.metrics.judge import reach
 
 ROUND = 1e-15  # positions of some 0.1 m have a last digit of 1.4e-17 m
@@ -219,3 +219,21 @@ def test_a_missing_signal_is_reported_by_name() -> None:
     bare = type(result)("bare", result.axes, result.servo_period, {"reference": result.signals["reference"]})
     with pytest.raises(ResultError, match=r"'tool_position'.* bare.* reference$"):
         judge(bare, ring)
+
+
+@pytest.mark.parametrize("name", ["tool_position", "reference", "arc_length", "axis_position"])
+def test_positions_in_another_unit_are_refused(name: str) -> None:
+    reference = circle_laps(8)
+    run = made_run(reference, reference.block(0, 8).position)
+    run = run.with_signals(axis_position=run.signals["tool_position"])
+    judge(run, reference)
+    with pytest.raises(ResultError, match=f"{name}.*mm"):
+        judge(run.with_signals(**{name: replace(run.signals[name], unit="mm")}), reference)
+
+
+def test_the_figures_are_those_of_the_own_reference() -> None:
+    own, other = circle_laps(100), circle_laps(99)
+    run = replace(made_run(own, own.block(0, 100).position), attributes={"reference_digest": own.digest})
+    summarise(judge(run, own), own)
+    with pytest.raises(ResultError, match="another reference"):
+        summarise(judge(run, own), other)
