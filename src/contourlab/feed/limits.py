@@ -11,14 +11,18 @@ from contourlab.arrays import Array, Flags
 from contourlab.errors import FeedError, ParameterError
 
 
+RANGES = {"velocity": (1e-6, 1e6), "acceleration": (1e-6, 1e9), "jerk": (1e-6, 1e12)}
+"""Smallest and largest limit [m/s, m/s^2, m/s^3]: machines are far inside, and beyond it planning overflows or never ends."""
+
+
 def _checked(name: str, value: ArrayLike, unit: str, *, finite: bool) -> Array:
     """Return `value` as a read-only vector of valid limits."""
     array = np.array(value, dtype=np.float64, ndmin=1)
     if array.ndim != 1:
         raise ParameterError(name, array.tolist(), "one number per axis", unit)
-    good = np.isfinite(array) if finite else ~np.isnan(array)
-    if not bool(np.all(good & (array > 0.0))):
-        raise ParameterError(name, array.tolist(), "finite and > 0" if finite else "> 0 (inf for no limit)", unit)
+    low, high = RANGES[name]
+    if not bool(np.all((array >= low) & (array <= high) | (np.isposinf(array) & (not finite)))):
+        raise ParameterError(name, array.tolist(), f"{low:g} to {high:g}" + ("" if finite else ", or inf for no limit"), unit)
     array.flags.writeable = False
     return array
 
@@ -29,15 +33,15 @@ class AxisLimits:
 
     Parameters
     ----------
-    velocity : array_like (n_axis,) [m/s], finite, > 0
+    velocity : array_like (n_axis,) [m/s], 1e-6 to 1e6
         Also the rate of rapid moves.
-    acceleration : array_like (n_axis,) [m/s^2], > 0, inf for no limit
-    jerk : array_like (n_axis,) [m/s^3], > 0, inf for no limit
+    acceleration : array_like (n_axis,) [m/s^2], 1e-6 to 1e9, inf for no limit
+    jerk : array_like (n_axis,) [m/s^3], 1e-6 to 1e12, inf for no limit
 
     Raises
     ------
     ParameterError
-        If a limit is not positive or not a number, or if the lengths differ.
+        If a limit is out of its range or not a number, or if the lengths differ.
 
     >>> AxisLimits([0.5, 0.5], 2.0, 40.0).jerk
     array([40., 40.])

@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal, TypeVar
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from contourlab.errors import ScenarioError, UnitError
+from contourlab.feed.limits import RANGES
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.program import Reading
 from contourlab.scenario.quantities import read_list, read_number, show_bound
@@ -32,6 +33,12 @@ def _number(
     return BeforeValidator(read)
 
 
+def _limit(name: str, unit: str, display: str = "") -> BeforeValidator:
+    """Return the reader of an axis limit that planning accepts."""
+    low, high = RANGES[name]
+    return _number(unit, display, minimum=low, maximum=high)
+
+
 def _numbers(unit: str, display: str) -> BeforeValidator:
     def read(value: Any) -> tuple[float, ...]:
         try:
@@ -45,8 +52,6 @@ def _numbers(unit: str, display: str) -> BeforeValidator:
 Period = Annotated[float, _number("s", "ms", minimum=0.0, maximum=1.0, exclusive=True)]
 Moment = Annotated[float, _number("s", minimum=0.0, exclusive=True)]
 Velocity = Annotated[float, _number("m/s", "mm/min", minimum=0.0, exclusive=True)]
-Acceleration = Annotated[float, _number("m/s^2", minimum=0.0, exclusive=True)]
-Jerk = Annotated[float, _number("m/s^3", minimum=0.0, exclusive=True)]
 Distance = Annotated[float, _number("m", "um", minimum=0.0, exclusive=True)]
 Spread = Annotated[float, _number("m", "um", minimum=0.0)]
 Mass = Annotated[float, _number("kg", minimum=0.0)]
@@ -89,9 +94,9 @@ class MachineTable(_Strict):
 class LimitsTable(_Strict):
     """``[axes.x.limits]``."""
 
-    velocity: Velocity | None = None
-    acceleration: Acceleration | None = None
-    jerk: Jerk | None = None
+    velocity: Annotated[float | None, _limit("velocity", "m/s", "mm/min")] = None
+    acceleration: Annotated[float | None, _limit("acceleration", "m/s^2")] = None
+    jerk: Annotated[float | None, _limit("jerk", "m/s^3")] = None
     following_error: Distance | None = None
     travel: Annotated[tuple[float, ...] | None, _numbers("m", "mm")] = None
 

@@ -31,6 +31,17 @@ PROGRAMS = ["slot", "corners", "wave"]
 NAMES = [*PROGRAMS, "circle", "ellipse", "lemniscate", "star", "butterfly", "diamond", "line-line-circle"]
 
 
+@pytest.mark.parametrize("velocity", [1.0, 1e6])
+@pytest.mark.parametrize("acceleration", [1.0, 1e9])
+@pytest.mark.parametrize("jerk", [1e-6, 1e12])
+def test_extreme_limits_are_planned(velocity, acceleration, jerk):
+    """The limits of the other axis, the feed or both hold."""
+    extreme = AxisLimits([velocity, 0.2], [acceleration, 1.0], [jerk, 40.0])
+    for path in (Path([Line((0.0, 0.0), (0.01, 0.0)), Line((0.01, 0.0), (0.01, 0.01))]), contour("circle", radius=0.01)):
+        reference = plan(route_from_path(path, 0.1), extreme, 1e-2)
+        assert limit_report(reference, extreme).ok()
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_limits_hold_everywhere(name, demand):
     reference = plan(route_of(name), LIMITS, 1e-3)
