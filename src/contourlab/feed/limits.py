@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike
 from contourlab.arrays import Array, Flags
 from contourlab.errors import FeedError, ParameterError
 
-
 RANGES = {"velocity": (1e-6, 1e6), "acceleration": (1e-6, 1e9), "jerk": (1e-6, 1e12)}
 """Smallest and largest limit [m/s, m/s^2, m/s^3]: machines are far inside, and beyond it planning overflows or never ends."""
 

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import FeedError, ProgramError
+from contourlab.contours.shapes import spline_curves
+from contourlab.errors import FeedError, GeometryError, ProgramError
 from contourlab.feed.correspondence import Correspondence, place_on_programmed
-from contourlab.geometry import Arc, BSpline, Curve, Line, Nurbs, Path
-from contourlab.geometry.nurbs import cut_where_curvature_jumps
+from contourlab.geometry import Arc, Curve, Line, Path
 from contourlab.program import Arc as ArcMove
 from contourlab.program import Dwell, Program, Spline, Traverse
 
@@ -176,9 +176,7 @@ def _bent_curves(move: Any, columns: list[int]) -> list[Curve]:
     if not isinstance(move, Spline):
         return []
     points = np.array([_point(point, columns) for point in move.points])
-    if len(set(move.weights)) == 1:
-        return cut_where_curvature_jumps(BSpline(move.degree, points, move.knots))
-    return cut_where_curvature_jumps(Nurbs(move.degree, points, move.knots, move.weights))
+    return spline_curves(move.degree, points, np.array(move.knots), np.array(move.weights))
 
 
 class _Row(NamedTuple):
@@ -219,7 +217,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
     Raises
     ------
     ProgramError
-        If the program moves an axis that is not in `axes`; the error names the line.
+        If the program moves an axis that is not in `axes`, or a spline has a cusp; the error names the line.
     FeedError
         If the program moves nothing, or `axes` is wrong.
     """
@@ -239,7 +237,12 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
                 before += move.seconds
             continue
         _check_axes(program, move, columns)
-        row, bent = _row(move, default_tolerance), _bent_curves(move, columns)
+        row = _row(move, default_tolerance)
+        try:
+            bent = _bent_curves(move, columns)
+        except GeometryError as error:
+            cure = "move the control points, or write two splines"
+            raise ProgramError(f"the motion cannot be planned: {error}: {cure}", file=program.name, line=move.source_line) from error
         if bent:
             curves += bent
             rows += [*[row._replace(exact_stop=False)] * (len(bent) - 1), row]

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
+from refusals import refuses
 
 from contourlab.errors import FeedError, ProgramError
 from contourlab.feed import AxisLimits, Route, limit_report, plan, route_from_path, route_from_program
@@ -121,3 +124,31 @@ def test_bad_feeds_are_refused():
         route_from_path(path, 0.1, dwell=-1.0)
     with pytest.raises(FeedError, match="source_line"):
         Route(path, 0.1, False, 0.0, [1, 2, 3])
+
+
+COINCIDENT = {
+    "G5.1 X10 I0 J0": [(0, 0), (0, 0), (10, 0)],
+    "G5 I0 J0 P0 Q0 X10 Y10": [(0, 0), (0, 0), (10, 10), (10, 10)],
+    "G5 I0 J0 P-10 Q10 X10 Y0": [(0, 0), (0, 0), (0, 10), (10, 0)],
+    "G5 I10 J10 P0 Q0 X10 Y0": [(0, 0), (10, 10), (10, 0), (10, 0)],
+    "G5.2 X0 Y0 P1\nX10 Y10 P2\nG5.3": [(0, 0), (0, 0), (10, 10)],
+}
+
+
+@pytest.mark.parametrize("block", COINCIDENT)
+def test_coincident_control_points_at_an_end_keep_the_curve(block: str) -> None:
+    """Compared with de Casteljau's points; LinuxCNC accepts these splines as well."""
+    path = route_from_program(parse_program(f"G21 G17 F100\n{block}\nM2\n"), axes=("x", "y")).path
+    layers = [np.array(point, dtype=float)[None, :] * 1e-3 for point in COINCIDENT[block]]
+    u = np.linspace(0.0, 1.0, 101)[:, None]
+    while len(layers) > 1:
+        layers = [(1.0 - u) * one + u * other for one, other in pairwise(layers)]
+    feet = path.foot_point(layers[0], np.full(101, 0.5 * path.length), path.length)
+    assert np.abs(feet.distance).max() < 0.5e-6
+    assert path.length == pytest.approx(float(np.linalg.norm(np.diff(layers[0], axis=0), axis=1).sum()), rel=1e-3)
+
+
+@pytest.mark.parametrize("block", ["G5.1 X0 Y0 I1 J1", "G5 I10 J10 P-10 Q10 X10 Y0"])
+def test_a_cusp_inside_a_spline_is_refused_with_its_line(block: str) -> None:
+    with refuses(ProgramError, match="cusp", line=2):
+        route_from_program(parse_program(f"G21 G17 F100\n{block}\nM2\n"), axes=("x", "y"))
