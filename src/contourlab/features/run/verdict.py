@@ -78,7 +78,8 @@ def verdict(
     if best is not start:
         findings.append(proposal(start, best))
     if best.worst > tolerance:
-        left = ranked if best is start else causes(machine, best.controller, best.reference, *judged_run(machine, best, seed), seed)[0]
+        last = machine, best.controller, best.reference
+        left = ranked if best is start else causes(*last, *judged_run(*last, seed), seed)[0]
         findings.append(finding("CL204", tolerance=tolerance, cause=left[0].name, left=left[0].contribution, help=WOULD_HELP[left[0].name]))
     proposed = None if best.controller is controller else best.controller
     return Verdict(bool(within) and not skipped, tolerance, worst, ranked, skipped, tuple(findings), proposed)

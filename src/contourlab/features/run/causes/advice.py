@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -35,12 +34,11 @@ class Trial:
     worst: float
 
 
-def judged_run(machine: Machine, trial: Trial, seed: int) -> tuple[Result, int]:
-    """Run again and judge, keeping few signals; return the result and the sample of the largest part error."""
-    signals = ("tool_position", "reference", "arc_length", "reference_velocity")
-    run = simulate(machine, trial.controller, trial.reference, seed=seed, signals=signals)
-    judged = judge(run, trial.reference)
-    samples = judged_part(judged, trial.reference).samples
+def judged_run(machine: Machine, controller: Controller, reference: Reference, seed: int) -> tuple[Result, int]:
+    """Run and judge, keeping few signals; return the result and the sample of the largest part error."""
+    run = simulate(machine, controller, reference, seed=seed, signals=("tool_position", "reference", "arc_length", "reference_velocity"))
+    judged = judge(run, reference)
+    samples = judged_part(judged, reference).samples
     return judged, int(samples[np.abs(judged["part_error"][samples]).argmax()])
 
 
@@ -80,17 +78,16 @@ def advice(
 def _trials(machine: Machine, before: Trial, plans: Mapping[str, Callable[[], Reference]], seed: int) -> list[Trial]:
     """Run each change on top of those made before; leave out those that diverge or cannot be planned."""
 
-    def attempt(change: tuple[str, Controller | None, Callable[[], Reference] | None]) -> Trial | None:
-        name, law, plan = change
+    def attempt(change: tuple[str, Controller, Callable[[], Reference]]) -> Trial | None:
+        name, controller, plan = change
         with suppress(ContourlabError):
-            reference = before.reference if plan is None else plan()
-            trial = Trial((*before.changes, name), law or before.controller, reference, math.nan)
-            judged, sample = judged_run(machine, trial, seed)
-            return replace(trial, worst=float(abs(judged["part_error"][sample])))
+            reference = plan()
+            judged, sample = judged_run(machine, controller, reference, seed)
+            return Trial((*before.changes, name), controller, reference, float(abs(judged["part_error"][sample])))
         return None
 
-    changes: list[tuple[str, Controller | None, Callable[[], Reference] | None]] = [(name, None, plan) for name, plan in plans.items()]
-    changes += [(name, law, None) for name, law in remedies(machine, before.controller)]
+    changes = [(name, before.controller, plan) for name, plan in plans.items()]
+    changes += [(name, changed, lambda: before.reference) for name, changed in remedies(machine, before.controller)]
     return [trial for trial in in_threads(attempt, changes) if trial is not None]
 
 

@@ -32,16 +32,13 @@ Change = Callable[[Machine, str, AxisController], AxisController]
 def remedies(machine: Machine, controller: Controller) -> list[tuple[str, Controller]]:
     """Return single changes of the controller, by name; none that changes nothing."""
     observed = any(part.observer is not None for part in controller.axes.values())
+    observer: Change = _faster_observer if observed else _observed
     of_axes: dict[str, Change] = {
         "raising the poles of the position loops by a quarter": partial(_faster, 1.25),
         "lowering the poles of the position loops by a fifth": partial(_faster, 0.8),
         "P-PI cascades alone, with feedforward, as fast as 6 dB and 30 degrees allow": _cascaded,
         "matching the feedforward model to the loop": _own_model,
-        **(
-            {"raising the observer's bandwidth by half": _faster_observer}
-            if observed
-            else {"adding a disturbance observer": _observed}
-        ),
+        "raising the observer's bandwidth by half" if observed else "adding a disturbance observer": observer,
         "compensating the friction by feedforward": _without_friction,
         "compensating the backlash by an offset on reversal": _compensated,
     }
@@ -89,6 +86,7 @@ def _cascaded(machine: Machine, name: str, part: AxisController) -> AxisControll
     velocity = part.velocity
     if isinstance(velocity, FilteredDifference):
         velocity = velocity.replace(bandwidth=max(velocity.bandwidth, SHARPEST / machine.servo_period))
+        law = law.replace(balance_bandwidth=velocity.bandwidth)
     trial = replace(part, observer=None, velocity=velocity, controller=law)
     gains = designed(trial.controller, fastest_speed(machine, axis, trial, Bounds()), model_of(machine, axis, trial), name)
     return replace(trial, controller=trial.controller.replace(**gains))
