@@ -71,10 +71,12 @@ def verdict(
     if diverging:
         findings.append(finding("CL202", causes=diverging))
     plans: dict[str, Callable[[], Reference]] = {} if slower is None else {"taking the feed down by a fifth": partial(slower, 0.8)}
-    if closer is not None and planned > SHARE * tolerance:
-        plans |= closer(SHARE * tolerance)
+    near = closer(SHARE * tolerance) if closer is not None and planned > SHARE * tolerance else {}
     start = Trial((), controller, reference, worst.value)
-    best = advice(machine, start, tolerance, plans, seed)
+    if planned > tolerance:
+        best = advice(machine, start, tolerance, plans, seed, near)
+    else:
+        best = advice(machine, start, tolerance, {**plans, **near}, seed)
     if best is not start:
         findings.append(proposal(start, best))
     if best.worst > tolerance:

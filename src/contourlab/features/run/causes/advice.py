@@ -48,6 +48,7 @@ def advice(
     tolerance: float,
     plans: Mapping[str, Callable[[], Reference]] | None = None,
     seed: int = 0,
+    closer: Mapping[str, Callable[[], Reference]] | None = None,
 ) -> Trial:
     """Return the run after the changes that help most, at most three; the start itself if none helps.
 
@@ -62,20 +63,29 @@ def advice(
         Other ways to plan, by name.
     seed : int
         Of the run.
+    closer : mapping, optional
+        Ways to plan of which one must come first, because the present plan alone exceeds the tolerance.
     """
     best, plans = start, dict(plans or {})
-    for _ in range(MOST_CHANGES):
+    if closer:
+        replanned = _trials(machine, start, closer, {}, seed)
+        best = min(replanned, key=lambda trial: trial.worst, default=start)
+    for _ in range(MOST_CHANGES - len(best.changes)):
         before = best
-        for trial in _trials(machine, before, plans, seed):
+        if before.worst <= tolerance:
+            break
+        for trial in _trials(machine, before, plans, dict(remedies(machine, before.controller)), seed):
             if trial.worst < min(best.worst, HELPS * before.worst):
                 best = trial
-        if best is before or best.worst <= tolerance:
+        if best is before:
             break
         plans = {} if best.reference is not before.reference else plans
-    return best
+    return best if best.worst < start.worst else start
 
 
-def _trials(machine: Machine, before: Trial, plans: Mapping[str, Callable[[], Reference]], seed: int) -> list[Trial]:
+def _trials(
+    machine: Machine, before: Trial, plans: Mapping[str, Callable[[], Reference]], controllers: Mapping[str, Controller], seed: int
+) -> list[Trial]:
     """Run each change on top of those made before; leave out those that diverge or cannot be planned."""
 
     def attempt(change: tuple[str, Controller, Callable[[], Reference]]) -> Trial | None:
@@ -87,7 +97,7 @@ def _trials(machine: Machine, before: Trial, plans: Mapping[str, Callable[[], Re
         return None
 
     changes = [(name, before.controller, plan) for name, plan in plans.items()]
-    changes += [(name, changed, lambda: before.reference) for name, changed in remedies(machine, before.controller)]
+    changes += [(name, changed, lambda: before.reference) for name, changed in controllers.items()]
     return [trial for trial in in_threads(attempt, changes) if trial is not None]
 
 
