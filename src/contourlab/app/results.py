@@ -205,6 +205,8 @@ def _undo(stage: Path, folder: Path) -> bool:
             with suppress(OSError):
                 target.replace(path)
     (folder / LIST).unlink(missing_ok=True) if listed is None else (folder / LIST).write_text(listed, encoding="utf-8")
+    # Once the files of the stage are gone, the journal would take the restored results back.
+    (stage / _JOURNAL).unlink()
     return True
 
 
@@ -219,12 +221,22 @@ def _clean_up(folder: Path) -> None:
     if sys.platform == "win32":  # has no such locks
         return
     for stage in folder.glob(f"{_STAGE}*"):
+        with suppress(OSError):
+            stage.rmdir()  # only if empty: killed before it was held, or after
         with suppress(OSError), (stage / _HELD).open("r+b") as stream:
             _lock(stream)
             undone = _undo(stage, folder)
-            shutil.rmtree(stage, ignore_errors=True)
+            _remove(stage)
             what = "the results from before it are back" if undone else "its unfinished results are removed"
             logging.getLogger("contourlab").warning("contourlab: %s: an earlier run was killed: %s", folder, what)
+
+
+def _remove(stage: Path) -> None:
+    """Remove a temporary folder, and last of its files the one that marks it."""
+    for path in stage.glob("*"):
+        if path.name != _HELD:
+            shutil.rmtree(path, ignore_errors=True) if path.is_dir() else path.unlink(missing_ok=True)
+    shutil.rmtree(stage, ignore_errors=True)
 
 
 def _lock(stream: BinaryIO) -> None:
@@ -242,18 +254,35 @@ def _temporary(folder: Path, option: str) -> Iterator[Path]:
     try:
         folder.mkdir(parents=True, exist_ok=True)
         _clean_up(folder)
-        stage = Path(tempfile.mkdtemp(dir=folder, prefix=_STAGE))
+        stage, stream = _held_stage(folder)
     except OSError as error:
         _remove_empty(made)
         raise OutputError(f"{folder}: cannot be written: {error.strerror or error}; choose another folder with {option}") from error
     try:
-        with (stage / _HELD).open("wb") as stream:
-            with suppress(OSError):
-                _lock(stream)
+        with stream:
             yield stage
     finally:
-        shutil.rmtree(stage, ignore_errors=True)
+        with suppress(OSError):
+            _remove(stage)
         _remove_empty(made)
+
+
+def _held_stage(folder: Path) -> tuple[Path, BinaryIO]:
+    """Return a new temporary folder and its marking file, locked if the file system has locks."""
+    while True:
+        stage = Path(tempfile.mkdtemp(dir=folder, prefix=_STAGE))
+        with suppress(FileNotFoundError, BlockingIOError):  # another process removes it before it is locked
+            stream = (stage / _HELD).open("wb")
+            try:
+                _lock(stream)
+            except BlockingIOError:
+                stream.close()
+                raise
+            except OSError:  # no locks
+                pass
+            if (stage / _HELD).exists():
+                return stage, stream
+            stream.close()
 
 
 def _remove_empty(folders: Iterable[Path]) -> None:

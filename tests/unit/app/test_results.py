@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -182,3 +184,52 @@ def test_an_impossible_file_is_refused(place: str, said: str, tmp_path: Path) ->
 def test_missing_folders_are_accepted_and_not_left_behind(tmp_path: Path) -> None:
     check_file(tmp_path / "some" / "where" / "machine.toml")
     assert list(tmp_path.iterdir()) == []
+
+
+KILLED = """
+import os, sys
+import subprocess
+import sys
+from pathlib import Path
+from contourlab.app.results import staged
+
+place, after, left = Path(sys.argv[1]), sys.argv[2] == "after", [int(sys.argv[3])]
+
+def watched(name):
+    plain = getattr(os, name)
+    def call(path, *more, **named):
+        left[0] -= 1
+        if left[0] == 0 and not after:
+            os._exit(9)
+        try:
+            return plain(path, *more, **named)
+        finally:
+            if left[0] == 0 and after:
+                os._exit(9)
+    setattr(os, name, call)
+
+for name in ("mkdir", "unlink", "rmdir", "replace", "rename"):
+    watched(name)
+with staged(place, "summary.json") as stage:
+    (stage / "plots").mkdir()
+    for name in ("summary.json", "report.html", "plots/more.svg"):
+        (stage / name).write_text("new")
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no locks")
+@pytest.mark.parametrize("when", ["before", "after"])
+def test_a_kill_at_any_change_of_the_folder_is_cleaned_up(tmp_path: Path, when: str) -> None:
+    """A process ends before or after each of its changes in turn; the next run removes its folder and keeps one whole set of results."""
+    new = dict.fromkeys(("summary.json", "report.html", "plots/more.svg"), "new")
+    for n in range(1, 100):
+        folder = tmp_path / str(n)
+        with staged(folder, "summary.json") as stage:
+            write(stage, OLD)
+        ended = subprocess.run([sys.executable, "-c", KILLED, str(folder), when, str(n)], check=False).returncode
+        check_file(folder / "any.txt")
+        assert not list(folder.glob(".contourlab-*")), n
+        assert read(folder) in (OLD, new), n
+        if ended == 0:
+            break
+    assert ended == 0 and n > 10
