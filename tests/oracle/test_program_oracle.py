@@ -108,6 +108,8 @@ def test_random_programs(oracle: ModuleType, tmp_path: Path, seed: int) -> None:
         "%\no9 call\nG0 X1\n%\no9 sub\nG0 X2\no9 endsub", "%\no1 if [0]\nG0 X1\n%\no1 endif",
         "o1 if [0]\n#<s> = 2\no#<s> if [1]\no#<s> endif\no1 endif", "o1 sub\no[1/0] if [1]\no1 endsub\nG0 X2",
         "G92 X1 G1", "G10 L2 P1 X1 G1", "G28 X1 G0", "G55 G54", "G0 X#<nothing>", "#5420 = 1", "G18 G5 X1 Y1 I1 J1 P1 Q1 F9",
+        "o1 repeat [2]\nG0 X1\no1 break\no1 endrepeat", "o1 repeat [2]\nG0 X1\no1 continue\no1 endrepeat",
+        "o1 (c) if [1]\no1 endif", "o1 if (c) [1]\no1 endif", "o1 if [1 (c)]\no1 endif",
     ],
 )  # fmt: skip
 def test_both_refuse(oracle: ModuleType, tmp_path: Path, text: str) -> None:
@@ -128,6 +130,7 @@ def test_both_refuse(oracle: ModuleType, tmp_path: Path, text: str) -> None:
         "o1 if [0]\n(abort, no)\no1 endif\nG0 X1",
         "o2 sub\nG0 X2\no2 endsub\no<a> sub\n#<s> = 2\no#<s> call\no<a> endsub\no<a> call",
         "o<a> sub\n#<s> = 2\no#<s> if [1]\nG0 X2\no#<s> endif\no<a> endsub\no<a> call",
+        "G0 X[#<_motion_mode> / 100]",
         "%\no1 while [#1 LT 2]\n#1 = [#1 + 1]\nG0 X1\n%\no1 endwhile",
     ],
 )  # fmt: skip

@@ -21,6 +21,7 @@ KEYWORDS = (
 )  # fmt: skip
 _KEYWORD = re.compile("|".join(KEYWORDS))
 _O_LINE = re.compile(r"[ \t]*(?:/[ \t]*)?(?:[nN][ \t0-9.]*)?[oO]")
+_COMMENT_INSIDE = re.compile(r"[^;(]*(?:\([^)]*\)[ \t]*)+[^;(\s]")
 _DIGITS = re.compile(r"[0-9]+")
 _CONDITIONS = ("if", "elseif", "while", "repeat")
 _VALUES = ("return", "endsub")
@@ -85,6 +86,8 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
         raise BlockError(f"O{label} needs a keyword: write one of {', '.join(KEYWORDS)}", cursor.column)
     if skipping:
         return OWord(label, keyword, (), column)
+    if _COMMENT_INSIDE.match(line):
+        raise BlockError("a comment cannot stand inside an O-word: move it to the end of the line", line.index("(") + 1)
     values = []
     while cursor.next == "[":
         values.append(read_value(cursor, parameters))

@@ -224,7 +224,7 @@ def own_names(state: ModalState, line: Callable[[], int]) -> Mapping[str, Callab
     parameters = state.parameters
     names: dict[str, Callable[[], float]] = {
         "_line": lambda: float(line()),
-        "_motion_mode": lambda: -1.0 if state.motion is None else float(state.motion),
+        "_motion_mode": lambda: 800.0 if state.motion is None else float(state.motion),
         "_plane": lambda: _PLANES[state.plane],
         "_metric": lambda: float(state.millimetres),
         "_imperial": lambda: float(not state.millimetres),

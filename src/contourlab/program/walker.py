@@ -244,9 +244,9 @@ class Walker:
     def _leave_inner(self, word: OWord) -> _Loop:
         """Leave the loops inside the loop with this label, and return that loop."""
         loops = self.frame.loops
-        if not any(loop.label == word.label for loop in loops):
-            cure = "correct the label, or delete the line"
-            raise BlockError(f"O{word.label} {word.keyword} is not inside a loop with this label: {cure}", word.column)
+        if not any(loop.label == word.label and loop.kind != "repeat" for loop in loops):
+            cure = "correct the label, or write a while in place of a repeat"
+            raise BlockError(f"O{word.label} {word.keyword} is not inside a while or do with this label: {cure}", word.column)
         while loops[-1].label != word.label:
             loops.pop()
         del self.frame.ifs[loops[-1].ifs :]

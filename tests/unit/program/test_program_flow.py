@@ -40,9 +40,9 @@ def ends(text: str) -> list[float]:
         ("#1 = 0\no1 while [1]\n#1 = [#1 + 1]\no2 if [#1 EQ 3]\no1 break\no2 endif\nX#1\no1 endwhile\nX9", [1, 2, 9]),
         ("#1 = 0\no1 while [#1 LT 4]\n#1 = [#1 + 1]\no2 if [#1 EQ 2]\no1 continue\no2 endif\nX#1\no1 endwhile", [1, 3, 4]),
         ("#1 = 0\no1 do\n#1 = [#1 + 1]\no2 if [#1 EQ 2]\no1 continue\no2 endif\nX#1\no1 while [#1 LT 4]", [1, 3, 4]),
-        ("#1 = 0\no1 repeat [4]\n#1 = [#1 + 1]\no2 if [#1 EQ 2]\no1 continue\no2 endif\nX#1\no1 endrepeat", [1, 3, 4]),
         (
-            "#1 = 0\no1 repeat [2]\no2 repeat [2]\n#1 = [#1 + 1]\nX#1\no3 if [#1 EQ 1]\no1 continue\no3 endif\no2 endrepeat\no1 endrepeat",
+            "#1 = 0\no1 while [#1 LT 2]\no2 repeat [2]\n#1 = [#1 + 1]\nX#1\n"
+            "o3 if [#1 EQ 1]\no1 continue\no3 endif\no2 endrepeat\no1 endwhile",
             [1, 2, 3],
         ),
         ("o1 repeat [2]\no2 while [1]\nG91 X1\no2 break\no2 endwhile\no1 endrepeat", [1, 2]),
@@ -50,7 +50,8 @@ def ends(text: str) -> list[float]:
         ("o[1 + 1] if [1]\nX1\no2 endif", [1]),
         ("o<A b> if [1]\nX1\nO<ab> endif", [1]),
         ("o007 if [1]\nX1\nO7 endif", [1]),
-        ("N10 o1 if [1]\n N20 O1 endif (there)\nX1", [1]),
+        ("N10 o1 if [1] (a) (b)\n N20 O1 endif (there)\nX1", [1]),
+        ("o1 if [1] ; (c) d\nX1\no1 endif", [1]),
     ],
 )
 def test_conditions_and_loops(text: str, wanted: list[float]) -> None:
@@ -96,8 +97,13 @@ def test_subprograms(text: str, wanted: list[float]) -> None:
         ("o1 if [1]\no2 while [1]\no1 endif", 3, 1, "O1 endif"),
         ("o1 endwhile", 1, 1, "no while"),
         ("o1 endrepeat", 1, 1, "no repeat"),
-        ("o1 break", 1, 1, "not inside a loop"),
-        ("o1 continue", 1, 1, "not inside a loop"),
+        ("o1 repeat [2]\no1 break\no1 endrepeat", 2, 1, "while or do"),
+        ("o1 repeat [2]\no1 continue\no1 endrepeat", 2, 1, "while or do"),
+        ("o1 (c) if [1]\nX1\no1 endif", 1, 4, "comment"),
+        ("o1 if (c) [1]\nX1\no1 endif", 1, 7, "comment"),
+        ("o1 if [1 (c)]\nX1\no1 endif", 1, 10, "comment"),
+        ("o1 break", 1, 1, "while or do"),
+        ("o1 continue", 1, 1, "while or do"),
         ("o1 endsub", 1, 1, "not inside"),
         ("o1 return [1]", 1, 1, "not inside"),
         ("o1 if", 1, 1, "one expression"),

@@ -63,7 +63,8 @@ def test_an_unknown_dialect() -> None:
         ("G90.1", "_ijk_absolute_mode", 1), ("G7", "_lathe_diameter_mode", 1), ("M4", "_spindle_on", 1), ("M4", "_spindle_cw", 0),
         ("S250", "_rpm", 250), ("F90", "_feed", 90), ("G43.1 Z1", "_tool_offset", 1), ("T4 M6", "_current_tool", 4),
         ("T4", "_selected_tool", 4),
-        ("G98", "_retract_old_z", 1), ("G99", "_retract_r_plane", 1), ("G1 F9 X2", "_motion_mode", 10), ("G1 F9 X2", "_x", 2),
+        ("G98", "_retract_old_z", 1), ("G99", "_retract_r_plane", 1), ("G1 F9 X2", "_motion_mode", 10), ("", "_motion_mode", 800),
+        ("G1 F9 X2", "_x", 2),
         ("G10 L2 P1 X5\nG1 F9 X2", "_x", 2), ("G10 L2 P1 X5\nG1 F9 X2", "_abs_x", 7), ("", "_line", 2), ("", "_call_level", 0),
     ],
 )  # fmt: skip
