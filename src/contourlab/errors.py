@@ -43,6 +43,16 @@ __all__ = [
 ]
 
 
+def error_text(error: BaseException) -> str:
+    """Return type and text of an error of third-party code; the type alone if it has no readable text."""
+    try:
+        return f"{type(error).__name__}: {error}"
+    except KeyboardInterrupt:
+        raise
+    except BaseException:  # __str__ may raise anything
+        return type(error).__name__
+
+
 class ContourlabError(Exception):
     """Base of all errors raised on purpose; its text is for the user."""
 

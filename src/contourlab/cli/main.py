@@ -39,7 +39,7 @@ from contourlab.cli.commands.sensitivity import sensitivity
 from contourlab.cli.commands.swap import swap
 from contourlab.cli.commands.tune import tune
 from contourlab.cli.output import say, silence
-from contourlab.errors import ContourlabError, ParameterError
+from contourlab.errors import ContourlabError, ParameterError, error_text
 
 NAME = "contourlab"
 BAD_INPUT, INTERNAL, INTERRUPTED = 2, 70, 130
@@ -169,9 +169,9 @@ def _in_typed_words(error: BaseException, typed: Sequence[str]) -> str:
 
 def _explain(error: BaseException, debug: bool, typed: Sequence[str] = ()) -> int:
     """Print the error on standard error; return the exit code."""
-    code, lines = BAD_INPUT, [f"{NAME}: {_in_typed_words(error, typed)}"]
+    code = BAD_INPUT
     if isinstance(error, ContourlabError):
-        code = error.exit_code
+        code, lines = error.exit_code, [f"{NAME}: {_in_typed_words(error, typed)}"]
     elif isinstance(error, KeyboardInterrupt | typer.Abort):
         code, lines = INTERRUPTED, [f"{NAME}: interrupted"]
     elif isinstance(error, typer.TyperException):
@@ -186,7 +186,7 @@ def _explain(error: BaseException, debug: bool, typed: Sequence[str] = ()) -> in
         detail = f" ({error})" if str(error) else ""
         lines = [f"{NAME}: not enough memory{detail}: use fewer laps or schemes, or a longer servo period"]
     else:
-        code, lines = INTERNAL, [f"{NAME}: internal error: {type(error).__name__}: {error}"]
+        code, lines = INTERNAL, [f"{NAME}: internal error: {error_text(error)}"]
         if not debug:
             lines.append("This is a fault in contourlab. Run the same command with --debug and report what it prints.")
     print(*lines, *getattr(error, "__notes__", ()), sep="\n", file=sys.stderr)

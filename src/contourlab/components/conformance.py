@@ -16,7 +16,7 @@ from contourlab.components.linear_check import linear_fault
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Bank, Step, rows
-from contourlab.errors import ComponentError, ContourlabError, EngineError
+from contourlab.errors import ComponentError, ContourlabError, EngineError, error_text
 from contourlab.primitives import Table
 
 PERIOD = 1e-3
@@ -250,7 +250,7 @@ def _check_running(kind: type[Component], part: Component, scale: float, jit: bo
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # third-party code may raise anything
-        raise _fault(kind, f"its step fails in plain Python: {type(error).__name__}: {error}") from error
+        raise _fault(kind, f"its step fails in plain Python: {error_text(error)}") from error
     if not np.isfinite(plain).all():
         raise _fault(kind, "an output or a state is not finite")
     if not np.array_equal(plain, _run(part, scale, False)):
@@ -262,7 +262,7 @@ def _check_running(kind: type[Component], part: Component, scale: float, jit: bo
         except EngineError as error:
             raise _fault(kind, str(error)) from error
         except Exception as error:  # the compiler has exceptions of its own
-            raise _fault(kind, f"its step cannot be compiled: {error}") from error
+            raise _fault(kind, f"its step cannot be compiled: {error_text(error)}") from error
         gap = _gap(fast, plain)
         if not gap <= AGREEMENT:
             raise _fault(kind, f"{name} and plain Python differ by {gap:.3g}")

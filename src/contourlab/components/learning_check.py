@@ -9,6 +9,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.components.contract import Parameter
 from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
+from contourlab.errors import error_text
 
 PERIOD = 1e-3
 SAMPLES = 400
@@ -75,7 +76,7 @@ def _fault(law: LearningLaw, n_axis: int) -> str:
         found = law.update(table, trial, problem)
         rest = law.update(none, _trial(n_axis, problem, 0.0), problem)
     except Exception as error:  # third-party code may raise anything
-        return f"its update fails: {type(error).__name__}: {error}"
+        return f"its update fails: {error_text(error)}"
     given = (table, trial.tracking_error, trial.feedback_command, trial.excess)
     if not isinstance(found, np.ndarray) or found.shape != table.shape or found.dtype != np.float64:
         return f"its table is not an array of numbers of shape {table.shape}"

@@ -15,7 +15,7 @@ from pathlib import Path
 from types import ModuleType
 
 from contourlab.components.contract import FAMILIES, Component
-from contourlab.errors import ComponentError
+from contourlab.errors import ComponentError, error_text
 
 ENTRY_POINT_GROUP = "contourlab.components"
 _plugins: dict[tuple[str, str], type[Component]] = {}
@@ -39,7 +39,7 @@ def _built_in() -> dict[tuple[str, str], type[Component]]:
         try:
             loaded = entry.load()
         except Exception as error:  # a package may raise anything on import
-            raise ComponentError(f"entry point {entry.name} = {entry.value} cannot be loaded: {error}") from error
+            raise ComponentError(f"entry point {entry.name} = {entry.value} cannot be loaded: {error_text(error)}") from error
         kinds = _declared(loaded) if isinstance(loaded, ModuleType) else [loaded]
         if not kinds:
             raise ComponentError(f"entry point {entry.name}: defines no component: write a subclass of Component with family and kind")
@@ -78,7 +78,7 @@ def load_plugin(file: str | Path) -> list[type[Component]]:
         raise
     except BaseException as error:  # a plug-in may raise anything
         sys.modules.pop(name, None)
-        raise ComponentError(f"{file}: cannot be imported: {type(error).__name__}: {error}") from error
+        raise ComponentError(f"{file}: cannot be imported: {error_text(error)}") from error
     kinds = _declared(module)
     if not kinds:
         raise ComponentError(f"{file}: defines no component: write a subclass of Component with family and kind")

@@ -27,6 +27,16 @@ def fail_with(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:
     monkeypatch.setattr(registry, "components", components)
 
 
+def test_an_error_without_a_readable_text_is_internal(monkeypatch, capsys):
+    class Mute(BaseException):
+        def __str__(self):
+            raise SystemExit(0)
+
+    fail_with(monkeypatch, Mute())
+    assert main(["components"]) == 70
+    assert "Mute" in capsys.readouterr().err
+
+
 def test_the_version_is_printed(capsys):
     assert main(["--version"]) == 0
     assert capsys.readouterr().out == f"contourlab {__version__}\n"

@@ -11,7 +11,7 @@ from typing import Any
 from contourlab.engine.translate.graph import Graph, MismatchError, Op
 from contourlab.engine.translate.names import Closure, Frame, assign, bound, flat, has_unset, last_of, outer_names
 from contourlab.engine.translate.source import tree_of
-from contourlab.errors import EngineError
+from contourlab.errors import EngineError, error_text
 
 NOTHING: Any = object()
 """What a body returns that ends without a return."""
@@ -122,7 +122,7 @@ class Expressions:
         except EngineError:
             raise
         except Exception as error:  # Python itself may refuse what it computes now
-            said = str(error) if isinstance(error, MismatchError) else f"{type(error).__name__}: {error}"
+            said = str(error) if isinstance(error, MismatchError) else error_text(error)
             raise EngineError(f"{frame.file}:{getattr(error, 'line', node.lineno)}: {said}") from error
         finally:
             self._depth -= 1
