@@ -177,7 +177,8 @@ def checked_judge(choice: str) -> str:
     ValueError
         If it is none.
     """
-    if choice not in ("cutting", "all") and not JUDGED_LINES.fullmatch(choice):
+    lines = JUDGED_LINES.fullmatch(choice)
+    if choice not in ("cutting", "all") and (lines is None or int(lines[1]) > int(lines[2] or lines[1])):
         raise ValueError(f'{choice!r}: write "cutting", "all" or "lines 10-40"')
     return choice
 

@@ -61,7 +61,7 @@ def test_answers_in_a_file_make_a_valid_machine(answers, tmp_path, capsys):
     assert made["machine.toml"]["axes"]["x"]["mounted_on"] == "y"
     assert made["axis-y.toml"]["plant"]["lead"] == {"value": "5 mm", "source": "datasheet", "from": "as given"}
     guess = made["axis-x.toml"]["plant"]["lead"]
-    assert (guess["value"], guess["source"], guess["range"]) == ("10 mm", "assumed", ["5 mm", "20 mm"])
+    assert (guess["value"], guess["source"], guess["range"]) == ("10 mm", "assumed", ["5 mm", "15 mm"])
     assert {made["axis-x.toml"]["friction"][name]["source"] for name in ("coulomb", "breakaway", "stribeck_velocity")} == {"assumed"}
     controller = made["controller.toml"]["controller"]
     assert set(controller) == {"axes"}  # no coupling

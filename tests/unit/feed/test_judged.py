@@ -95,7 +95,7 @@ def test_lines_without_a_cut_are_refused(scenario: Scenario, choice: str) -> Non
         scenario.judging(choice).base.reference()
 
 
-@pytest.mark.parametrize("choice", ["", "cut", "lines", "lines 0", "lines 5-", "lines 4 - 5", "lines -3", "All"])
+@pytest.mark.parametrize("choice", ["", "cut", "lines", "lines 0", "lines 25-20", "lines 5-", "lines 4 - 5", "lines -3", "All"])
 def test_other_words_are_refused(scenario: Scenario, choice: str) -> None:
     with pytest.raises(ParameterError):
         scenario.judging(choice)

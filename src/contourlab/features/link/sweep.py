@@ -168,7 +168,7 @@ class LinkSetting:
         self.networks = {key: link for key, link in links.items() if isinstance(link, Network)}
         if not self.networks:
             raise ParameterError("controller.axes", "without a network", 'divided, with a link of kind "network" in at least one direction')
-        self.ideal = undisturbed(unlimited(perfect_sensing(without_friction(self.machine))))
+        self.ideal = undisturbed(unlimited(perfect_sensing(without_friction(self.machine, self.controller)[0])))
         self.loops = tuple(_linear(self.machine, self.controller))
 
     def by_chance(self, quantity: str) -> bool:

@@ -56,12 +56,12 @@ def _plant(axis: SizedAxis) -> dict[str, Any]:
 
 
 def _friction(axis: SizedAxis) -> dict[str, Any]:
-    rest = Origin("assumed", span=(axis.friction, 2.0 * axis.friction), note="guess: a quarter above sliding")
+    rest = Origin("assumed", span=(axis.friction, 1.5 * axis.friction), note="guess: a quarter above sliding")
     return {
         "kind": "coulomb",
         "coulomb": _number(axis, "friction", "N", note="measure it"),
         "breakaway": _noted(rounded(1.25 * axis.friction), "N", rest),
-        "stribeck_velocity": _noted(2e-3, "mm/s", Origin("assumed", span=(5e-4, 1e-2), note="guess: typical of rail guides")),
+        "stribeck_velocity": _noted(2e-3, "mm/s", Origin("assumed", span=(1e-3, 3e-3), note="guess: typical of rail guides")),
     }
 
 

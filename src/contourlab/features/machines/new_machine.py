@@ -118,6 +118,9 @@ def _check(axis: SizedAxis, names: Sequence[str]) -> None:
             f"{axis.name}.acceleration",
             f"{axis.acceleration:.4g} m/s^2 needs {axis.wanted_force:.4g} N, but the peak force of the motor is {axis.peak:.4g} N: {able}",
         )
+    if axis.resonance and 2.0 * axis.resonance * axis.period >= 1.0:
+        own, most = (show(value, "Hz", 4) for value in (axis.resonance, 0.5 / axis.period))
+        raise fault(f"{axis.name}.resonance", f"{own} is not below half of the servo frequency, {most}: leave it out")
     try:
         stable = axis.margins().stable
     except ParameterError as error:

@@ -16,6 +16,7 @@ from contourlab.units import from_si, show, split
 _PER_TURN = re.compile(r"\s*(?:/|per)\s*(?:rev(?:olution)?|turn)\b")
 _COUNTS = re.compile(r"(?P<lines>\d+)\s*(?:lines?\s*)?[x×*]\s*(?P<steps>\d+)|(?P<bits>\d+)\s*bits?|(?P<counts>\d+)\s*counts?")
 _PERIOD = re.compile(r"(?P<period>.*[^\d\s])\s*(?:/|x|×)\s*(?P<steps>\d+)")
+_SPEED = re.compile(r"(\d+(?:\.\d*)?)\s*(?:rpm|1/min|U/min)")
 _DRIVES = {"screw": ("screw", "ball-screw", "belt", "rack"), "linear": ("linear", "linear-motor")}
 
 
@@ -101,9 +102,9 @@ AXIS = (
     Question("rotor_inertia", "Inertia of the rotor", "kg*cm^2", 1e-3, 5000.0, drive="screw"),
     Question(
         "screw_inertia", "Inertia of coupling and screw", "kg*cm^2", 0.0, 20000.0, lambda axis: axis.rotor_inertia,
-        "as the rotor", (0.3, 3.0), asked=False, drive="screw",
+        "as the rotor", (0.3, 1.7), asked=False, drive="screw",
     ),
-    Question("lead", "Lead of the screw (travel per turn)", "mm", 0.2, 500.0, "10 mm", spread=(0.5, 2.0), drive="screw"),
+    Question("lead", "Lead of the screw (travel per turn)", "mm", 0.2, 500.0, "10 mm", spread=(0.5, 1.5), drive="screw"),
     Question("rated_force", "Rated force of the motor", "N", 0.5, 50000.0, drive="linear"),
     Question(
         "peak_force", "Peak force of the motor with its drive", "N", 0.5, 200000.0, lambda axis: 3.0 * axis.rated,
@@ -116,7 +117,7 @@ AXIS = (
         "encoder_resolution",
         "Encoder: travel per count (1 um), lines x interpolation (2500 x 4), bits (17 bit), grating / interpolation (20 um / 400)",
         "um", 1e-5, 100.0, lambda axis: 1e-7 if axis.linear else axis.lead / 10000.0,
-        "0.1 um, or 10000 counts per turn of a screw", (0.2, 5.0),
+        "0.1 um, or 10000 counts per turn of a screw", (0.2, 1.8),
     ),
     Question(
         "velocity", "Velocity limit", "m/min", 0.05, 600.0, lambda axis: 1.0 if axis.linear else 50.0 * axis.lead,
@@ -124,11 +125,11 @@ AXIS = (
     ),
     Question(
         "friction", "Sliding friction at the table", "N", 0.0, 20000.0, _share,
-        "a tenth of the rated force, 5 % with a linear motor", (0.5, 2.0), asked=False,
+        "a tenth of the rated force, 5 % with a linear motor", (0.5, 1.5), asked=False,
     ),
     Question(
         "damping", "Viscous damping at the table", "N*s/m", 0.0, 1e6, lambda axis: _share(axis) / axis.velocity,
-        "as much force as friction at the velocity limit", (0.5, 2.0), asked=False,
+        "as much force as friction at the velocity limit", (0.5, 1.5), asked=False,
     ),
     Question("acceleration", "Acceleration limit", "m/s^2", 0.02, 300.0, _spare, "what the rated force allows"),
     Question(
@@ -190,8 +191,10 @@ def read_value(question: Question, key: str, text: str, axis: SizedAxis) -> Any:
         return found[0]
     if not question.unit:
         return text
+    if question.unit == "Hz" and "mm" in text:
+        raise fault(key, f"{text!r} is a Kv: write a frequency, such as 30 Hz")
     try:
-        number = _encoder(text, axis) if question.key == "encoder_resolution" else None
+        number = _other_words(question.key, text, axis)
         number = _quantity(text, question.unit) if number is None else number
     except UnitError as error:
         raise fault(key, str(error)) from error
@@ -210,14 +213,20 @@ def _quantity(text: str, unit: str) -> float:
     return read_number(f"{text} {unit}" if bare else text, unit, unit)
 
 
+def _other_words(key: str, text: str, axis: SizedAxis) -> float | None:
+    """Return an answer in other than its own unit; None if it is none: an encoder's counts, or the speed of a screw's motor."""
+    if key == "encoder_resolution":
+        return _encoder(text, axis)
+    turns = _SPEED.fullmatch(text)
+    return float(turns[1]) / 60.0 * float(axis.lead) if key == "velocity" and turns and not axis.linear else None
+
+
 def _encoder(text: str, axis: SizedAxis) -> float | None:
     """Return the travel per count of an encoder in other words; None if the text is none of them."""
-    grating = _PERIOD.fullmatch(text)
-    if axis.linear and grating:
-        return _quantity(grating["period"], "um") / int(grating["steps"])
     turn = _COUNTS.fullmatch(_PER_TURN.sub("", text))
     if turn is None:
-        return None
+        grating = _PERIOD.fullmatch(text)
+        return _quantity(grating["period"], "um") / int(grating["steps"]) if grating else None
     if axis.linear:
         raise UnitError(f'{text!r} is per turn, which a linear motor has not: write the travel per count, or for example "20 um / 400"')
     counts = 2 ** min(int(turn["bits"] or 0), 64) * int(turn["lines"] or 1) * int(turn["steps"] or turn["counts"] or 1)

@@ -164,8 +164,8 @@ class SizedAxis:
 
     @property
     def fastest(self) -> float:
-        """Natural frequency of the velocity loop that a rigid axis permits [Hz]."""
-        return FASTEST / self.period / (2.0 * math.pi)
+        """Natural frequency of the velocity loop that servo period and resonance permit at most [Hz]."""
+        return min(FASTEST / self.period / (2.0 * math.pi), 0.5 * (self.values.get("resonance") or math.inf))
 
     def slowed_down(self) -> SizedAxis:
         """Return the axis with a guessed bandwidth, and a Kv in proportion, at which its resonance leaves 6 dB and 30 degrees."""

@@ -82,7 +82,8 @@ def verdict(
     if best.worst > tolerance:
         last = machine, best.controller, best.reference
         left = ranked if best is start else causes(*last, *judged_run(*last, seed), seed)[0]
-        findings.append(finding("CL204", tolerance=tolerance, cause=left[0].name, left=left[0].contribution, help=WOULD_HELP[left[0].name]))
+        cause = max(left, key=lambda one: one.contribution)
+        findings.append(finding("CL204", tolerance=tolerance, cause=cause.name, left=cause.contribution, help=WOULD_HELP[cause.name]))
     proposed = None if best.controller is controller else best.controller
     return Verdict(bool(within) and not skipped, tolerance, worst, ranked, skipped, tuple(findings), proposed)
 

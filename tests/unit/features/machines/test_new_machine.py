@@ -13,6 +13,7 @@ from contourlab.design.notch import resonance_of
 from contourlab.errors import OutputError, ScenarioError
 from contourlab.features.machines.answers import BLANK, PRESETS, answers_text, interview, preset_file, read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
+from contourlab.features.run.trust.provenance import numbers_of_machine
 from contourlab.scenario import load_controller, load_machine
 from contourlab.units import to_si
 
@@ -216,3 +217,32 @@ def test_a_measured_resonance_gives_an_elastic_axis_with_a_notch(drive, tmp_path
     assert 20.0 * math.log10(margins.gain) >= 5.9 and math.degrees(margins.phase) >= 29.5
     bare = replace(part, filters=())
     assert sampled_loop(machine.axes[0], bare, machine.servo_period, machine.carried_mass("x")).margins().gain < margins.gain
+
+
+@pytest.mark.parametrize("hertz", [20, 60])
+def test_a_lower_resonance_gives_a_slower_loop(hertz):
+    x = new_machine(answers() | {"x.resonance": f"{hertz} Hz"}).axes[0]
+    assert x.bandwidth <= 0.5 * hertz
+
+
+@pytest.mark.parametrize(
+    ("key", "text"), [("x.resonance", "1900 Hz"), ("x.bandwidth", "1.8 (m/min)/mm"), ("x.resonance", "2 1/s/mm")]
+)  # fmt: skip
+def test_a_frequency_that_cannot_be_names_its_key(key, text):
+    with pytest.raises(ScenarioError) as error:
+        new_machine(answers() | {key: text})
+    assert error.value.key == key
+
+
+def test_other_words_for_speed_and_encoder():
+    x = new_machine(answers() | {"x.velocity": "600 rpm", "x.encoder_resolution": "20 um / 400"}).axes[0]
+    assert x.velocity == pytest.approx(10.0 * x.lead)
+    assert x.encoder_resolution == pytest.approx(5e-8)
+
+
+def test_a_guess_lies_in_the_middle_of_its_range(tmp_path):
+    """Else the run of the guesses lies outside the interval of the machines that they permit."""
+    write_machine(new_machine(answers()), tmp_path / "made")
+    for number in numbers_of_machine(load_machine(tmp_path / "made" / "machine.toml")):
+        if number.range is not None:
+            assert number.value == pytest.approx(sum(number.range) / 2.0, rel=0.02), number.name

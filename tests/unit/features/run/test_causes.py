@@ -88,6 +88,16 @@ def test_friction_is_a_cause() -> None:
     assert found["disturbance"] == 0.0
 
 
+def test_friction_that_is_fed_forward_is_no_larger_cause_than_the_error() -> None:
+    """Without the friction its feedforward would push the axis off; both are taken away together."""
+    rubbing = axis("x", friction=make("friction", "coulomb", coulomb=100.0, breakaway=100.0, stribeck_velocity=1e-3))
+    fed = make("feedforward", "friction", coulomb=90.0, breakaway=90.0, smoothing_velocity=1e-3, force_constant=FORCE)
+    own = loop(model_gain=FORCE / MASS)
+    found, _, error = followed(rubbing, axis("y"), loops={"x": replace(own, feedforward=fed), "y": own})
+    assert error > 10e-6
+    assert all(abs(value) <= 1.05 * error for value in found.values())
+
+
 @pytest.mark.parametrize(("turns", "name"), [(True, "reversal"), (False, "breakaway")])
 def test_friction_after_a_reversal_differs_from_a_start_from_rest(turns: bool, name: str) -> None:
     """A stiff loop shows friction right after the motion of an axis begins: y moves along x, then starts or turns."""

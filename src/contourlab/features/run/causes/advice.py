@@ -50,7 +50,7 @@ def advice(
     seed: int = 0,
     closer: Mapping[str, Callable[[], Reference]] | None = None,
 ) -> Trial:
-    """Return the run after the changes that help most, at most three; the start itself if none helps.
+    """Return the run after the changes that help most, at most three besides a closer plan; the start itself if none helps.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def advice(
     if closer:
         replanned = _trials(machine, start, closer, {}, seed)
         best = min(replanned, key=lambda trial: trial.worst, default=start)
-    for _ in range(MOST_CHANGES - len(best.changes)):
+    for _ in range(MOST_CHANGES):
         before = best
         if before.worst <= tolerance:
             break

@@ -47,7 +47,7 @@ _STEPS: tuple[tuple[str, Step], ...] = (
     ("saturation", _of_machine(idealise.unlimited)),
     ("disturbance", _of_machine(idealise.undisturbed)),
     ("backlash", idealise.without_backlash),
-    (FRICTION, _of_machine(idealise.without_friction)),
+    (FRICTION, idealise.without_friction),
 )
 WOULD_HELP = {
     "network": "a faster link between base and axes",

@@ -6,7 +6,9 @@ import math
 from dataclasses import replace
 from typing import Any
 
+from contourlab.components.compensation.quadrant_pulses import QuadrantPulses
 from contourlab.components.contract import Component
+from contourlab.components.feedforward.inverse_dynamics import FrictionFeedforward
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
 from contourlab.loop.axis_parts import AxisError
@@ -30,9 +32,20 @@ def undisturbed(machine: Machine) -> Machine:
     return _with_parts(machine, disturbance=None)
 
 
-def without_friction(machine: Machine) -> Machine:
-    """Return the machine without friction."""
-    return _with_parts(machine, friction=NoFriction(), motor_friction=NoFriction())
+def without_friction(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
+    """Return the machine without friction, under a controller that compensates none."""
+    smooth = _with_parts(machine, friction=NoFriction(), motor_friction=NoFriction())
+    if smooth is machine:
+        return machine, controller
+    axes = {name: _uncompensated(mine) for name, mine in controller.axes.items()}
+    return smooth, controller if axes == controller.axes else replace(controller, axes=axes)
+
+
+def _uncompensated(loop: AxisController) -> AxisController:
+    """Take away the parts that do nothing but compensate friction."""
+    feedforward = None if isinstance(loop.feedforward, FrictionFeedforward) else loop.feedforward
+    compensation = None if isinstance(loop.compensation, QuadrantPulses) else loop.compensation
+    return replace(loop, feedforward=feedforward, compensation=compensation)
 
 
 def _with_parts(machine: Machine, **parts: Any) -> Machine:
