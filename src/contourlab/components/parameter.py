@@ -55,6 +55,13 @@ class Parameter:
     doc: str
     source: str
 
+    def __post_init__(self) -> None:
+        for unit in (self.unit, self.display):
+            try:
+                unit.format(command="", force="")
+            except (KeyError, ValueError, IndexError, AttributeError) as error:
+                raise ParameterError("unit", repr(unit), "a unit, with braces only as {command} or {force}") from error
+
     def for_plant(self, command_unit: str, force_unit: str) -> Parameter:
         """Return the parameter with ``{command}`` and ``{force}`` in its units replaced by those of a plant."""
         units = {"command": command_unit, "force": force_unit}

@@ -17,6 +17,8 @@ from contourlab.geometry import Arc, Curve, Line, Path
 from contourlab.program import Arc as ArcMove
 from contourlab.program import Dwell, Program, Spline, Traverse
 
+LONGEST = 1e6
+"""Longest path [m]; beyond, planning meets the end of floating-point numbers."""
 PathControl: TypeAlias = Literal["program", "exact_path", "exact_stop", "blend"]
 _PER_CURVE: dict[str, Any] = {
     "feedrate": float,
@@ -70,7 +72,7 @@ class Route:
     Raises
     ------
     FeedError
-        If a feedrate is not positive, a dwell or a tolerance negative, or a length does not fit the path.
+        If a feedrate is not positive, a dwell or a tolerance negative, a length does not fit the path, or the path is too long.
     """
 
     path: Path
@@ -87,6 +89,8 @@ class Route:
 
     def __post_init__(self) -> None:
         n_curve = len(self.path.curves)
+        if not self.path.length <= LONGEST:
+            raise FeedError(f"the path is {self.path.length:.4g} m long: give at most {LONGEST:g} m; is its unit right?")
         for name, dtype in _PER_CURVE.items():
             object.__setattr__(self, name, _per_curve(name, getattr(self, name), n_curve, dtype))
         object.__setattr__(self, "programmed", self.programmed or self.path)

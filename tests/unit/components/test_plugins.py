@@ -101,6 +101,8 @@ def test_an_edited_file_replaces_its_old_version(tmp_path: Path) -> None:
         (source("constant"), "disturbance 'constant' already"),
         (source("push") + source("push", "Second"), "disturbance 'push' already"),
         ("", "no component"),
+        (source("push").replace("{force}", "{for#e}"), "'{for#e}'"),
+        (source("push").replace("{force}", "{force}*s/}"), "unit"),
     ],
 )
 def test_a_bad_file_is_refused_with_advice(tmp_path: Path, text: str, said: str) -> None:

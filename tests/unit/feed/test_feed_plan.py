@@ -10,7 +10,7 @@ import pytest
 from contourlab.errors import FeedError
 from contourlab.feed import AxisLimits, Reference, limit_report, plan, route_from_path, route_from_program
 from contourlab.feed.junctions import KINK_TIME, MOST_KINK
-from contourlab.geometry import Line, Path, contour
+from contourlab.geometry import Arc, Line, Path, contour
 from contourlab.program import parse_program
 
 LIMITS = AxisLimits([0.5, 0.5], [1.0, 1.5], [30.0, 60.0])
@@ -248,6 +248,13 @@ def test_a_small_kink_with_a_small_velocity_jump_needs_no_stop():
 def test_limits_without_a_ramp_are_refused():
     with pytest.raises(FeedError, match=r"axis 0 .*acceleration.*jerk"):
         plan(route_of("slot"), AxisLimits(1.0, np.inf, np.inf), 1e-3)
+
+
+def test_a_path_too_long_to_plan_is_refused():
+    """A drawing in the wrong unit, of 100,000 km with an arc."""
+    path = Path([Line(np.array([0.0, 0.0]), np.array([1e8, 0.0])), Arc([1e8, 0.01], 0.01, -np.pi / 2.0, np.pi)])
+    with pytest.raises(FeedError):
+        plan(route_from_path(path, 0.1), AxisLimits([0.5, 0.5], [2.0, 2.0], [50.0, 50.0]), 1e-3)
 
 
 def test_bad_arguments_are_refused():
