@@ -114,8 +114,8 @@ def design_notch(machine: Machine, controller: Controller, name: str, bounds: Bo
 
     Notes
     -----
-    The zeros of the notch cancel the poles of the resonance, or are ten times less damped than its poles. Among `RATIOS` and `WIDTHS`, the
-    notch is the one whose smallest margin, relative to the bounds, is largest while the resonance moves by `MOVED`.
+    The zeros of the notch cancel the poles of the resonance, or have a tenth of the damping of the notch's own poles. Among `RATIOS` and
+    `WIDTHS`, the notch is the one whose smallest margin, relative to the bounds, is largest while the resonance moves by `MOVED`.
     """
     work, found = _work(machine, name, bounds)
     own = gain = work.velocity_gain(controller)

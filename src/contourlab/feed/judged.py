@@ -14,7 +14,7 @@ _SAME_PLACE = 1e-10
 
 
 class Judged(NamedTuple):
-    """Sample ranges [start, stop), in order and apart from each other, and their name in words."""
+    """Rising, separate sample ranges [start, stop), and what they cover, in words."""
 
     ranges: tuple[tuple[int, int], ...]
     basis: str
@@ -29,6 +29,12 @@ class Judged(NamedTuple):
     def samples(self) -> Index:
         """Numbers of the samples (n,)."""
         return np.concatenate([np.arange(start, stop) for start, stop in self.ranges])
+
+    def mask(self, n_sample: int) -> Flags:
+        """Return whether each of n samples is in a range (n,)."""
+        inside = np.zeros(n_sample, dtype=bool)
+        inside[self.samples] = True
+        return inside
 
 
 WHOLE, LAST_LAP, CUTTING = "whole motion", "last lap", "cutting moves"

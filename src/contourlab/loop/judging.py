@@ -30,9 +30,7 @@ from contourlab.threads import in_threads
 
 def _counts(reference: Reference) -> dict[str, Array]:
     """Return the table of the judged samples: 1 for each, else 0."""
-    counts = np.zeros(reference.n_sample)
-    counts[reference.judged.samples] = 1.0
-    return {"counts": counts}
+    return {"counts": reference.judged.mask(reference.n_sample).astype(float)}
 
 
 def judge_node(machine: Machine, reference: Reference, view: PathView) -> Node:

@@ -118,7 +118,7 @@ class Metrics:
 
     @property
     def basis(self) -> str:
-        """The judged samples in words."""
+        """What is judged, such as "cutting moves"."""
         return self.judged.basis
 
 

@@ -137,7 +137,7 @@ def _change(before: float, after: float, lower_is_better: bool) -> Cell:
     return Cell(text, ("good" if percent < 0.0 else "poor") if lower_is_better and abs(percent) >= 1.0 else "")
 
 
-def judged_part(scheme: SchemeReport) -> str:
+def judged_words(scheme: SchemeReport) -> str:
     """Describe the judged samples of a run."""
     metrics, period = scheme.metrics, scheme.result.servo_period
     if len(metrics.judged.ranges) > 1:
@@ -150,7 +150,7 @@ def _judged_parts(schemes: Sequence[SchemeReport]) -> str:
     """Describe the evaluated part of the run; by scheme if they differ."""
     parts: dict[str, list[str]] = {}
     for scheme in schemes:
-        parts.setdefault(judged_part(scheme), []).append(scheme.name)
+        parts.setdefault(judged_words(scheme), []).append(scheme.name)
     if len(parts) == 1:
         return f"Errors over {next(iter(parts))}."
     texts = [f"{part} ({listing(names)})" for part, names in parts.items()]

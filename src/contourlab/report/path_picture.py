@@ -10,7 +10,7 @@ from contourlab.arrays import Array
 from contourlab.figures import figure
 from contourlab.geometry import Path
 from contourlab.report.charts import Curve, Magnified, PathChart
-from contourlab.report.comparison import judged_part
+from contourlab.report.comparison import judged_words
 from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.samples import keep_extremes, largest_magnitude, signal
 from contourlab.report.style import BAND, INK, REFERENCE, magnification, scheme_style
@@ -109,7 +109,7 @@ def _chart(
 def _caption(data: ReportData) -> str:
     """Describe how the errors are drawn, and which part of the run."""
     how = "The path is to scale. The error of each run is magnified and drawn from the nearest point of the path."
-    return f"{how} Shown: {judged_part(data.schemes[0])}."
+    return f"{how} Shown: {judged_words(data.schemes[0])}."
 
 
 def _outline(points: Array, name: str, colour: str, dash: str) -> Curve:

@@ -180,10 +180,7 @@ def fit_two_inertia(measured: MeasuredResponse, side: str = "motor") -> DriveFit
     ParameterError
         If there are fewer than 8 points, a mass is below zero, or the parameters cannot be separated.
     """
-    points = _points(measured, 8)
-    rigid = _fitted(points, linear_motor, _rigid_start(points))
-
-    start = _two_inertia_start(points, side, rigid["delay"] + 0.5 * points.period)
+    points, rigid, start = _two_masses(measured, side)
     if side == "motor":
         return _with_resonance(points, _fitted(points, two_inertia, start), rigid)
     return _with_resonance(points, _fitted(points, load_side, start), rigid)
@@ -203,9 +200,7 @@ def fit_two_mass(measured: MeasuredResponse, side: str = "motor") -> DriveFit:
     ParameterError
         If there are fewer than 8 points, the mass is below zero, or the parameters cannot be separated.
     """
-    points = _points(measured, 8)
-    rigid = _fitted(points, linear_motor, _rigid_start(points))
-    start = _two_inertia_start(points, side, rigid["delay"] + 0.5 * points.period)
+    points, rigid, start = _two_masses(measured, side)
     if side == "motor":
         masses = {name: start[name].start for name in MASSES}
         low, high = float(points.frequency.min()), float(points.frequency.max())
@@ -267,6 +262,13 @@ def _share_start(points: _Points, whole: DriveFit, motor: float) -> dict[str, Fr
 def _late(points: _Points, delay: float) -> Free:
     top = 1.0 / float(points.frequency.max()) + 20.0 * points.period
     return Free(min(delay, top), 0.0, top, points.period)
+
+
+def _two_masses(measured: MeasuredResponse, side: str) -> tuple[_Points, DriveFit, dict[str, Free]]:
+    """Return the points, the fit of one mass, and the start of a fit of two."""
+    points = _points(measured, 8)
+    rigid = _fitted(points, linear_motor, _rigid_start(points))
+    return points, rigid, _two_inertia_start(points, side, rigid["delay"] + 0.5 * points.period)
 
 
 def _two_inertia_start(points: _Points, side: str, delay: float) -> dict[str, Free]:

@@ -56,7 +56,6 @@ def load_side(x: Parameters, s: Complex) -> Complex:
     return np.asarray(np.exp(-s * x["delay"]) * (1.0 + lead * s) / (rigid * (1.0 + lead * s + (s / w) ** 2)))
 
 
-
 def two_mass(x: Parameters, s: Complex) -> Complex:
     """Return position over force of the plant "two-mass", whose two modes do not couple: at the motor, or at the load without `load_share`.
 

@@ -135,7 +135,7 @@ def _check_weight(axis: SizedAxis, names: Sequence[str]) -> None:
     """Raise if the unbalanced mass is not that of a vertical axis."""
     key, hanging = f"{axis.name}.unbalanced_mass", axis.unbalanced_mass or 0.0
     if hanging and axis.name.lower() == "x" and {"y", "z"} <= {name.lower() for name in names}:
-        raise fault(key, f"{hanging:g} kg hang on x, which is horizontal in a machine with y and z: give it to the vertical axis")
+        raise fault(key, f"x is horizontal in a machine with y and z, but {hanging:g} kg hang on it: give them to the vertical axis")
     if hanging > axis.moved_mass + axis.carried:
         raise fault(key, f"{hanging:g} kg hang, but only {axis.moved_mass + axis.carried:g} kg move")
     if axis.weight > axis.force(axis.rated):

@@ -37,7 +37,7 @@ class Question:
     default : str, callable or None
         Value without an answer, or a function that guesses it in SI from the answers before; None: an answer is required.
     rule : str
-        The guess in words.
+        How the default is guessed.
     spread : (float, float) or None
         Lowest and highest value over the guess; None where a number is not drawn.
     asked : bool
@@ -185,10 +185,10 @@ def read_value(question: Question, key: str, text: str, axis: SizedAxis) -> Any:
     if not text:
         return None
     if question.key == "drive":
-        found = [drive for drive, words in _DRIVES.items() if text.lower() in words]
-        if not found:
+        drives = [drive for drive, words in _DRIVES.items() if text.lower() in words]
+        if not drives:
             raise fault(key, f"{text!r} is not a drive: write screw or linear")
-        return found[0]
+        return drives[0]
     if not question.unit:
         return text
     if question.unit == "Hz" and "mm" in text:

@@ -203,8 +203,7 @@ def run_case(
 def _judged_spikes(judged: Result, reference: Reference) -> tuple[Spike, ...]:
     """Return the reversal spikes on the judged moves."""
     part = judged_part(judged, reference)
-    counts = np.zeros(judged.n_sample, dtype=bool)
-    counts[part.samples] = True
+    counts = part.mask(judged.n_sample)
     spikes = reversal_spikes(judged, (max(part.ranges[0][0] - 5, 0), part.ranges[-1][1]), reference=reference)
     return tuple(spike for spike in spikes if counts[spike.sample])
 

@@ -39,7 +39,7 @@ def remedies(machine: Machine, controller: Controller) -> list[tuple[str, Contro
         "P-PI cascades alone, with feedforward, as fast as 6 dB and 30 degrees allow": _cascaded,
         "matching the feedforward model to the loop": _own_model,
         "raising the observer's bandwidth by half" if observed else "adding a disturbance observer": observer,
-        "compensating the friction by feedforward": _without_friction,
+        "compensating the friction by feedforward": _friction_fed_forward,
         "compensating the backlash by an offset on reversal": _compensated,
     }
     changes = []
@@ -113,7 +113,7 @@ def _faster_observer(machine: Machine, name: str, part: AxisController) -> AxisC
     return replace(part, observer=part.observer.replace(bandwidth=1.5 * bandwidth))
 
 
-def _without_friction(machine: Machine, name: str, part: AxisController) -> AxisController:
+def _friction_fed_forward(machine: Machine, name: str, part: AxisController) -> AxisController:
     """Feed the axis' own friction forward, its change of sign spread over the speed gained in a servo period."""
     axis = machine.axis(name)
     friction = axis.friction.values()
