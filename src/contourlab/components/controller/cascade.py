@@ -65,8 +65,8 @@ class Cascade(Component):
     family = "controller"
     kind = "cascade"
     over_load: ClassVar[bool] = False
+    # Not its feedforward, the inverse of the model: calibrated, it would offset the friction of one part and harm others.
     calibrated: ClassVar[tuple[str, ...]] = ("velocity_gain", "integral_time", "position_gain")
-    calibrated_ahead = ("velocity_feedforward", "acceleration_feedforward")
     reference = "Pritschow, CIRP Annals 47(2), 1998"
     example = {
         "position_gain": 40.0,
@@ -198,7 +198,6 @@ class LoadSideCascade(Cascade):
     kind = "load-side-cascade"
     over_load = True
     calibrated = ("velocity_gain", "integral_time", "damping_gain", "position_gain")
-    calibrated_ahead = ("velocity_feedforward", "acceleration_feedforward")
     reference = "Nordin & Gutman 2002, section 4"
     example = {**Cascade.example, "damping_gain": 20.0}
     inputs = (*REFERENCE, *ports("load_position", "motor_velocity", "load_velocity", "disturbance_estimate", "feedforward", "accepted"))

@@ -81,7 +81,7 @@ def _drives(tuned: Tuned) -> Table:
     table = Table([Column("drive terms", left=True), *(Column(f"axis {axis.axis}") for axis in terms)])
     table.add("Kv [1/s]", *(figure(axis.kv, digits=4) for axis in terms))
     table.add("Kv [(m/min)/mm]", *(figure(0.06 * axis.kv, digits=4) for axis in terms))
-    table.add("velocity loop bandwidth", *(figure(axis.velocity_bandwidth, "Hz", 4) for axis in terms))
+    table.add("velocity loop, -3 dB", *(figure(axis.velocity_bandwidth, "Hz", 4) for axis in terms))
     table.add("LinuxCNC output, machine units mm", *(axis.command_unit for axis in terms))
     for name in dict.fromkeys(name for axis in gains for name in axis):
         table.add(f"LinuxCNC {name}", *(figure(axis.get(name, math.nan), digits=6) for axis in gains))
