@@ -16,8 +16,8 @@ from contourlab.analysis.identification.frequency_response import (
     Measured,
     MeasuredResponse,
     is_sweep,
-    period_of,
     periodic_response,
+    repeating,
     spectral_response,
     swept_response,
 )
@@ -76,14 +76,24 @@ def test_a_sweep_is_distinguished_from_noise() -> None:
 def test_the_response_of_a_mass_is_found_in_open_loop(excitation: Array) -> None:
     place = driven(PLANT, excitation, PERIOD) + noise(excitation.size, 1e-8)
     run = Measured(PERIOD, excitation, place)
-    lap = period_of(excitation)
-    assert lap == (4000 if excitation[4000] == excitation[0] else None)
-    found = periodic_response(run, lap) if lap else swept_response(run) if is_sweep(excitation) else spectral_response([run])
+    repeated = repeating(excitation)
+    assert repeated == ((4000, slice(0, 40_000)) if excitation[4000] == excitation[0] else None)
+    found = periodic_response(run, 4000) if repeated else swept_response(run) if is_sweep(excitation) else spectral_response([run])
     assert float(np.median(apart(found, TRUE, 5.0, 60.0))) < 0.02
     assert float(np.median(found.coherence[(found.frequency > 5.0) & (found.frequency < 60.0)])) > 0.95
     fit = fit_linear_motor(found)
     assert (fit["M"], fit["B"]) == pytest.approx((MASS, DAMPING), rel=0.02)
     assert fit.usable and fit["delay"] < 0.2 * PERIOD
+
+
+def test_a_stop_at_the_end_does_not_bias_a_periodic_response() -> None:
+    u = multisine(4000, 6, 600, 20.0)
+    u[-150:] -= 40.0
+    run = Measured(PERIOD, u, driven(PLANT, u, PERIOD))
+    repeated = repeating(u)
+    assert repeated == (4000, slice(0, 24_000 - 150))
+    fit = fit_linear_motor(periodic_response(run.part(repeated[1]), 4000))
+    assert (fit["M"], fit["B"]) == pytest.approx((MASS, DAMPING), rel=1e-3)
 
 
 def test_deviations_of_the_response_are_correct() -> None:

@@ -46,6 +46,11 @@ class Measured:
     position: Array
     outside: Array | None = None
 
+    def part(self, stretch: slice) -> Measured:
+        """Return a part of the run."""
+        outside = None if self.outside is None else self.outside[stretch]
+        return Measured(self.period, self.command[stretch], self.position[stretch], outside)
+
     def __post_init__(self) -> None:
         for name in ("command", "position", "outside"):
             values = getattr(self, name)
@@ -100,8 +105,8 @@ def difference_gain(frequency: ArrayLike, period: float) -> Complex:
     return np.asarray((1.0 - np.exp(-2j * np.pi * np.asarray(frequency) * period)) / period)
 
 
-def period_of(excitation: Array) -> int | None:
-    """Return the period, in samples, of an excitation that repeats at least three times; None if it does not.
+def repeating(excitation: Array) -> tuple[int, slice] | None:
+    """Return period [samples] and stretch of an excitation that repeats at least three times; None if it does not.
 
     Parameters
     ----------
@@ -117,10 +122,13 @@ def period_of(excitation: Array) -> int | None:
     peaks = np.flatnonzero((own[1:-1] > own[:-2]) & (own[1:-1] >= own[2:]) & (own[1:-1] > 0.9)) + 1
     spread = float(np.sqrt(np.mean(x**2)))
     for lag in peaks[peaks <= limit]:
-        # The time before the excitation began does not repeat.
-        apart = np.abs(x[lag:] - x[:-lag])
-        if np.mean(apart > REPEATS * spread) < 0.25 * lag / n:
-            return int(lag)
+        # Short times before the excitation began, and after it ended, do not repeat: their transients would bias all frequencies.
+        other = np.flatnonzero(np.abs(x[lag:] - x[:-lag]) > REPEATS * spread)
+        ends = np.r_[-1, other, n - lag]
+        longest = int(np.argmax(np.diff(ends)))
+        stretch = slice(int(ends[longest]) + 1, int(ends[longest + 1]) + int(lag))
+        if other.size / (n - lag) < 0.25 * lag / n and stretch.stop - stretch.start >= 3 * lag:
+            return int(lag), stretch
     return None
 
 

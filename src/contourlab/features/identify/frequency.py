@@ -16,8 +16,8 @@ from contourlab.analysis.identification.frequency_response import (
     Measured,
     MeasuredResponse,
     is_sweep,
-    period_of,
     periodic_response,
+    repeating,
     response_findings,
     spectral_response,
     swept_response,
@@ -201,9 +201,10 @@ def measured_response(records: Sequence[AxisRecord], excitation: str = EXCITATIO
         return sine_responses(runs, [record.source for record in records])
     if len(runs) > 1:
         return spectral_response(runs)
-    repeats = period_of(excitations[0])
-    if repeats is not None:
-        return periodic_response(runs[0], repeats)
+    repeated = repeating(excitations[0])
+    if repeated is not None:
+        lap, stretch = repeated
+        return periodic_response(runs[0].part(stretch), lap)
     return swept_response(runs[0]) if is_sweep(excitations[0]) else spectral_response(runs)
 
 
