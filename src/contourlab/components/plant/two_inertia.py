@@ -139,6 +139,13 @@ class TwoInertia(TwoSided):
         motor = position + 0.5 * self.start_in_gap * self.gap_at(position)
         return {"position": position, "motor_position": motor}, {"position": position, "motor_position": motor}
 
+    def stiffened(self, resonance: float) -> Any:
+        ratio = 2.0 * math.pi * resonance / self.shaft_rate
+        if ratio <= 1.0:
+            return self
+        stiffness = ratio**2 * self.stiffness
+        return self.replace(stiffness=stiffness, shaft_damping=1.4 * stiffness / (2.0 * math.pi * resonance))
+
     def linear(self) -> Any:
         return self.replace(backlash_gap=0.0, backlash_angle=0.0)
 

@@ -31,6 +31,9 @@ class Elastic(TwoSided):
         """Return m_m [kg], m_l [kg] without carried mass, and force per command: numbers or arrays (n_variant,)."""
         raise NotImplementedError
 
+    def stiffened(self, resonance: float) -> Any:
+        return self if self.resonance >= resonance else self.replace(resonance=resonance, damping_ratio=0.7)
+
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         motor, own, force = self.masses(par)
         load, w = own + par.carried_mass, 2.0 * math.pi * par.resonance

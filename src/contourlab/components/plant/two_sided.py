@@ -75,9 +75,19 @@ class TwoSided(Plant):
         d = self.constants()
         return float(d.load_mobility), float(d.motor_mobility)
 
+    def stiffened(self, resonance: float) -> Any:
+        """Return the plant with a well damped (0.7) resonance [Hz] of its shaft in contact; itself if it is as stiff already."""
+        raise NotImplementedError
+
+    @property
+    def shaft_rate(self) -> float:
+        """Angular frequency [rad/s] of the undamped shaft in contact."""
+        d = self.constants()
+        return math.sqrt(d.stiffness_value * (d.motor_mobility + d.load_mobility))
+
     def fewest_substeps(self, dt: float) -> tuple[int, str]:
         d = self.constants()
-        fast = math.sqrt(d.stiffness_value * (d.motor_mobility + d.load_mobility))
+        fast = self.shaft_rate
         damped = d.damper_value * (d.motor_mobility + d.load_mobility) + max(d.motor_decay, d.load_decay)
         wanted = max(fast * dt / COARSEST, damped * dt / 1.0)
         return max(1, math.ceil(wanted - 1e-9)), f"a shaft that oscillates at {fast / (2.0 * math.pi):.4g} Hz"

@@ -139,6 +139,15 @@ def test_equal_loops_without_feedforward_only_lag() -> None:
     only(found, "lag", error)
 
 
+def test_a_load_on_a_spring_is_compliance() -> None:
+    """Under feedback from the motors the circle of the loads grows by (w/w_a)^2, with w_a^2 = k/m_l = (1 - 0.6) w_r^2."""
+    spring = make("plant", "two-mass", mass=MASS, force_constant=FORCE, resonance=30.0, damping_ratio=0.05, load_share=0.6)
+    parts = {name: replace(loop(model_gain=FORCE / MASS), feedback="motor") for name in "xy"}
+    found, untold, error = followed(axis("x", plant=spring), axis("y", plant=spring), loops=parts)
+    assert not untold and error == pytest.approx(0.02 * (0.5 / 30.0) ** 2 / 0.4, rel=0.03)
+    assert found["compliance"] == pytest.approx(error, rel=0.02)
+
+
 def test_unequal_loops_are_a_mismatch() -> None:
     """At the worst place one axis causes the error; a machine of equal axes has the mean of both there."""
     loops = {"x": loop(40.0, 300.0), "y": loop(40.0, 900.0)}

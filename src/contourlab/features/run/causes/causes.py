@@ -5,8 +5,9 @@ the direction of the error, when the cause is taken away:
 
 1. *network*: no links between base and axes; 2. *geometry*: no error map; 3. *quantisation*: ideal encoders; 4. *saturation*: drives
 without limit; 5. *disturbance*: no external load; 6. *backlash*: no free travel, and controllers that assume none; 7. *friction*: no
-friction; 8. *servo mismatch*: every axis a copy of one of them, averaged over the choice; 9. *lag*: a tool that is at the reference, so
-that overshoot counts as lag; 10. *planning*: the rest, the distance of the planned path from the programmed one.
+friction; 8. *compliance*: stiff shafts, and no notch filters; 9. *servo mismatch*: every axis a copy of one of them, averaged over the
+choice; 10. *lag*: a tool that is at the reference, so that overshoot counts as lag; 11. *planning*: the rest, the distance of the planned
+path from the programmed one.
 
 The error that friction causes is called *reversal* after an axis has reversed, *breakaway* after it has started from rest, else *friction*.
 
@@ -48,6 +49,7 @@ _STEPS: tuple[tuple[str, Step], ...] = (
     ("disturbance", _of_machine(idealise.undisturbed)),
     ("backlash", idealise.without_backlash),
     (FRICTION, idealise.without_friction),
+    ("compliance", idealise.without_compliance),
 )
 WOULD_HELP = {
     "network": "a faster link between base and axes",
@@ -59,6 +61,7 @@ WOULD_HELP = {
     "reversal": "less friction, or a stiffer loop",
     "breakaway": "less friction, or a stiffer loop",
     FRICTION: "less friction, or a stiffer loop",
+    "compliance": "a stiffer axis, lower jerk, or a notch filter",
     "servo mismatch": "equal gains on all axes",
     "lag": "feedforward, or a lower feed",
     "planning": "a smaller corner tolerance",
@@ -129,7 +132,7 @@ def causes(
     for name, take_away in _STEPS:
         better, driven = take_away(kept, controller)
         same = better is kept and driven is controller
-        if same and name in ("network", "backlash"):
+        if same and name in ("network", "backlash", "compliance"):
             continue  # few machines have any
         now = left if same else place.after(better, driven)
         if np.isnan(now):

@@ -9,10 +9,12 @@ from typing import Any
 from contourlab.components.compensation.quadrant_pulses import QuadrantPulses
 from contourlab.components.contract import Component
 from contourlab.components.feedforward.inverse_dynamics import FrictionFeedforward
+from contourlab.components.filter.biquad import Notch
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
+from contourlab.components.plant.two_sided import TwoSided
 from contourlab.loop.axis_parts import AxisError
-from contourlab.loop.machine import AxisController, Controller, Machine
+from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 
 
 def perfect_geometry(machine: Machine) -> Machine:
@@ -71,6 +73,26 @@ def _unaware(loop: AxisController) -> AxisController:
     compensation = None if loop.compensation is None else unaware(loop.compensation)
     others = tuple((label, unaware(part)) for label, part in loop.others)
     return replace(loop, controller=unaware(loop.controller), compensation=compensation, others=others)
+
+
+def without_compliance(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
+    """Return the machine with shafts that resonate at half of the servo frequency or above, under a controller without notch filters."""
+    axes = tuple(_stiff(axis, machine.servo_period) for axis in machine.axes)
+    if axes == machine.axes:
+        return machine, controller
+    stiff = replace(machine, axes=axes)
+    return stiff, replace(controller, axes={name: _without_notches(mine) for name, mine in controller.axes.items()})
+
+
+def _stiff(axis: Axis, period: float) -> Axis:
+    if not isinstance(axis.plant, TwoSided):
+        return axis
+    plant = axis.plant.stiffened(0.5 / period)
+    return replace(axis, plant=plant, substeps=max(axis.substeps, plant.fewest_substeps(period)[0]))
+
+
+def _without_notches(loop: AxisController) -> AxisController:
+    return replace(loop, filters=tuple((label, part) for label, part in loop.filters if not isinstance(part, Notch)))
 
 
 def without_links(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
