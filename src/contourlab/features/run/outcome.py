@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from time import perf_counter
 
 import numpy as np
@@ -172,7 +173,8 @@ def run_case(
         begin(f"looking for the causes of the error of {case.name}")
     answer = None if case.tolerance is None else verdict(
         machine, controller, reference, judged, case.tolerance,
-        lines=case.lines, slower=case.reference, closer=case.closer, explain=explain, seed=case.seed,
+        lines=case.lines, slower=case.reference, closer=case.closer, explain=explain,
+        rerun=partial(simulate, seed=case.seed, moving=case.moving),
     )  # fmt: skip
     sampled = None
     if interval is not False:

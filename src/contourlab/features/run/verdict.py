@@ -8,10 +8,10 @@ from functools import partial
 import numpy as np
 
 from contourlab.features.run.causes.advice import Trial, advice, judged_run, proposal
-from contourlab.features.run.causes.causes import WOULD_HELP, causes
+from contourlab.features.run.causes.causes import WOULD_HELP, Rerun, causes
 from contourlab.feed import Reference
 from contourlab.findings import finding
-from contourlab.loop import Controller, Machine
+from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import judged_part
 from contourlab.metrics.figures import left_out
 from contourlab.report.judgement import Verdict, Worst
@@ -31,7 +31,7 @@ def verdict(
     slower: Callable[[float], Reference] | None = None,
     closer: Callable[[float], Mapping[str, Callable[[], Reference]]] | None = None,
     explain: bool = True,
-    seed: int = 0,
+    rerun: Rerun = simulate,
 ) -> Verdict:
     """Return the verdict on a judged run.
 
@@ -50,8 +50,8 @@ def verdict(
         Returns ways to plan closer to the programmed path, by name; tried where planning takes a notable part of the tolerance.
     explain : bool
         Whether to find causes and advice (about thirty more runs).
-    seed : int
-        Of the run.
+    rerun : callable, optional
+        `contourlab.loop.simulate` with the options of the run.
     """
     samples = judged_part(judged, reference).samples
     sample = int(samples[np.argmax(np.abs(judged["part_error"][samples]))])
@@ -67,21 +67,21 @@ def verdict(
     # The error of a tool that skips part of the path says nothing about causes.
     if not explain or (skipped and within):
         return Verdict(bool(within) and not skipped, tolerance, worst, (), skipped, tuple(findings))
-    ranked, diverging = causes(machine, controller, reference, judged, sample, seed)
+    ranked, diverging = causes(machine, controller, reference, judged, sample, rerun)
     if diverging:
         findings.append(finding("CL202", causes=diverging))
     plans: dict[str, Callable[[], Reference]] = {} if slower is None else {"taking the feed down by a fifth": partial(slower, 0.8)}
     near = closer(SHARE * tolerance) if closer is not None and planned > SHARE * tolerance else {}
     start = Trial((), controller, reference, worst.value)
     if planned > tolerance:
-        best = advice(machine, start, tolerance, plans, seed, near)
+        best = advice(machine, start, tolerance, plans, rerun, near)
     else:
-        best = advice(machine, start, tolerance, {**plans, **near}, seed)
+        best = advice(machine, start, tolerance, {**plans, **near}, rerun)
     if best is not start:
         findings.append(proposal(start, best))
     if best.worst > tolerance:
         last = machine, best.controller, best.reference
-        left = ranked if best is start else causes(*last, *judged_run(*last, seed), seed)[0]
+        left = ranked if best is start else causes(*last, *judged_run(*last, rerun), rerun)[0]
         cause = max(left, key=lambda one: one.contribution)
         findings.append(finding("CL204", tolerance=tolerance, cause=cause.name, left=cause.contribution, help=WOULD_HELP[cause.name]))
     proposed = None if best.controller is controller else best.controller

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -137,6 +138,16 @@ def test_equal_loops_without_feedforward_only_lag() -> None:
     grown = 0.02 * (lag_gain(40.0, 300.0) - 1.0)
     assert error == pytest.approx(grown, rel=0.02) and grown > 50e-6
     only(found, "lag", error)
+
+
+def test_a_run_that_starts_in_motion_is_repeated_in_motion() -> None:
+    """Started from rest instead, the transient would count as a mismatch of two equal axes."""
+    machine = cl.Machine("made", (axis("x"), axis("y")), PERIOD)
+    controller = cl.Controller(dict.fromkeys("xy", loop()))
+    reference = cl.uniform(cl.contour("circle", radius=0.02), 0.5, 2, PERIOD)
+    rerun = partial(cl.simulate, moving=True)
+    found, _ = causes(machine, controller, reference, cl.judge(rerun(machine, controller, reference), reference), 20, rerun)
+    assert {cause.name: cause.contribution for cause in found}["servo mismatch"] == pytest.approx(0.0, abs=1e-12)
 
 
 def test_a_load_on_a_spring_is_compliance() -> None:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.errors import ContourlabError
+from contourlab.features.run.causes.causes import Rerun
 from contourlab.features.run.causes.remedies import remedies
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
@@ -34,9 +35,9 @@ class Trial:
     worst: float
 
 
-def judged_run(machine: Machine, controller: Controller, reference: Reference, seed: int) -> tuple[Result, int]:
+def judged_run(machine: Machine, controller: Controller, reference: Reference, rerun: Rerun = simulate) -> tuple[Result, int]:
     """Run and judge, keeping few signals; return the result and the sample of the largest part error."""
-    run = simulate(machine, controller, reference, seed=seed, signals=("tool_position", "reference", "arc_length", "reference_velocity"))
+    run = rerun(machine, controller, reference, signals=("tool_position", "reference", "arc_length", "reference_velocity"))
     judged = judge(run, reference)
     samples = judged_part(judged, reference).samples
     return judged, int(samples[np.abs(judged["part_error"][samples]).argmax()])
@@ -47,7 +48,7 @@ def advice(
     start: Trial,
     tolerance: float,
     plans: Mapping[str, Callable[[], Reference]] | None = None,
-    seed: int = 0,
+    rerun: Rerun = simulate,
     closer: Mapping[str, Callable[[], Reference]] | None = None,
 ) -> Trial:
     """Return the run after the changes that help most, at most three besides a closer plan; the start itself if none helps.
@@ -61,20 +62,20 @@ def advice(
         A further change is tried only if more is left.
     plans : mapping, optional
         Other ways to plan, by name.
-    seed : int
-        Of the run.
+    rerun : callable, optional
+        `contourlab.loop.simulate` with the options of the run.
     closer : mapping, optional
         Ways to plan of which one must come first, because the present plan alone exceeds the tolerance.
     """
     best, plans = start, dict(plans or {})
     if closer:
-        replanned = _trials(machine, start, closer, {}, seed)
+        replanned = _trials(machine, start, closer, {}, rerun)
         best = min(replanned, key=lambda trial: trial.worst, default=start)
     for _ in range(MOST_CHANGES):
         before = best
         if before.worst <= tolerance:
             break
-        for trial in _trials(machine, before, plans, dict(remedies(machine, before.controller)), seed):
+        for trial in _trials(machine, before, plans, dict(remedies(machine, before.controller)), rerun):
             if trial.worst < min(best.worst, HELPS * before.worst):
                 best = trial
         if best is before:
@@ -84,7 +85,7 @@ def advice(
 
 
 def _trials(
-    machine: Machine, before: Trial, plans: Mapping[str, Callable[[], Reference]], controllers: Mapping[str, Controller], seed: int
+    machine: Machine, before: Trial, plans: Mapping[str, Callable[[], Reference]], controllers: Mapping[str, Controller], rerun: Rerun
 ) -> list[Trial]:
     """Run each change on top of those made before; leave out those that diverge or cannot be planned."""
 
@@ -92,7 +93,7 @@ def _trials(
         name, controller, plan = change
         with suppress(ContourlabError):
             reference = plan()
-            judged, sample = judged_run(machine, controller, reference, seed)
+            judged, sample = judged_run(machine, controller, reference, rerun)
             return Trial((*before.changes, name), controller, reference, float(abs(judged["part_error"][sample])))
         return None
 

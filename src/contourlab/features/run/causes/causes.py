@@ -31,6 +31,7 @@ from contourlab.metrics import judge
 from contourlab.report.judgement import Cause
 from contourlab.result import Result, Signal
 
+Rerun: TypeAlias = Callable[..., Result]
 Step: TypeAlias = Callable[[Machine, Controller], tuple[Machine, Controller]]
 
 
@@ -76,7 +77,7 @@ class _Place:
     reference: Reference
     judged: Result
     sample: int
-    seed: int
+    rerun: Rerun
     size: float = field(init=False)
     direction: Array = field(init=False)
 
@@ -89,7 +90,7 @@ class _Place:
     def after(self, machine: Machine, controller: Controller) -> float:
         """Return the error of another machine's run along this direction; NaN if the run ends before."""
         signals = ("tool_position", "reference", "arc_length")
-        run = simulate(machine, controller, self.reference, seed=self.seed, on_failure="return", signals=signals)
+        run = self.rerun(machine, controller, self.reference, on_failure="return", signals=signals)
         return self.of(run.window(self.sample, self.sample + 1)) if run.n_sample > self.sample else float("nan")
 
     def followed_perfectly(self) -> float:
@@ -119,13 +120,13 @@ def _at_start(judged: Result, sample: int) -> str:
 
 
 def causes(
-    machine: Machine, controller: Controller, reference: Reference, judged: Result, sample: int, seed: int = 0
+    machine: Machine, controller: Controller, reference: Reference, judged: Result, sample: int, rerun: Rerun = simulate
 ) -> tuple[tuple[Cause, ...], tuple[str, ...]]:
     """Return the causes of the part error at a sample, largest first, and the names of those after which the loop diverges.
 
-    `judged` is the run with the judge's signals, `seed` that of the run. The contributions add up to the error.
+    `judged` is the run with the judge's signals, `rerun` is `simulate` with its options. The contributions add up to the error.
     """
-    place = _Place(reference, judged, sample, seed)
+    place = _Place(reference, judged, sample, rerun)
     contributions: list[tuple[str, float]] = []
     diverging: list[str] = []
     left, kept = place.size, machine
