@@ -68,7 +68,7 @@ def codes(found: dict[str, Any]) -> list[str]:
 @pytest.mark.parametrize("kind", sorted(CONTROL))
 def test_every_kind_of_controller_is_calibrated_and_its_file_runs(kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, out = written(tmp_path, kind), tmp_path / "tuned.toml"
-    assert main(["tune", str(file), "--out", str(out), "--json"]) == 0
+    assert main(["tune", str(file), "--budget", "400", "--out", str(out), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["passed"] is True and found["result"]["after"]["violations"] == []
     before, after = (found["result"][key] for key in ("before", "after"))
@@ -100,7 +100,7 @@ def test_the_text_shows_the_search_and_drive_terms(tmp_path: Path, capsys: pytes
 
 def test_a_tolerance_that_is_missed_is_a_failed_verdict(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path, tolerance="0.01")
-    assert main(["tune", str(file), "--parameter", "x.position_gain", "--json"]) == 1
+    assert main(["tune", str(file), "--parameter", "x.position_gain", "--budget", "100", "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert not found["passed"] and "CL608" in codes(found)
 
@@ -108,7 +108,7 @@ def test_a_tolerance_that_is_missed_is_a_failed_verdict(tmp_path: Path, capsys: 
 def test_figures_that_grow_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Energy is saved at the cost of the path; the objective is listed first."""
     words = ["tune", str(written(tmp_path)), "--objective", "energy", "--parameter", "y.model_gain", "--parameter", "y.model_damping"]
-    assert main([*words, "--json"]) == 1
+    assert main([*words, "--budget", "400", "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     ratios = {one["place"]: one["values"]["ratio"] for one in found["findings"] if one["code"] == "CL609"}
     energy, integral = ratios.values()
@@ -117,7 +117,7 @@ def test_figures_that_grow_are_reported(tmp_path: Path, capsys: pytest.CaptureFi
 
 def test_an_optimum_at_a_bound_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["tune", str(written(tmp_path)), "--parameter", "x.model_gain=0.8 m/s^2/full_scale..1 m/s^2/full_scale"]
-    assert main([*words, "--json"]) == 0
+    assert main([*words, "--budget", "400", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert list(found["result"]["values"].values()) == pytest.approx([0.8], rel=1e-3)
     assert [one["values"]["parameters"] for one in found["findings"] if one["code"] == "CL602"] == [["x.model_gain"]]
@@ -136,6 +136,7 @@ def test_a_part_program_on_a_machine(tmp_path: Path, capsys: pytest.CaptureFixtu
     part, out = tmp_path / "part.ngc", tmp_path / "tuned.toml"
     part.write_text("%\nG17 G21 G90 G94\nG1 X5 F1500\nG3 X5 Y6 I0 J3\nM30\n%\n")
     words = ["tune", str(part), "--machine", "xyz", "--controller", "xyz-controller", "--parameter", "y.position_gain", "--out", str(out)]
+    words += ["--budget", "100"]
     assert main([*words, "--tolerance", "50 um"]) == 0
     assert "CL607" in capsys.readouterr().out
     assert main(["run", str(part), "--machine", "xyz", "--controller", str(out), "--check", "--out", str(tmp_path / "r")]) == 0
@@ -143,7 +144,7 @@ def test_a_part_program_on_a_machine(tmp_path: Path, capsys: pytest.CaptureFixtu
 
 def test_a_scheme_is_chosen_by_its_name(capsys: pytest.CaptureFixture[str]) -> None:
     words = ["tune", "builtin:ghaffari/demo-stage.toml", "--scheme", "with modified reference, initial gains", "--json"]
-    assert main([*words, "--parameter", "observer.model_damping"]) in (0, 1)
+    assert main([*words, "--parameter", "observer.model_damping", "--budget", "100"]) in (0, 1)
     found = json.loads(capsys.readouterr().out)
     assert found["scheme"] == "with modified reference, initial gains"
     assert found["result"]["before"]["figures"]["contour_error_integral"] == pytest.approx(272.9e-6, rel=1e-3)
@@ -241,7 +242,7 @@ def test_placing_is_refused_for_kinds_without_placement(tmp_path: Path, capsys: 
 
 def test_the_written_controller_is_the_one_that_was_judged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, out = written(tmp_path), tmp_path / "tuned.toml"
-    assert main(["tune", str(file), "--out", str(out), "--json"]) == 0
+    assert main(["tune", str(file), "--budget", "400", "--out", str(out), "--json"]) == 0
     values = json.loads(capsys.readouterr().out)["result"]["values"]
     again = tmp_path / "again.toml"
     again.write_text(file.read_text().replace("control.toml", "tuned.toml"))

@@ -219,7 +219,7 @@ def test_a_measured_resonance_gives_an_elastic_axis_with_a_notch(drive, tmp_path
     assert sampled_loop(machine.axes[0], bare, machine.servo_period, machine.carried_mass("x")).margins().gain < margins.gain
 
 
-@pytest.mark.parametrize("hertz", [20, 60])
+@pytest.mark.parametrize("hertz", [20, pytest.param(60, marks=pytest.mark.slow)])
 def test_a_lower_resonance_gives_a_slower_loop(hertz):
     x = new_machine(answers() | {"x.resonance": f"{hertz} Hz"}).axes[0]
     assert x.bandwidth <= 0.5 * hertz

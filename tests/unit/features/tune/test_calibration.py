@@ -119,16 +119,16 @@ def test_a_number_at_the_end_of_its_range_is_reported_in_every_stage() -> None:
 
 
 def test_a_diverging_start_is_repaired() -> None:
-    found = tune(rigid_stage(), position_control(position_gain=3e5), circle(), TuneSettings(width=10.0))
+    found = tune(rigid_stage(), position_control(position_gain=3e5), circle(), TuneSettings(width=10.0, budget=400))
     assert found.before.run is None and "diverges" in found.before.violations[0]
     assert {step.variable.short.partition(".")[0] for step in found.path.steps if step.stage == "repair"} == {"x", "y"}
     assert found.after.run is not None and not found.after.violations
-    lost = tune(rigid_stage(), position_control(position_gain=5e6), circle(), TuneSettings(parameters=("x.model_gain",)))
+    lost = tune(rigid_stage(), position_control(position_gain=5e6), circle(), TuneSettings(parameters=("x.model_gain",), budget=100))
     assert "diverges" in lost.after.violations[0]
 
 
 def test_violated_margins_are_reported() -> None:
-    settings = TuneSettings(parameters=("x.model_gain",), bounds=Bounds(6.0, 60.0))
+    settings = TuneSettings(parameters=("x.model_gain",), bounds=Bounds(6.0, 60.0), budget=100)
     found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), settings)
     assert any("phase margin" in words and "axis x" in words for words in found.after.violations)
 
@@ -196,7 +196,7 @@ def test_a_machine_with_a_violated_margin_counts_before_one_nearer_to_instabilit
 def test_an_unlimited_drive_never_saturates() -> None:
     """Its commands are large numbers, in the plant's own unit."""
     gains = {"velocity_gain": 4e4, "position_gain": 1.5e6, "model_gain": 1e-3 * GAIN}
-    settings = TuneSettings(parameters=("x.integral_gain",), bounds=FREE)
+    settings = TuneSettings(parameters=("x.integral_gain",), bounds=FREE, budget=100)
     found = tune(rigid_stage(1e-3 * GAIN, 1e-3 * GAIN), position_control(**gains), circle(), settings)
     assert found.before.figures["command_largest"] > 100.0
     assert found.before.figures["limited_share"] == found.after.figures["limited_share"] == 0.0
@@ -211,7 +211,7 @@ def test_machine_parameters_cannot_be_calibrated() -> None:
 def test_with_unreachable_margins_a_placed_start_still_works() -> None:
     """Some fractions of the fastest poles cannot be placed; they are skipped."""
     reading = Reading()
-    settings = TuneSettings(start="placed", parameters=("3.integral_gain",), bounds=Bounds(gain_margin=50.0), rule=BEST)
+    settings = TuneSettings(start="placed", parameters=("3.integral_gain",), bounds=Bounds(gain_margin=50.0), rule=BEST, budget=100)
     laps = uniform(contour("circle", radius=0.02), 0.5, 2, 1e-3)
     found = tune(machine(1, reading), controller(1, TABLE_3, reading), laps, settings)
     assert any("gain margin" in words for words in found.after.violations)
@@ -247,7 +247,7 @@ def test_on_a_plateau_the_rule_decides(plateau: str) -> None:
 
 def test_placed_poles_keep_the_margins_and_serve_as_a_start() -> None:
     made = position_control(position_gain=100.0)
-    found = tune(rigid_stage(), made, circle(), TuneSettings(start="placed"))
+    found = tune(rigid_stage(), made, circle(), TuneSettings(start="placed", budget=400))
     assert not found.after.violations
     assert found.space.numbers[0].value != made.axes["y"].controller.values()["velocity_gain"]
     assert found.before.figures["contour_error_integral"] > 5.0 * found.after.figures["contour_error_integral"]
@@ -290,7 +290,7 @@ def test_a_controller_without_tunable_parameters_is_refused() -> None:
 def test_tenfold_on_the_paper_s_circle() -> None:
     reading = Reading()
     stage, made = machine(1, reading), controller(1, TABLE_2, reading)
-    found = tune(stage, made, uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period))
+    found = tune(stage, made, uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period), TuneSettings(budget=1000))
     assert found.before.figures["contour_error_integral"] == pytest.approx(272.9e-6, rel=1e-3)
     assert found.before.figures["contour_error_integral"] > 10.0 * found.after.figures["contour_error_integral"]
     assert not found.after.violations

@@ -39,13 +39,13 @@ def test_batches_judge_the_part_error_exactly(scenario: Scenario) -> None:
         assert batch.figures["part_error_max"][i] > 1.1 * batch.figures["contour_error_max"][i]
 
 
-@pytest.mark.parametrize("method", ["sequential", "both"])
+@pytest.mark.parametrize("method", [pytest.param("sequential", marks=pytest.mark.slow), "both"])
 def test_a_calibration_never_ends_worse(scenario: Scenario, method: str) -> None:
     """Started again from its own result it stays at least as good, whatever its rule prefers."""
     case = scenario.base
     controller, largest = case.controller, np.inf
     for _ in range(2):
-        settings = TuneSettings(rule=LineRule(within=0.2), method=method, budget=400)
+        settings = TuneSettings(rule=LineRule(within=0.2), method=method, budget=200, parameters=("position_gain", "velocity_gain"))
         tuned = tune(case.machine, controller, case.reference(), settings)
         assert tuned.after.figures["part_error_max"] <= min(largest, tuned.before.figures["part_error_max"])
         controller, largest = tuned.controller, tuned.after.figures["part_error_max"]
