@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import html
+import json
 import re
 import shutil
 import subprocess
@@ -48,15 +50,57 @@ def browse(page: Path, *options: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
 
 
+def acted(page: Path, script: str, *options: str) -> str:
+    """Open a copy of a page, run a script on it a second later, and return the document a while after."""
+    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", page.read_text(encoding="utf-8"))
+    copy = page.with_name("acted.html")
+    copy.write_text(text.replace("</body>", f"<script>setTimeout(function () {{ {script} }}, 3000);</script></body>"), encoding="utf-8")
+    seen = browse(copy, "--dump-dom", *options)
+    assert [line for line in seen.stderr.splitlines() if "CONSOLE" in line and re.search("Uncaught|rror|WARN", line)] == []
+    return seen.stdout
+
+
 @pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
-def test_a_browser_draws_every_picture(data, page):
+def test_a_page_opens_without_complaint_and_with_its_path(page):
     seen = browse(page, "--dump-dom")
-    complaints = [line for line in seen.stderr.splitlines() if "CONSOLE" in line]
-    assert complaints == []
-    places = re.findall(r'<div class="plot[^"]*" id="([^"]+)"[^>]*data-drawn="1"', seen.stdout)
+    assert [line for line in seen.stderr.splitlines() if "CONSOLE" in line] == []
+    assert re.search(r'id="path-0"[^>]*data-drawn="1"', seen.stdout) and "main-svg" in seen.stdout
+    assert 'id="path-space"' in seen.stdout and not re.search(r'id="path-space"[^>]*data-drawn', seen.stdout)
+
+
+CLICKS = """
+document.querySelector('#lines tr[data-line="4"]').click();
+const shown = document.getElementById('path-0'), last = shown.data[shown.data.length - 1];
+const chosen = Math.max(...last.x), row = document.querySelector('#lines .picked').dataset.line;
+shown.emit('plotly_click', {points: [{curveNumber: 0, pointNumber: 5}]});
+const found = document.getElementById('picked').textContent;
+document.querySelectorAll('#lines th button')[1].click();
+const order = Array.from(document.querySelectorAll('#lines tbody tr')).map(function (r) { return r.dataset.line; }).join();
+document.querySelector('[data-step="1"]').click();
+document.querySelector('[data-view="path-space"]').click();
+document.title = JSON.stringify([row, Number.isFinite(chosen), found, order, document.getElementById('magnification').textContent]);
+"""
+
+
+@pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
+@pytest.mark.parametrize("width", [1280, 400])
+def test_clicks_lead_from_a_line_to_its_path_and_back(data, page, width):
+    before = re.search(r'"start":([0-9.]+)', page.read_text(encoding="utf-8"))
+    document = acted(page, CLICKS, f"--window-size={width},3000", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+    row, drawn, found, order, scale = json.loads(html.unescape(re.search("<title>(.*?)</title>", document)[1]))
+    assert (row, drawn) == ("4", True) and found == "Line 3: G21 G90 F3770"
+    assert sorted(order.split(",")) == ["1", "2", "3", "4", "5"] and order.split(",")[0] in "34"
+    assert float(scale.split()[-1].replace("\u2009", "")) > float(before[1])
+    assert re.search(r'id="path-space"[^>]*data-drawn="1"', document)
+
+
+@pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
+def test_every_picture_is_drawn_once_its_fold_is_open(data, page):
+    document = acted(page, "document.querySelectorAll('.fold').forEach(function (fold) { fold.open = true; });")
+    places = re.findall(r'<div class="plot[^"]*" id="([^"]+)"[^>]*data-drawn="1"', document)
     assert set(places) == {"path-0", "circle-0", "error-time", "error-arc", "axis-0", "axis-1", "bode-0", "bode-1"}
-    assert seen.stdout.count('class="main-svg"') >= len(places)
-    assert re.search(r'<output id="magnification">error × \d', seen.stdout)
+    assert document.count('class="main-svg"') >= len(places)
+    assert re.search(r'<output id="magnification">error × \d', document)
 
 
 @pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
@@ -69,9 +113,9 @@ def test_a_browser_paints_the_curves_in_their_colours(page, tmp_path):
         with Image.open(tmp_path / f"page-{turn}.png") as picture:
             colours = {colour: count for count, colour in picture.convert("RGB").getcolors(1 << 24)}
         painted = [colours.get(wanted, 0) for wanted in ((0xD5, 0x5E, 0x00), (0x00, 0x72, 0xB2))]
-        if min(painted) > 3000:
+        if min(painted) > 600:
             break
-    assert min(painted) > 3000
+    assert min(painted) > 600
 
 
 def test_a_result_saved_and_loaded_gives_the_same_page(data, page, tmp_path):
@@ -91,7 +135,7 @@ def test_the_report_of_a_minute_at_ten_kilohertz_is_quick_and_small(tmp_path):
     start = time.perf_counter()
     file = write_html(data, tmp_path / "long.html")
     assert time.perf_counter() - start < 3.0
-    assert file.stat().st_size < 9e6
+    assert file.stat().st_size < 3e6
 
 
 def test_the_page_and_the_table_show_the_same_figures(data, page):

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array, Flags, Index
 from contourlab.report.style import round_down, scheme_style
 
 
@@ -182,10 +182,12 @@ class Magnified:
 
     Parameters
     ----------
-    foot : ndarray (n, 2) [mm]
-    error : ndarray (n, 2) [um]
+    foot : ndarray (n, 2 or 3) [mm]
+    error : ndarray (n, 2 or 3) [um]
         From the foot point on the path to the machine.
     name, colour, dash : str
+    lines : ndarray (n,) of int, optional
+        Line of the program at each point; 0 for none.
     """
 
     foot: Array
@@ -193,6 +195,7 @@ class Magnified:
     name: str
     colour: str
     dash: str = "solid"
+    lines: Index | None = None
 
     def drawn(self, magnification: float) -> Array:
         """Return the points (n, 2) [mm] to draw."""
@@ -218,6 +221,8 @@ class PathChart:
         One point each: the worst error of a run.
     magnification : float
         Initial value.
+    asked_at : ndarray (n,) of int
+        Line of the program at each point of the first curve of `lines`; 0 for none.
     """
 
     key: str
@@ -230,6 +235,38 @@ class PathChart:
     tolerance: tuple[Magnified, ...]
     worst: tuple[Magnified, ...]
     magnification: float
+    asked_at: Index
+
+
+@dataclass(frozen=True, eq=False)
+class SpaceChart:
+    """The path in space, with the magnified errors of the runs coloured by their size.
+
+    Parameters
+    ----------
+    labels : (str, str, str)
+        Labels of the three axes, with unit.
+    asked : ndarray (n, 3) [mm]
+        The programmed path.
+    runs : tuple of Magnified
+    sizes : tuple of ndarray (n,) [um]
+        Size of the error at each point of a run.
+    magnification : float
+        Initial value.
+    asked_at : ndarray (n,) of int
+        As in `PathChart`.
+    """
+
+    key: str
+    view: str
+    title: str
+    caption: str
+    labels: tuple[str, str, str]
+    asked: Array
+    runs: tuple[Magnified, ...]
+    sizes: tuple[Array, ...]
+    magnification: float
+    asked_at: Index
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
 from contourlab.errors import ParameterError
 from contourlab.feed.verify import LimitReport
 from contourlab.findings import Finding
@@ -56,6 +56,8 @@ class SchemeReport:
     trust : Trust or None
         Sources of the parameters, and the interval of the part error.
     findings : sequence of Finding
+    lines : ndarray (n_sample,) of int, or None
+        Line of the program at each sample, 0 for none.
     """
 
     name: str
@@ -76,6 +78,7 @@ class SchemeReport:
     gaps: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
     trust: Trust | None = None
     findings: Sequence[Finding] = ()
+    lines: Index | None = None
 
 
 @dataclass(frozen=True)
@@ -129,6 +132,8 @@ class ReportData:
         Planned motion, common to all schemes.
     is_measured : bool
         Whether the runs are logs.
+    next_steps : sequence of (str, str)
+        What to do next, and the command for it.
 
     Raises
     ------
@@ -146,6 +151,7 @@ class ReportData:
     notes: Sequence[str] = ()
     feed: FeedRun | None = None
     is_measured: bool = False
+    next_steps: Sequence[tuple[str, str]] = ()
 
     def __post_init__(self) -> None:
         if not self.schemes:

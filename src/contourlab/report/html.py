@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import gzip
 import hashlib
 import json
 from collections.abc import Iterable
@@ -12,10 +13,11 @@ from typing import Any
 
 from contourlab.figures import figure, number
 from contourlab.report.axis_pictures import FINER, axis_charts, bode_charts, feed_charts, hysteresis_charts
-from contourlab.report.charts import Chart, PathChart, PolarChart
+from contourlab.report.charts import Chart, PathChart, PolarChart, SpaceChart
 from contourlab.report.comparison import compare
 from contourlab.report.data import ReportData
 from contourlab.report.error_pictures import error_charts, polar_charts
+from contourlab.report.lead import program_lines, sentence
 from contourlab.report.learning_pictures import trial_charts
 from contourlab.report.page_tables import circle_tables, limit_tables, origin_tables, reversal_table
 from contourlab.report.path_picture import path_charts
@@ -27,13 +29,11 @@ from contourlab.result.atomic import write_text_atomic
 MOST_POINTS = 4000
 """Most points of a curve: two for every pixel of a wide screen."""
 
-TOTAL_POINTS = 400_000
-"""Most points of all curves together; bounds the file to about 4.8 MB + 400 000 x 11 bytes."""
+TOTAL_POINTS = 80_000
+"""Most points of all curves together; with plotly.js, 2 MB compressed, they keep a page below 3 MB."""
 
-MOST_TEXT = 500_000
+MOST_TEXT = 100_000
 """Longest scenario or program in full [characters]."""
-CONTEXT = 12
-"""Lines of a long program on each side of the worst place."""
 TEMPLATES = Path(__file__).parent / "templates"
 
 
@@ -72,10 +72,11 @@ def render_html(data: ReportData) -> str:
     points = _points(data)
     groups = _figures(data, points)
     figures = {figure["id"]: figure.pop("spec") for group in groups.values() for figure in group}
-    scripts = {"plotly": _plotly(), "page": _file("report.js")}
+    library, digest = _plotly()
     return str(
         _template().render(
             data=data,
+            sentence=sentence(data),
             comparison=compare(data),
             groups=groups,
             circle_tables=circle_tables(data),
@@ -87,9 +88,10 @@ def render_html(data: ReportData) -> str:
             scenario=_clipped(data.provenance.scenario),
             facts=_facts(data, points),
             figures=_inert(figures),
-            scripts=scripts,
+            library=library,
+            script=_file("report.js"),
             style=_file("report.css"),
-            hashes=[_digest(text) for text in scripts.values()],
+            hashes=[digest, _digest(_file("report.js"))],
         )
     )
 
@@ -97,7 +99,7 @@ def render_html(data: ReportData) -> str:
 def _points(data: ReportData) -> int:
     """Return the points of each curve: all possible curves share the total."""
     n_scheme, n_axis = len(data.schemes), len(data.axes)
-    n_view = 3 if n_axis > 2 else 1
+    n_view = 5 if n_axis > 2 else 3
     n_circle = sum(len(scheme.circles) for scheme in data.schemes)
     # A magnified run counts as three curves.
     n_loop = FINER * sum(len(scheme.gaps) for scheme in data.schemes)
@@ -107,7 +109,7 @@ def _points(data: ReportData) -> int:
 
 def _figures(data: ReportData, points: int) -> dict[str, list[dict[str, Any]]]:
     """Return the figures by section."""
-    charts: dict[str, Iterable[Chart | PolarChart | PathChart]] = {
+    charts: dict[str, Iterable[Chart | PolarChart | PathChart | SpaceChart]] = {
         "path": path_charts(data, points),
         "circles": polar_charts(data, points),
         "errors": error_charts(data, points),
@@ -120,7 +122,7 @@ def _figures(data: ReportData, points: int) -> dict[str, list[dict[str, Any]]]:
     return {section: [_entry(chart) for chart in members] for section, members in charts.items()}
 
 
-def _entry(chart: Chart | PolarChart | PathChart) -> dict[str, Any]:
+def _entry(chart: Chart | PolarChart | PathChart | SpaceChart) -> dict[str, Any]:
     """Return a figure for the template."""
     spec = figure_of(chart)
     text = {"id": chart.key, "title": chart.title, "caption": chart.caption, "view": getattr(chart, "view", "")}
@@ -134,25 +136,12 @@ def _inert(value: Any) -> str:
 
 
 def _program(data: ReportData) -> dict[str, Any] | None:
-    """Return the part program with its worst lines marked; a very long one is cut to its start and the lines around them."""
-    lines = list(data.program)
-    if not lines:
+    """Return the part program with the errors of its lines."""
+    if not data.program:
         return None
-    verdicts = [scheme.verdict for scheme in data.schemes if scheme.verdict is not None]
-    worst = {int(verdict.worst.line) for verdict in verdicts} - {0}
-    whole = sum(map(len, lines)) <= MOST_TEXT and len(lines) <= 20_000
-    chosen = range(1, len(lines) + 1) if whole else _around(worst, len(lines))
-    rows = [{"number": n, "text": lines[n - 1], "worst": n in worst} for n in chosen]
-    digest = hashlib.sha256("\n".join(lines).encode("utf-8", "replace")).hexdigest()
-    return {"rows": rows, "whole": whole, "count": len(lines), "digest": digest}
-
-
-def _around(worst: set[int], count: int) -> list[int]:
-    """Return the first lines and those around the worst ones, in order."""
-    wanted = set(range(1, min(count, 2 * CONTEXT) + 1))
-    for line in worst:
-        wanted |= set(range(max(1, line - CONTEXT), min(count, line + CONTEXT) + 1))
-    return sorted(wanted)
+    digest = hashlib.sha256("\n".join(data.program).encode("utf-8", "replace")).hexdigest()
+    rows = program_lines(data)
+    return {"rows": rows, "whole": len(rows) == len(data.program), "count": len(data.program), "digest": digest}
 
 
 def _clipped(text: str) -> dict[str, Any]:
@@ -190,14 +179,14 @@ def _file(name: str) -> str:
 
 
 @cache
-def _plotly() -> str:
-    """Return plotly.js, unable to end its script element."""
+def _plotly() -> tuple[str, str]:
+    """Return plotly.js, compressed and in base64, and its hash."""
     from plotly.offline import get_plotlyjs
 
-    return str(get_plotlyjs()).replace("</script", "<\\/script")
+    text = str(get_plotlyjs())
+    return base64.b64encode(gzip.compress(text.encode(), 6, mtime=0)).decode("ascii"), _digest(text)
 
 
-@cache
 def _digest(script: str) -> str:
     """Return the hash of a script, with which the page permits it and no other."""
     return "sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode("ascii")

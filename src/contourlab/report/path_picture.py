@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from itertools import combinations
+from typing import NamedTuple
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
 from contourlab.figures import figure
 from contourlab.geometry import Path
-from contourlab.report.charts import Curve, Magnified, PathChart
+from contourlab.report.charts import Curve, Magnified, PathChart, SpaceChart
 from contourlab.report.comparison import judged_words
 from contourlab.report.data import ReportData, SchemeReport
+from contourlab.report.lead import lines_at
 from contourlab.report.samples import keep_extremes, largest_magnitude, signal
 from contourlab.report.style import BAND, INK, REFERENCE, magnification, scheme_style
 
@@ -20,8 +22,20 @@ FLAT = 1e-3
 """An axis with an extent below this share of the largest gets no view."""
 
 
-def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
-    """Return one chart per view of the path: XY, in space also XZ and YZ; none for a single axis. At most `points` points per run."""
+class _Drawn(NamedTuple):
+    """The drawn points of a run: foot points and errors (n, n_axis) [m], size of the part error and program line (n,)."""
+
+    foot: Array
+    error: Array
+    size: Array
+    lines: Index
+
+
+def path_charts(data: ReportData, points: int) -> tuple[PathChart | SpaceChart, ...]:
+    """Return one chart per view of the path: XY, in space also XZ and YZ, and 3-D; none for a single axis.
+
+    A run has at most `points` points.
+    """
     if len(data.axes) == 1:
         return ()
     s = _places(data.asked, points)
@@ -29,9 +43,10 @@ def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
     runs = [_run(data, scheme, points) for scheme in data.schemes]
     views = _views(asked)
     size = float(np.max(np.ptp(asked, axis=0)))
-    calm = [largest_magnitude(error) for (_, error), scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
+    calm = [largest_magnitude(run.error) for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
     scale = magnification(size, max(calm, default=0.0))
-    return tuple(_chart(data, pair, s, asked, runs, scale, i) for i, pair in enumerate(views))
+    flat = tuple(_chart(data, pair, s, asked, runs, scale, i) for i, pair in enumerate(views))
+    return *flat, _space(data, asked, lines_at(data, s), runs, scale)
 
 
 def _views(planned: Array) -> list[tuple[int, int]]:
@@ -56,8 +71,8 @@ def _places(path: Path, points: int) -> Array:
     return np.asarray(s[(s >= 0.0) & (s <= path.length)], dtype=np.float64)
 
 
-def _run(data: ReportData, scheme: SchemeReport, points: int) -> tuple[Array, Array]:
-    """Return foot points and errors (n, n_axis) [m] of the extremes of a run, in the window of its figures.
+def _run(data: ReportData, scheme: SchemeReport, points: int) -> _Drawn:
+    """Return the extremes of a run, in the window of its figures.
 
     With many laps drawn, each would have too few points, and lines between them would cut corners.
     """
@@ -67,7 +82,41 @@ def _run(data: ReportData, scheme: SchemeReport, points: int) -> tuple[Array, Ar
     tool, along = signal(result, "tool_position")[kept], signal(result, "foot_arc_length")[kept]
     good = np.all(np.isfinite(tool), axis=1) & np.isfinite(along)
     foot = np.asarray(data.asked.position(along[good]), dtype=np.float64)
-    return foot, tool[good] - foot
+    lines = np.zeros(kept.size, dtype=np.int64) if scheme.lines is None else scheme.lines[kept]
+    return _Drawn(foot, tool[good] - foot, np.abs(signal(result, "part_error")[kept][good]), lines[good])
+
+
+def _space(data: ReportData, asked: Array, asked_at: Index, runs: list[_Drawn], scale: float) -> SpaceChart:
+    """Return the view in space; of a flat path one with the error as its height."""
+    extent = np.ptp(asked, axis=0)
+    wide = np.argsort(-extent, kind="stable")
+    # More than three axes: those that move most.
+    high = extent.size > 2 and extent[wide[2]] > FLAT * extent[wide[0]]
+    shown = sorted(int(i) for i in wide[: 3 if high else 2])
+    labels = [f"{data.axes[i]} [mm]" for i in shown] + ([] if high else ["error, magnified"])
+
+    def column(points: Array, height: Array | float = 0.0) -> Array:
+        flat = points[:, shown]
+        return flat if high else np.column_stack([flat, np.broadcast_to(height, flat.shape[:1])])
+
+    drawn = []
+    for i, (scheme, run) in enumerate(zip(data.schemes, runs, strict=True)):
+        error = column(run.error) if high else column(0.0 * run.error, run.size)
+        style = scheme_style(i, len(data.schemes))
+        drawn.append(Magnified(column(run.foot) * MM, error * UM, scheme.name, *style, run.lines))
+    caption = "The colour is the size of the error. " + ("The error is magnified." if high else "The height is the error, magnified.")
+    return SpaceChart(
+        "path-space",
+        "3-D",
+        "Path in space",
+        f"{caption} Shown: {judged_words(data.schemes[0])}. Drag to turn, click to find the line of the program.",
+        (labels[0], labels[1], labels[2]),
+        column(asked) * MM,
+        tuple(drawn),
+        tuple(run.size * UM for run in runs),
+        scale,
+        asked_at,
+    )
 
 
 def _chart(
@@ -75,7 +124,7 @@ def _chart(
     pair: tuple[int, int],
     s: Array,
     asked: Array,
-    runs: list[tuple[Array, Array]],
+    runs: list[_Drawn],
     scale: float,
     index: int,
 ) -> PathChart:
@@ -84,8 +133,8 @@ def _chart(
     view = "".join(data.axes[i] for i in pair).upper()
     count = len(data.schemes)
     magnified = tuple(
-        Magnified(foot[:, columns] * MM, error[:, columns] * UM, scheme.name, *scheme_style(i, count))
-        for i, ((foot, error), scheme) in enumerate(zip(runs, data.schemes, strict=True))
+        Magnified(run.foot[:, columns] * MM, run.error[:, columns] * UM, scheme.name, *scheme_style(i, count), run.lines)
+        for i, (run, scheme) in enumerate(zip(runs, data.schemes, strict=True))
     )
     lines = [_outline(asked[:, columns], "programmed path", INK, "solid")]
     if data.is_blended:
@@ -103,6 +152,7 @@ def _chart(
         _tolerance(data, asked, s, columns, scale),
         _worst(data, columns),
         scale,
+        lines_at(data, s),
     )
 
 

@@ -59,7 +59,7 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
 
 def _charts(data: ReportData) -> Iterator[Chart | PolarChart | PathChart]:
     """Yield all charts, one at a time."""
-    yield from path_charts(data, POINTS)
+    yield from (chart for chart in path_charts(data, POINTS) if isinstance(chart, PathChart))
     yield from polar_charts(data, POINTS)
     for make in (error_charts, axis_charts, hysteresis_charts, bode_charts):
         yield from make(data, POINTS)

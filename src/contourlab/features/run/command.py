@@ -14,6 +14,7 @@ from contourlab.app.stages import shown
 from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ParameterError
 from contourlab.features.run.inputs import of_program, scenario_of
+from contourlab.features.run.next_step import next_steps
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.summary import summary_of
@@ -169,14 +170,16 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
             summary = summary_of(scenario.name, outcomes, command, diverged)
             write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
             stages.begin("writing the report")
-            text = _write_report(scenario, outcomes, folder, command, options.plots)
             proposed = [name for name in names if (folder / "proposed" / f"{names[name]}.toml").exists()]
+            steps = next_steps(outcomes, command, out, [f"proposed/{names[name]}.toml" for name in proposed])
+            text = _write_report(scenario, outcomes, folder, command, options.plots, steps)
             files = {f"{name}, changed controller": f"proposed/{names[name]}.toml" for name in proposed} | {"report": "report.html"}
     if any(_interrupted(outcome) for outcome in outcomes):
         stopped = KeyboardInterrupt()
         stopped.add_note(f"Kept what was learned so far: {out / 'report.html'}, {out / 'learned'}")
         raise stopped
     written = "\n".join(f"{what}: {out / file}" for what, file in files.items())
+    written += "".join(f"\nnext: {step}" for _, step in steps[:1])
     return RunOutcome(summary["passed"] is not False, summary, f"{text}\n\n{written}", first)
 
 
@@ -236,7 +239,9 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
     return chosen
 
 
-def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, plots: Sequence[str]) -> str:
+def _write_report(
+    scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, plots: Sequence[str], steps: Sequence[tuple[str, str]]
+) -> str:
     from contourlab.features.run.page import report_data
     from contourlab.report.html import write_html
     from contourlab.report.page_tables import reversal_text
@@ -244,7 +249,7 @@ def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path,
     from contourlab.report.tables import comparison_text, trials_text
     from contourlab.scenario.dump import dump
 
-    data = report_data(scenario.name, outcomes, scenario=dump(scenario), command=command)
+    data = replace(report_data(scenario.name, outcomes, scenario=dump(scenario), command=command), next_steps=steps)
     write_html(data, folder / "report.html")
     if plots:
         from contourlab.report.plots import write_plots

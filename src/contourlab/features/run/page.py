@@ -93,6 +93,7 @@ def _scheme(outcome: Outcome) -> SchemeReport:
         gaps=_gaps(outcome),
         trust=outcome.trust,
         findings=outcome.findings,
+        lines=outcome.reference.source_line(outcome.result["arc_length"]) if outcome.case.lines else None,
     )
 
 

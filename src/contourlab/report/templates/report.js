@@ -2,46 +2,60 @@
 (function () {
   const figures = JSON.parse(document.getElementById("figures").textContent);
   // List the allowed buttons: the default set of plotly.js includes an upload of the data.
-  const buttons = [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"], ["toImage"]];
-  const config = { displaylogo: false, showSendToCloud: false, plotlyServerURL: "", responsive: true, modeBarButtons: buttons,
+  const flat = [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"], ["toImage"]];
+  const space = [["orbitRotation", "pan3d", "resetCameraDefault3d"], ["toImage"]];
+  const config = { displaylogo: false, showSendToCloud: false, plotlyServerURL: "", responsive: true,
     toImageButtonOptions: { format: "svg", filename: "contourlab" } };
-  const steps = [1, 2, 5];
-  let scale = null;
+  const steps = [1, 2, 5], axes = ["x", "y", "z"];
+  const pathPlots = function () { return Array.from(document.querySelectorAll("#path .plot[data-drawn]")); };
+  let scale = null, picked = null;
+
+  function bytes(text) { return Uint8Array.from(atob(text), function (c) { return c.charCodeAt(0); }); }
 
   function decode(array) {
-    const bytes = Uint8Array.from(atob(array.bdata), function (c) { return c.charCodeAt(0); });
-    return array.dtype === "f8" ? new Float64Array(bytes.buffer) : new Float32Array(bytes.buffer);
+    const buffer = bytes(array.bdata).buffer;
+    return array.dtype === "f8" ? new Float64Array(buffer) : array.dtype === "i4" ? new Int32Array(buffer) : new Float32Array(buffer);
   }
 
-  // foot point [mm] + magnified error [um]
-  function enlarged(curve, column) {
-    const foot = curve.foot[column], error = curve.error[column], out = new Float64Array(foot.length);
-    for (let i = 0; i < foot.length; i += 1) { out[i] = foot[i] + error[i] * 1e-3 * scale; }
-    return out;
+  // --- the library, compressed in the page -------------------------------------------------------------------------------------------
+
+  async function load() {
+    const stream = new Blob([bytes(document.getElementById("library").textContent)]).stream().pipeThrough(new DecompressionStream("gzip"));
+    const script = document.createElement("script");
+    script.textContent = await new Response(stream).text();
+    document.head.append(script);
   }
 
-  function unpack(magnify) {
-    magnify.curves.forEach(function (curve) {
-      curve.foot = curve.foot.map(decode);
-      curve.error = curve.error.map(decode);
+  // --- pictures ------------------------------------------------------------------------------------------------------------------------
+
+  // foot point [mm] + magnified error [um], a column for each axis
+  function enlarged(curve) {
+    return curve.foot.map(function (foot, column) {
+      const error = curve.error[column];
+      return foot.map(function (place, i) { return place + error[i] * 1e-3 * scale; });
     });
   }
 
   function draw(place) {
     const spec = figures[place.id];
-    if (!spec || place.dataset.drawn || place.closest("[hidden]")) { return; }
+    if (!spec || place.dataset.drawn || place.closest("[hidden], details:not([open])")) { return; }
     place.dataset.drawn = "1";
     if (spec.magnify) {
-      unpack(spec.magnify);
       spec.magnify.curves.forEach(function (curve) {
-        spec.data[curve.trace].x = enlarged(curve, 0);
-        spec.data[curve.trace].y = enlarged(curve, 1);
+        ["foot", "error"].forEach(function (key) { curve[key] = curve[key].map(decode).map(function (c) { return Float64Array.from(c); }); });
+        enlarged(curve).forEach(function (column, k) { spec.data[curve.trace][axes[k]] = column; });
       });
     }
-    const more = spec.magnify ? Object.assign({ scrollZoom: true }, config) : config;
-    Plotly.newPlot(place, spec.data, spec.layout, more).catch(function (error) {
-      place.textContent = "This picture could not be drawn: " + error.message;
+    (spec.numbered || []).forEach(function (entry) { entry.line = decode(entry.line); });
+    spec.data.forEach(function (trace) {  // plotly.js takes typed arrays as places, not as colours
+      if (trace.line && trace.line.color && trace.line.color.bdata) { trace.line.color = Array.from(decode(trace.line.color)); }
     });
+    if (spec.magnify && window.innerWidth < 700) { spec.layout.showlegend = false; }
+    const more = Object.assign({ scrollZoom: Boolean(spec.magnify), modeBarButtons: spec.layout.scene ? space : flat }, config);
+    Plotly.newPlot(place, spec.data, spec.layout, more).then(function () {
+      if (spec.numbered) { place.on("plotly_click", function (event) { pickPoint(spec, event.points[0]); }); }
+      if (picked !== null) { highlight(place, picked); }
+    }).catch(function (error) { place.textContent = "This picture could not be drawn: " + error.message; });
   }
 
   function showScale() {
@@ -62,10 +76,10 @@
   function rescale(way) {
     scale = next(scale, way);
     showScale();
-    document.querySelectorAll("#path .plot[data-drawn]").forEach(function (place) {
-      const curves = figures[place.id].magnify.curves;
-      Plotly.restyle(place, { x: curves.map(function (c) { return enlarged(c, 0); }), y: curves.map(function (c) { return enlarged(c, 1); }) },
-        curves.map(function (c) { return c.trace; }));
+    pathPlots().forEach(function (place) {
+      const curves = figures[place.id].magnify.curves, columns = curves.map(enlarged), update = {};
+      columns[0].forEach(function (_, k) { update[axes[k]] = columns.map(function (c) { return c[k]; }); });
+      Plotly.restyle(place, update, curves.map(function (c) { return c.trace; }));
     });
   }
 
@@ -75,16 +89,77 @@
     draw(document.getElementById(button.dataset.view));
   }
 
-  const places = Array.from(document.querySelectorAll(".plot"));
-  const first = Object.values(figures).filter(function (spec) { return spec.magnify; })[0];
-  if (first) { scale = first.magnify.start; showScale(); }
-  document.querySelectorAll("[data-step]").forEach(function (b) { b.addEventListener("click", function () { rescale(Number(b.dataset.step)); }); });
-  document.querySelectorAll("[data-view]").forEach(function (b) { b.addEventListener("click", function () { show(b); }); });
+  // --- program lines: from the path to the line and back -----------------------------------------------------------------------------
 
-  // Draw each picture when it comes near the window, so that a long page opens quickly.
-  const watch = new IntersectionObserver(function (entries) {
-    entries.forEach(function (entry) { if (entry.isIntersecting) { watch.unobserve(entry.target); draw(entry.target); } });
-  }, { rootMargin: "800px 0px" });
-  places.forEach(function (place) { watch.observe(place); });
-  window.addEventListener("beforeprint", function () { places.forEach(draw); });
+  function pickPoint(spec, point) {
+    const entry = spec.numbered.find(function (one) { return one.trace === point.curveNumber; });
+    if (entry && entry.line[point.pointNumber] > 0) { pick(entry.line[point.pointNumber], true); }
+  }
+
+  function pick(line, scroll) {
+    picked = line;
+    document.querySelectorAll("#lines tr.picked").forEach(function (row) { row.classList.remove("picked"); });
+    const row = document.querySelector("#lines tr[data-line='" + line + "']");
+    const note = document.getElementById("picked");
+    note.textContent = "Line " + line + (row ? ": " + row.querySelector("code").textContent : " is not in the table");
+    if (row) {
+      row.classList.add("picked");
+      const box = row.closest(".lines");
+      if (scroll) { box.scrollTop = row.offsetTop - box.clientHeight / 2; }
+    }
+    pathPlots().forEach(function (place) { highlight(place, line); });
+  }
+
+  // Draw the part of the path that a line programs: its points, and the point after them.
+  function highlight(place, line) {
+    const spec = figures[place.id], last = spec.data.length - 1, outline = spec.numbered && spec.numbered[0];
+    if (!outline) { return; }
+    const columns = axes.slice(0, spec.layout.scene ? 3 : 2), update = {};
+    columns.forEach(function (axis) {
+      const given = place.data[outline.trace][axis], all = given.bdata ? decode(given) : given, chosen = [];
+      outline.line.forEach(function (number, i) {
+        if (number === line || (i > 0 && outline.line[i - 1] === line)) { chosen.push(all[i]); }
+        else if (chosen.length && chosen[chosen.length - 1] !== null) { chosen.push(null); }
+      });
+      update[axis] = [chosen];
+    });
+    Plotly.restyle(place, update, [last]);
+  }
+
+  function sort(head) {
+    const table = head.closest("table"), column = head.cellIndex, body = table.tBodies[0];
+    const down = head.getAttribute("aria-sort") !== "descending";
+    const value = function (row) { const text = row.cells[column].textContent; return text === "-" ? -Infinity : Number(text); };
+    table.querySelectorAll("th").forEach(function (other) { other.removeAttribute("aria-sort"); });
+    head.setAttribute("aria-sort", down ? "descending" : "ascending");
+    Array.from(body.rows).sort(function (a, b) { return (down ? -1 : 1) * (value(a) - value(b)) || 0; }).forEach(function (row) { body.append(row); });
+  }
+
+  // --- the page ------------------------------------------------------------------------------------------------------------------------
+
+  function openFor(address) {
+    const target = address && document.querySelector(address), fold = target && target.querySelector("details");
+    if (fold) { fold.open = true; }
+  }
+
+  document.querySelectorAll("nav a").forEach(function (a) { a.addEventListener("click", function () { openFor(a.getAttribute("href")); }); });
+  document.querySelectorAll("#lines th button").forEach(function (b) { b.addEventListener("click", function () { sort(b.closest("th")); }); });
+  document.querySelectorAll("#lines tbody tr").forEach(function (row) {
+    row.addEventListener("click", function () { pick(Number(row.dataset.line), false); });
+  });
+  openFor(location.hash);
+
+  load().then(function () {
+    const first = Object.values(figures).filter(function (spec) { return spec.magnify; })[0];
+    if (first) { scale = first.magnify.start; showScale(); }
+    document.querySelectorAll("[data-step]").forEach(function (b) { b.addEventListener("click", function () { rescale(Number(b.dataset.step)); }); });
+    document.querySelectorAll("[data-view]").forEach(function (b) { b.addEventListener("click", function () { show(b); }); });
+    // Draw each picture when it comes near the window, so that a long page opens quickly.
+    const watch = new IntersectionObserver(function (entries) {
+      entries.forEach(function (entry) { if (entry.isIntersecting) { watch.unobserve(entry.target); draw(entry.target); } });
+    }, { rootMargin: "800px 0px" });
+    const places = Array.from(document.querySelectorAll(".plot"));
+    places.forEach(function (place) { watch.observe(place); });
+    window.addEventListener("beforeprint", function () { places.forEach(draw); });
+  }).catch(function (error) { document.getElementById("trouble").textContent = "The pictures need a browser of 2023 or later: " + error.message; });
 }());
