@@ -29,7 +29,7 @@ _HELD = "held"
 _JOURNAL = "exchange.json"
 """File in a temporary folder from the first rename to the last: what `_undo` needs."""
 _RESULTS = (
-    *("report.html", "signals/*.nc", "switches/*.csv", "learned/*.nc", "proposed/*.toml", "controllers/*.toml"),
+    *("report.html", "report.pdf", "signals/*.nc", "switches/*.csv", "learned/*.nc", "proposed/*.toml", "controllers/*.toml"),
     *("plots/*.png", "plots/*.svg", "plots/*.pdf"),
     *("swap.json", "summary.json"),
 )

@@ -31,6 +31,7 @@ Judge: TypeAlias = Annotated[
     typer.Option(help='Moves to judge: cutting (the default), all, or "lines 10-40": cutting moves of these lines.', show_default=False),
 ]
 Plots: TypeAlias = Annotated[list[str] | None, typer.Option(help="Also write plots as png, svg or pdf; repeatable.")]
+Pdf: TypeAlias = Annotated[bool, typer.Option("--pdf", help="Also write report.pdf, one page to print.")]
 Signals: TypeAlias = Annotated[list[str] | None, typer.Option(help="Write only this signal; repeatable; by default all.")]
 Plugins: TypeAlias = Annotated[list[Path] | None, typer.Option("--plugin", help="Load components from a Python file; repeatable.")]
 
@@ -45,12 +46,18 @@ WithInterval: TypeAlias = Annotated[
 
 
 def options_of(
-    out: Path, as_json: bool, plugin: list[Path] | None, plots: list[str] | None, signals: list[str] | None, interval: bool | None
+    out: Path,
+    as_json: bool,
+    plugin: list[Path] | None,
+    plots: list[str] | None,
+    signals: list[str] | None,
+    interval: bool | None,
+    pdf: bool,
 ) -> RunOptions:
     """Return the options that run, compare and learn share."""
     from contourlab.features.run.command import RunOptions
 
-    return RunOptions(out, tuple(plugin or ()), tuple(plots or ()), tuple(signals or ()), wants_progress(as_json), interval)
+    return RunOptions(out, tuple(plugin or ()), tuple(plots or ()), tuple(signals or ()), wants_progress(as_json), interval, pdf)
 
 
 def listed(schemes: str | None) -> tuple[str, ...]:

@@ -74,7 +74,7 @@ def render_html(data: ReportData) -> str:
     figures = {figure["id"]: figure.pop("spec") for group in groups.values() for figure in group}
     library, digest = _plotly()
     return str(
-        _template().render(
+        page_template("report.html.j2").render(
             data=data,
             sentence=sentence(data),
             comparison=compare(data),
@@ -89,9 +89,9 @@ def render_html(data: ReportData) -> str:
             facts=_facts(data, points),
             figures=_inert(figures),
             library=library,
-            script=_file("report.js"),
-            style=_file("report.css"),
-            hashes=[digest, _digest(_file("report.js"))],
+            script=template_file("report.js"),
+            style=template_file("report.css"),
+            hashes=[digest, _digest(template_file("report.js"))],
         )
     )
 
@@ -173,7 +173,7 @@ def _facts(data: ReportData, points: int) -> list[tuple[str, str]]:
 
 
 @cache
-def _file(name: str) -> str:
+def template_file(name: str) -> str:
     """Return a file of the template folder."""
     return (TEMPLATES / name).read_text(encoding="utf-8")
 
@@ -193,12 +193,12 @@ def _digest(script: str) -> str:
 
 
 @cache
-def _template() -> Any:
-    """Return the page's template, which escapes all text unless marked safe."""
+def page_template(name: str) -> Any:
+    """Return a template, which escapes all text unless marked safe."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     loader = FileSystemLoader(TEMPLATES)
     options: dict[str, Any] = {"undefined": StrictUndefined, "trim_blocks": True, "lstrip_blocks": True}
     environment = Environment(loader=loader, autoescape=True, **options)
     environment.filters |= {"number": number, "figure": figure}
-    return environment.get_template("report.html.j2")
+    return environment.get_template(name)

@@ -53,7 +53,7 @@ def _curve_look(curve: Any) -> dict[str, Any]:
     return {"color": curve.colour, "linestyle": _DASH[curve.dash], "linewidth": 0.75 * getattr(curve, "width", 1.4)}
 
 
-def _plain(text: str) -> str:
+def escaped(text: str) -> str:
     """Escape text for matplotlib: ``$`` begins a formula, a leading ``_`` hides a legend entry."""
     text = text.replace("$", "\\$")
     return f" {text}" if text.startswith("_") else text
@@ -65,10 +65,10 @@ def _line_drawing(chart: Chart) -> Figure:
     figure = _figure(0.9 + chart.panel_height / 130.0 * count if chart.panel_height else 2.9 if count == 1 else 0.7 + 1.45 * count)
     axes = figure.subplots(count, 1, sharex=True, squeeze=False)[:, 0]
     for place, panel in zip(axes, chart.panels, strict=True):
-        _panel(place, panel)
+        draw_panel(place, panel)
         if chart.loops:
             place.margins(x=0.015)
-    axes[0].set_title(_plain(chart.title), pad=6)
+    axes[0].set_title(escaped(chart.title), pad=6)
     axes[-1].set_xlabel(chart.panels[-1].x_label)
     figure.align_ylabels(list(axes))
     _legend(figure, 3)
@@ -85,16 +85,16 @@ def _legend(figure: Figure, columns: int) -> None:
         figure.legend(list(entries.values()), list(entries), loc="outside lower left", ncols=min(len(entries), columns))
 
 
-def _panel(place: Axes, panel: Panel) -> None:
-    """Draw one panel."""
+def draw_panel(place: Axes, panel: Panel) -> None:
+    """Draw one panel on given axes."""
     for curve in panel.curves:
         if curve.half is not None:
             look: dict[str, Any] = {"color": curve.colour, "markersize": 3.2, "elinewidth": 1.0}
-            place.errorbar(curve.x, curve.y, curve.half, fmt="o", label=_plain(curve.name), **look)
+            place.errorbar(curve.x, curve.y, curve.half, fmt="o", label=escaped(curve.name), **look)
             continue
         # Projecting caps would lengthen bars.
         cap = "butt" if panel.y_ticks else "projecting"
-        place.plot(curve.x, curve.y, label=_plain(curve.name), solid_capstyle=cap, **_curve_look(curve))
+        place.plot(curve.x, curve.y, label=escaped(curve.name), solid_capstyle=cap, **_curve_look(curve))
     if panel.log_x:
         place.set_xscale("log")
         if _decades(panel) < 2.0:
@@ -103,9 +103,9 @@ def _panel(place: Axes, panel: Panel) -> None:
         place.margins(x=0.03 if any(curve.half is not None for curve in panel.curves) else 0.0)
     if panel.log_y:
         _logarithmic(place)
-    place.set_ylabel(_plain(panel.y_label))
+    place.set_ylabel(escaped(panel.y_label))
     if panel.y_ticks:
-        place.set_yticks([value for value, _ in panel.y_ticks], [_plain(text) for _, text in panel.y_ticks])
+        place.set_yticks([value for value, _ in panel.y_ticks], [escaped(text) for _, text in panel.y_ticks])
     texts = []
     if panel.y_range is not None:
         place.set_ylim(*panel.y_range)
@@ -168,7 +168,7 @@ def _polar_drawing(chart: PolarChart) -> Figure:
     place: Any = figure.add_subplot(projection="polar")
     place.spines["polar"].set_visible(True)
     for curve in chart.curves:
-        place.plot(np.radians(curve.x), curve.y, label=_plain(curve.name), **_curve_look(curve))
+        place.plot(np.radians(curve.x), curve.y, label=escaped(curve.name), **_curve_look(curve))
     for mark in chart.marks:
         place.plot(np.radians(mark.x), mark.y, "o", markersize=5, markerfacecolor="none", color=mark.colour)
     round_ = np.linspace(0.0, 2.0 * np.pi, 361)
@@ -177,7 +177,7 @@ def _polar_drawing(chart: PolarChart) -> Figure:
     place.set_rlim(low, high)
     rings, texts = zip(*chart.rings()[1:], strict=True)
     place.set_rgrids(list(rings), list(texts), angle=67.5, size=7)
-    place.set_title(_plain(chart.title), pad=14)
+    place.set_title(escaped(chart.title), pad=14)
     place.annotate(f"ring spacing {number(chart.division, 6)} um", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
     figure.legend(loc="outside lower left", ncols=2)
     return figure
@@ -186,30 +186,34 @@ def _polar_drawing(chart: PolarChart) -> Figure:
 def _path_drawing(chart: PathChart) -> Figure:
     """Return the path with magnified errors; the magnification is in the title."""
     figure = _figure(5.6)
-    place = figure.add_subplot()
+    draw_path(figure.add_subplot(), chart)
+    figure.legend(loc="outside lower left", ncols=2)
+    return figure
+
+
+def draw_path(place: Axes, chart: PathChart) -> None:
+    """Draw the path on given axes."""
     for line in chart.lines:
-        place.plot(line.x, line.y, label=_plain(line.name), **_curve_look(line))
+        place.plot(line.x, line.y, label=escaped(line.name), **_curve_look(line))
     named: set[str] = set()
     for run in (*chart.tolerance, *chart.runs):
         points = run.drawn(chart.magnification)
-        label = "_nolegend_" if run.name in named else _plain(run.name)
+        label = "_nolegend_" if run.name in named else escaped(run.name)
         named.add(run.name)
         place.plot(points[:, 0], points[:, 1], label=label, **_curve_look(run))
     for worst in chart.worst:
         _ring(place, worst, chart.magnification)
     place.set_aspect("equal", adjustable="datalim")
-    place.set_xlabel(_plain(chart.labels[0]))
-    place.set_ylabel(_plain(chart.labels[1]))
-    place.set_title(f"{_plain(chart.title)}, {_plain(chart.view)}: errors × {number(chart.magnification, 6)}")
-    figure.legend(loc="outside lower left", ncols=2)
-    return figure
+    place.set_xlabel(escaped(chart.labels[0]))
+    place.set_ylabel(escaped(chart.labels[1]))
+    place.set_title(f"{escaped(chart.title)}, {escaped(chart.view)}: errors × {number(chart.magnification, 6)}")
 
 
 def _ring(place: Axes, worst: Magnified, magnification: float) -> None:
     """Draw a ring round the worst error of a run."""
     style: dict[str, Any] = {"marker": "o", "markersize": 9, "markerfacecolor": "none", "linestyle": "none"}
     x, y = worst.drawn(magnification).T
-    place.plot(x, y, color=worst.colour, markeredgewidth=1.4, label=_plain(worst.name), **style)
+    place.plot(x, y, color=worst.colour, markeredgewidth=1.4, label=escaped(worst.name), **style)
 
 
 def _multiples_drawing(chart: Multiples) -> Figure:
@@ -223,8 +227,8 @@ def _multiples_drawing(chart: Multiples) -> Figure:
     for place in axes.ravel()[len(chart.tiles) :]:
         place.set_visible(False)
     _logarithmic(axes[0, 0])
-    figure.suptitle(_plain(chart.title), fontsize=9.5, fontweight="bold", x=0.01, ha="left")
-    figure.supylabel(_plain(chart.y_label), fontsize=8.5)
+    figure.suptitle(escaped(chart.title), fontsize=9.5, fontweight="bold", x=0.01, ha="left")
+    figure.supylabel(escaped(chart.y_label), fontsize=8.5)
     _legend(figure, 5)
     return figure
 
@@ -235,7 +239,7 @@ def _tile(place: Axes, tile: Tile) -> None:
     for x, colour in tile.here:
         place.axvline(x, color=colour, linewidth=0.8, linestyle=":", label="present value")
     for curve in tile.curves:
-        place.plot(curve.x, curve.y, label=_plain(curve.name), **_curve_look(curve))
+        place.plot(curve.x, curve.y, label=escaped(curve.name), **_curve_look(curve))
     for x, y, colour in tile.marks:
         ring: dict[str, Any] = {"marker": "o", "markersize": 4.5, "markerfacecolor": "none", "linestyle": "none", "color": colour}
         place.plot([x], [y], label="minimum", **ring)
@@ -244,8 +248,8 @@ def _tile(place: Axes, tile: Tile) -> None:
         _plain_numbers(place.xaxis)
     place.margins(x=0.02)
     place.tick_params(labelsize=7)
-    place.set_title(_plain(tile.title), fontsize=8, fontweight="normal")
-    place.set_xlabel(_plain(tile.x_label), fontsize=7)
+    place.set_title(escaped(tile.title), fontsize=8, fontweight="normal")
+    place.set_xlabel(escaped(tile.x_label), fontsize=7)
 
 
 def _bars_drawing(chart: Bars) -> Figure:
@@ -257,13 +261,13 @@ def _bars_drawing(chart: Bars) -> Figure:
     for i, series in enumerate(chart.series):
         at = np.arange(n) - 0.4 + height * (i + 0.5)
         style: dict[str, Any] = {"error_kw": {"ecolor": INK, "elinewidth": 0.8}, "capsize": 2}
-        place.barh(at, series.values, height=0.92 * height, xerr=series.intervals, color=series.colour, label=_plain(series.name), **style)
-    place.set_yticks(np.arange(n), [_plain(name) for name in chart.names])
+        place.barh(at, series.values, height=0.92 * height, xerr=series.intervals, color=series.colour, label=escaped(series.name), **style)
+    place.set_yticks(np.arange(n), [escaped(name) for name in chart.names])
     place.invert_yaxis()
     place.axvline(0.0, color=MUTED, linewidth=0.8)
     place.grid(visible=False, axis="y")
-    place.set_xlabel(_plain(chart.x_label))
-    place.set_title(_plain(chart.title), pad=6)
+    place.set_xlabel(escaped(chart.x_label))
+    place.set_title(escaped(chart.title), pad=6)
     figure.legend(loc="outside lower left", ncols=m)
     return figure
 
@@ -276,8 +280,8 @@ def _matrix_drawing(chart: Matrix) -> Figure:
     # Outliers would leave the other cells without colour.
     top = float(np.nanpercentile(np.abs(chart.values), 95.0)) if np.isfinite(chart.values).any() else 1.0
     image = place.imshow(chart.values, cmap="RdBu_r", vmin=-(top or 1.0), vmax=top or 1.0, aspect="auto")
-    place.set_xticks(np.arange(n), [_plain(name) for name in chart.names], rotation=60, ha="right", rotation_mode="anchor")
-    place.set_yticks(np.arange(n), [_plain(name) for name in chart.names])
+    place.set_xticks(np.arange(n), [escaped(name) for name in chart.names], rotation=60, ha="right", rotation_mode="anchor")
+    place.set_yticks(np.arange(n), [escaped(name) for name in chart.names])
     place.grid(visible=False)
     for (row, column), value in np.ndenumerate(chart.values):
         text = f"{value:.2g}" if n <= NUMBERED else ""
@@ -286,6 +290,6 @@ def _matrix_drawing(chart: Matrix) -> Figure:
             dark = abs(value) > 0.6 * top
             place.text(column, row, text, ha="center", va="center", size=6, color="white" if dark else INK)
     bar = figure.colorbar(image, ax=place, extend="both")
-    bar.set_label(_plain(fill(chart.label, LETTERS)))
-    place.set_title(_plain(chart.title), pad=6)
+    bar.set_label(escaped(fill(chart.label, LETTERS)))
+    place.set_title(escaped(chart.title), pad=6)
     return figure

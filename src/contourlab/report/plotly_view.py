@@ -1,93 +1,22 @@
-"""Charts as plain dictionaries for plotly.js; numbers travel as base64 of little-endian floats."""
+"""Charts as plain dictionaries for plotly.js: panels of lines, polar plots; paths are in `plotly_path`."""
 
 from __future__ import annotations
 
-import base64
 import math
 from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array, Index
-from contourlab.report.charts import Chart, Curve, Magnified, Panel, PathChart, PolarChart, SpaceChart
-from contourlab.report.style import BAND, FONT, GRID, INK, LIMIT, MUTED, round_down
+from contourlab.report.charts import Chart, Panel, PathChart, PolarChart, SpaceChart
+from contourlab.report.plotly_parts import BOTTOM, Figure, axis_look, layout_look, line_look, packed, plain
+from contourlab.report.plotly_path import path_figure, space_figure
+from contourlab.report.style import BAND, GRID, INK, LIMIT, MUTED
 
-Figure = dict[str, Any]
-
-SINGLE = 64.0
-"""Largest magnitude over spread for float32: rounding to 2^-24 of the value is then 2^-18 of the spread, far below a pixel."""
-HEIGHT, GAP, TOP, BOTTOM = 190, 26, 50, 56
+HEIGHT, GAP = 190, 26
 BUTTONS, ROW, LABEL = 21, 29, 16
 """Heights above a picture [px]: buttons, a row of the legend, a label of the first panel."""
 LEGEND_WIDTH, ENTRY, LETTER = 910.0, 45.0, 6.1
 """Widths [px]: a row of the legend, an entry without its text, a letter."""
-
-
-def packed(values: Array) -> dict[str, str]:
-    """Pack numbers for plotly.js, as float32 if that is precise enough for a picture.
-
-    >>> packed(np.array([1.0, 2.0]))
-    {'dtype': 'f4', 'bdata': 'AACAPwAAAEA='}
-    """
-    values = np.asarray(values, dtype=np.float64)
-    kind = "f4" if _fits_single(values) else "f8"
-    return {"dtype": kind, "bdata": base64.b64encode(values.astype("<" + kind).tobytes()).decode("ascii")}
-
-
-def _fits_single(values: Array) -> bool:
-    """Return whether rounding to float32 is invisible, even at a hundredfold zoom."""
-    good = values[np.isfinite(values)]
-    if good.size == 0:
-        return True
-    largest, spread = float(np.max(np.abs(good))), float(np.ptp(good))
-    return largest < 1e37 and (spread == 0.0 or largest <= SINGLE * spread)
-
-
-def _axis(title: str, **more: Any) -> Figure:
-    """Return the style shared by all axes."""
-    return {
-        "title": {"text": _plain(title), "font": {"size": 12, "color": MUTED}, "standoff": 8},
-        "gridcolor": GRID,
-        "zeroline": False,
-        "linecolor": "#b9c1c9",
-        "showline": True,
-        "ticks": "outside",
-        "ticklen": 4,
-        "tickcolor": "#b9c1c9",
-        "tickfont": {"size": 11, "color": MUTED},
-        "automargin": True,
-        **more,
-    }
-
-
-def _layout(height: int, **more: Any) -> Figure:
-    """Return the style shared by all figures."""
-    return {
-        "height": height,
-        "margin": {"l": 74, "r": 22, "t": TOP, "b": BOTTOM},
-        "paper_bgcolor": "rgba(0,0,0,0)",
-        "plot_bgcolor": "#ffffff",
-        "font": {"family": FONT, "size": 12, "color": INK},
-        "legend": {"orientation": "h", "x": 0, "y": 1, "yanchor": "bottom", "xanchor": "left", "font": {"size": 12}},
-        "hoverlabel": {"font": {"family": FONT, "size": 12}},
-        "modebar": {"bgcolor": "rgba(255,255,255,0.8)", "color": "#9aa5b0", "activecolor": INK},
-        "hovermode": "x unified",
-        "dragmode": "zoom",
-        **more,
-    }
-
-
-def _plain(text: str) -> str:
-    """Escape text for plotly.js, which interprets tags and links."""
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
-
-
-def _line(curve: Curve | Magnified, **more: Any) -> Figure:
-    """Return the style of one line."""
-    width = curve.width if isinstance(curve, Curve) else 1.4
-    style = {"color": curve.colour, "dash": curve.dash, "width": width}
-    name = _plain(curve.name)
-    return {"type": "scatter", "mode": "lines", "name": name, "line": style, "legendgroup": name, **more}
 
 
 TICKS = (("reversal", "triangle-up"), ("corner", "diamond"), ("first zero", "circle"), ("curvature step", "triangle-down"))
@@ -97,9 +26,9 @@ TICKS = (("reversal", "triangle-up"), ("corner", "diamond"), ("first zero", "cir
 def figure_of(chart: Chart | PolarChart | PathChart | SpaceChart) -> Figure:
     """Return a chart as a figure of plotly.js."""
     if isinstance(chart, PathChart):
-        return _path_figure(chart)
+        return path_figure(chart)
     if isinstance(chart, SpaceChart):
-        return _space_figure(chart)
+        return space_figure(chart)
     return _polar_figure(chart) if isinstance(chart, PolarChart) else _line_figure(chart)
 
 
@@ -111,7 +40,7 @@ def _line_figure(chart: Chart) -> Figure:
     label = LABEL if _labelled(chart.panels[0]) else 0
     top = BUTTONS + ROW * _legend_rows(chart) + label
     height = top + inner + BOTTOM
-    layout = _layout(height, shapes=[], annotations=[], hovermode="closest" if chart.loops else "x unified")
+    layout = layout_look(height, shapes=[], annotations=[], hovermode="closest" if chart.loops else "x unified")
     layout["margin"]["t"] = top
     layout["legend"]["y"] = 1.0 + label / inner
     one = (inner - GAP * (count - 1)) / count / inner
@@ -121,15 +50,15 @@ def _line_figure(chart: Chart) -> Figure:
         tail = "" if number == 0 else str(number + 1)
         high = 1.0 - number * (one + GAP / inner)
         last = number == count - 1
-        x_axis = _axis(panel.x_label if last else "", anchor=f"y{tail}", showticklabels=last)
+        x_axis = axis_look(panel.x_label if last else "", anchor=f"y{tail}", showticklabels=last)
         x_axis |= {"type": "log", "dtick": 1} if panel.log_x else {}
         x_axis |= {"matches": "x"} if number else {}
         x_axis |= {} if panel.log_x else {"range": _x_span(chart)}
         layout[f"xaxis{tail}"] = x_axis
-        layout[f"yaxis{tail}"] = _axis(panel.y_label, anchor=f"x{tail}", domain=[max(high - one, 0.0), high])
+        layout[f"yaxis{tail}"] = axis_look(panel.y_label, anchor=f"x{tail}", domain=[max(high - one, 0.0), high])
         if panel.y_ticks:
             values = [value for value, _ in panel.y_ticks]
-            layout[f"yaxis{tail}"] |= {"tickvals": values, "ticktext": [_plain(text) for _, text in panel.y_ticks], "fixedrange": True}
+            layout[f"yaxis{tail}"] |= {"tickvals": values, "ticktext": [plain(text) for _, text in panel.y_ticks], "fixedrange": True}
         elif panel.log_y:
             values = _decades(panel)
             layout[f"yaxis{tail}"] |= {"type": "log", "tickvals": values, "ticktext": [f"{value:g}" for value in values]}
@@ -180,12 +109,12 @@ def _panel_curves(panel: Panel, tail: str, seen: set[str]) -> list[Figure]:
     unit = panel.y_label.partition("[")[2].rstrip("]")
     traces = []
     for curve in panel.curves:
-        trace = _line(curve, x=packed(curve.x), y=packed(curve.y), xaxis=f"x{tail}", yaxis=f"y{tail}")
+        trace = line_look(curve, x=packed(curve.x), y=packed(curve.y), xaxis=f"x{tail}", yaxis=f"y{tail}")
         if curve.half is not None:
             trace |= {"mode": "markers", "marker": {"color": curve.colour, "size": 6}, "error_y": {"array": packed(curve.half), "width": 0}}
-        trace |= {"showlegend": curve.name not in seen, "hovertemplate": f"%{{y:.4g}} {_plain(unit)}"}
+        trace |= {"showlegend": curve.name not in seen, "hovertemplate": f"%{{y:.4g}} {plain(unit)}"}
         if panel.y_ticks:  # the height of a bar means nothing
-            trace["hovertemplate"] = f"%{{x:.6g}}<extra>{_plain(curve.name)}</extra>"
+            trace["hovertemplate"] = f"%{{x:.6g}}<extra>{plain(curve.name)}</extra>"
         seen.add(curve.name)
         traces.append(trace)
     for kind, symbol in TICKS:
@@ -205,7 +134,7 @@ def _marks(panel: Panel, ticks: list[Any], kind: str, symbol: str, tail: str) ->
         "name": kind,
         "x": packed(np.array([tick.x for tick in ticks])),
         "y": [floor] * len(ticks),
-        "text": [_plain(tick.label) for tick in ticks],
+        "text": [plain(tick.label) for tick in ticks],
         "hovertemplate": "%{text}",
         "marker": {"symbol": symbol, "size": 7, "color": MUTED},
         "cliponaxis": False,
@@ -261,12 +190,12 @@ def _note(text: str, colour: str, tail: str) -> Figure:
 def _polar_figure(chart: PolarChart) -> Figure:
     """Return a ball-bar plot: the ring at 0 is the nominal circle."""
     data: list[Figure] = [
-        {**_line(curve), "type": "scatterpolar", "r": packed(curve.y), "theta": packed(curve.x)} for curve in chart.curves
+        {**line_look(curve), "type": "scatterpolar", "r": packed(curve.y), "theta": packed(curve.x)} for curve in chart.curves
     ]
     for trace in data:
         trace["hovertemplate"] = "%{r:.3g} um at %{theta:.1f}°"
     for mark in chart.marks:
-        points = {"r": packed(mark.y), "theta": packed(mark.x), "name": _plain(mark.name), "legendgroup": _plain(mark.name)}
+        points = {"r": packed(mark.y), "theta": packed(mark.x), "name": plain(mark.name), "legendgroup": plain(mark.name)}
         ring = {"symbol": "circle-open", "size": 9, "color": mark.colour, "line": {"width": 1.6}}
         hover = "reversal spike, %{r:.3g} um at %{theta:.1f}°"
         data.append({"type": "scatterpolar", "mode": "markers", "marker": ring, **points, "hovertemplate": hover, "showlegend": False})
@@ -281,121 +210,6 @@ def _polar_figure(chart: PolarChart) -> Figure:
     angular = {**look, "ticksuffix": "°", "dtick": 45}
     polar = {"radialaxis": radial, "angularaxis": angular, "bgcolor": "#ffffff", "domain": {"x": [0.0, 0.72]}}
     legend = {"x": 0.76, "y": 0.98, "xanchor": "left", "yanchor": "top", "font": {"size": 12}}
-    layout = _layout(600, polar=polar, legend=legend, hovermode="closest")
+    layout = layout_look(600, polar=polar, legend=legend, hovermode="closest")
     layout["margin"] = {"l": 40, "r": 16, "t": 44, "b": 44}
     return {"data": data, "layout": layout}
-
-
-def _path_figure(chart: PathChart) -> Figure:
-    """Return the path; the page draws the errors at the foot points, with the magnification that the reader sets.
-
-    Notes
-    -----
-    ``magnify`` holds the initial magnification, the length of the scale bar [mm], and the index, foot points [mm] and errors [um] of each
-    magnified trace as packed columns.
-    """
-    moved = (*chart.tolerance, *chart.runs)
-    data = [_line(line, x=packed(line.x), y=packed(line.y), hoverinfo="none") for line in chart.lines]
-    curves, numbered = [], _numbered(0, chart.asked_at)
-    names: set[str] = set()
-    for run in moved:
-        size = np.hypot(run.error[:, 0], run.error[:, 1])
-        trace = _line(run, hovertemplate="%{customdata:.3g} um", showlegend=run.name not in names)
-        names.add(run.name)
-        if run in chart.runs:
-            trace["customdata"] = packed(size)
-            numbered += _numbered(len(data), run.lines)
-        else:
-            trace |= {"hoverinfo": "skip", "hovertemplate": None}
-            trace["line"]["width"] = 1
-        curves.append({"trace": len(data), **_columns(run)})
-        data.append(trace)
-    for worst in chart.worst:
-        mark = {"symbol": "circle-open", "size": 15, "color": worst.colour, "line": {"width": 2}}
-        curves.append({"trace": len(data), **_columns(worst)})
-        more = {"name": _plain(worst.name), "hoverinfo": "name"}
-        data.append({"type": "scatter", "mode": "markers", "marker": mark, **more})
-    layout = _layout(_path_height(chart), hovermode="closest", dragmode="pan")
-    layout["legend"] |= {"orientation": "v", "x": 1.01, "y": 1, "yanchor": "top"}
-    layout["margin"] |= {"t": 24}
-    layout["xaxis"] = _axis(chart.labels[0], constrain="domain")
-    layout["yaxis"] = _axis(chart.labels[1], scaleanchor="x", constrain="domain")
-    magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(np.column_stack([chart.lines[0].x, chart.lines[0].y]))}
-    data.append({**PICKED, "type": "scatter", "x": [], "y": []})
-    return {"data": data, "layout": layout, "magnify": magnify, "numbered": numbered}
-
-
-PICKED: Figure = {"mode": "lines", "hoverinfo": "skip", "showlegend": False, "line": {"color": "#f0a202", "width": 6}, "opacity": 0.7}
-"""The part of the path that the chosen line programs."""
-
-
-def _numbered(trace: int, lines: Index | None) -> list[Figure]:
-    """Return the program lines of a trace for the page; nothing without any."""
-    if lines is None or not lines.any():
-        return []
-    text = base64.b64encode(lines.astype("<i4").tobytes()).decode("ascii")
-    return [{"trace": trace, "line": {"dtype": "i4", "bdata": text}}]
-
-
-def _space_figure(chart: SpaceChart) -> Figure:
-    """Return the path in space, as `_path_figure`."""
-    x, y, z = (packed(column) for column in chart.asked.T)
-    style = {"color": INK, "width": 2}
-    named: Figure = {"type": "scatter3d", "mode": "lines"}
-    path = {**named, "name": "programmed path", "x": x, "y": y, "z": z, "line": style, "hoverinfo": "none"}
-    data, curves, numbered = [path], [], _numbered(0, chart.asked_at)
-    tops = [float(size.max(initial=0.0)) for size in chart.sizes]
-    worst = int(np.argmax(tops))
-    for i, (run, size) in enumerate(zip(chart.runs, chart.sizes, strict=True)):
-        colour = {"color": packed(size), "coloraxis": "coloraxis", "width": 5}
-        # All runs at once would hide each other: the one with the largest error is shown, the legend shows the others.
-        shown = True if i == worst else "legendonly"
-        numbered += _numbered(len(data), run.lines)
-        curves.append({"trace": len(data), **_columns(run)})
-        hover = {"customdata": packed(size), "hovertemplate": "%{customdata:.3g} um<extra></extra>"}
-        group: Figure = {**named, "name": _plain(run.name), "legendgroup": str(i), "visible": shown}
-        # A legend cannot draw a line of many colours.
-        data.append({**group, "line": colour, "showlegend": False, **hover})
-        data.append({**group, "line": {"color": run.colour, "width": 5}, "x": [None], "y": [None], "z": [None]})
-    data.append({**PICKED, "type": "scatter3d", "x": [], "y": [], "z": [], "line": {"color": "#f0a202", "width": 10}})
-    ranges = _box(chart.asked)
-    size = np.ptp(ranges, axis=1) / np.ptp(ranges, axis=1).max()
-    named_spans = zip("xyz", chart.labels, ranges, strict=True)
-    axes: Figure = {f"{name}axis": {"title": {"text": _plain(label)}, "range": span.tolist()} for name, label, span in named_spans}
-    if not np.any(chart.asked[:, 2]):
-        axes["zaxis"] |= {"showticklabels": False}
-    bar = {"title": {"text": "error [um]"}, "thickness": 12, "len": 0.7}
-    camera = {"eye": {"x": 0.8, "y": -1.3, "z": 0.8}, "center": {"x": 0, "y": 0, "z": -0.1}}
-    scene = {**axes, "aspectmode": "manual", "aspectratio": dict(zip("xyz", size.tolist(), strict=True)), "camera": camera}
-    colours = {"colorscale": "Viridis", "cmin": 0.0, "cmax": max(tops), "colorbar": bar}
-    layout = _layout(560, hovermode="closest", scene=scene, coloraxis=colours)
-    layout["margin"] = {"l": 0, "r": 0, "t": 30, "b": 0}
-    del layout["dragmode"]
-    magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(chart.asked)}
-    return {"data": data, "layout": layout, "magnify": magnify, "numbered": numbered}
-
-
-def _path_height(chart: PathChart) -> int:
-    """Return the height [px] that suits the path's shape in a drawing 760 px wide."""
-    wide, high = float(np.ptp(chart.lines[0].x)), float(np.ptp(chart.lines[0].y))
-    return round(min(max(760.0 * high / wide + 110.0, 340.0), 680.0)) if wide > 0.0 else 680
-
-
-def _columns(run: Magnified) -> Figure:
-    """Return foot points [mm] and errors [um] for the page."""
-    return {key: [packed(column) for column in part.T] for key, part in (("foot", run.foot), ("error", run.error))}
-
-
-def _box(points: Array) -> Array:
-    """Return the range (3, 2) [mm] of each axis in space: the path with room for errors, above a flat path the height of a third."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    room = 0.12 * float((high - low).max())
-    if low[2] == high[2]:
-        return np.column_stack([low - [room, room, 0.0], high + [room, room, 3.0 * room]])
-    return np.column_stack([low - room, high + room])
-
-
-def _bar(points: Array) -> float:
-    """Return the length of the scale bar [mm] for a path (n, n_axis) [mm]: a round number, at most an eighth of the drawing."""
-    extent = float(np.ptp(points, axis=0).max())
-    return round_down(extent / 8.0) if extent > 0.0 else 1.0

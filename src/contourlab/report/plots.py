@@ -25,7 +25,7 @@ POINTS = 8000
 """Points of a curve: four for every dot across a printed page."""
 
 # Without dates the same data give the same bytes.
-_TIMELESS: dict[str, dict[str, None]] = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}
+TIMELESS: dict[str, dict[str, None]] = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}
 
 
 def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
@@ -96,6 +96,6 @@ def _written(drawings: Iterable[tuple[str, Figure]], folder: str | Path, formats
 def _write(figure: Figure, file: Path, name: str) -> Path:
     """Write one picture in one format, complete or not at all."""
     buffer = io.BytesIO()
-    figure.savefig(buffer, format=name, metadata=_TIMELESS[name])
+    figure.savefig(buffer, format=name, metadata=TIMELESS[name])
     write_bytes_atomic(file, buffer.getvalue())
     return file

@@ -12,6 +12,7 @@ from contourlab.cli.options import (
     Json,
     Judge,
     Out,
+    Pdf,
     Plots,
     Plugins,
     ScenarioFile,
@@ -37,6 +38,7 @@ def compare(
     out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
+    pdf: Pdf = False,
     signals: Signals = None,
     interval: WithInterval = None,
     plugin: Plugins = None,
@@ -54,5 +56,5 @@ def compare(
         return conclude(outcome, as_json)
     from contourlab.features.run.schemes import compare_schemes
 
-    options = options_of(out, as_json, plugin, plots, signals, interval)
+    options = options_of(out, as_json, plugin, plots, signals, interval, pdf)
     return conclude(compare_schemes(file, options, schemes=listed(schemes), trials=trials, judge=judge), as_json)

@@ -11,6 +11,7 @@ from contourlab.cli.options import (
     Json,
     Judge,
     Out,
+    Pdf,
     Plots,
     Plugins,
     ScenarioFile,
@@ -33,6 +34,7 @@ def learn(
     out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
+    pdf: Pdf = False,
     signals: Signals = None,
     interval: WithInterval = None,
     plugin: Plugins = None,
@@ -40,5 +42,5 @@ def learn(
     """Repeat the motion of a scenario, learn from each trial, keep the result; predicts whether it converges."""
     from contourlab.features.run.schemes import learn_schemes
 
-    options = options_of(out, as_json, plugin, plots, signals, interval)
+    options = options_of(out, as_json, plugin, plots, signals, interval, pdf)
     return conclude(learn_schemes(file, options, schemes=listed(schemes), trials=trials, judge=judge, table=table), as_json)

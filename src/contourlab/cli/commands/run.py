@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from contourlab.cli.options import Json, Judge, MostMoves, Out, Plots, Plugins, Signals, WithInterval, options_of
+from contourlab.cli.options import Json, Judge, MostMoves, Out, Pdf, Plots, Plugins, Signals, WithInterval, options_of
 from contourlab.cli.output import conclude
 
 
@@ -31,6 +31,7 @@ def run(
     as_json: Json = False,
     check: Annotated[bool, typer.Option("--check", help="Read and check everything, simulate nothing.")] = False,
     plots: Plots = None,
+    pdf: Pdf = False,
     signals: Signals = None,
     interval: WithInterval = None,
     plugin: Plugins = None,
@@ -47,7 +48,7 @@ def run(
         "most_moves": most_moves,
     }
     given = {name: value for name, value in program.items() if value is not None}
-    options = options_of(out, as_json, plugin, plots, signals, interval)
+    options = options_of(out, as_json, plugin, plots, signals, interval, pdf)
     parts: dict[str, Any] = {"machine": machine, "controller": controller, "tolerance": tolerance, "judge": judge}
     outcome = run_scenario(file, options, **parts, program=given, check=check)
     return conclude(outcome, as_json)

@@ -24,17 +24,19 @@ from contourlab.report.table import paragraphs
 from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
+    from contourlab.report.data import ReportData
     from contourlab.scenario import Scenario
 
 
 @dataclass(frozen=True)
 class RunOutcome:
-    """What a command prints: whether every verdict passed, the summary, the text; and the first scheme that diverged."""
+    """What a command prints: whether every verdict passed, the summary, the text; the first scheme that diverged; the data of the page."""
 
     passed: bool
     summary: dict[str, Any]
     table: str
     runaway: DivergenceError | None = None
+    data: ReportData | None = None
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,8 @@ class RunOptions:
         Whether to show a bar.
     interval : bool or None
         Whether to compute the interval of the part error from the stated deviations; None, for no option given, computes it.
+    pdf : bool
+        Whether to write the page ``report.pdf``.
     """
 
     out: Path
@@ -63,6 +67,7 @@ class RunOptions:
     signals: tuple[str, ...] = ()
     progress: bool = False
     interval: bool | None = None
+    pdf: bool = False
 
     def command(self, name: str, file: str | Path, options: Mapping[str, Any]) -> str:
         """Return the command as typed; options that are None are left out."""
@@ -137,7 +142,7 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
     _check_choices(options.plots, signals)
     cases = scenario.cases()
     names = file_names([case.name for case in cases])
-    outputs = ["summary.json", "report.html", *(f"signals/{name}.nc" for name in names.values())]
+    outputs = ["summary.json", "report.html", *(["report.pdf"] if options.pdf else []), *(f"signals/{name}.nc" for name in names.values())]
     outputs += [f"learned/{names[case.name]}.nc" for case in cases if case.learning is not None]
     from contourlab.scenario.dump import dump
 
@@ -172,15 +177,16 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
             stages.begin("writing the report")
             proposed = [name for name in names if (folder / "proposed" / f"{names[name]}.toml").exists()]
             steps = next_steps(outcomes, command, out, [f"proposed/{names[name]}.toml" for name in proposed])
-            text = _write_report(scenario, outcomes, folder, command, options.plots, steps)
+            text, data = _write_report(scenario, outcomes, folder, command, options, steps)
             files = {f"{name}, changed controller": f"proposed/{names[name]}.toml" for name in proposed} | {"report": "report.html"}
+            files |= {"to print": "report.pdf"} if options.pdf else {}
     if any(_interrupted(outcome) for outcome in outcomes):
         stopped = KeyboardInterrupt()
         stopped.add_note(f"Kept what was learned so far: {out / 'report.html'}, {out / 'learned'}")
         raise stopped
     written = "\n".join(f"{what}: {out / file}" for what, file in files.items())
     written += "".join(f"\nnext: {step}" for _, step in steps[:1])
-    return RunOutcome(summary["passed"] is not False, summary, f"{text}\n\n{written}", first)
+    return RunOutcome(summary["passed"] is not False, summary, f"{text}\n\n{written}", first, data)
 
 
 def _interrupted(outcome: Outcome) -> bool:
@@ -240,8 +246,8 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
 
 
 def _write_report(
-    scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, plots: Sequence[str], steps: Sequence[tuple[str, str]]
-) -> str:
+    scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, options: RunOptions, steps: Sequence[tuple[str, str]]
+) -> tuple[str, ReportData]:
     from contourlab.features.run.page import report_data
     from contourlab.report.html import write_html
     from contourlab.report.page_tables import reversal_text
@@ -251,15 +257,20 @@ def _write_report(
 
     data = replace(report_data(scenario.name, outcomes, scenario=dump(scenario), command=command), next_steps=steps)
     write_html(data, folder / "report.html")
-    if plots:
+    if options.plots:
         from contourlab.report.plots import write_plots
 
-        write_plots(data, folder / "plots", tuple(plots))
+        write_plots(data, folder / "plots", options.plots)
+    if options.pdf:
+        from contourlab.report.one_page import write_page
+
+        write_page(data, folder / "report.pdf")
     reversals = reversal_text(data) if any(map(_shows_reversals, outcomes)) else ""
     shared = [finding for finding in outcomes[0].findings if all(finding in other.findings for other in outcomes)]
     endings = [line for outcome in outcomes for line in _ending(outcome, shared)]
     ends = paragraphs([*endings, *map(str, shared)])
-    return "\n\n".join(filter(None, [comparison_text(data), trials_text(data), reversals, "\n".join(switch_lines(data)), ends]))
+    texts = [comparison_text(data), trials_text(data), reversals, "\n".join(switch_lines(data)), ends]
+    return "\n\n".join(filter(None, texts)), data
 
 
 def _shows_reversals(outcome: Outcome) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,6 +13,8 @@ from contourlab.app.results import staged
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
 from contourlab.features.run.summary import Summary
 from contourlab.figures import figure, number
+from contourlab.report.data import ReportData
+from contourlab.report.overview import write_overview
 from contourlab.report.table import Column, Table
 from contourlab.result import write_text_atomic
 from contourlab.scenario import builtin_file, load_scenario
@@ -34,6 +35,7 @@ DEMOS = {
     "part": "demo-part",
 }
 """Folder of each part of the demonstration -> the shipped scenario that it runs."""
+NEXT = "contourlab new machine --preset mill --out mill && contourlab run mill"
 
 
 def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None = None) -> RunOutcome:
@@ -42,22 +44,31 @@ def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None =
     The outcome has passed when the last (best) scheme of every part is within its tolerance. Parameters are those of `RunOptions`.
     """
     folder = Path(out)
-    titles: dict[str, str] = {}
-    tables: dict[str, str] = {}
+    reports: dict[str, ReportData] = {}
     summaries: dict[str, Any] = {}
     with staged(folder, "summary.json", "report.html") as stage:
         for name, shipped in DEMOS.items():
             scenario = load_scenario(builtin_file(shipped))
             options = RunOptions(folder / name, progress=progress, interval=interval)
             outcome = run_session(scenario, options, command=options.command("run", f"builtin:{shipped}", {}))
-            titles[name], tables[name], summaries[name] = scenario.name, outcome.table, outcome.summary
+            summaries[name] = outcome.summary
+            if outcome.data is not None:
+                reports[f"{name}/report.html"] = outcome.data
         passed = all(_last(summary)["verdict"]["passed"] for summary in summaries.values())
         summary: dict[str, Any] = json_values(Demo(passed, summaries))
         write_text_atomic(stage / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
-        write_text_atomic(stage / "report.html", _index(titles, tables))
-    conclusion = f"{'PASS' if passed else 'FAIL'}: the last scheme of each run against its tolerance. Reports: {folder / 'report.html'}"
-    parts = [_table(titles[name], summary) for name, summary in summaries.items()]
+        write_overview(stage / "report.html", _answer(summaries), reports, NEXT)
+    conclusion = f"{'PASS' if passed else 'FAIL'}: {_answer(summaries)}\n\nreport: {folder / 'report.html'}\nnext: {NEXT}"
+    parts = [_table(data.title, summary) for data, summary in zip(reports.values(), summaries.values(), strict=True)]
     return RunOutcome(passed, summary, "\n\n".join([*parts, conclusion]))
+
+
+def _answer(summaries: Mapping[str, Any]) -> str:
+    """Return the sentence on top: how many cases hold their tolerance with their first and with their best controller."""
+    first, last = (
+        sum(list(summary["schemes"].values())[which]["verdict"]["passed"] for summary in summaries.values()) for which in (0, -1)
+    )
+    return f"The first controller keeps {first} of {len(summaries)} parts within tolerance; the last one keeps {last}."
 
 
 def _last(summary: dict[str, Any]) -> dict[str, Any]:
@@ -75,17 +86,3 @@ def _table(title: str, summary: dict[str, Any]) -> str:
         error, passed = scheme["metrics"]["part_error"], scheme["verdict"]["passed"]
         table.add(name, *(number(1e6 * error[key]) for key in keys), "pass" if passed else "fail")
     return table.text()
-
-
-def _index(titles: dict[str, str], tables: dict[str, str]) -> str:
-    parts = [
-        f'<section><h2>{html.escape(titles[name])}</h2><p><a href="{name}/report.html">Open the report</a></p>'
-        f"<pre>{html.escape(tables[name])}</pre></section>"
-        for name in tables
-    ]
-    style = (
-        "body{font:16px/1.5 system-ui,sans-serif;max-width:90rem;margin:2rem auto;padding:0 1rem;color:#1b1f24}"
-        "pre{overflow-x:auto;background:#f6f8fa;padding:1rem;border-radius:6px;font-size:13px}h1,h2{font-weight:600}"
-    )
-    head = f'<meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>contourlab demo</title><style>{style}</style>'
-    return f"<!doctype html><html lang=en><head>{head}</head><body><h1>contourlab demo</h1>{''.join(parts)}</body></html>\n"
