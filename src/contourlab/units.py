@@ -26,6 +26,8 @@ _CLOSE = re.compile(r"(?P<number>[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)(?P<unit>
 _SIGNS = str.maketrans({"·": "*", "⋅": "*", "∙": "*", "\u00b5": "u", "\u03bc": "u", "°": "deg", "\u2126": "ohm", "\u03a9": "ohm"})
 _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 _POWER = re.compile("[⁻⁰¹²³⁴-⁹]+")
+_SQUARED = re.compile(r"(?<=[A-Za-z])(?=[23](?![0-9A-Za-z]))")
+"""Where a power is written without a sign: m/s2."""
 _JOINED = re.compile(
     r"(?<![A-Za-z_])(?:(?P<force>[kmMu]?N)(?P<arm>[mc]?m)?(?P<time>s)?|(?P<volt>[kmu]?V)s|(?P<mass>kg(?=[mc]?m)|g(?=[mc]m))(?P<length>[mc]?m))"
     r"(?![A-Za-z_])"
@@ -54,10 +56,11 @@ def registry() -> pint.UnitRegistry[Any]:
 def plain(unit: str) -> str:
     """Return a unit as the registry reads it, from the forms of data sheets.
 
-    >>> plain("N·m"), plain("mNm/A"), plain("kgcm²"), plain("s⁻¹"), plain("µm")
-    ('N*m', 'mN*m/A', 'kg*cm^2', 's^-1', 'um')
+    >>> plain("N·m"), plain("mNm/A"), plain("kgcm²"), plain("s⁻¹"), plain("µm"), plain("m/s2")
+    ('N*m', 'mN*m/A', 'kg*cm^2', 's^-1', 'um', 'm/s^2')
     """
     text = _POWER.sub(lambda power: "^" + power[0].translate(_RAISED), unit.translate(_SIGNS))
+    text = _SQUARED.sub("^", text)
     return _JOINED.sub(lambda joined: "*".join(filter(None, [*joined.groups(), "s" * bool(joined["volt"])])), text)
 
 
@@ -117,7 +120,8 @@ def split(text: str) -> tuple[float, str]:
     except ValueError:
         close = _CLOSE.match(head)
     if close is None:
-        raise UnitError(f'{text!r} is not a quantity: write a number, a space and a unit, such as "20 mm"')
+        decimals = " with a decimal point" if re.match(r"[+-]?\d+,\d", head) else ""
+        raise UnitError(f'{text!r} is not a quantity: write a number{decimals}, a space and a unit, such as "20 mm"')
     if close["unit"][0] in "eE":
         raise UnitError(f'{text!r} may be an incomplete exponent or a unit: put a space before the unit, such as "20 eV"')
     return float(close["number"]), f"{close['unit']} {tail}".strip()

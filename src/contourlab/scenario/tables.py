@@ -52,7 +52,7 @@ def _numbers(unit: str, display: str) -> BeforeValidator:
 Period = Annotated[float, _number("s", "ms", minimum=0.0, maximum=1.0, exclusive=True)]
 Moment = Annotated[float, _number("s", minimum=0.0, exclusive=True)]
 Velocity = Annotated[float, _number("m/s", "mm/min", minimum=0.0, exclusive=True)]
-Distance = Annotated[float, _number("m", "um", minimum=0.0, exclusive=True)]
+Distance = Annotated[float, _number("m", "um", minimum=0.0, maximum=1.0, exclusive=True)]
 Spread = Annotated[float, _number("m", "um", minimum=0.0)]
 Mass = Annotated[float, _number("kg", minimum=0.0)]
 Cosine = Annotated[float, _number("", minimum=-1.0, maximum=1.0)]

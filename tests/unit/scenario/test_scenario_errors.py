@@ -74,7 +74,7 @@ FAULTS = [
     ("laps = 2", 'laps = 2\ncorner_tolerance = "5 um"', "feed.corner_tolerance", "blends"),
     ("laps = 2", 'laps = 2\nmerge_tolerance = "5 um"', "feed.merge_tolerance", "blends"),
     ("laps = 2", "laps = 0", "feed.laps", "greater"),
-    ('tolerance = "20 um"', 'tolerance = "0 um"', "run.tolerance", "> 0 um"),
+    ('tolerance = "20 um"', 'tolerance = "0 um"', "run.tolerance", "> 0 and"),
     ('tolerance = "20 um"', 'signals = ["positon"]', "run.signals", "'position'"),
     ('tolerance = "20 um"', "seed = -1", "run.seed", "greater"),
     ('name = "test"', "name = 3", "name", "text"),

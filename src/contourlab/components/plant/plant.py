@@ -53,6 +53,11 @@ class Plant(Component):
         """Return the least number of sub-steps over the time dt [s], and the reason as text."""
         return 1, ""
 
+    @property
+    def force_per_command(self) -> float:
+        """Force of the drive on the axis per command."""
+        raise NotImplementedError
+
     def mobilities(self) -> tuple[float, ...]:
         """Return the acceleration per force [m/s^2 per force unit] where a friction acts: at the load, and at the motor if it has one."""
         raise NotImplementedError
@@ -89,6 +94,10 @@ class SingleMass(Plant):
 
     def mobilities(self) -> tuple[float, ...]:
         return (float(type(self).mobility(self.constants())),)
+
+    @property
+    def force_per_command(self) -> float:
+        return float(self.drive_force(self.constants(), 1.0))
 
     def rigid_model(self) -> tuple[float, float]:
         par = self.constants()

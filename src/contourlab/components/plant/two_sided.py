@@ -66,6 +66,10 @@ class TwoSided(Plant):
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         return {"position": position, "motor_position": position}, {"position": position, "motor_position": position}
 
+    @property
+    def force_per_command(self) -> float:
+        return float(self.constants().force_value)
+
     def rigid_model(self) -> tuple[float, float]:
         d = self.constants()
         motor, load = 1.0 / d.motor_mobility, 1.0 / d.load_mobility

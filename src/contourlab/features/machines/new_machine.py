@@ -16,7 +16,7 @@ from contourlab.features.machines.answers import answers_text, axis_names, check
 from contourlab.features.machines.command import refuse_existing
 from contourlab.features.machines.machine_files import axis_tables, controller_tables, machine_tables, scenario_tables
 from contourlab.features.machines.questions import fault
-from contourlab.features.machines.sizing import FASTEST, KV_RATIO, SizedAxis
+from contourlab.features.machines.sizing import FASTEST, SizedAxis
 from contourlab.result import write_text_atomic
 from contourlab.scenario.toml_text import toml
 from contourlab.units import show
@@ -127,17 +127,18 @@ def _check(axis: SizedAxis, names: Sequence[str]) -> None:
         raise fault(f"{axis.name}.bandwidth", f"{show(axis.bandwidth, 'Hz', 4)} is too low for the damping of the axis: {error}") from error
     if not stable:
         fast = "bandwidth" if axis.bandwidth_rate * axis.period > FASTEST else "kv"
-        most = f"{show(FASTEST / axis.period / (2.0 * math.pi), 'Hz', 3)} and a Kv of {show(KV_RATIO * FASTEST / axis.period, '1/s', 3)}"
-        raise fault(f"{axis.name}.{fast}", f"the loop is unstable with {_gains(axis)}: at {axis.period * 1e3:g} ms the proposal is {most}")
+        raise fault(f"{axis.name}.{fast}", f"the loop is unstable with {_gains(axis)}: give less, or leave out bandwidth and kv")
 
 
 def _check_weight(axis: SizedAxis, names: Sequence[str]) -> None:
-    """Raise if the unbalanced mass is not that of a vertical axis."""
+    """Raise if the unbalanced mass is not that of a vertical axis, or the motor holds neither it nor the friction."""
     key, hanging = f"{axis.name}.unbalanced_mass", axis.unbalanced_mass or 0.0
     if hanging and axis.name.lower() == "x" and {"y", "z"} <= {name.lower() for name in names}:
         raise fault(key, f"x is horizontal in a machine with y and z, but {hanging:g} kg hang on it: give them to the vertical axis")
     if hanging > axis.moved_mass + axis.carried:
         raise fault(key, f"{hanging:g} kg hang, but only {axis.moved_mass + axis.carried:g} kg move")
+    if axis.friction > axis.force(axis.rated):
+        raise fault(f"{axis.name}.friction", f"{axis.friction:g} N exceed the rated force of {axis.force(axis.rated):.4g} N")
     if axis.weight > axis.force(axis.rated):
         raise fault(key, f"{hanging:g} kg weigh {axis.weight:.4g} N, more than the rated force of {axis.force(axis.rated):.4g} N holds")
 
@@ -154,6 +155,8 @@ def _about(axis: SizedAxis) -> list[str]:
         f"axis {axis.name}: {axis.mass:.4g} kg in total: {axis.moved_mass:.4g} kg moved{carried}{rotating}",
         f"  force {rated:.4g} N rated, {axis.peak:.4g} N peak; {axis.wanted_force:.4g} N needed at its limits",
     ]
+    if axis.weight:
+        lines.append(f"  {axis.unbalanced_mass:g} kg hang on it: {axis.weight:.4g} N of its rated force")
     loss = {"friction": f"friction {axis.friction:.4g} N", "damping": f"damping {axis.damping:.4g} N*s/m"}
     guessed = [text for key, text in loss.items() if key in axis.guesses]
     lines += [f"  guessed {' and '.join(guessed)}: measure them"] if guessed else []
@@ -161,7 +164,7 @@ def _about(axis: SizedAxis) -> list[str]:
     lines.append(f"  {_gains(axis)}: margins {20.0 * math.log10(margins.gain):.3g} dB, {math.degrees(margins.phase):.3g} deg")
     if margins.gain < ENOUGH[0] or margins.phase < ENOUGH[1]:
         lines.append("  that is less than 6 dB and 30 deg: lower bandwidth or Kv, or leave them to the proposal")
-    if axis.wanted_force > rated:
+    if axis.wanted_force > 1.001 * rated:
         lines.append("  its limits need more than the rated force, which the motor gives only for a short time")
     return lines
 

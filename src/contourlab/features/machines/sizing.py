@@ -168,12 +168,11 @@ class SizedAxis:
         return min(FASTEST / self.period / (2.0 * math.pi), 0.5 * (self.values.get("resonance") or math.inf))
 
     def slowed_down(self) -> SizedAxis:
-        """Return the axis with a guessed bandwidth, and a Kv in proportion, at which its resonance leaves 6 dB and 30 degrees."""
-        if not self.resonance or "bandwidth" not in self.guesses:
+        """Return the axis with the fastest guess of bandwidth, and of Kv, at which its resonance leaves 6 dB and 30 degrees."""
+        if not self.resonance or "bandwidth" not in self.guesses or 2.0 * self.resonance * self.period >= 1.0:
             return self
-        kv = self.kv if "kv" not in self.guesses else math.inf
         rates = [2.0 * math.pi * factor * self.fastest for factor in SLOWER]
-        slower = [{"bandwidth": rate / (2.0 * math.pi), "kv": min(kv, KV_RATIO * rate)} for rate in rates]
+        slower = [{"bandwidth": rate / (2.0 * math.pi), "kv": KV_RATIO * rate if "kv" in self.guesses else self.kv} for rate in rates]
         trials = [replace(self, values={**self.values, **gains}) for gains in slower]
 
         def keeps(trial: SizedAxis) -> bool:

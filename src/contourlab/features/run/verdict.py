@@ -17,8 +17,9 @@ from contourlab.metrics.figures import left_out
 from contourlab.report.judgement import Verdict, Worst
 from contourlab.result import Result
 
-SHARE = 0.25
-"""Share of the tolerance for planning that leaves the rest to the servo loops."""
+SHARE, LARGE = 0.25, 0.5
+"""Share of the tolerance for planning that leaves the rest to the servo loops, and share above which a closer plan comes first."""
+
 
 def verdict(
     machine: Machine,
@@ -73,7 +74,7 @@ def verdict(
     plans: dict[str, Callable[[], Reference]] = {} if slower is None else {"taking the feed down by a fifth": partial(slower, 0.8)}
     near = closer(SHARE * tolerance) if closer is not None and planned > SHARE * tolerance else {}
     start = Trial((), controller, reference, worst.value)
-    if planned > tolerance:
+    if planned > LARGE * tolerance:
         best = advice(machine, start, tolerance, plans, rerun, near)
     else:
         best = advice(machine, start, tolerance, {**plans, **near}, rerun)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from contourlab.design import Evaluator, Space, calibration_order
 from contourlab.design.guards import Bounds, Guards
@@ -156,9 +157,32 @@ def tune(
 
     Notes
     -----
-    A parameter outside its range starts at the nearer end.
+    A parameter outside its range starts at the nearer end. If nothing keeps the bounds, the search of all gains starts again from placed
+    poles.
     """
     settings = settings or TuneSettings()
+    given: dict[str, Any] = {"moving": moving, "seed": seed, "begin": begin, "progress": progress}
+    found = _tuned(machine, controller, reference, settings, **given)
+    if found.after.violations and not settings.parameters and settings.start == "scenario" and settings.method != "sequential":
+        with suppress(ParameterError):
+            placed = _tuned(machine, controller, reference, replace(settings, start="placed"), **given)
+            if not placed.after.violations:
+                return placed
+    return found
+
+
+def _tuned(
+    machine: Machine,
+    controller: Controller,
+    reference: Reference,
+    settings: TuneSettings,
+    *,
+    moving: bool,
+    seed: int,
+    begin: Callable[[str], None],
+    progress: Callable[[int, int], None] | None,
+) -> Tuned:
+    """Calibrate a controller from one start."""
     _check(machine, controller, settings)
     begin("first run")
     before = evaluate(machine, controller, reference, Guards([(machine, controller)], settings.bounds), seed=seed, moving=moving)

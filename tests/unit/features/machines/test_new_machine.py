@@ -221,12 +221,15 @@ def test_a_measured_resonance_gives_an_elastic_axis_with_a_notch(drive, tmp_path
 
 @pytest.mark.parametrize("hertz", [20, pytest.param(60, marks=pytest.mark.slow)])
 def test_a_lower_resonance_gives_a_slower_loop(hertz):
-    x = new_machine(answers() | {"x.resonance": f"{hertz} Hz"}).axes[0]
+    given = answers() | {"x.resonance": f"{hertz} Hz"}
+    x = new_machine(given).axes[0]
     assert x.bandwidth <= 0.5 * hertz
+    # A Kv that is given stays, where there are margins for it.
+    assert new_machine(given | {"x.kv": "5 1/s"}).axes[0].kv == pytest.approx(5.0)
 
 
 @pytest.mark.parametrize(
-    ("key", "text"), [("x.resonance", "1900 Hz"), ("x.bandwidth", "1.8 (m/min)/mm"), ("x.resonance", "2 1/s/mm")]
+    ("key", "text"), [("x.resonance", "1900 Hz"), ("x.resonance", "500 Hz"), ("x.bandwidth", "1.8 (m/min)/mm"), ("x.resonance", "2 1/s/mm")]
 )  # fmt: skip
 def test_a_frequency_that_cannot_be_names_its_key(key, text):
     with pytest.raises(ScenarioError) as error:

@@ -11,7 +11,9 @@ import pytest
 from tuned_axes import DAMPING, GAIN, circle, position_control, rigid_stage
 
 from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.components.controller.cascade import Cascade
 from contourlab.components.sensor.encoder import Encoder
+from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.design import Evaluator, Space
 from contourlab.design.guards import Bounds, Guards
 from contourlab.design.values import with_values
@@ -21,6 +23,7 @@ from contourlab.features.tune.objective import Goal, Objective
 from contourlab.features.tune.study import Tuned, TuneSettings, tune
 from contourlab.feed import uniform
 from contourlab.geometry import contour
+from contourlab.loop import AxisController, Controller
 from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Reading, controller, machine
 
 FREE = Bounds(gain_margin=0.0, phase_margin=0.0)
@@ -125,6 +128,14 @@ def test_a_diverging_start_is_repaired() -> None:
     assert found.after.run is not None and not found.after.violations
     lost = tune(rigid_stage(), position_control(position_gain=5e6), circle(), TuneSettings(parameters=("x.model_gain",), budget=100))
     assert "diverges" in lost.after.violations[0]
+
+
+def test_a_start_beyond_repair_is_replaced_by_placed_poles() -> None:
+    """Poles a hundred times too fast, out of reach of the ranges: the search starts again from placed poles."""
+    gains = Cascade.tune(20_000.0, 1.0, 1.2, 9.0)
+    part = AxisController(controller=Cascade(**gains), velocity=FilteredDifference(bandwidth=1500.0))
+    found = tune(rigid_stage(), Controller(dict.fromkeys("xy", part)), circle(), TuneSettings(budget=200))
+    assert found.before.violations and not found.after.violations
 
 
 def test_violated_margins_are_reported() -> None:

@@ -23,6 +23,8 @@ MOST_CHANGES = 3
 """Changes on top of each other."""
 HELPS = 0.99
 """A change helps if it leaves less than this share of the error."""
+WIDTH = 2
+"""The best so many combinations are changed further: the best change alone may hide a better pair."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,23 +67,30 @@ def advice(
     rerun : callable, optional
         `contourlab.loop.simulate` with the options of the run.
     closer : mapping, optional
-        Ways to plan of which one must come first, because the present plan alone exceeds the tolerance.
+        Ways to plan of which one comes first, because the present plan takes much of the tolerance.
     """
-    best, plans = start, dict(plans or {})
+    frontier = [start]
     if closer:
-        replanned = _trials(machine, start, closer, {}, rerun)
-        best = min(replanned, key=lambda trial: trial.worst, default=start)
+        frontier = sorted(_trials(machine, start, closer, {}, rerun), key=_worst)[:WIDTH] or frontier
+    best, planned = min(frontier, key=_worst), [trial.reference for trial in frontier]
     for _ in range(MOST_CHANGES):
-        before = best
-        if before.worst <= tolerance:
+        if best.worst <= tolerance:
             break
-        for trial in _trials(machine, before, plans, dict(remedies(machine, before.controller)), rerun):
-            if trial.worst < min(best.worst, HELPS * before.worst):
-                best = trial
-        if best is before:
+        tried: list[Trial] = []
+        for before in frontier:
+            # A motion is planned anew only once.
+            ways = plans or {} if any(before.reference is one for one in planned) else {}
+            trials = _trials(machine, before, ways, dict(remedies(machine, before.controller)), rerun)
+            tried += [trial for trial in trials if trial.worst < HELPS * before.worst]
+        if not tried:
             break
-        plans = {} if best.reference is not before.reference else plans
+        frontier = sorted(tried, key=_worst)[:WIDTH]
+        best = min(best, frontier[0], key=_worst)
     return best if best.worst < start.worst else start
+
+
+def _worst(trial: Trial) -> float:
+    return trial.worst
 
 
 def _trials(

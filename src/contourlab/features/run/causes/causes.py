@@ -4,10 +4,10 @@ The same reference is run again with ever fewer imperfections. The contribution 
 the direction of the error, when the cause is taken away:
 
 1. *network*: no links between base and axes; 2. *geometry*: no error map; 3. *quantisation*: ideal encoders; 4. *saturation*: drives
-without limit; 5. *disturbance*: no external load; 6. *backlash*: no free travel, and controllers that assume none; 7. *friction*: no
-friction; 8. *compliance*: stiff shafts, and no notch filters; 9. *servo mismatch*: every axis a copy of one of them, averaged over the
-choice; 10. *lag*: a tool that is at the reference, so that overshoot counts as lag; 11. *planning*: the rest, the distance of the planned
-path from the programmed one.
+without limit; 5. *disturbance*: no external load; 6. *backlash*: no free travel, and controllers that assume none; 7. *compliance*: stiff
+shafts, which friction does not wind up, and no notch filters; 8. *friction*: no friction; 9. *servo mismatch*: every axis a copy of one
+of them, averaged over the choice; 10. *lag*: a tool that is at the reference, so that overshoot counts as lag; 11. *planning*: the rest,
+the distance of the planned path from the programmed one.
 
 The error that friction causes is called *reversal* after an axis has reversed, *breakaway* after it has started from rest, else *friction*.
 
@@ -49,8 +49,8 @@ _STEPS: tuple[tuple[str, Step], ...] = (
     ("saturation", _of_machine(idealise.unlimited)),
     ("disturbance", _of_machine(idealise.undisturbed)),
     ("backlash", idealise.without_backlash),
-    (FRICTION, idealise.without_friction),
     ("compliance", idealise.without_compliance),
+    (FRICTION, idealise.without_friction),
 )
 WOULD_HELP = {
     "network": "a faster link between base and axes",
@@ -62,7 +62,7 @@ WOULD_HELP = {
     "reversal": "less friction, or a stiffer loop",
     "breakaway": "less friction, or a stiffer loop",
     FRICTION: "less friction, or a stiffer loop",
-    "compliance": "a stiffer axis, lower jerk, or a notch filter",
+    "compliance": "a stiffer axis, feedback from the load, or lower jerk",
     "servo mismatch": "equal gains on all axes",
     "lag": "feedforward, or a lower feed",
     "planning": "a smaller corner tolerance",

@@ -16,7 +16,6 @@ from contourlab.components.coupling.modified_reference import ModifiedReference
 from contourlab.components.estimator.newton import Newton
 from contourlab.components.feedforward.inverse_dynamics import FrictionFeedforward
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
-from contourlab.components.plant.plant import SingleMass
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.design.guards import Bounds, Guards
@@ -116,16 +115,16 @@ def _faster_observer(machine: Machine, name: str, part: AxisController) -> AxisC
 def _friction_fed_forward(machine: Machine, name: str, part: AxisController) -> AxisController:
     """Feed the axis' own friction forward, its change of sign spread over the speed gained in a servo period."""
     axis = machine.axis(name)
-    friction = axis.friction.values()
-    coulomb = float(friction.get("coulomb", 0.0))
-    if part.feedforward is not None or not coulomb or not isinstance(axis.plant, SingleMass) or not part.controller.takes("feedforward"):
+    both = [law.values() for law in (axis.friction, axis.motor_friction)]
+    coulomb, breakaway = (sum(float(friction.get(key, 0.0)) for friction in both) for key in ("coulomb", "breakaway"))
+    if part.feedforward is not None or not coulomb or not part.controller.takes("feedforward"):
         return part
     law = FrictionFeedforward(
         coulomb=coulomb,
-        breakaway=max(float(friction.get("breakaway", 0.0)), coulomb),
-        stribeck_velocity=float(friction.get("stribeck_velocity", 1e-3)),
+        breakaway=max(breakaway, coulomb),
+        stribeck_velocity=next(float(friction["stribeck_velocity"]) for friction in both if "stribeck_velocity" in friction),
         smoothing_velocity=min(axis.limits.acceleration, 1.0) * machine.servo_period,
-        force_constant=axis.plant.drive_force(axis.plant.constants(), 1.0),
+        force_constant=axis.plant.force_per_command,
     )
     return replace(part, feedforward=law)
 
