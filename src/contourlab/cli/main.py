@@ -9,12 +9,14 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import nullcontext
 from functools import cache
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from contourlab.app.stages import heartbeat
 from contourlab.cli.commands.analyse import analyse
 from contourlab.cli.commands.backlash import backlash
 from contourlab.cli.commands.canon import canon
@@ -116,7 +118,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if "" in given:  # would become the present folder, or a file of no name
             raise ParameterError(f"argument {given.index('') + 1}", "''", "a value, or left out with its option")
-        code = _call(given or ["--help"])
+        with nullcontext() if "--json" in given else heartbeat(" ".join(given[:1])):
+            code = _call(given or ["--help"])
         sys.stdout.flush()
         return code
     except BrokenPipeError:

@@ -1,0 +1,42 @@
+"""The line that a command prints while it works: stage, share and time left."""
+
+from __future__ import annotations
+
+import re
+import time
+
+import pytest
+
+from contourlab.app import stages
+from contourlab.app.stages import Heartbeat, Stages, heartbeat, shown
+
+
+def test_the_time_left_follows_from_the_share_that_is_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = 100.0
+    monkeypatch.setattr(stages, "monotonic", lambda: now)
+    beat = Heartbeat("tune")
+    assert beat.line() == "tune, 0 s"
+    now = 104.0
+    beat.begin("searching")
+    now = 109.0
+    assert beat.line() == "tune: searching, 9 s"
+    beat.advance(1, 5)
+    assert beat.line() == "tune: searching, 20 %, 20 s left"
+    beat.advance(5, 5)
+    assert beat.line() == "tune: searching, 9 s"
+
+
+def test_a_working_command_prints_lines_and_a_quick_one_none(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr(stages, "INTERVAL", 0.05)
+    with heartbeat("quick"):
+        pass
+    assert capfd.readouterr().err == ""
+    with heartbeat("slow"), shown(False) as steps:
+        steps.begin("waiting")
+        steps.advance(1, 2)
+        time.sleep(0.2)
+    lines = capfd.readouterr().err.splitlines()
+    assert lines and all(re.fullmatch(r"slow: waiting, 50 %, \d+ s left", line) for line in lines)
+    Stages().advance(1, 2)  # outside a command: nothing to show
+    time.sleep(0.1)
+    assert capfd.readouterr().err == ""
