@@ -92,7 +92,7 @@ def parameters(found: dict[str, Any]) -> dict[str, dict[str, Any]]:
 
 def test_a_machine_comes_out_of_a_log(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "machine.toml"
-    more = ["--out", str(out), "--json", "--plots", "svg", "--folder", str(tmp_path / "seen"), "--validation", str(scene / "log.csv")]
+    more = ["--write", str(out), "--json", "--plots", "svg", "--out", str(tmp_path / "seen"), "--validation", str(scene / "log.csv")]
     assert main(words(scene, *more)) == 0
     found = json.loads(capsys.readouterr().out)
     for axis in "xy":
@@ -144,7 +144,7 @@ def test_the_window_is_shaded_in_the_pictures(scene: Path, tmp_path: Path, monke
 
     drawn: list[Chart] = []
     monkeypatch.setattr(plots, "write_charts", lambda charts, folder, formats: drawn.extend(charts) or ())
-    more = ["--plots", "png", "--folder", str(tmp_path)]
+    more = ["--plots", "png", "--out", str(tmp_path)]
     assert main(words(scene, "--window", "0.5 s..9 s", *more, names=NAMES[:1])) == 0
     end = drawn[0].panels[0].curves[0].x[-1]
     assert [chart.panels[0].span for chart in drawn] == [(0.5, end)] * 4
@@ -156,7 +156,7 @@ def test_the_window_is_shaded_in_the_pictures(scene: Path, tmp_path: Path, monke
 
 def test_controllers_that_were_refined_get_files_of_their_own(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     gain = "controller.axes.*.controller.gain"
-    assert main(words(scene, "--out", str(tmp_path / "m.toml"), names=[*NAMES, gain])) == 0
+    assert main(words(scene, "--write", str(tmp_path / "m.toml"), names=[*NAMES, gain])) == 0
     file = tmp_path / "m-log-controller.toml"
     assert f"controller: {file}" in capsys.readouterr().out and 'from = "log.csv"' in file.read_text()
     joined = tmp_path / "joined.toml"
@@ -190,7 +190,7 @@ def test_bad_options_are_refused(scene: Path, capsys: pytest.CaptureFixture[str]
 
 def test_an_invalid_folder_is_refused_before_the_work(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "file").write_text("")
-    assert main(words(scene, "--out", str(tmp_path / "file" / "m.toml"))) == 2
+    assert main(words(scene, "--write", str(tmp_path / "file" / "m.toml"))) == 2
     assert "Traceback" not in capsys.readouterr().err
     with staged(tmp_path):
         pass
@@ -198,7 +198,7 @@ def test_an_invalid_folder_is_refused_before_the_work(scene: Path, tmp_path: Pat
 
 def test_parameters_refined_together_have_correlations(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "machine.toml"
-    assert main(words(scene, "--out", str(out), "--json")) == 0
+    assert main(words(scene, "--write", str(out), "--json")) == 0
     found = json.loads(capsys.readouterr().out)
     names = found["result"]["correlation_of"]
     for axis in load_machine(out).axes:
@@ -214,7 +214,7 @@ def test_parameters_of_two_axes_have_correlations(scene: Path, tmp_path: Path, c
     text = (scene / "guess-circle.toml").read_text().replace('"guess.toml"', f'"{scene / "guess.toml"}"')
     coupled.write_text(text + '[controller.estimator]\nkind = "newton"\n[controller.coupling]\nkind = "cross-coupled"\ngain = "1 A/mm"\n')
     out = tmp_path / "machine.toml"
-    typed = [str(coupled) if word == str(scene / "guess-circle.toml") else word for word in words(scene, "--out", str(out), "--json")]
+    typed = [str(coupled) if word == str(scene / "guess-circle.toml") else word for word in words(scene, "--write", str(out), "--json")]
     assert main(typed) in (0, 1)
     found = json.loads(capsys.readouterr().out)
     assert found["result"]["usable"]
@@ -250,7 +250,7 @@ def test_old_correlations_are_kept_only_if_both_parameters_are(scene: Path, tmp_
     typed = [
         str(tmp_path / "guess-circle.toml") if word == str(scene / "guess-circle.toml") else word for word in words(scene, names=NAMES[1:])
     ]
-    assert main([*typed, "--out", str(out)]) == 0
+    assert main([*typed, "--write", str(out)]) == 0
     assert all(axis.correlations == (("plant.mass", "plant.damping", 0.2),) for axis in load_machine(out).axes)
 
 
@@ -259,7 +259,7 @@ def test_a_log_in_a_wrong_unit_makes_no_machine(scene: Path, tmp_path: Path, cap
     lines = [line.split(",") for line in (scene / "log.csv").read_text().splitlines()]
     small = [",".join([*cells[:3], *(f"{0.9 * float(cell):.6f}" for cell in cells[3:])]) for cells in lines[1:]]
     (tmp_path / "log.csv").write_text("\n".join([",".join(lines[0]), *small]))
-    out, given = tmp_path / "machine.toml", words(scene, "--out", str(tmp_path / "machine.toml"), "--json", names=["axes.x.plant.mass"])
+    out, given = tmp_path / "machine.toml", words(scene, "--write", str(tmp_path / "machine.toml"), "--json", names=["axes.x.plant.mass"])
     assert main([str(tmp_path / "log.csv") if word == str(scene / "log.csv") else word for word in given]) == 1
     found = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
     assert parameters(found)["axes.x.plant.mass"]["at_bound"] and not found["result"]["usable"] and not out.exists()
@@ -293,7 +293,7 @@ def test_logs_are_named_by_folder_and_equal_columns_are_reported(scene: Path, tm
     assert "CL404" in {code for code, _ in codes(found)}
 
 
-@pytest.mark.parametrize("option", ["--out", "--folder"])
+@pytest.mark.parametrize("option", ["--write", "--out"])
 def test_an_unwritable_target_is_refused_before_refining(
     scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], option: str
 ) -> None:
@@ -302,7 +302,7 @@ def test_an_unwritable_target_is_refused_before_refining(
     (tmp_path / "taken").mkdir()
     (tmp_path / "file").write_text("")
     monkeypatch.setattr(refine, "refine", lambda *args, **more: pytest.fail("refined"))
-    assert main(words(scene, "--plots", "png", option, str(tmp_path / {"--out": "taken", "--folder": "file"}[option]))) == 2
+    assert main(words(scene, "--plots", "png", option, str(tmp_path / {"--write": "taken", "--out": "file"}[option]))) == 2
     assert option in capsys.readouterr().err
     assert sorted(file.name for file in tmp_path.iterdir()) == ["file", "taken"]
 
@@ -319,9 +319,9 @@ def test_input_files_are_not_overwritten(
     before = contents(copy)
     assert name in before
     monkeypatch.setattr(refine, "refine", lambda *args, **more: pytest.fail("refined"))
-    assert main(words(copy, "--validation", str(copy / "second.csv"), "--out", str(copy / name))) == 2
+    assert main(words(copy, "--validation", str(copy / "second.csv"), "--write", str(copy / name))) == 2
     said = capsys.readouterr().err
-    assert str(copy / name) in said and "--out" in said and said.count("\n") == 1
+    assert str(copy / name) in said and "--write" in said and said.count("\n") == 1
     assert contents(copy) == before
 
 
@@ -335,7 +335,7 @@ def test_several_logs_are_left_out_in_turn(scene: Path, tmp_path: Path, capsys: 
     head = (scene / "log.csv").read_text().splitlines()[0]
     (tmp_path / "other.csv").write_text(head + "\n" + "\n".join(",".join(f"{v:.6f}" for v in row) for row in rows))
     out = tmp_path / "machine.toml"
-    typed = words(scene, "--log", str(tmp_path / "other.csv"), "--out", str(out))
+    typed = words(scene, "--log", str(tmp_path / "other.csv"), "--write", str(out))
     assert main([*typed, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     crossed = found["cross_validation"]

@@ -68,7 +68,7 @@ def codes(found: dict[str, Any]) -> list[str]:
 @pytest.mark.parametrize("kind", sorted(CONTROL))
 def test_every_kind_of_controller_is_calibrated_and_its_file_runs(kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, out = written(tmp_path, kind), tmp_path / "tuned.toml"
-    assert main(["tune", str(file), "--budget", "400", "--out", str(out), "--json"]) == 0
+    assert main(["tune", str(file), "--budget", "400", "--write", str(out), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["passed"] is True and found["result"]["after"]["violations"] == []
     before, after = (found["result"][key] for key in ("before", "after"))
@@ -90,7 +90,7 @@ def test_every_kind_of_controller_is_calibrated_and_its_file_runs(kind: str, tmp
 
 def test_the_text_shows_the_search_and_drive_terms(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path)
-    words = ["tune", str(file), "--method", "both", "--budget", "400", "--plots", "svg", "--folder", str(tmp_path / "pictures")]
+    words = ["tune", str(file), "--method", "both", "--budget", "400", "--plots", "svg", "--out", str(tmp_path / "pictures")]
     assert main(words) == 0
     said = capsys.readouterr().out
     for part in ("pass 1", "Kv", "Pgain", "FF2", "CL607"):
@@ -125,7 +125,7 @@ def test_an_optimum_at_a_bound_is_reported(tmp_path: Path, capsys: pytest.Captur
 
 def test_a_result_that_violates_a_bound_is_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "tuned.toml"
-    words = ["tune", str(written(tmp_path)), "--parameter", "x.model_gain", "--phase-margin", "85", "--out", str(out), "--json"]
+    words = ["tune", str(written(tmp_path)), "--parameter", "x.model_gain", "--phase-margin", "85", "--write", str(out), "--json"]
     assert main(words) == 1
     found = json.loads(capsys.readouterr().out)
     assert "CL606" in codes(found) and found["controller_file"] is None
@@ -135,7 +135,7 @@ def test_a_result_that_violates_a_bound_is_not_written(tmp_path: Path, capsys: p
 def test_a_part_program_on_a_machine(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     part, out = tmp_path / "part.ngc", tmp_path / "tuned.toml"
     part.write_text("%\nG17 G21 G90 G94\nG1 X5 F1500\nG3 X5 Y6 I0 J3\nM30\n%\n")
-    words = ["tune", str(part), "--machine", "xyz", "--controller", "xyz-controller", "--parameter", "y.position_gain", "--out", str(out)]
+    words = ["tune", str(part), "--machine", "xyz", "--controller", "xyz-controller", "--parameter", "y.position_gain", "--write", str(out)]
     words += ["--budget", "100"]
     assert main([*words, "--tolerance", "50 um"]) == 0
     assert "CL607" in capsys.readouterr().out
@@ -165,7 +165,7 @@ def test_a_scheme_is_chosen_by_its_name(capsys: pytest.CaptureFixture[str]) -> N
         (["--threads", "0"], "1 or more"),
         (["--gain-margin", "-1"], "0 to 60"),
         (["--plots", "bmp"], "png"),
-        (["--out", "tuned.txt"], ".toml"),
+        (["--write", "tuned.txt"], ".toml"),
         (["--machine", "xyz"], "--machine is for part programs"),
         (["--parameter", "x.position_gian"], "controller.axes.x.controller.position_gain"),
         (["--parameter", "x.plant.gain"], "a parameter of the controller"),
@@ -190,9 +190,9 @@ def test_wrong_options_are_refused(words: list[str], said: str, tmp_path: Path, 
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["--out", "folder.toml"], "is a folder; name a file with --out"),
-        (["--out", "file/tuned.toml"], "choose another folder with --out"),
-        (["--plots", "svg", "--folder", "file"], "choose another folder with --folder"),
+        (["--write", "folder.toml"], "is a folder; name a file with --write"),
+        (["--write", "file/tuned.toml"], "choose another folder with --write"),
+        (["--plots", "svg", "--out", "file"], "choose another folder with --out"),
     ],
 )
 def test_an_unwritable_target_is_refused_before_anything_runs(
@@ -209,7 +209,7 @@ def test_an_unwritable_target_is_refused_before_anything_runs(
 def test_pictures_leave_other_results_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "results").mkdir()
     (tmp_path / "results" / "report.html").write_text("older")
-    words = ["--parameter", "x.integral_gain", "--plots", "svg", "--folder", str(tmp_path / "results")]
+    words = ["--parameter", "x.integral_gain", "--plots", "svg", "--out", str(tmp_path / "results")]
     assert main(["tune", str(written(tmp_path)), *words]) == 0
     assert str(tmp_path / "results" / "plots" / "tune-course.svg") in capsys.readouterr().out
     assert (tmp_path / "results" / "report.html").read_text() == "older"
@@ -228,10 +228,10 @@ def test_a_start_beyond_its_bounds_is_moved_inside_and_reported(tmp_path: Path, 
 def test_the_scenario_and_its_files_are_not_written_over(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path)
     before = contents(tmp_path)
-    assert main(["tune", str(file), "--out", str(tmp_path / name)]) == 2
+    assert main(["tune", str(file), "--write", str(tmp_path / name)]) == 2
     assert contents(tmp_path) == before
     said = capsys.readouterr().err
-    assert str(tmp_path / name) in said and "--out" in said and said.count("\n") == 1
+    assert str(tmp_path / name) in said and "--write" in said and said.count("\n") == 1
 
 
 def test_placing_is_refused_for_kinds_without_placement(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -242,7 +242,7 @@ def test_placing_is_refused_for_kinds_without_placement(tmp_path: Path, capsys: 
 
 def test_the_written_controller_is_the_one_that_was_judged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, out = written(tmp_path), tmp_path / "tuned.toml"
-    assert main(["tune", str(file), "--budget", "400", "--out", str(out), "--json"]) == 0
+    assert main(["tune", str(file), "--budget", "400", "--write", str(out), "--json"]) == 0
     values = json.loads(capsys.readouterr().out)["result"]["values"]
     again = tmp_path / "again.toml"
     again.write_text(file.read_text().replace("control.toml", "tuned.toml"))

@@ -34,7 +34,7 @@ def written(folder: Path, seed: int = 0, sign: float = 1.0, seconds: float = 8.0
 def test_known_figures_are_found_and_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["identify", str(written(tmp_path)), "--column", "force.x=push", "--validation", str(written(tmp_path, 1))]
     out = tmp_path / "axis.toml"
-    assert main([*words, "--out", str(out), "--json"]) == 0
+    assert main([*words, "--write", str(out), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     for name, true in (("M", MASS), ("Fv", VISCOUS), ("Fc", COULOMB), ("offset", OFFSET)):
         figure = found["parameters"][name]
@@ -69,7 +69,7 @@ def test_a_torque_is_a_force_by_the_lead_for_every_model(
 ) -> None:
     arm, out = 0.01 / math.tau, tmp_path / "axis.toml"
     words = ["identify", str(written(tmp_path, seconds=4.0)), "--column", f"{column}.x=push [{written_as}]"]
-    assert main([*words, "--lead", "10 mm", "--out", str(out), "--json"]) == 0
+    assert main([*words, "--lead", "10 mm", "--write", str(out), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)["parameters"]
     assert found["M"]["value"] == pytest.approx(MASS * size / arm, rel=0.01) and found["M"]["unit"] == "kg"
     assert load_axis(out).plant.values()["force_constant"] == pytest.approx(1.0 / arm)
@@ -104,7 +104,7 @@ def test_the_measured_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureF
         "command.x=vir [V]",
         "--gain",
         "35.15065188 N/V",
-        "--out",
+        "--write",
         str(tmp_path / "axis.toml"),
     ]
     assert main(["identify", str(log), *words, "--json"]) == 0
@@ -126,7 +126,7 @@ def test_the_measured_axis_can_repeat_its_motion(
     copytree(Path(str(files("contourlab.machines") / "emps")), folder)
     log = shared / "data" / "emps" / "DATA_EMPS.mat"
     words = ["--column", "position.x=qm [m]", "--column", "command.x=vir [V]", *asked, "--gain", "35.15065188 N/V", "--model", model]
-    assert main(["identify", str(log), *words, "--out", str(folder / "axis.toml")]) == 0
+    assert main(["identify", str(log), *words, "--write", str(folder / "axis.toml")]) == 0
     scenario = load_scenario(folder / "there-and-back.toml")
     axis = scenario.machine.axes[0]
     # The reference of the log has 0.842 m/s^2, its motion 0.1278 m/s.
@@ -156,17 +156,17 @@ def test_the_measured_axis_can_repeat_its_motion(
     ],
 )
 def test_faults_are_refused_with_a_message(tmp_path: Path, capsys: pytest.CaptureFixture[str], words: list[str], said: str) -> None:
-    assert main(["identify", str(written(tmp_path, seconds=2.0)), *words, "--out", str(tmp_path / "axis.toml")]) == 2
+    assert main(["identify", str(written(tmp_path, seconds=2.0)), *words, "--write", str(tmp_path / "axis.toml")]) == 2
     assert said in capsys.readouterr().err
     assert not (tmp_path / "axis.toml").exists()
 
 
 def test_a_force_with_the_wrong_sign_is_no_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = written(tmp_path, sign=-1.0)
-    assert main(["identify", str(log), "--column", "force.x=push", "--out", str(tmp_path / "axis.toml")]) == 2
+    assert main(["identify", str(log), "--column", "force.x=push", "--write", str(tmp_path / "axis.toml")]) == 2
     said = capsys.readouterr().err
     assert "log-0.csv: M = -" in said and said.count("\n") == 1
-    assert main(["identify", str(log), "--column", "force.x=-push", "--out", str(tmp_path / "axis.toml")]) == 0
+    assert main(["identify", str(log), "--column", "force.x=-push", "--write", str(tmp_path / "axis.toml")]) == 0
 
 
 def test_samples_at_rest_are_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -203,7 +203,7 @@ def test_validation_with_the_same_samples_is_reported(tmp_path: Path, capsys: py
 def test_the_reference_in_place_of_the_position_makes_no_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log, out = shared / "data" / "emps" / "DATA_EMPS.mat", tmp_path / "axis.toml"
     words = ["identify", str(log), "--column", "position.x=qg [m]", "--column", "command.x=vir [V]", "--gain", "35 N/V", "--json"]
-    assert main([*words, "--out", str(out)]) == 1 and not out.exists()
+    assert main([*words, "--write", str(out)]) == 1 and not out.exists()
     found = json.loads(capsys.readouterr().out)
     assert 60.0 < found["fit_percent"] < 75.0
     assert "CL533" in codes(found)
@@ -224,11 +224,11 @@ def test_a_fit_below_ninety_percent_is_reported(tmp_path: Path, capsys: pytest.C
     assert 80.0 < found["fit_percent"] < 90.0 and "CL533" in codes(found)
 
 
-@pytest.mark.parametrize("option", ["--out", "--folder"])
+@pytest.mark.parametrize("option", ["--write", "--out"])
 def test_an_unwritable_target_is_refused_before_a_log_is_read(tmp_path: Path, capsys: pytest.CaptureFixture[str], option: str) -> None:
     (tmp_path / "taken").mkdir()
     (tmp_path / "file").write_text("")
-    bad = {"--out": [str(tmp_path / "taken"), str(tmp_path / "file" / "axis.toml")], "--folder": [str(tmp_path / "file")]}
+    bad = {"--write": [str(tmp_path / "taken"), str(tmp_path / "file" / "axis.toml")], "--out": [str(tmp_path / "file")]}
     for place in bad[option]:
         assert main(["identify", str(tmp_path / "no-log.csv"), "--plots", "png", option, place]) == 2
         error = capsys.readouterr().err
@@ -242,7 +242,7 @@ def test_folders_above_the_file_are_made_where_it_is_written(
 ) -> None:
     """As for every command; if nothing is written, no folder is left behind."""
     log, out = str(written(tmp_path, sign=sign)), tmp_path / "new" / "below" / "axis.toml"
-    assert main(["identify", log, "--column", "force.x=push", "--out", str(out)]) == code
+    assert main(["identify", log, "--column", "force.x=push", "--write", str(out)]) == code
     capsys.readouterr()
     assert out.is_file() == (tmp_path / "new").exists() == (code == 0)
 

@@ -67,7 +67,7 @@ def identified(folder: Path, model: str, log: Log, capsys: pytest.CaptureFixture
     """Return exit code, JSON and error text; assert that there is no traceback, and a file only from a usable result."""
     out = folder / "axis.toml"
     words = ["identify", written(folder, log), "--column", "command.x=cmd", "--model", model, "--json"]
-    file = [] if model in ("closed-loop", "frequency-response") else ["--out", str(out)]  # those two have no axis file
+    file = [] if model in ("closed-loop", "frequency-response") else ["--write", str(out)]  # those two have no axis file
     code = main([*words, *file, *OPTIONS.get(model, ["--gain", "10 N/V"])])
     said = capsys.readouterr()
     assert code in (0, 1, 2) and "Traceback" not in said.err and "Warning" not in said.err

@@ -18,7 +18,7 @@ def test_stiction_over_ramps(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     place = np.round(1.695e3 * first_order_motion(u, PERIOD, 10.1, 0.06, 0.05)[1] / 0.125e-3) * 0.125e-3
     log = written(tmp_path / "ramp.csv", "time [s],cmd [full_scale],pos x [mm]", PERIOD * np.arange(u.size), u, place)
     out = tmp_path / "friction.toml"
-    found = found_by([log, "--column", "command.x=cmd", "--model", "stiction", "--out", str(out)], capsys)
+    found = found_by([log, "--column", "command.x=cmd", "--model", "stiction", "--write", str(out)], capsys)
     assert found["parameters"]["breakaway+"]["value"] == pytest.approx(0.06, rel=0.02)
     assert found["parameters"]["breakaway-"]["value"] == pytest.approx(0.05, rel=0.02)
     assert len(found["details"]["ramps"]) == 4 and "spread over 4 slow ramps" in out.read_text()
@@ -44,7 +44,7 @@ def test_friction_of_the_measured_table(
     logs = sorted(str(file) for file in (shared / "data" / "ubc-xy-table").glob("friction_*_mmps.mat"))
     assert len(logs) == 8
     words = [*logs, "--column", "reference.x=CH1in [mm]", *UBC, "--full-scale", "10 V"]
-    words += ["--model", "friction", "--plots", "png", "--out", "friction.toml"]
+    words += ["--model", "friction", "--plots", "png", "--write", "friction.toml"]
     found = found_by(words, capsys)
     assert len(found["details"]["points"]) == 16 and found["fit_percent"] > 97.0
     assert [round(1e3 * point["speed"]) for point in found["details"]["points"][:4]] == [10, -10, 120, -121]
@@ -66,7 +66,7 @@ def test_a_friction_file_runs_together_with_a_plant(tmp_path: Path, capsys: pyte
         log = written(tmp_path / "jog.csv", "time [s],cmd [V],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
     else:
         log = ramped(tmp_path, 10.0)
-    words = [log, "--column", "command.x=cmd", "--model", kind, "--out", str(out)]
+    words = [log, "--column", "command.x=cmd", "--model", kind, "--write", str(out)]
     nothing = found_by(words, capsys, code=1)
     assert "CL505" in codes(nothing) and nothing["axis_file"] is None and not out.exists()
     found_by([*words, "--full-scale", "10 V"], capsys)
@@ -89,7 +89,7 @@ def test_random_force_steps_identify_no_friction(tmp_path: Path, capsys: pytest.
         v[k] = v[k - 1] + PERIOD * (u[k - 1] - 100.0 * v[k - 1]) / 20.0
     log = written(tmp_path / "levels.csv", "time [s],push [N],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
     out = tmp_path / "axis.toml"
-    found = found_by([log, "--column", "force.x=push", "--model", "friction", "--out", str(out)], capsys, code=1)
+    found = found_by([log, "--column", "force.x=push", "--model", "friction", "--write", str(out)], capsys, code=1)
     assert said in codes(found) and not out.exists()
 
 
@@ -106,7 +106,7 @@ def test_friction_that_rises_is_not_called_stribeck(tmp_path: Path, capsys: pyte
 def test_friction_that_rises_from_rest_keeps_its_rise_in_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = jogged(tmp_path, lambda v: np.sign(v) * (0.6 - 0.3 * np.exp(-((v / 0.06) ** 2))) + 3.0 * v)
     out = tmp_path / "axis.toml"
-    words = [log, "--column", "command.x=cmd", "--model", "friction", "--full-scale", "10 V", "--out", str(out)]
+    words = [log, "--column", "command.x=cmd", "--model", "friction", "--full-scale", "10 V", "--write", str(out)]
     found = found_by(words, capsys)
     figures = {name: one["value"] for name, one in found["parameters"].items()}
     assert figures["drop"] == pytest.approx(-0.03, rel=0.1) and "CL546" in codes(found)
@@ -126,7 +126,7 @@ def test_friction_that_rises_from_rest_keeps_its_rise_in_the_file(tmp_path: Path
 def test_a_curve_below_zero_at_rest_is_no_component(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = jogged(tmp_path, lambda v: np.sign(v) * (0.5 - 0.7 * np.exp(-((v / 0.06) ** 2))) + 3.0 * v)
     out = tmp_path / "friction.toml"
-    words = [log, "--column", "command.x=cmd", "--model", "friction", "--full-scale", "10 V", "--out", str(out)]
+    words = [log, "--column", "command.x=cmd", "--model", "friction", "--full-scale", "10 V", "--write", str(out)]
     assert "CL513" in codes(found_by(words, capsys))
     assert 'kind = "coulomb"' in out.read_text()
 
@@ -141,7 +141,7 @@ def test_friction_averaged_over_directions_is_reported(tmp_path: Path, capsys: p
         force = 40.0 * np.gradient(v, PERIOD) + np.where(v > 0.0, 5.0 + 40.0 * v, -7.0 + 80.0 * v)
         place = 1e3 * PERIOD * np.cumsum(v)
         words = [written(tmp_path / "log.csv", "time [s],cmd [V],pos x [mm]", TIME, 0.1 * force, place), "--column", "command.x=cmd"]
-    found = found_by([*words, "--model", model, "--gain", "10 N/V", "--out", str(out)], capsys)
+    found = found_by([*words, "--model", model, "--gain", "10 N/V", "--write", str(out)], capsys)
     (mean,) = (one for one in found["findings"] if one["code"] == "CL515" and one["place"] == "Fv")
     assert mean["text"] in out.read_text() and mean["values"]["unit"] == "N*s/m"
     assert mean["values"]["forward"] / mean["values"]["backward"] == pytest.approx(0.5, abs=0.05)

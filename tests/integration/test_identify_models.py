@@ -20,7 +20,7 @@ def test_first_order_makes_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture
     place = np.round(1.695e3 * first_order_motion(u, PERIOD, 10.1, 0.055, 0.055)[1] / 0.125e-3) * 0.125e-3
     log = written(tmp_path / "open.csv", "time [s],cmd [full_scale],pos x [mm]", TIME, u, place)
     out = tmp_path / "axis.toml"
-    figures = found_by([log, "--column", "command.x=cmd", "--model", "first-order", "--out", str(out)], capsys)["parameters"]
+    figures = found_by([log, "--column", "command.x=cmd", "--model", "first-order", "--write", str(out)], capsys)["parameters"]
     assert [figures[name]["value"] for name in ("a", "b", "friction")] == pytest.approx([1.695, 10.1, 0.055], rel=2e-3)
     assert figures["a"]["unit"] == "m/s^2/full_scale"
     axis = load_axis(out)
@@ -65,7 +65,7 @@ def test_a_log_given_twice_is_refused_and_one_of_the_same_samples_reported(
 def test_sines_of_the_measured_table(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     logs = [str(shared / "data" / "ubc-xy-table" / f"sine_{f}Hz.mat") for f in (1, 4, 10, 30, 50, 70)]
     out = tmp_path / "axis.toml"
-    found = found_by([*logs, *UBC, "--model", "linear-motor", "--out", str(out)], capsys)
+    found = found_by([*logs, *UBC, "--model", "linear-motor", "--write", str(out)], capsys)
     assert [point["frequency"] for point in found["details"]["points"]] == pytest.approx([4.0, 10.0, 30.0, 50.0, 70.0], rel=2e-3)
     places = {(one["code"], one["place"]) for one in found["findings"]}
     assert {("CL519", "sine_1Hz.mat"), ("CL524", "sine_4Hz.mat")} <= places and "CL506" not in codes(found)
@@ -80,7 +80,7 @@ def test_sines_of_the_measured_table(shared: Path, tmp_path: Path, capsys: pytes
 def test_a_log_of_an_axis_at_rest_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
     log = written(tmp_path / "rest.csv", "time [s],cmd [V],pos x [mm],ref x [mm]", TIME, steps(), 0.0 * TIME, 0.0 * TIME)
     gains = ["--position-gain", "4 V/mm", "--velocity-gain", "0.1 V*s/mm"]
-    assert main(["identify", log, "--column", "command.x=cmd", "--model", model, *gains, "--out", str(tmp_path / "axis.toml")]) == 2
+    assert main(["identify", log, "--column", "command.x=cmd", "--model", model, *gains, "--write", str(tmp_path / "axis.toml")]) == 2
     said = capsys.readouterr().err
     assert "Traceback" not in said and len(said) > 40
     assert not (tmp_path / "axis.toml").exists()
@@ -100,7 +100,7 @@ def test_the_file_of_an_axis_runs(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, unit: str, size: float, more: list[str], gain: str
 ) -> None:
     out = tmp_path / "axis.toml"
-    words = [stepped(tmp_path, unit, size), "--column", "command.x=cmd", "--model", model, "--out", str(out), *more]
+    words = [stepped(tmp_path, unit, size), "--column", "command.x=cmd", "--model", model, "--write", str(out), *more]
     if model == "rigid":
         if "--gain" not in more:
             assert main(["identify", *words]) == 2 and not out.exists()
@@ -173,7 +173,7 @@ def test_deviations_are_the_spread_over_many_logs() -> None:
 def test_impossible_units_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
     """The same log with millimetres read as nanometres: 30 kg become 30 thousand tonnes."""
     out = tmp_path / "axis.toml"
-    words = [stepped(tmp_path, "V", 10.0), "--column", "command.x=cmd", "--gain", "5 N/V", "--model", model, "--out", str(out)]
+    words = [stepped(tmp_path, "V", 10.0), "--column", "command.x=cmd", "--gain", "5 N/V", "--model", model, "--write", str(out)]
     assert "CL532" not in codes(found_by(words, capsys)) and out.exists()
     out.unlink()
     found = found_by([*words, "--column", "position.x=pos x [nm]"], capsys, code=1)
@@ -187,7 +187,7 @@ def test_a_gain_makes_the_same_kind_of_axis_by_every_model(tmp_path: Path, capsy
     log, found = stepped(tmp_path, "V", 10.0), {}
     for model in ("rigid", "first-order", "linear-motor"):
         out = tmp_path / f"{model}.toml"
-        found[model] = found_by([log, *column, *more, "--model", model, "--out", str(out)], capsys)
+        found[model] = found_by([log, *column, *more, "--model", model, "--write", str(out)], capsys)
         axis = load_axis(out)
         assert axis.plant.kind == "mass-damper" and axis.plant.values()["force_constant"] == pytest.approx(5.0), model
         # The sliding friction of an axis that turns round counts as damping over frequency, and as some mass.
@@ -213,7 +213,7 @@ def test_an_identified_axis_follows_plans_at_its_limits(
     out, mass = tmp_path / "axis.toml", 1.0 if full_scale else 50.0
     log = stepped(tmp_path, "full_scale" if full_scale else "N", mass)
     column = "force.x=cmd" if model == "rigid" else "command.x=cmd"
-    found_by([log, "--column", column, "--model", model, "--out", str(out)], capsys)
+    found_by([log, "--column", column, "--model", model, "--write", str(out)], capsys)
     axis = load_axis(out)
     limits, rate = axis.limits, 10.1
     taken = mass * ((limits.acceleration + rate * limits.velocity) / 1.695 + 0.055 + 0.01)
@@ -242,7 +242,7 @@ def test_logs_of_one_name_are_named_by_their_folders(tmp_path: Path, capsys: pyt
         u = 0.5 * np.sign(v) + 5.0 * v + 0.01 * np.random.default_rng(1).standard_normal(v.size)
         written(tmp_path / name / "jog.csv", "time [s],cmd [N],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
     logs, out = [str(tmp_path / name / "jog.csv") for name in ("slow", "fast")], tmp_path / "axis.toml"
-    words = [*logs, "--column", "force.x=cmd", "--model", "friction", "--out", str(out)]
+    words = [*logs, "--column", "force.x=cmd", "--model", "friction", "--write", str(out)]
     found = found_by(words, capsys)
     assert found["logs"] == ["slow/jog.csv", "fast/jog.csv"]
     assert {point["source"] for point in found["details"]["points"]} == {"slow/jog.csv", "fast/jog.csv"}
@@ -268,7 +268,7 @@ def test_pictures_have_points_labels_and_a_folder(
 ) -> None:
     name = "friction_*_mmps.mat" if model == "friction" else "sine_[13457]0Hz.mat"
     logs = sorted(str(file) for file in (shared / "data" / "ubc-xy-table").glob(name))
-    assert main(["identify", *logs, *UBC, "--model", model, *more, "--plots", "svg", "--folder", str(tmp_path / "seen")]) == 0
+    assert main(["identify", *logs, *UBC, "--model", model, *more, "--plots", "svg", "--out", str(tmp_path / "seen")]) == 0
     assert sorted(file.stem for file in (tmp_path / "seen" / "plots").iterdir()) == files
     drawn = "".join((tmp_path / "seen" / "plots" / f"{file}.svg").read_text() for file in files)
     assert all(f">{label}<" in drawn for label in labels) and ">measured" in drawn
@@ -280,5 +280,5 @@ def test_a_requested_file_that_is_not_written_is_no_success(tmp_path: Path, caps
     out.write_text("older")
     words = [stepped(tmp_path, "V", 10.0), "--column", "command.x=cmd", "--model", "frequency-response"]
     assert main(["identify", *words]) == 0
-    assert main(["identify", *words, "--out", str(out)]) == 1
+    assert main(["identify", *words, "--write", str(out)]) == 1
     assert str(out) in capsys.readouterr().out and out.read_text() == "older"

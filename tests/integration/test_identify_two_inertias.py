@@ -32,7 +32,7 @@ def shaken(tmp_path: Path, side: str) -> tuple[str, dict[str, float]]:
 def test_the_load_s_side_makes_an_axis_with_the_motor_s_inertia(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log, true = shaken(tmp_path, "load")
     out, turn = tmp_path / "drive.toml", 0.01 / (2.0 * math.pi)
-    words = [log, "--column", "force.x=push", "--model", "two-inertia", "--side", "load", "--lead", "10 mm", "--out", str(out)]
+    words = [log, "--column", "force.x=push", "--model", "two-inertia", "--side", "load", "--lead", "10 mm", "--write", str(out)]
     found = found_by(words, capsys, code=1)
     assert "CL504" in codes(found) and not out.exists()
     inertia = f"{1e4 * 4.0 * turn**2:.8g} kg*cm^2"
@@ -90,7 +90,7 @@ def test_shaft_damping_is_separated_from_motor_damping_at_the_load(
     """A damped motor also damps the resonance; the given motor inertia separates this share from the shaft's."""
     words, x = turning_drive(tmp_path, damping)
     out = tmp_path / "drive.toml"
-    found_by([*words, "--lead", "10 mm", "--motor-inertia", "2 kg*cm^2", "--out", str(out)], capsys)
+    found_by([*words, "--lead", "10 mm", "--motor-inertia", "2 kg*cm^2", "--write", str(out)], capsys)
     plant = load_axis(out).plant
     for name, key in (("load_inertia", "load"), ("stiffness", "stiffness"), ("shaft_damping", "shaft"), ("motor_damping", "damping")):
         assert plant.values()[name] == pytest.approx(x[key], rel=0.01), name
@@ -115,7 +115,7 @@ def test_a_number_at_its_bound_is_not_written_as_fitted(tmp_path: Path, capsys: 
     """With a motor inertia three times too small, the motor alone damps more than the resonance shows: the shaft's damping is unknown."""
     words, _ = turning_drive(tmp_path, 5e-3)
     out = tmp_path / "drive.toml"
-    words += ["--lead", "10 mm", "--motor-inertia", "0.6 kg*cm^2", "--out", str(out)]
+    words += ["--lead", "10 mm", "--motor-inertia", "0.6 kg*cm^2", "--write", str(out)]
     found = found_by(words, capsys)
     assert found["parameters"]["shaft_damping"] == {"value": 0.0, "unit": "N*s/m", "deviation": None, "robust_deviation": None}
     assert ("CL527", "shaft_damping") in {(one["code"], one["place"]) for one in found["findings"]}
@@ -128,7 +128,7 @@ def test_two_inertias_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture
     log, true = shaken(tmp_path, "motor")
     out = tmp_path / "drive.toml"
     words = [log, "--column", "force.x=push", "--model", "two-inertia", "--lead", "10 mm"]
-    figures = found_by([*words, "--out", str(out)], capsys)["parameters"]
+    figures = found_by([*words, "--write", str(out)], capsys)["parameters"]
     for name in ("motor_mass", "load_mass", "stiffness", "shaft_damping"):
         assert figures[name]["value"] == pytest.approx(true[name], rel=5e-3), name
     axis = load_axis(out)

@@ -11,7 +11,7 @@ from typed_commands import CIRCLE, Finished, contents
 from contourlab.app.results import LIST, staged
 from contourlab.cli.main import main
 
-IDENTIFY = ("identify", "log.csv", "--validation", "second.csv", "--columns", "columns.toml", "--out")
+IDENTIFY = ("identify", "log.csv", "--validation", "second.csv", "--columns", "columns.toml", "--write")
 
 
 @pytest.fixture
@@ -36,7 +36,7 @@ def test_identify_does_not_write_over_what_it_reads(here: Path, capsys: pytest.C
     assert main([*IDENTIFY, out]) == 2
     assert contents(here) == before
     said = capsys.readouterr().err
-    assert said.startswith(f"contourlab: --out = '{Path(out)}': ") and said.count("\n") == 1
+    assert said.startswith(f"contourlab: --write = '{Path(out)}': ") and said.count("\n") == 1
 
 
 @pytest.mark.parametrize(

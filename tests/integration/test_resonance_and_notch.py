@@ -97,7 +97,7 @@ def words(folder: Path, *more: str) -> list[str]:
 @pytest.fixture
 def identified(folder: Path, capsys: pytest.CaptureFixture[str]) -> dict[str, Any]:
     capsys.readouterr()
-    return found_by(words(folder, "--out", str(folder / "x.toml")), capsys)
+    return found_by(words(folder, "--write", str(folder / "x.toml")), capsys)
 
 
 def test_the_log_gives_the_resonance_and_the_masses(folder: Path, identified: dict[str, Any]) -> None:
@@ -126,7 +126,7 @@ def test_the_notch_keeps_6_db_and_30_degrees_with_the_gains_that_break_them(
     folder: Path, identified: dict[str, Any], capsys: pytest.CaptureFixture[str]
 ) -> None:
     out = folder / "notched.toml"
-    assert main(["notch", str(folder / "part.toml"), "--out", str(out), "--json"]) == 0
+    assert main(["notch", str(folder / "part.toml"), "--write", str(out), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     design = found["designs"]["x"]
     assert list(found["designs"]) == ["x"] and not codes(found)
@@ -172,7 +172,7 @@ def test_a_position_loop_that_is_too_fast_fails(folder: Path, identified: dict[s
     assert codes(json.loads(capsys.readouterr().out)) == {"CL641"}
 
 
-@pytest.mark.parametrize(("more", "word"), [(["--axes", "z"], "z"), (["--axes", "y"], "mass-damper"), (["--out", "notched.json"], ".toml")])
+@pytest.mark.parametrize(("more", "word"), [(["--axes", "z"], "z"), (["--axes", "y"], "mass-damper"), (["--write", "notched.json"], ".toml")])
 def test_faults_are_named(folder: Path, identified: dict[str, Any], more: list[str], word: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["notch", str(folder / "part.toml"), *more]) == 2
     error = capsys.readouterr().err

@@ -40,7 +40,7 @@ _PRODUCTS = "learned/"
 """Folder of files that stay when the next run replaces their summary."""
 
 
-def check_file(file: str | Path, inputs: Iterable[str | Path] = (), option: str = "--out") -> None:
+def check_file(file: str | Path, inputs: Iterable[str | Path] = (), option: str = "--write") -> None:
     """Check before the work that a file can be written, and leave nothing behind.
 
     Parameters

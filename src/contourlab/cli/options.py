@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 import typer
 
 from contourlab.cli.output import wants_progress
+from contourlab.errors import ParameterError
 
 if TYPE_CHECKING:
     from contourlab.features.run.command import RunOptions
@@ -24,7 +25,17 @@ Schemes: TypeAlias = Annotated[
     ),
 ]
 Trials: TypeAlias = Annotated[int | None, typer.Option(help="Largest number of trials after the first; by default as in the scenario.")]
-Out: TypeAlias = Annotated[Path, typer.Option(help="Folder for the results; created if missing.")]
+
+
+def _folder(out: Path) -> Path:
+    """Refuse a file where a folder is meant."""
+    if out.suffix.lower() == ".toml":
+        raise ParameterError("--out", repr(str(out)), "a folder for results; --write names a file, where a command writes one")
+    return out
+
+
+Out: TypeAlias = Annotated[Path, typer.Option(help="Folder for the results; created if missing.", callback=_folder)]
+Write: TypeAlias = Annotated[Path | None, typer.Option(help="TOML file to write; creates missing folders.", show_default=False)]
 Json: TypeAlias = Annotated[bool, typer.Option("--json", help="Print only JSON on standard output.")]
 Judge: TypeAlias = Annotated[
     str | None,

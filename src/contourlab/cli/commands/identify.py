@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Plots, SamplePeriod
+from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, Plots, SamplePeriod, Write
 from contourlab.cli.output import emit_json, say
 
 MODEL = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor, two-mass, two-inertia."
@@ -49,8 +49,8 @@ def identify(
     excitation: Annotated[
         str, typer.Option(help="Frequency response: reference, where it moves; or command, if a test signal is added to it.")
     ] = "reference",
-    out: Annotated[Path | None, typer.Option(help="The axis file to write.", show_default=False)] = None,
-    folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+    write: Write = None,
+    out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
 ) -> int:
@@ -76,7 +76,7 @@ def identify(
         side=side,
         excitation=excitation,
     )
-    identification = identify_log(request, out=out, plots=tuple(plots or ()), folder=folder)
+    identification = identify_log(request, out=write, plots=tuple(plots or ()), folder=out)
     if as_json:
         emit_json(identification.summary)
     else:

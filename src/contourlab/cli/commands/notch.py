@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import GainMargin, Json, PhaseMargin, Plugins, ScenarioFile, listed
+from contourlab.cli.options import GainMargin, Json, PhaseMargin, Plugins, ScenarioFile, Write, listed
 from contourlab.cli.output import show_result
 
 
@@ -19,7 +18,7 @@ def notch(
     ] = None,
     gain_margin: GainMargin = 6.0,
     phase_margin: PhaseMargin = 30.0,
-    out: Annotated[Path | None, typer.Option(help="Controller file to write; creates missing folders.", show_default=False)] = None,
+    write: Write = None,
     as_json: Json = False,
     plugin: Plugins = None,
 ) -> int:
@@ -28,6 +27,6 @@ def notch(
     from contourlab.features.notch.command import notch_scenario
 
     bounds = Bounds(gain_margin, phase_margin)
-    notched = notch_scenario(file, scheme=scheme, axes=listed(axes), bounds=bounds, out=out, plugins=tuple(plugin or ()))
+    notched = notch_scenario(file, scheme=scheme, axes=listed(axes), bounds=bounds, out=write, plugins=tuple(plugin or ()))
     show_result(notched, as_json)
     return 0 if notched.passed else 1

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Plots, Plugins, SamplePeriod, ScenarioFile
+from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, Plots, Plugins, SamplePeriod, ScenarioFile, Write
 from contourlab.cli.output import emit_json, say
 
 
@@ -33,11 +33,8 @@ def refine(
     validation: Annotated[Path | None, typer.Option(help="Log for validation, under the first scenario.", show_default=False)] = None,
     starts: Annotated[int, typer.Option(help="Number of searches, from the scenario's values and from points around them.")] = 3,
     plugin: Plugins = None,
-    machine: Annotated[
-        Path | None,
-        typer.Option("--out", help="Machine file to write, controllers in the same folder; creates missing folders.", show_default=False),
-    ] = None,
-    folder: Annotated[Path, typer.Option(help="Folder for pictures; created if missing.")] = Path("results"),
+    write: Write = None,
+    out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
 ) -> int:
@@ -60,9 +57,9 @@ def refine(
         validation=choice(validation) if validation is not None else None,
         starts=starts,
         plugins=tuple(plugin or ()),
-        out=machine,
+        out=write,
         plots=tuple(plots or ()),
-        folder=folder,
+        folder=out,
         progress=progress,
     )
     if as_json:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import GainMargin, Json, Judge, Parameters, PhaseMargin, Plots, Plugins, Seed, Threads, Width
+from contourlab.cli.options import GainMargin, Json, Judge, Out, Parameters, PhaseMargin, Plots, Plugins, Seed, Threads, Width, Write
 from contourlab.cli.output import emit_json, say, wants_progress
 
 
@@ -40,8 +40,8 @@ def tune(
     starts: Annotated[int, typer.Option(help="Starts of the global search.")] = 5,
     seed: Seed = 0,
     threads: Threads = None,
-    out: Annotated[Path | None, typer.Option(help="Controller file to write; creates missing folders.", show_default=False)] = None,
-    folder: Annotated[Path, typer.Option(help="Folder for pictures; created if missing.")] = Path("results"),
+    write: Write = None,
+    out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
     plugin: Plugins = None,
@@ -77,9 +77,9 @@ def tune(
         controller=controller,
         tolerance=tolerance,
         judge=judge,
-        out=out,
+        out=write,
         plots=tuple(plots or ()),
-        folder=folder,
+        folder=out,
         plugins=tuple(plugin or ()),
         progress=wants_progress(as_json),
     )

@@ -71,7 +71,7 @@ def identify_log(
     if out is not None:
         check_file(out, request.inputs)
     drawn: list[Path] = []
-    with staged(folder, inputs=request.inputs, option="--folder") if plots else nullcontext() as stage:
+    with staged(folder, inputs=request.inputs) if plots else nullcontext() as stage:
         identified = request.identify()
         if stage is not None:
             from contourlab.report.plots import write_charts
@@ -87,7 +87,7 @@ def identify_log(
         why = f"these logs give no axis file for model {identified.model}" if identified.usable else "the results are not usable"
         lines.append(f"{out} not written: {why}")
     elif identified.usable and identified.tables:
-        lines.append("no axis file: name one with --out")
+        lines.append("no axis file: name one with --write")
     summary = json_values(replace(identified, axis_file=Path(out) if out is not None and written else None))
     return Identification(identified.usable and (written or out is None), summary, "\n".join(lines))
 

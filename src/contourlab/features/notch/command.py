@@ -68,7 +68,7 @@ class Notched:
         parts = [f"{self.name}, {self.scheme}", *(_design_text(axis, design) for axis, design in self.designs.items()), _runs(self)]
         parts.append(paragraphs(map(str, self.findings)))
         written = self.controller_file
-        parts.append("no controller file: name one with --out" if written is None else f"controller file: {written}")
+        parts.append("no controller file: name one with --write" if written is None else f"controller file: {written}")
         return "\n\n".join(filter(None, parts))
 
 
@@ -110,7 +110,7 @@ def notch_scenario(
     from contourlab.scenario.dump import dump
 
     if out is not None and Path(out).suffix.lower() != ".toml":
-        raise ParameterError("--out", repr(str(out)), "a controller file, which ends in .toml")
+        raise ParameterError("--write", repr(str(out)), "a controller file, which ends in .toml")
     scenario: Scenario = load_scenario(file, plugins=plugins)
     if out is not None:
         check_file(out, scenario.inputs)

@@ -63,7 +63,7 @@ class Refinement:
     def text(self) -> str:
         """Return the tables, the findings, and the files written."""
         parts = [self._parameters().text(), self._agreements().text(), self._held_out(), paragraphs(map(str, self.findings))]
-        files = ["no machine file: name one with --out" if self.machine_file is None else f"machine: {self.machine_file}"]
+        files = ["no machine file: name one with --write" if self.machine_file is None else f"machine: {self.machine_file}"]
         files += [f"controller: {file}" for file in self.controller_files] + [f"plot: {file}" for file in self.plots]
         return "\n\n".join(filter(None, [*parts, "\n".join(files)]))
 
@@ -165,7 +165,7 @@ def refine_logs(
         for run in runs:
             spared(_beside(Path(out), run), inputs)
     drawn: list[Path] = []
-    with staged(folder, inputs=inputs, option="--folder") if plots else nullcontext() as stage:
+    with staged(folder, inputs=inputs) if plots else nullcontext() as stage:
         result = refine(runs, parameters, windows=spans, settings=RefineSettings(starts=starts), progress=progress)
         result, crossed = cross_validated(result, progress=progress)
         validated: list[tuple[Agreement, ...]] = [(), ()]

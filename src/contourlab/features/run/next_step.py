@@ -38,7 +38,7 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
         steps.append(("Run it with the changed controller:", _typed("run", file, words)))
     scheme = [] if outcomes[-1].name == "base" else ["--scheme", min(judged, key=lambda one: one.metrics.part_error.max).name]
     if not kept or part:
-        steps.append(("Search all gains:", _typed("tune", file, [*_without(options, "--out"), *scheme])))
+        steps.append(("Search all gains:", _typed("tune", file, [*_of_case(options), *scheme])))
     else:
         steps.append(("Find what the error depends on:", _typed("sensitivity", file, scheme)))
     return steps
@@ -48,6 +48,12 @@ def _split(command: str) -> tuple[str, list[str]]:
     """Return the file and the options of a command as typed."""
     words = shlex.split(command)[2:]
     return words[0], [word for word in words[1:] if word not in ("--interval", "--no-interval")]
+
+
+def _of_case(options: Sequence[str]) -> list[str]:
+    """Return the options that say what runs, with their values."""
+    pairs = zip(options, [*options[1:], ""], strict=True)
+    return [word for name, value in pairs if name in ("--machine", "--controller", "--tolerance", "--judge") for word in (name, value)]
 
 
 def _without(options: Sequence[str], name: str) -> list[str]:

@@ -59,7 +59,8 @@ class Calibration:
         head = paragraphs([f"{self.name}, {self.scheme}", f"objective: {goal.label}", f"bounds: {bounds.words}"])
         parts = [head, *tables(goal, self.result)]
         parts.append(paragraphs(map(str, self.findings)))
-        files = ["no controller file: name one with --out" if self.controller_file is None else f"controller file: {self.controller_file}"]
+        written = self.controller_file
+        files = ["no controller file: name one with --write" if written is None else f"controller file: {written}"]
         files += [f"plot: {file}" for file in self.plots]
         return "\n\n".join([*parts, "\n".join(files)])
 
@@ -111,7 +112,7 @@ def tune_scenario(
     """
     check_plots(plots)
     if out is not None and Path(out).suffix.lower() != ".toml":
-        raise ParameterError("--out", repr(str(out)), "a controller file, which ends in .toml")
+        raise ParameterError("--write", repr(str(out)), "a controller file, which ends in .toml")
     parts: dict[str, Any] = {"machine": machine, "controller": controller, "tolerance": tolerance}
     scenario = scenario_of(file, **parts, plugins=plugins).judging(judge)
     case = scenario.base if scheme is None else scenario.case(scheme)
@@ -119,7 +120,7 @@ def tune_scenario(
         raise ScenarioError("the controller changes during the run: calibrate each controller in its own scenario", file=file)
     if out is not None:
         check_file(out, scenario.inputs)
-    with staged(folder, inputs=scenario.inputs, option="--folder") if plots else nullcontext() as stage:
+    with staged(folder, inputs=scenario.inputs) if plots else nullcontext() as stage:
         with shown(progress) as stages:
             stages.begin("planning")
             reference = case.reference()
