@@ -172,7 +172,9 @@ def test_a_position_loop_that_is_too_fast_fails(folder: Path, identified: dict[s
     assert codes(json.loads(capsys.readouterr().out)) == {"CL641"}
 
 
-@pytest.mark.parametrize(("more", "word"), [(["--axes", "z"], "z"), (["--axes", "y"], "mass-damper"), (["--write", "notched.json"], ".toml")])
+@pytest.mark.parametrize(
+    ("more", "word"), [(["--axes", "z"], "z"), (["--axes", "y"], "mass-damper"), (["--write", "notched.json"], ".toml")]
+)  # fmt: skip
 def test_faults_are_named(folder: Path, identified: dict[str, Any], more: list[str], word: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["notch", str(folder / "part.toml"), *more]) == 2
     error = capsys.readouterr().err

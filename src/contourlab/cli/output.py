@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
 import sys
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -56,6 +57,19 @@ def show_result(result: HasText, as_json: bool) -> None:
         emit_json(result)
     else:
         say(result.text)
+
+
+def suggest(as_json: bool, *words: object) -> None:
+    """Print the next command to type; words that are None are left out with the option before them."""
+    if as_json:
+        return
+    typed: list[str] = []
+    for word in words:
+        if word is None:
+            typed.pop()
+        else:
+            typed.append(str(word))
+    say(f"\nnext: {shlex.join(['contourlab', *typed])}")
 
 
 def conclude(outcome: RunOutcome, as_json: bool) -> int:

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, listed
-from contourlab.cli.output import show_result
+from contourlab.cli.output import show_result, suggest
 
 
 def analyse(
@@ -27,4 +27,5 @@ def analyse(
 
     analysis = analyse_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), plots=tuple(plots or ()), out=out, whole=whole)
     show_result(analysis, as_json)
+    suggest(as_json, "compare", file, "--schemes", schemes)
     return 0 if analysis.good else 1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contourlab.cli.options import Json, Plugins, ScenarioFile, Schemes, listed
-from contourlab.cli.output import show_result, wants_progress
+from contourlab.cli.output import show_result, suggest, wants_progress
 
 
 def backlash(file: ScenarioFile, schemes: Schemes = None, as_json: Json = False, plugin: Plugins = None) -> int:
@@ -12,4 +12,5 @@ def backlash(file: ScenarioFile, schemes: Schemes = None, as_json: Json = False,
 
     outcome = backlash_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), progress=wants_progress(as_json))
     show_result(outcome, as_json)
+    suggest(as_json, "compare", file)
     return 0

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import BlockDelete, Dialect, Json, MostMoves, Part, ToolTable, reading_of
-from contourlab.cli.output import emit_json, say, wants_progress
+from contourlab.cli.output import emit_json, say, suggest, wants_progress
 
 FAULTY = 2
 
@@ -37,4 +37,6 @@ def check(
         emit_json(checked)
     else:
         say(checked.text)
+    if not checked.faults:
+        suggest(as_json, "run", file, "--machine", machine or "xyz", "--controller", None if machine else "xyz-controller")
     return FAULTY if checked.faults else 0

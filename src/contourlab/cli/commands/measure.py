@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, Plots, SamplePeriod, listed
-from contourlab.cli.output import conclude
+from contourlab.cli.output import conclude, suggest
 
 
 def measure(
@@ -52,4 +52,6 @@ def measure(
     choice = LogChoice(log, tuple(column or ()), columns, format, period, listed(axes))
     asked = {"reference": reference, "shift": shift, "tolerance": tolerance}
     outcome = measure_log(choice, out, **asked, plots=tuple(plots or ()), command=shlex.join(words))
-    return conclude(outcome, as_json)
+    code = conclude(outcome, as_json)
+    suggest(as_json, "identify", log, "--model", "rigid")
+    return code

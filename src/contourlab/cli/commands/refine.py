@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, Plots, Plugins, SamplePeriod, ScenarioFile, Write
-from contourlab.cli.output import emit_json, say
+from contourlab.cli.output import emit_json, say, suggest
 
 
 def refine(
@@ -66,4 +66,8 @@ def refine(
         emit_json(refinement)
     else:
         say(refinement.text())
+    if write is None:
+        suggest(as_json, "refine", scenario, *(word for file in log for word in ("--log", file)), "--write", "machine.toml")
+    else:
+        suggest(as_json, "sensitivity", scenario)
     return 0 if refinement.result.usable else 1

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import Json, Judge, Out, Parameters, Plots, Plugins, ScenarioFile, Seed, Threads, Width, listed
-from contourlab.cli.output import emit_json, say, wants_progress
+from contourlab.cli.output import emit_json, say, suggest, wants_progress
 
 
 def sensitivity(
@@ -57,4 +57,5 @@ def sensitivity(
         emit_json(result)
     else:
         say(result.text())
+    suggest(as_json, "tune", file, "--scheme", scheme or None)
     return 0

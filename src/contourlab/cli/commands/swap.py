@@ -21,7 +21,7 @@ from contourlab.cli.options import (
     Width,
     listed,
 )
-from contourlab.cli.output import conclude, wants_progress
+from contourlab.cli.output import conclude, suggest, wants_progress
 
 
 def swap(
@@ -135,4 +135,6 @@ def swap(
     )
     swaps = [(name, [one.strip() for one in text.split(",")]) for name, text in zip(axis, others, strict=True)]
     outcome = swap_scenario(file, swaps, out, options, scheme=scheme, plots=tuple(plots or ("png",)), progress=wants_progress(as_json))
-    return conclude(outcome, as_json)
+    code = conclude(outcome, as_json)
+    suggest(as_json, "link", file)
+    return code

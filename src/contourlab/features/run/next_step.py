@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 
 from contourlab.features.run.outcome import Outcome
@@ -52,8 +53,8 @@ def _split(command: str) -> tuple[str, list[str]]:
 
 def _of_case(options: Sequence[str]) -> list[str]:
     """Return the options that say what runs, with their values."""
-    pairs = zip(options, [*options[1:], ""], strict=True)
-    return [word for name, value in pairs if name in ("--machine", "--controller", "--tolerance", "--judge") for word in (name, value)]
+    shared = ("--machine", "--controller", "--tolerance", "--judge")
+    return [word for name, value in pairwise(options) if name in shared for word in (name, value)]
 
 
 def _without(options: Sequence[str], name: str) -> list[str]:

@@ -1,0 +1,47 @@
+"""The next command after a run: it can be typed as it stands."""
+
+from __future__ import annotations
+
+import shlex
+from pathlib import Path
+
+import pytest
+
+from contourlab.cli.main import main
+
+PART = "G21 G90 F1500\nG64 P0.01\nG1 X8\nG3 X8 Y8 I0 J4\nG1 X0\nM2\n"
+
+
+def last_line(capsys: pytest.CaptureFixture[str]) -> list[str]:
+    """Return the words of the last line that was printed, without the prompt."""
+    line = capsys.readouterr().out.strip().splitlines()[-1]
+    assert line.startswith("next: contourlab ")
+    return shlex.split(line)[2:]
+
+
+@pytest.fixture
+def part(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """A part program on a shipped machine."""
+    monkeypatch.chdir(tmp_path)
+    Path("my part.ngc").write_text(PART, encoding="ascii")
+    return ["run", "my part.ngc", "--machine", "xyz", "--controller", "xyz-controller", "--no-interval"]
+
+
+def test_without_a_tolerance_it_judges(part: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(part) == 0
+    words = last_line(capsys)
+    assert words[:2] == ["run", "my part.ngc"] and "--tolerance" in words
+    assert main([*words, "--check"]) == 0
+
+
+def test_after_a_failure_it_runs_the_proposed_controller(part: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*part, "--tolerance", "0.5 um"]) == 1
+    words = last_line(capsys)
+    assert words[0] == "run" and Path(words[words.index("--controller") + 1]).is_file() and words.count("--controller") == 1
+    assert main([*words, "--check"]) == 0
+
+
+def test_after_a_success_it_tunes(part: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*part, "--tolerance", "1 mm"]) == 0
+    words = last_line(capsys)
+    assert words[:2] == ["tune", "my part.ngc"] and words[-2:] == ["--tolerance", "1 mm"]
