@@ -27,6 +27,20 @@ DESIGNED = ("velocity_gain", "position_gain", "integral_gain", "integral_time", 
 STATED = "value"
 """Key of the value in a table of a number and its source."""
 
+OTHER_NAMES = {
+    **dict.fromkeys(("p-pi", "ppi", "pi", "servo", "p-pi-cascade", "cascaded"), "cascade"),
+    **dict.fromkeys(("ccc", "cross-coupling", "crosscoupled"), "cross-coupled"),
+    **dict.fromkeys(("dob", "dobs", "observer"), "disturbance-observer"),
+    **dict.fromkeys(("stribeck", "dry", "stick-slip"), "coulomb"),
+    **dict.fromkeys(("mass", "linear-axis", "rigid"), "mass-damper"),
+    **dict.fromkeys(("ballscrew", "screw", "leadscrew", "lead-screw"), "ball-screw"),
+    **dict.fromkeys(("two-mass-model", "resonant", "elastic", "flexible"), "two-mass"),
+    **dict.fromkeys(("ilc", "zero-phase-ilc"), "zero-phase"),
+    **dict.fromkeys(("linear-scale", "grating", "resolver", "glass-scale"), "encoder"),
+    **dict.fromkeys(("derivative", "dirty-derivative", "difference"), "filtered-difference"),
+    **dict.fromkeys(("ff", "feedforward", "model-inverse"), "inverse-dynamics"),
+}
+"""Other words for components -> their kinds."""
 MAX_DEPTH = 12
 _BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
 _TEXTS = ("name", "file")
@@ -138,13 +152,14 @@ def dotted(key: str, name: str) -> str:
 
 
 def hint(name: str, known: Iterable[str]) -> str:
-    """Suggest the nearest known name, or list all names.
+    """Suggest the known name of the same thing, or the nearest one, or list all names.
 
-    >>> hint("dampng", ["gain", "damping"])
-    "did you mean 'damping'?"
+    >>> hint("dampng", ["gain", "damping"]), hint("P-PI", ["pid", "cascade"])
+    ("did you mean 'damping'?", "did you mean 'cascade'?")
     """
     names = list(known)
-    near = difflib.get_close_matches(name, names, n=1, cutoff=0.6)
+    same = OTHER_NAMES.get(name.lower().replace("_", "-"))
+    near = [same] if same in names else difflib.get_close_matches(name, names, n=1, cutoff=0.6)
     if near:
         return f"did you mean {near[0]!r}?"
     return "use one of " + ", ".join(names) if names else "none is allowed here"

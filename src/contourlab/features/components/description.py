@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from contourlab.components.contract import Component, Parameter
 from contourlab.errors import ComponentError
 from contourlab.report.table import Column, Table, paragraphs
+from contourlab.scenario.tree import hint
 from contourlab.units import from_si
 
 STAND_IN = ("full_scale", "full_scale")
@@ -57,9 +58,10 @@ def chosen(name: str | None, known: list[type[Component]]) -> list[type[Componen
         return known
     named = [kind for kind in known if name in (kind.family, kind.kind, f"{kind.family}/{kind.kind}")]
     if not named:
-        families = ", ".join(dict.fromkeys(kind.family for kind in known))
-        kinds = ", ".join(dict.fromkeys(kind.kind for kind in known))
-        raise ComponentError(f"no family or kind {name!r}; families: {families}; kinds: {kinds}")
+        families, kinds = (list(dict.fromkeys(getattr(kind, what) for kind in known)) for what in ("family", "kind"))
+        meant = hint(name, [*families, *kinds])
+        cure = meant if meant.startswith("did") else f"use a family: {', '.join(families)}; contourlab components lists all kinds"
+        raise ComponentError(f"no family or kind {name!r}: {cure}")
     return named
 
 
