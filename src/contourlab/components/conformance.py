@@ -69,8 +69,11 @@ UNWIRED = {("velocity", "true")}
 """Ideal parts with ports of their own; the loop runs no node for them."""
 
 
-def check_component(kind: type[Component], *, jit: bool = True) -> None:
-    """Check that a component keeps the contract.
+DECLARED = "declarations and example"
+
+
+def check_component(kind: type[Component], *, jit: bool = True) -> tuple[str, ...]:
+    """Check that a component keeps the contract, and return what was checked.
 
     Runs the `example` and checks: declarations (family, ports, bounds, documentation), sizes, finite outputs and states, determinism, save
     and restore in mid-run, agreement of lanes, compiled scalar and plain Python to 1e-9, the linear model against the step, that friction
@@ -83,13 +86,19 @@ def check_component(kind: type[Component], *, jit: bool = True) -> None:
     jit : bool
         Whether to check the compiled forms too.
 
+    Returns
+    -------
+    tuple of str
+        The checks, in words; a component without a linear model, say, has one less.
+
     Raises
     ------
     ComponentError
         At the first broken clause.
 
     >>> from contourlab.components.drive.saturation import Saturation
-    >>> check_component(Saturation, jit=False)
+    >>> check_component(Saturation, jit=False)[0]
+    'declarations and example'
     """
     _check_declaration(kind)
     try:
@@ -100,12 +109,20 @@ def check_component(kind: type[Component], *, jit: bool = True) -> None:
         fault = learning_fault(part, _others)
         if fault:
             raise _fault(kind, fault)
-        return
+        return DECLARED, "corrections of a trial"
     for scale in SCALES:
         _check_running(kind, part, scale, jit)
-    _check_linear(kind, part)
-    _check_passive(kind, part)
+    linear, passive = _check_linear(kind, part), _check_passive(kind, part)
     _check_effects(kind, part)
+    checks = {
+        DECLARED: True,
+        f"{TICKS} ticks at {len(SCALES)} sizes: finite, repeatable, saved and restored": True,
+        "compiled form and lanes agree with plain Python": jit,
+        "linear model agrees with the step": linear,
+        "takes energy at every speed": passive,
+        f"every parameter has an effect ({len(kind.parameters)})": bool(kind.parameters),
+    }
+    return tuple(words for words, done in checks.items() if done)
 
 
 def _fault(kind: type[Component], message: str) -> ComponentError:
@@ -285,11 +302,12 @@ def _check_resume(kind: type[Component], part: Component, scale: float, jit: boo
         raise _fault(kind, "a run in two halves differs from one run: keep all memory in its states or its ring")
 
 
-def _check_linear(kind: type[Component], part: Component) -> None:
+def _check_linear(kind: type[Component], part: Component) -> bool:
+    """Check the linear model; return whether there is one."""
     model = part.linearize()
     # A ring is not part of the states, so the model of a delay cannot be checked.
     if model is None or kind.ring or kind.family not in SLOTS:
-        return
+        return False
     step = part.make_step(2)
     if kind.family == "plant":
         from contourlab.components.mechanics.core import link
@@ -301,18 +319,20 @@ def _check_linear(kind: type[Component], part: Component) -> None:
     fault = linear_fault(model, step, lambda dt: {**part.block(dt), **tables})
     if fault:
         raise _fault(kind, f"its linear model differs from its step: {fault}")
+    return True
 
 
-def _check_passive(kind: type[Component], part: Component) -> None:
-    """Check that friction dissipates energy at every speed; skip bristles, whose force depends on their past."""
+def _check_passive(kind: type[Component], part: Component) -> bool:
+    """Check that friction dissipates energy at every speed; return False for bristles, whose force depends on their past."""
     law = getattr(kind, "law", "")
     force: Any = getattr(kind, {"smooth": "force", "sticking": "sliding"}.get(law, ""), None)
     if kind.family != "friction" or force is None:
-        return
+        return False
     par = part.constants()
     for speed in np.geomspace(1e-7, 10.0, 33):
         if not force(par, float(speed)) >= 0.0 or (law == "smooth" and not force(par, -float(speed)) <= 0.0):
             raise _fault(kind, f"adds energy at {speed:.3g} m/s: a friction force must oppose the motion")
+    return True
 
 
 def _check_effects(kind: type[Component], part: Component) -> None:

@@ -27,7 +27,9 @@ def components(
 
     for file in {file.resolve(): file for file in plugin or ()}.values():
         for kind in load_plugin(file):
-            check_component(kind)
+            checks = check_component(kind)
+            if not as_json:
+                say("\n".join([f"{kind.family}/{kind.kind} keeps the contract:", *(f"  {words}" for words in checks), ""]))
     kinds = chosen(name, known())
     if as_json:
         emit_json([describe(kind) for kind in kinds])
