@@ -14,6 +14,7 @@ from schemas import check_results
 from contourlab.__main__ import LINEAR_ALGEBRA
 
 os.environ.setdefault("MPLBACKEND", "Agg")
+os.environ["CONTOURLAB_PROGRESS"] = "0"  # tests read standard error
 # One thread, as in the command: processes that share processors would wait for each other's threads.
 for library in LINEAR_ALGEBRA:
     os.environ.setdefault(library, "1")

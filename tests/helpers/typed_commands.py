@@ -94,10 +94,11 @@ def invoke(
         return _in_its_own_process(folder, words, typed, env, before)
     streams = io.TextIOWrapper(io.BytesIO(typed.encode())), io.StringIO(), io.StringIO()
     was = sys.stdin, sys.stdout, sys.stderr, dict(os.environ), dict(registry._plugins), set(load._loaded)
+    chosen = environment()
     try:
         sys.stdin, sys.stdout, sys.stderr = streams
         os.environ.clear()
-        os.environ.update(environment())
+        os.environ.update(chosen)
         with contextlib.chdir(folder):
             code = main([str(word) for word in words])
     finally:

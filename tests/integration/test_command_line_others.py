@@ -91,7 +91,7 @@ def test_an_unknown_component_is_exit_code_2_and_lists_the_known_ones(contourlab
     assert (said.code, said.out) == (2, "")
     assert said.err.count("\n") == 1
     assert "'lugree'" in said.err
-    assert "lugre," in said.err
+    assert "'lugre'" in said.err
 
 
 def test_typed_answers_give_a_machine_that_runs_at_once(contourlab: Run, tmp_path: Path) -> None:

@@ -43,7 +43,7 @@ def test_a_contour_beyond_the_travel_of_an_axis_is_2(contourlab: Run, tmp_path: 
 
 
 @POSIX
-@pytest.mark.parametrize("full", [1_000_000, 3_000_000])
+@pytest.mark.parametrize("full", [1_000_000, 2_000_000])
 def test_a_disk_that_fills_up_late_keeps_the_old_results(contourlab: Run, old_results: Path, tmp_path: Path, full: int) -> None:
     import resource
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import threading
 from collections.abc import Iterator
@@ -68,8 +69,11 @@ _running: Heartbeat | None = None
 
 @contextmanager
 def heartbeat(command: str) -> Iterator[None]:
-    """Print a line on standard error every two seconds while the block runs."""
+    """Print a line on standard error every two seconds while the block runs, unless ``CONTOURLAB_PROGRESS=0``."""
     global _running
+    if os.environ.get("CONTOURLAB_PROGRESS") == "0":
+        yield
+        return
     _running = Heartbeat(command)
     thread = threading.Thread(target=_running.beat, daemon=True)
     thread.start()

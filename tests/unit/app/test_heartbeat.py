@@ -28,6 +28,9 @@ def test_the_time_left_follows_from_the_share_that_is_done(monkeypatch: pytest.M
 
 def test_a_working_command_prints_lines_and_a_quick_one_none(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr(stages, "INTERVAL", 0.05)
+    with heartbeat("silenced"):
+        time.sleep(0.2)
+    monkeypatch.delenv("CONTOURLAB_PROGRESS")
     with heartbeat("quick"):
         pass
     assert capfd.readouterr().err == ""

@@ -110,7 +110,7 @@ def test_an_input_file_is_not_overwritten_under_any_spelling(tmp_path: Path) -> 
     (tmp_path / "log.csv").write_text("of the user")
     (tmp_path / "link.csv").symlink_to(tmp_path / "log.csv")
     for name in ("log.csv", "link.csv", f"../{tmp_path.name}/log.csv"):
-        with pytest.raises(ParameterError, match=r"--out = .*: must be a different file: .*log\.csv"):
+        with pytest.raises(ParameterError, match=r"--write = .*: must be a different file: .*log\.csv"):
             check_file(tmp_path / name, ["nowhere.csv", tmp_path / "log.csv"])
     check_file(tmp_path / "other.csv", [tmp_path / "log.csv", "builtin:xyz"])
 

@@ -80,7 +80,7 @@ def test_an_error_is_one_message_without_traceback(capsys):
     shown = capsys.readouterr()
     assert shown.out == ""
     assert "anvil" in shown.err
-    assert "rigid-axis" in shown.err
+    assert "plant, " in shown.err
     assert "Traceback" not in shown.err
 
 
