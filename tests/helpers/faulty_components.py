@@ -243,6 +243,20 @@ class BadDefault(Amplifier):
     gain: float = param(default=-1.0, minimum=0.0, doc="g")
 
 
+class ExampleText(Amplifier):
+    """An example that is no mapping."""
+
+    kind = "example-text"
+    example = "gain = 2"  # type: ignore[assignment]
+
+
+class ReferenceTuple(Amplifier):
+    """A comma too many behind its source."""
+
+    kind = "reference-tuple"
+    reference = ("a paper",)  # type: ignore[assignment]
+
+
 class BadExample(Amplifier):
     """Has an example outside its own range."""
 

@@ -70,6 +70,8 @@ UNWIRED = {("velocity", "true")}
 
 
 DECLARED = "declarations and example"
+TYPED = ("reference", "example", "ring", "states", "inputs", "outputs", "derived", "tables", "unbounded", "without_effect", "calibrated")
+"""Attributes of a class that must have the type that `Component` gives them."""
 
 
 def check_component(kind: type[Component], *, jit: bool = True) -> tuple[str, ...]:
@@ -135,6 +137,10 @@ def _check_declaration(kind: type[Component]) -> None:
         raise ComponentError(f"{kind!r} is not a component: write a class with family and kind")
     if kind.family not in FAMILIES:
         raise _fault(kind, f"family {kind.family!r} is not one of {', '.join(FAMILIES)}")
+    for name in TYPED:
+        wanted = type(getattr(Component, name))
+        if not isinstance(getattr(kind, name), wanted):
+            raise _fault(kind, f"{name} = {getattr(kind, name)!r} is not a {wanted.__name__}")
     # Not inspect.getdoc, which would find the docstring of a parent.
     if not (kind.__doc__ or "").strip():
         raise _fault(kind, "has no docstring: write one")

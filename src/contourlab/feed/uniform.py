@@ -11,6 +11,9 @@ from contourlab.feed.profile import Profile
 from contourlab.feed.reference import Reference, checked_period
 from contourlab.geometry import Path
 
+MOST_SAMPLES = 1e15
+"""More have no exact number."""
+
 
 def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Reference:
     """Return laps of a closed path at constant speed: progress = length * frequency * t.
@@ -46,7 +49,9 @@ def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Ref
         raise FeedError(f"frequency = {frequency!r}: must be finite and > 0 Hz")
     if int(laps) != laps or laps < 1:
         raise FeedError(f"laps = {laps!r}: must be a whole number >= 1")
-    exact = laps / (frequency * period)
+    exact = laps / max(frequency * period, 1e-300)
+    if exact > MOST_SAMPLES:
+        raise FeedError(f"{laps} laps at {frequency:g} Hz take {exact:.3g} servo periods: use a frequency near 1 Hz")
     n_sample = round(exact)
     if n_sample < 1 or abs(exact - n_sample) > 1e-9 * exact:
         per_lap = max(round(1.0 / (frequency * period)), 1)

@@ -33,6 +33,8 @@ IN_PLAIN_PYTHON = [
     (faults.Undocumented, "gain .*no doc"),
     (faults.Mute, "docstring"),
     (faults.BadDefault, "default of gain"),
+    (faults.ExampleText, "example = .*not a dict"),
+    (faults.ReferenceTuple, "reference = .*not a str"),
     (faults.BadExample, "example.*gain = -1"),
     (faults.NoExample, "example.*gain = not"),
     (faults.ForgottenDerived, "fails.*ValueError"),

@@ -82,7 +82,7 @@ def test_uniform_laps_that_end_between_samples_are_refused_with_advice():
 
 def test_uniform_refuses_invalid_arguments():
     circle = contour("circle", radius=0.02)
-    for frequency, laps in [(0.0, 1), (np.inf, 1), (0.5, 0), (0.5, 1.5)]:
+    for frequency, laps in [(0.0, 1), (np.inf, 1), (1e-310, 1), (0.5, 0), (0.5, 1.5)]:
         with pytest.raises(FeedError):
             uniform(circle, frequency, laps, 1e-3)
     with pytest.raises(FeedError, match="closed"):
