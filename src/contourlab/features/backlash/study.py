@@ -25,6 +25,7 @@ from contourlab.metrics import CircleBacklash, backlash_of_runs, circles_of, jud
 from contourlab.result import Result
 from contourlab.scenario.dump import component_table
 from contourlab.scenario.toml_text import toml
+from contourlab.threads import in_threads
 from contourlab.units import from_si, to_si
 
 SIGNALS = ("reference", "arc_length", "axis_position", "axis_velocity", "tool_position", "motor_position", "applied_command")
@@ -186,10 +187,9 @@ def backlash_study(
         axes[axis.name] = _axis_gap(machine, controller, axis, result, seen, findings)
     judged = judge(result, reference)
     first = summarise(judged, reference).part_error
-    trials = [Trial("as it is", first.rms, first.max)]
-    for label, parts in _candidates(machine, axes):
-        begin(f"simulating {name} with {label}")
-        trials.append(_tried(label, parts, lambda: run(_with(controller, parts)), reference))  # noqa: B023
+    begin(f"simulating {name} with compensations")
+    tried = in_threads(lambda one: _tried(*one, lambda: run(_with(controller, one[1])), reference), _candidates(machine, axes))
+    trials = [Trial("as it is", first.rms, first.max), *tried]
     best = min(trials, key=lambda trial: math.inf if trial.part_error_rms is None else trial.part_error_rms)
     if best.part_error_rms is None or best.part_error_rms > (1.0 - WORTH) * first.rms:
         best = trials[0]
