@@ -72,6 +72,12 @@ def suggest(as_json: bool, *words: object) -> None:
     say(f"\nnext: {shlex.join(['contourlab', *typed])}")
 
 
+def suggest_file(as_json: bool, name: str) -> None:
+    """Say how to keep the result of the command in a file."""
+    if not as_json:
+        say(f"\nnext: the same command with --write {name}")
+
+
 def conclude(outcome: RunOutcome, as_json: bool) -> int:
     """Print the outcome of a command, and return its exit code: 0, or 1 if a verdict fails.
 

@@ -12,8 +12,8 @@ from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.judgement import Verdict
 from contourlab.report.samples import signal
 
-MOST_LINES, CONTEXT = 1000, 12
-"""Lines of a program that a page shows in full; of a longer one it shows the worst, and these many lines around the worst place."""
+MOST_LINES, CONTEXT, LETTERS = 1000, 12, 200
+"""Lines of a program that a page shows in full; of a longer one it shows the worst, and these many around them; letters of a line."""
 
 
 def sentence(data: ReportData) -> str:
@@ -92,7 +92,7 @@ def program_lines(data: ReportData) -> tuple[LineRow, ...]:
         shown = set(sorted(together, key=lambda line: -together[line])[: MOST_LINES // 2])
         shown |= {near for line in worst for near in range(max(1, line - CONTEXT), min(count, line + CONTEXT) + 1)}
     return tuple(
-        LineRow(n, data.program[n - 1], tuple(number(1e6 * column[n]) if n in column else NONE for column in columns), n in worst)
+        LineRow(n, data.program[n - 1][:LETTERS], tuple(number(1e6 * column[n]) if n in column else NONE for column in columns), n in worst)
         for n in sorted(shown)
         if 1 <= n <= count
     )

@@ -53,5 +53,6 @@ def measure(
     asked = {"reference": reference, "shift": shift, "tolerance": tolerance}
     outcome = measure_log(choice, out, **asked, plots=tuple(plots or ()), command=shlex.join(words))
     code = conclude(outcome, as_json)
-    suggest(as_json, "identify", log, "--model", "rigid")
+    same = [word for text in column or () for word in ("--column", text)]
+    suggest(as_json, "identify", log, "--model", "rigid", "--columns", columns, "--format", format, "--period", period, *same)
     return code

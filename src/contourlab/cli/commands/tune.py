@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import GainMargin, Json, Judge, Out, Parameters, PhaseMargin, Plots, Plugins, Seed, Threads, Width, Write
-from contourlab.cli.output import emit_json, say, suggest, wants_progress
+from contourlab.cli.output import emit_json, say, suggest, suggest_file, wants_progress
 
 
 def tune(
@@ -87,12 +87,11 @@ def tune(
         emit_json(calibration)
     else:
         say(calibration.text())
-    parts = ("--machine", machine, "--tolerance", tolerance)
     if calibration.controller_file is None:
-        own = () if calibration.result.after.violations else ("--write", "tuned.toml")
-        suggest(as_json, "tune", file, "--scheme", scheme, "--controller", controller, *parts, *(own or ("--start", "placed")))
+        suggest_file(as_json, "tuned.toml")
     elif machine is not None:
-        suggest(as_json, "run", file, *parts, "--controller", calibration.controller_file)
+        tuned = ("--controller", calibration.controller_file)
+        suggest(as_json, "run", file, "--machine", machine, "--tolerance", tolerance, "--judge", judge, *tuned)
     else:
         suggest(as_json, "sensitivity", file, "--scheme", scheme)
     return 0 if calibration.passed else 1

@@ -122,7 +122,7 @@ def _friction_fed_forward(machine: Machine, name: str, part: AxisController) -> 
     law = FrictionFeedforward(
         coulomb=coulomb,
         breakaway=max(breakaway, coulomb),
-        stribeck_velocity=next(float(friction["stribeck_velocity"]) for friction in both if "stribeck_velocity" in friction),
+        stribeck_velocity=next((float(friction["stribeck_velocity"]) for friction in both if "stribeck_velocity" in friction), 1e-3),
         smoothing_velocity=min(axis.limits.acceleration, 1.0) * machine.servo_period,
         force_constant=axis.plant.force_per_command,
     )
