@@ -23,7 +23,8 @@ def test_the_report_fits_on_one_page(amplitudes: tuple[float, ...], tmp_path: Pa
 
 def test_the_overview_leads_to_every_report(tmp_path: Path) -> None:
     data = replace(synthetic.report(), title="<script>alert(1)</script>")
-    text = write_overview(tmp_path / "page.html", "All hold.", {"a/report.html": data, "b/report.html": data}, "contourlab demo").read_text()
+    reports = {"a/report.html": data, "b/report.html": data}
+    text = write_overview(tmp_path / "page.html", "All hold.", reports, "contourlab demo").read_text(encoding="utf-8")
     assert [text.count(f'href="{name}/report.html"') for name in "ab"] == [1, 1]
     assert text.count('class="verdict good"') == 2 and text.count('class="verdict poor"') == 2
     assert text.count("data:image/svg+xml") == 2 and "<script" not in text and "All hold." in text and "contourlab demo" in text
