@@ -15,6 +15,7 @@ import synthetic
 
 from contourlab.report.comparison import compare
 from contourlab.report.html import write_html
+from contourlab.report.path_picture import path_charts
 from contourlab.result import Result
 
 BROWSER = next((found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None)
@@ -51,10 +52,12 @@ def browse(page: Path, *options: str) -> subprocess.CompletedProcess[str]:
 
 
 def acted(page: Path, script: str, *options: str) -> str:
-    """Open a copy of a page, run a script on it a second later, and return the document a while after."""
+    """Open a copy of a page, run a script on it once it has a picture, and return the document a while after."""
     text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", page.read_text(encoding="utf-8"))
     copy = page.with_name("acted.html")
-    copy.write_text(text.replace("</body>", f"<script>setTimeout(function () {{ {script} }}, 3000);</script></body>"), encoding="utf-8")
+    drawn = "document.querySelector('.plot[data-drawn] .main-svg')"
+    later = f"const waiting = setInterval(function () {{ if ({drawn}) {{ clearInterval(waiting); {script} }} }}, 300);"
+    copy.write_text(text.replace("</body>", f"<script>{later}</script></body>"), encoding="utf-8")
     seen = browse(copy, "--dump-dom", *options)
     assert [line for line in seen.stderr.splitlines() if "CONSOLE" in line and re.search("Uncaught|rror|WARN", line)] == []
     return seen.stdout
@@ -85,12 +88,12 @@ document.title = JSON.stringify([row, Number.isFinite(chosen), found, order, doc
 @pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
 @pytest.mark.parametrize("width", [1280, 400])
 def test_clicks_lead_from_a_line_to_its_path_and_back(data, page, width):
-    before = re.search(r'"start":([0-9.]+)', page.read_text(encoding="utf-8"))
+    before = path_charts(data, 100)[0].magnification
     document = acted(page, CLICKS, f"--window-size={width},3000", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
     row, drawn, found, order, scale = json.loads(html.unescape(re.search("<title>(.*?)</title>", document)[1]))
     assert (row, drawn) == ("4", True) and found == "Line 3: G21 G90 F3770"
     assert sorted(order.split(",")) == ["1", "2", "3", "4", "5"] and order.split(",")[0] in "34"
-    assert float(scale.split()[-1].replace("\u2009", "")) > float(before[1])
+    assert float(scale.split()[-1].replace("\u2009", "")) > before
     assert re.search(r'id="path-space"[^>]*data-drawn="1"', document)
 
 

@@ -60,7 +60,7 @@ class Page(HTMLParser):
     @property
     def figures(self) -> dict:
         """The data of the pictures."""
-        return json.loads(self.scripts[0])
+        return json.loads(gzip.decompress(base64.b64decode(self.scripts[0])))
 
 
 def unpack(array: dict[str, str]) -> np.ndarray:

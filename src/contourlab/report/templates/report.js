@@ -1,6 +1,6 @@
 "use strict";
 (function () {
-  const figures = JSON.parse(document.getElementById("figures").textContent);
+  let figures = {};
   // List the allowed buttons: the default set of plotly.js includes an upload of the data.
   const flat = [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"], ["toImage"]];
   const space = [["orbitRotation", "pan3d", "resetCameraDefault3d"], ["toImage"]];
@@ -17,12 +17,17 @@
     return array.dtype === "f8" ? new Float64Array(buffer) : array.dtype === "i4" ? new Int32Array(buffer) : new Float32Array(buffer);
   }
 
-  // --- the library, compressed in the page -------------------------------------------------------------------------------------------
+  // --- figures and library, compressed in the page ------------------------------------------------------------------------------------
+
+  async function unpacked(id) {
+    const packed = new Blob([bytes(document.getElementById(id).textContent)]);
+    return new Response(packed.stream().pipeThrough(new DecompressionStream("gzip"))).text();
+  }
 
   async function load() {
-    const stream = new Blob([bytes(document.getElementById("library").textContent)]).stream().pipeThrough(new DecompressionStream("gzip"));
+    figures = JSON.parse(await unpacked("figures"));
     const script = document.createElement("script");
-    script.textContent = await new Response(stream).text();
+    script.textContent = await unpacked("library");
     document.head.append(script);
   }
 
