@@ -24,6 +24,19 @@ def circle(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return file
 
 
+def test_a_quick_study_agrees_with_the_full_one_within_its_intervals(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["sensitivity", str(circle), *TWO, "--parts", "sobol,morris", "--json"]
+    found = []
+    for more in (["--quick", "--out", "quick"], ["--out", "full"]):
+        assert main([*words, *more]) == 0
+        found.append(json.loads(capsys.readouterr().out)["study"])
+    quick, full = found
+    assert full["sobol_sample"]["runs"] == 4 * quick["sobol_sample"]["runs"]
+    for part, name in (("sobol", "total"), ("sobol", "first"), ("morris", "mu_star")):
+        for one, other, within in zip(quick[part][name], full[part][name], quick[part][f"{name}_interval"], strict=True):
+            assert abs(one - other) < 1.5 * within
+
+
 def test_a_study_says_what_matters_and_keeps_its_runs(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["sensitivity", str(circle), *SMALL, "--second-order", "--out", "out", "--json"]
     assert main([*words, "--plots", "svg"]) == 0

@@ -35,6 +35,9 @@ def sensitivity(
     ] = None,
     transform: Annotated[str, typer.Option(help="log or none: whether morris and sobol use the logarithm of the figure.")] = "log",
     servo_period: Annotated[str, typer.Option(help='Servo period in place of the machine\'s, e.g. "0.1 ms".', show_default=False)] = "",
+    quick: Annotated[
+        bool, typer.Option("--quick", help="A quarter of the runs, twice the uncertainty; sets --values, --base and --trajectories.")
+    ] = False,
     judge: Judge = None,
     seed: Seed = 0,
     threads: Threads = None,
@@ -48,8 +51,10 @@ def sensitivity(
     It keeps its runs in the folder of the results: after an interrupt repeat the command, and it continues.
     """
     from contourlab.features.sensitivity.command import Request, sensitivity_of
-    from contourlab.features.sensitivity.study import PARTS, Plan
+    from contourlab.features.sensitivity.study import PARTS, QUICK, Plan
 
+    if quick:
+        values, base, trajectories = QUICK
     plan = Plan(listed(parts) or PARTS, figure, values, base, second_order, trajectories, transform, seed)
     request = Request(plan, scheme, tuple(parameter or ()), width, distribution, tuple(deviation or ()), servo_period, threads, judge)
     result = sensitivity_of(file, out, request, plugins=tuple(plugin or ()), plots=tuple(plots or ()), progress=wants_progress(as_json))

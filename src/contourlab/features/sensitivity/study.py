@@ -29,6 +29,8 @@ from contourlab.features.sensitivity.runs import FIGURES, Figure, Runs
 
 PARTS = ("curves", "local", "morris", "sobol")
 TRANSFORMS = ("log", "none")
+QUICK = (11, 128, 16)
+"""Values of a curve, N of Saltelli's sampling and trajectories of a quick study."""
 
 
 @dataclass(frozen=True)
