@@ -63,6 +63,9 @@ def acted(page: Path, script: str, *options: str) -> str:
     return seen.stdout
 
 
+OPEN = "document.querySelectorAll('.fold').forEach(function (fold) { fold.open = true; });"
+
+
 @pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
 def test_a_page_opens_without_complaint_and_with_its_path(page):
     seen = browse(page, "--dump-dom")
@@ -99,7 +102,7 @@ def test_clicks_lead_from_a_line_to_its_path_and_back(data, page, width):
 
 @pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
 def test_every_picture_is_drawn_once_its_fold_is_open(data, page):
-    document = acted(page, "document.querySelectorAll('.fold').forEach(function (fold) { fold.open = true; });")
+    document = acted(page, OPEN)
     places = re.findall(r'<div class="plot[^"]*" id="([^"]+)"[^>]*data-drawn="1"', document)
     assert set(places) == {"path-0", "circle-0", "error-time", "error-arc", "axis-0", "axis-1", "bode-0", "bode-1"}
     assert document.count('class="main-svg"') >= len(places)

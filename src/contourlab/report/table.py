@@ -69,7 +69,8 @@ class Table:
         """
         width = page_width() if width is None else width
         panels = [self._panel(which, width) for which in self._panels(width)]
-        return "\n".join(filter(None, [self.title, "\n\n".join(panels)]))
+        title = paragraphs([self.title], width) if self.title else ""
+        return "\n".join(filter(None, [title, "\n\n".join(panels)]))
 
     def _least(self, column: int) -> int:
         """Return the least width of a column."""

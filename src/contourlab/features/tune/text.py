@@ -10,7 +10,7 @@ from contourlab.features.run.margin_words import decibel, degrees
 from contourlab.features.tune.objective import FIGURES, Goal
 from contourlab.features.tune.study import Tuned
 from contourlab.figures import figure, listing
-from contourlab.report.table import Column, Table
+from contourlab.report.table import Column, Table, paragraphs
 
 
 def tables(goal: Goal, tuned: Tuned) -> Iterator[str]:
@@ -24,7 +24,7 @@ def tables(goal: Goal, tuned: Tuned) -> Iterator[str]:
     if tuned.global_result is not None:
         search = tuned.global_result.search
         per_start = listing([figure(value, goal.unit, 4) for value in search.per_start])
-        yield f"Global search: best of each start {per_start}; {search.runs} runs. Method of the result: {tuned.method}."
+        yield paragraphs([f"Global search: best of each start {per_start}; {search.runs} runs. Method of the result: {tuned.method}."])
     yield _figures(tuned).text()
     if tuned.after.margins:
         yield _margins(tuned).text()
