@@ -57,6 +57,13 @@ def test_a_message_period_adds_half_its_length_on_average() -> None:
     assert age[2:397].mean() == pytest.approx(2.0 + (5 - 1) / 2)
 
 
+@pytest.mark.parametrize("spacing", [48, 49, 98, 103, 107])
+def test_a_message_leaves_at_each_multiple_of_its_period(spacing: int) -> None:
+    """Also in machine code, which divides by multiplying: 49 (1/49) is below 1 in doubles."""
+    sent = np.arange(20.0 * spacing)
+    assert np.array_equal(received(sent, jit=True, message_period=spacing * PERIOD), spacing * np.floor(sent / spacing))
+
+
 @pytest.mark.parametrize(("given", "ticks"), [(0.0, 1), (0.4, 1), (1.0, 1), (1.0 + 1e-12, 1), (1.01, 2), (2.5, 3)])
 def test_times_are_rounded_up_to_servo_periods(given: float, ticks: int) -> None:
     steps = np.unique(np.diff(np.unique(stamps(message_period=given * PERIOD))))
