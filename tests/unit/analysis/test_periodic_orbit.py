@@ -9,8 +9,10 @@ import pytest
 from backlash_loops import FREE, HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_II, drive, integrated
 
 from contourlab.analysis.backlash.exact_simulation import simulate_exact
+from contourlab.analysis.backlash.lure import axis_backlash_loop
 from contourlab.analysis.backlash.periodic_orbit import Shooter, close_orbit, find_orbits
 from contourlab.papers.shahin.two_inertia_loop import p_pi_cascade, two_inertia_loop
+from contourlab.scenario import load_scenario
 
 
 def test_the_orbit_of_two_free_inertias() -> None:
@@ -42,6 +44,16 @@ def test_product_of_multipliers(name: str) -> None:
     orbit = find_orbits(loop, kicks=(30.0,)).stable[0]
     product = float(np.prod(orbit.multipliers).real)
     assert product == pytest.approx(math.exp(float(np.trace(loop.a)) * orbit.period), rel=1e-4, abs=1e-12)
+
+
+def test_a_motion_that_never_rests_is_closed_too() -> None:
+    """A loop that switches its controller has no prediction; its kicked motion goes on for thousands of mode changes."""
+    case = load_scenario("builtin:backlash/part").case("scheme III")
+    loop = axis_backlash_loop(case.machine.axes[0], case.controller.axes["x"], case.machine.servo_period, case.machine.carried_mass("x"))
+    (orbit,) = find_orbits(loop).stable
+    rounds = simulate_exact(loop, orbit.start, 40.0 * orbit.period)
+    late = rounds.difference(np.linspace(39.0, 40.0, 2001) * orbit.period)
+    assert 0.5 * float(np.ptp(late)) == pytest.approx(orbit.amplitude, rel=1e-4)
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.2])

@@ -9,11 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.backlash.exact_simulation import ExactRun, Span, simulate_exact, spans
+from contourlab.analysis.backlash.exact_simulation import ExactRun, Span, spans
 from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles, quasi_linear
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.analysis.backlash.mode_flow import GAP, Flow
@@ -247,8 +248,8 @@ def _half_range(values: Array) -> float:
 
 KICKS = (1.5, 5.0, 30.0, 200.0)
 """Initial motor-load differences of simulated motions, over half of the gap."""
-SETTLING = 60
-"""Mode changes after which a motion is tested for periodicity."""
+SETTLING, SETTLED = 60, 1000
+"""Mode changes before a motion is tested for periodicity, at least and at most."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -308,37 +309,33 @@ def _predicted_start(loop: BacklashLoop, amplitude: float, ratio: float, w: floa
 
 
 def _settled_orbit(loop: BacklashLoop, kick: float) -> PeriodicOrbit | None:
-    """Simulate a motion for at least `SETTLING` mode changes and shoot from its last contact; None if it comes to rest or runs away."""
-    start = kick * loop.half_gap * loop.c / float(loop.c @ loop.c)
+    """Simulate a motion from `SETTLING` to `SETTLED` mode changes and shoot from its last contact; None at rest or in a runaway."""
+    flow = Flow(loop)
+    w, mode = flow.lengthened(kick * loop.half_gap * loop.c / float(loop.c @ loop.c), None)
     duration = _first_look(loop)
     for _ in range(10):
-        try:
-            run = simulate_exact(loop, start, duration, most=20_000)
-        except ParameterError:
+        motion = tuple(islice(spans(flow, w, mode, duration, SETTLED), SETTLED))
+        last = motion[-1]
+        if last.following is None and last.time + last.duration < duration * (1.0 - 1e-12):
             return None
-        if run.diverged:
-            return None
-        if run.times.size >= SETTLING:
+        if len(motion) >= SETTLING:
             break
         duration *= 2.0
-    contacts = [i for i, mode in enumerate(run.modes) if mode == 1]
-    if run.times.size < SETTLING or len(contacts) < 4:
-        return None
-    return _from_returns(loop, run, contacts)
+    contacts = [span for span in motion if span.mode == 1]
+    return None if len(motion) < SETTLING or len(contacts) < 4 else _from_returns(loop, flow, contacts)
 
 
-def _from_returns(loop: BacklashLoop, run: ExactRun, contacts: list[int]) -> PeriodicOrbit | None:
+def _from_returns(loop: BacklashLoop, flow: Flow, contacts: Sequence[Span]) -> PeriodicOrbit | None:
     """Shoot from the last contact; the period is the time since the most recent similar contact."""
-    states = np.array([run.spans[i].start[: loop.n] for i in contacts])
+    states = np.array([span.start[: loop.n] for span in contacts])
     size = np.maximum(np.abs(states).max(axis=0), 1e-300)
     last = len(contacts) - 1
     earlier = range(max(0, last - 6), last)
     best = min(earlier, key=lambda i: (np.abs((states[i] - states[last]) / size).max() > 0.3, last - i))
     # Start half-way through a contact, away from the ends of the mode.
-    span = run.spans[contacts[last]]
-    middle = run.flow.exponential(span.mode, 0.5 * span.duration) @ span.start
-    period = float(run.times[contacts[last]] - run.times[contacts[best]])
-    return close_orbit(loop, middle[: loop.n], period, twist=float(middle[loop.n]) if run.flow.twisted else 0.0)
+    span = contacts[last]
+    middle = flow.exponential(span.mode, 0.5 * span.duration) @ span.start
+    return close_orbit(loop, middle[: loop.n], span.time - contacts[best].time, twist=float(middle[loop.n]) if flow.twisted else 0.0)
 
 
 def _first_look(loop: BacklashLoop) -> float:
