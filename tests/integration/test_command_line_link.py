@@ -97,7 +97,18 @@ def test_a_sweep_that_ends_early_says_so(circle: str, capsys: pytest.CaptureFixt
 
 def test_a_sweep_of_a_single_value_is_reported_too(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     words = (circle, "--division", "drive", "--ways", "both", "--vary", "message-period,delay", "--longest", "1 ms", "--json")
-    assert [one["code"] for one in scheme(capsys, *words)["findings"]] == ["CL759", "CL759"]
+    assert [one["code"] for one in scheme(capsys, *words)["findings"]] == ["CL759"]
+
+
+def test_a_quick_limit_lies_around_that_of_the_whole_sweep(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (circle, "--division", "observer", "--vary", "message-period,delay,loss", "--longest", "30 ms", "--seeds", "2", "--json")
+    quick, whole = scheme(capsys, *words, "--quick"), scheme(capsys, *words)
+    for few, all_values in zip(quick["divisions"], whole["divisions"], strict=True):
+        for quantity, sweep in all_values["sweeps"].items():
+            found = few["sweeps"][quantity]
+            assert found["most"] - 1e-9 <= sweep["most"] < found["fails"] and found["coarse"]
+            assert len(found["values"]) < len(sweep["values"])
+    assert [one["code"] for one in quick["findings"]] == ["CL765"]
 
 
 def test_if_nothing_holds_the_reason_is_reported(circle: str, capsys: pytest.CaptureFixture[str]) -> None:

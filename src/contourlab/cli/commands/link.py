@@ -42,6 +42,7 @@ def link(
     seeds: Annotated[
         int | None, typer.Option(help="Runs with jitter or loss; the worst counts; by default 8.", show_default=False)
     ] = None,
+    quick: Annotated[bool, typer.Option("--quick", help="Test a few values of each quantity: a limit lies between two of them.")] = False,
     out: Out = Path("results/link"),
     as_json: Json = False,
     plots: Plots = None,
@@ -63,6 +64,7 @@ def link(
         extrapolate=extrapolate,
         longest=longest,
         seeds=seeds,
+        quick=quick,
     )
     given = {"schemes": listed(schemes), "plugins": tuple(plugin or ()), "plots": tuple(plots or ()), "folder": out}
     result = link_scenario(file, options, **given, progress=wants_progress(as_json))  # type: ignore[arg-type]

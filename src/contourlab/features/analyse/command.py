@@ -108,8 +108,9 @@ class Analysis:
         """The result for the terminal."""
         parts = [text for name, scheme in self.schemes.items() for text in (_table(name, scheme), paragraphs(map(str, scheme.findings)))]
         bad = [name for name, scheme in self.schemes.items() if not scheme.good]
-        verdict = f"FAIL: {listing(bad)}." if bad else "PASS"
-        return "\n\n".join(filter(None, [*parts, verdict, "\n".join(map(str, self.files))]))
+        learns = ", every law learns" if any(scheme.learning is not None for scheme in self.schemes.values()) else ""
+        verdict = f"FAIL: {listing(bad)}." if bad else f"PASS: every loop is stable{learns}."
+        return "\n\n".join(filter(None, [verdict, *parts, "\n".join(map(str, self.files))]))
 
 
 def analyse_scenario(

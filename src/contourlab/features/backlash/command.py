@@ -67,9 +67,10 @@ def backlash_scenario(
 
 
 def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:
-    """Yield the tables of a study, its findings and the recommended compensation."""
+    """Yield the conclusions of a study, its tables and the recommended compensation."""
+    yield paragraphs([_sentence(name, study), *map(str, study.findings)])
     heads = ("gap in file [um]", "lost motion [um]", "motor and load: lost motion [um]", "motor alone: gap [um]", "confidence")
-    gaps = Table([Column("axis", left=True), *map(Column, heads)], name)
+    gaps = Table([Column("axis", left=True), *map(Column, heads)])
     if study.on_circle is not None:
         gaps.columns = [*gaps.columns, Column("on the circle, controlled [um]")]
     on_circle = {} if study.on_circle is None else dict(zip(study.on_circle.axes, study.on_circle.backlash, strict=True))
@@ -92,10 +93,19 @@ def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:
         errors = (NONE if error is None else number(1e6 * error) for error in (trial.part_error_rms, trial.part_error_max))
         trials.add(trial.name, *errors, "recommended" if trial.name == study.recommended else "")
     yield trials.text()
-    if study.findings:
-        yield paragraphs(map(str, study.findings))
     if study.toml:
         yield f"Add to the scenario:\n\n{study.toml.rstrip()}"
+
+
+def _sentence(name: str, study: BacklashStudy) -> str:
+    """Say how large the lost motion is, and what the recommended compensation gains."""
+    lost = ", ".join(f"{axis} {number(1e6 * gap.estimate)} um" for axis, gap in study.axes.items())
+    before, best = study.trials[0], next(trial for trial in study.trials if trial.name == study.recommended)
+    if best is before or before.part_error_rms is None or best.part_error_rms is None:
+        gain = "no compensation that was tried lowers the part error"
+    else:
+        gain = f"{best.name} lowers the part error from {number(1e6 * before.part_error_rms)} to {number(1e6 * best.part_error_rms)} um rms"
+    return f"{name}: lost motion {lost}; {gain}."
 
 
 def _plus_minus(value: float, deviation: float) -> str:

@@ -57,6 +57,8 @@ class LinkOptions:
         Largest time to test, by default `USUAL_LONGEST`.
     seeds : int, optional
         Runs with jitter or loss, by default `contourlab.features.link.sweep.SEEDS`.
+    quick : bool
+        Whether to test few values: each limit then lies between two of them.
     """
 
     divisions: tuple[str, ...] = ()
@@ -70,6 +72,7 @@ class LinkOptions:
     extrapolate: bool = False
     longest: str | None = None
     seeds: int | None = None
+    quick: bool = False
 
 
 def link_scenario(
@@ -148,7 +151,7 @@ def _scheme_cost(case: Case, options: LinkOptions, settings: LinkSettings, stage
     costs = []
     for label, controller in _controllers(case.controller, options, settings):
         stages.begin(f"{case.name}: {label}")
-        setting = LinkSetting(machine, controller, reference, figure, allowed, settings.seeds, case.seed, case.moving)
+        setting = LinkSetting(machine, controller, reference, figure, allowed, settings.seeds, case.seed, case.moving, options.quick)
         costs.append(division_cost(setting, settings.quantities, settings.longest, stages.advance))
     return SchemeCost(figure, whole, allowed, tuple(costs))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import count
 from typing import Any
 
 from contourlab.components.contract import Component
@@ -15,6 +16,7 @@ from contourlab.features.link.sweep import FIGURES, QUANTITIES, SEEDS, LinkSetti
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Division, Machine, parameter_names, simulate, simulate_batch
+from contourlab.threads import in_threads
 
 WAYS = {"both": "both ways", "one": "one way"}
 """Directions of messages. One way means down only: the base has its own wires to the sensors, or sees nothing."""
@@ -279,19 +281,24 @@ def division_cost(
     unknown = [name for name in quantities if name not in QUANTITIES]
     if unknown:
         raise ParameterError("quantities", repr(unknown[0]), "one of " + ", ".join(QUANTITIES))
-    sweeps = {}
-    for i, quantity in enumerate(quantities):
-        sweeps[quantity] = swept(setting, quantity, longest)
+    error, done = setting.as_given(), count(1)  # this run compiles the components before the threads start
+
+    def sweep(quantity: str) -> LinkSweep:
+        found = swept(setting, quantity, longest)
         if progress is not None:
-            progress(i + 1, len(quantities))
+            progress(next(done), len(quantities))
+        return found
+
+    sweeps = dict(zip(quantities, in_threads(sweep, quantities), strict=True))
     links = [axis.link for axis in setting.controller.axes.values() if axis.link is not None]
     divisions = ", ".join(dict.fromkeys(link.division for link in links))
     ways = ", ".join(dict.fromkeys("both" if isinstance(link.up, Network) else "one" for link in links))
     local = {name: axis.local_parameters for name, axis in setting.controller.axes.items()}
     period = next(iter(setting.networks.values())).message_period
     unstable = setting.growth("message_period", period) >= 1.0
-    findings = [*_on_links(setting), *(_on_stability(setting) if {"message_period", "delay"} & set(quantities) else ())]
-    return DivisionCost(divisions, ways, local, setting.as_given(), unstable, sweeps, tuple(findings))
+    timed = {"message_period", "delay"} & set(quantities)
+    findings = [*_on_links(setting), *(_on_stability(setting) if timed and not setting.coarse else ())]
+    return DivisionCost(divisions, ways, local, error, unstable, sweeps, tuple(findings))
 
 
 def _on_links(setting: LinkSetting) -> Iterator[Finding]:

@@ -10,16 +10,19 @@ from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
 
 LOSSES = np.linspace(0.0, 0.98, 50)
+FEW_LOSSES = LOSSES[[0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 49]]
 EACH = 128
 """Every multiple of the servo period is tested up to this one."""
 FARTHER = 64
 """Values per doubling above `EACH`."""
+FEW = 4
+"""Values per doubling of a coarse grid, and the multiple of the servo period up to which it has each one."""
 
 
-def times(quantity: str, period: float, longest: float) -> Array:
+def times(quantity: str, period: float, longest: float, coarse: bool = False) -> Array:
     """Return the times to test [s]: each multiple of the servo period up to `EACH`, then `FARTHER` values per doubling.
 
-    Grids of different length agree where they overlap, so a limit does not depend on `longest`.
+    Grids of different length agree where they overlap, so a limit does not depend on `longest`. A coarse grid has `FEW` for both numbers.
 
     Parameters
     ----------
@@ -27,6 +30,7 @@ def times(quantity: str, period: float, longest: float) -> Array:
         ``message_period`` begins at one servo period, other times begin at 0.
     period, longest : float [s]
         Servo period, and the last value.
+    coarse : bool
 
     Raises
     ------
@@ -36,10 +40,10 @@ def times(quantity: str, period: float, longest: float) -> Array:
     if not longest >= period:
         raise ParameterError("longest", f"{longest:g}", f">= the servo period, {period:g}", "s")
     last = math.floor(longest / period + 1e-9)
-    parts = [np.arange(min(EACH, last) + 1)]
-    start = EACH
+    start, farther = (FEW, FEW) if coarse else (EACH, FARTHER)
+    parts = [np.arange(min(start, last) + 1)]
     while start < last:
-        parts.append(np.arange(start, min(2 * start, last) + 1, start // FARTHER))
+        parts.append(np.arange(start, min(2 * start, last) + 1, start // farther))
         start *= 2
     ticks = np.unique(np.concatenate([*parts, [last]])).astype(float)
     return np.asarray(period * (ticks[1:] if quantity == "message_period" else ticks))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -57,10 +57,12 @@ class SchemeCost:
         return "um s" if self.figure == "contour_error_integral" else "um"
 
     def _found(self) -> Iterator[Finding]:
-        for quantity, sweep in self.divisions[0].sweeps.items():
-            gaps = np.diff(sweep.values, prepend=0.0)
-            step = amount(quantity, float(gaps[gaps > 0.0].min()))
-            yield finding("CL759", words(quantity), step=step, last=amount(quantity, sweep.asked))
+        sweeps = self.divisions[0].sweeps
+        if any(sweep.coarse for sweep in sweeps.values()):
+            yield finding("CL765")
+        else:
+            yield from _ranges(sweeps)
+        for quantity in sweeps:
             ended: dict[str, list[str]] = {}
             for cost in self.divisions:
                 if cost.sweeps[quantity].ended_early:
@@ -77,6 +79,17 @@ class SchemeCost:
             error, allowed = (figure(value, self.unit, 4) for value in (float(sweep.error[0]), self.allowed))
             return finding("CL762", place, least=least, error=error, allowed=allowed)
         return finding("CL763" if sweep.limited_by == "unstable" else "CL764", place, least=least)
+
+
+def _ranges(sweeps: Mapping[str, LinkSweep]) -> Iterator[Finding]:
+    """Yield the ranges tested, once for all quantities with the same."""
+    ranges: dict[tuple[str, str], list[str]] = {}
+    for quantity, sweep in sweeps.items():
+        gaps = np.diff(sweep.values, prepend=0.0)
+        step, last = amount(quantity, float(gaps[gaps > 0.0].min())), amount(quantity, sweep.asked)
+        ranges.setdefault((step, last), []).append(words(quantity))
+    for (step, last), names in ranges.items():
+        yield finding("CL759", ", ".join(names), step=step, last=last)
 
 
 @dataclass(frozen=True)
@@ -96,15 +109,26 @@ def scheme_text(name: str, costs: SchemeCost) -> str:
     quantities = [quantity for quantity in QUANTITIES if any(quantity in cost.sweeps for cost in costs.divisions)]
     limits = [figure(value, costs.unit, 4) for value in (costs.undivided, costs.allowed)]
     what = costs.figure.replace("_", " ")
-    parts = [f"{name}\n{what}: {limits[0]} undivided, {limits[1]} allowed", _largest(costs, quantities).text()]
+    head = f"{name}\n{what}: {limits[0]} undivided, {limits[1]} allowed"
+    parts = [head + _slowest(costs), _largest(costs, quantities).text()]
     timed = [quantity for quantity in ("message_period", "delay") if quantity in quantities]
-    if timed:
+    if timed and not any(sweep.coarse for cost in costs.divisions for sweep in cost.sweeps.values()):
         parts.append(_stable_limits(costs, timed).text())
     shared = [one for one in costs.divisions[0].findings if all(one in cost.findings for cost in costs.divisions)]
     lines = [str(one) for one in (*costs.findings, *shared)]
     for cost in costs.divisions:
         lines += [f"{cost.name}: {one}" for one in cost.findings if one not in shared]
     return "\n\n".join([*parts, paragraphs(lines)])
+
+
+def _slowest(costs: SchemeCost) -> str:
+    """Return a line with the slowest messages that hold; empty if their period was not varied."""
+    swept = {cost.name: cost.sweeps["message_period"] for cost in costs.divisions if "message_period" in cost.sweeps}
+    holding = {name: sweep.most for name, sweep in swept.items() if not math.isnan(sweep.most)}
+    if not holding:
+        return "\nno message period holds" if swept else ""
+    best = max(holding, key=holding.__getitem__)
+    return f"\nslowest messages that hold: {_most(swept[best])}; in the axis: {best}"
 
 
 def _largest(costs: SchemeCost, quantities: Sequence[str]) -> Table:
@@ -120,7 +144,11 @@ def _largest(costs: SchemeCost, quantities: Sequence[str]) -> Table:
 def _most(sweep: LinkSweep) -> str:
     if math.isnan(sweep.most):
         return "none"
-    text = amount(sweep.quantity, sweep.most) + (f" ({figure(sweep.rate, 'Hz', 4)})" if sweep.quantity == "message_period" else "")
+    most = amount(sweep.quantity, sweep.most)
+    if sweep.coarse and sweep.limited:
+        low, high = most.split(), amount(sweep.quantity, sweep.fails)
+        return f"{low[0]} to {high}" if high.endswith(low[1]) else f"{most} to {high}"
+    text = most + (f" ({figure(sweep.rate, 'Hz', 4)})" if sweep.quantity == "message_period" else "")
     return text if sweep.limited else f"all up to {text}"
 
 

@@ -14,7 +14,7 @@ from contourlab.arrays import Array, Flags
 from contourlab.components.contract import Component
 from contourlab.components.link.network import Network
 from contourlab.errors import ComponentError, ParameterError
-from contourlab.features.link.grid import EACH, LOSSES, passed_over, times
+from contourlab.features.link.grid import EACH, FEW, FEW_LOSSES, LOSSES, passed_over, times
 from contourlab.features.run.causes.idealise import perfect_sensing, undisturbed, unlimited, without_friction
 from contourlab.feed import Reference
 from contourlab.feed.judged import Judged
@@ -59,6 +59,8 @@ class LinkSweep:
         Largest error allowed.
     asked : float
         Largest value requested.
+    coarse : bool
+        Whether values between the last that holds and the first that fails are not tested.
     """
 
     quantity: str
@@ -69,8 +71,9 @@ class LinkSweep:
     repeats: Array
     allowed: float = field(metadata={"json": False})
     asked: float = math.nan
+    coarse: bool = False
 
-    json_derived: ClassVar = ("most", "rate", "limited", "limited_by", "ended_early", "stable_linear", "stable_simulated")
+    json_derived: ClassVar = ("most", "fails", "rate", "limited", "limited_by", "ended_early", "stable_linear", "stable_simulated")
 
     @property
     def holds(self) -> Flags:
@@ -81,6 +84,11 @@ class LinkSweep:
     def most(self) -> float:
         """The largest value up to which all tested values hold; nan if the first fails."""
         return _last_before(self.values, ~self.holds)
+
+    @property
+    def fails(self) -> float:
+        """The smallest tested value that fails; nan if all hold."""
+        return float(self.values[int(np.argmin(self.holds))]) if self.limited else math.nan
 
     @property
     def rate(self) -> float:
@@ -95,7 +103,7 @@ class LinkSweep:
     @property
     def ended_early(self) -> bool:
         """Whether the sweep ended before `asked` because none of the last `CHUNK` values held."""
-        return bool(self.values[-1] < self.asked)
+        return not self.coarse and bool(self.values[-1] < self.asked)
 
     @property
     def limited_by(self) -> str | None:
@@ -145,6 +153,8 @@ class LinkSetting:
         Number of runs with jitter or loss (the worst counts), and the first seed, also used for all other noise.
     moving : bool
         See `contourlab.loop.simulate_batch`.
+    coarse : bool
+        Whether to test few values, none between the last that holds and the first that fails, and no limits of stability.
 
     Raises
     ------
@@ -160,6 +170,7 @@ class LinkSetting:
     seeds: int = SEEDS
     seed: int = 0
     moving: bool = False
+    coarse: bool = False
 
     def __post_init__(self) -> None:
         if self.figure not in FIGURES:
@@ -176,6 +187,10 @@ class LinkSetting:
         drawn = any(part.jitter > 0.0 or part.loss > 0.0 for part in self.networks.values())
         return drawn or quantity in ("jitter", "loss")
 
+    def runs(self, quantity: str) -> int:
+        """Return the number of runs of each value while a quantity is varied."""
+        return self.seeds if self.by_chance(quantity) else 1
+
     def columns(self, quantity: str, values: Array, seeds: int) -> dict[str, Array]:
         """Return the parameter values of the lanes: each value, on all links, for each seed."""
         found = {f"controller.axes.{a}.link.{w}.{quantity}": np.repeat(values, seeds) for a, w in self.networks}
@@ -190,20 +205,20 @@ class LinkSetting:
 
     def as_given(self) -> float:
         """Return the worst error over the seeds with the links as given; nan if a run left its limits."""
-        seeds = self.seeds if self.by_chance("delay") else 1
+        seeds = self.runs("delay")
         own = {f"controller.axes.{a}.link.{w}.delay": np.full(seeds, part.delay) for (a, w), part in self.networks.items()}
         return float(self._run(self.machine, own | self._streams(seeds, 1), self.reference).max())
 
     def errors(self, quantity: str, values: Array) -> Array:
         """Return the error of each value for each seed (n, n_seed)."""
-        seeds = self.seeds if self.by_chance(quantity) else 1
+        seeds = self.runs(quantity)
         run = self._run(self.machine, self.columns(quantity, values, seeds), self.reference)
         return np.asarray(run.reshape(len(values), seeds))
 
     def repeats(self, quantity: str, values: Array) -> Array:
         """Return the error of a lap of the ideal machine over that of the lap before."""
         laps = self.reference.laps
-        if len(laps) < 2 or self.by_chance(quantity):
+        if len(laps) < 2 or self.coarse or self.by_chance(quantity):
             return np.full(len(values), math.nan)
         columns = self.columns(quantity, values, 1)
         of_laps = (replace(self.reference, chosen=Judged((lap,), "lap")) for lap in laps[-2:])
@@ -256,6 +271,7 @@ def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
 
     The sweep ends early if the error is too large at all `CHUNK` values of a chunk, and either the stability limits are found or `EACH`
     values are tested. Multiples of the servo period between the last value that holds and the first that fails are then tested too.
+    A coarse sweep tests fewer values, and ends soon after the first that fails.
 
     Parameters
     ----------
@@ -272,16 +288,20 @@ def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
     """
     if quantity not in QUANTITIES:
         raise ParameterError("quantity", repr(quantity), "one of " + ", ".join(QUANTITIES))
-    period = setting.machine.servo_period
-    values = LOSSES if quantity == "loss" else times(quantity, period, longest)
+    period, coarse = setting.machine.servo_period, setting.coarse
+    losses = FEW_LOSSES if coarse else LOSSES
+    values = losses if quantity == "loss" else times(quantity, period, longest, coarse)
+    size = max(CHUNK // setting.runs(quantity), FEW) if coarse else CHUNK
     parts: list[tuple[Array, ...]] = []
-    for i in range(0, len(values), CHUNK):
-        chunk = values[i : i + CHUNK]
+    for i in range(0, len(values), size):
+        chunk = values[i : i + size]
         parts.append(_tested(setting, quantity, chunk, chunk[-1], _unstable_at(parts)))
         found = _joined(setting, quantity, parts, float(values[-1]))
-        if not (parts[-1][1] <= setting.allowed).any() and (i + CHUNK >= EACH or not _stable_to_the_end(found)):
+        if coarse and found.limited:
             break
-    return found if quantity == "loss" else _closed_in(setting, found, parts)
+        if not (parts[-1][1] <= setting.allowed).any() and (i + size >= EACH or not _stable_to_the_end(found)):
+            break
+    return found if coarse or quantity == "loss" else _closed_in(setting, found, parts)
 
 
 def _tested(setting: LinkSetting, quantity: str, values: Array, surely: float, unstable: float) -> tuple[Array, ...]:
@@ -316,7 +336,7 @@ def _joined(setting: LinkSetting, quantity: str, parts: Sequence[tuple[Array, ..
     columns = [np.concatenate(column[::-1]) for column in zip(*parts, strict=True)]
     _, order = np.unique(columns[0], return_index=True)
     found = {name: column[order] for name, column in zip(COLUMNS, columns, strict=True)}
-    return LinkSweep(quantity, **found, allowed=setting.allowed, asked=asked)
+    return LinkSweep(quantity, **found, allowed=setting.allowed, asked=asked, coarse=setting.coarse)
 
 
 def _closed_in(setting: LinkSetting, sweep: LinkSweep, parts: list[tuple[Array, ...]]) -> LinkSweep:

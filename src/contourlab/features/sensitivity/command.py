@@ -104,10 +104,10 @@ class Sensitivity:
     findings: tuple[Finding, ...]
 
     def text(self) -> str:
-        """Return the tables and the findings."""
+        """Return the findings and the tables."""
         of, count, runs = self.study.plan.judged, len(self.study.space.numbers), self.runs_made + self.runs_reused
         head = f"{self.scheme}: {of.label} {figure(self.study.present, of.unit, 4)}, servo period {figure(self.servo_period, 'ms')}"
-        return "\n\n".join([f"{head}\nparameters: {count}; runs: {runs}", *tables(self.study), paragraphs(map(str, self.findings))])
+        return "\n\n".join([f"{head}\nparameters: {count}; runs: {runs}", paragraphs(map(str, self.findings)), *tables(self.study)])
 
 
 def sensitivity_of(

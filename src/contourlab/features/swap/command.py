@@ -22,7 +22,7 @@ from contourlab.features.swap.linear import METHODS, linear_swap
 from contourlab.features.swap.pictures import matrices, write_matrices
 from contourlab.features.swap.result import swap_result, text_of
 from contourlab.features.swap.search import SwapSettings
-from contourlab.features.swap.study import SwapStudy, swap_study
+from contourlab.features.swap.study import SwapStudy, quick_study, swap_study
 from contourlab.features.swap.variants import OBJECTIVES, Variants, variants_of
 from contourlab.features.swap.warm_start import WarmStarts, warm_starts
 from contourlab.findings import Finding, finding
@@ -34,6 +34,10 @@ if TYPE_CHECKING:
 
 SEARCHES = "searches"
 """Folder of the checkpoint, inside the folder of the results."""
+QUICK = 4
+"""Divisor of the budget of a quick study."""
+LEAST = 200
+"""Smallest budget of a quick study, and of a search within the coverage."""
 PLACES = 8
 """Points of a region at which J* is searched."""
 
@@ -50,6 +54,8 @@ class SwapOptions:
         See `contourlab.design.Space.chosen`.
     local : sequence of str
         Sets of local parameters to test instead of searching for one; names separated by commas.
+    quick : bool
+        Whether to use a quarter of the budget and state the uncertainty.
     gain_margin, phase_margin
         In dB and degrees.
     region : sequence of str
@@ -74,6 +80,7 @@ class SwapOptions:
     local: tuple[str, ...] = ()
     exhaustive: bool = False
     budget: int = 8000
+    quick: bool = False
     seed: int = 0
     threads: int | None = None
     gain_margin: float = 6.0
@@ -130,12 +137,13 @@ def swap_scenario(
     searches = Path(out) / SEARCHES
     with resumable(searches, "searches"), shown(progress) as stages, staged(out, "swap.json", inputs=ready.inputs) as folder:
         checkpoint = Checkpoint(searches, _identity(ready))
-        study = swap_study(variants, ready.candidates, settings, _stage(stages, variants), checkpoint)
+        studied = quick_study if options.quick else swap_study
+        study = studied(variants, ready.candidates, settings, _stage(stages, variants), checkpoint)
         covered = None
         if ready.region is not None:
             stages.begin("coverage of the region")
             limits = {"full": settings.full, "tolerance": ready.tolerance, "places": options.places or PLACES}
-            budget = max(options.budget // 4, 200)
+            budget = max(settings.budget // 4, LEAST)
             covered = coverage(variants, study.base.points[0], ready.region, budget=budget, **limits)  # type: ignore[arg-type]
         stages.begin("linear designs")
         swapped = [name for name, _ in swaps] if options.linear else []
@@ -273,7 +281,8 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
     )
     candidates = tuple(name for name in variants.space.names if variants.members[0].module(name) and _may_move(controller, name))
     local, starts = _local_sets(variants, candidates, options.local), warm_starts(variants, options.origins, options.plugins)
-    settings = SwapSettings(options.budget, options.seed, exhaustive=options.exhaustive, local=local, known=starts.designs)
+    budget = max(options.budget // QUICK, LEAST) if options.quick else options.budget
+    settings = SwapSettings(budget, options.seed, exhaustive=options.exhaustive, local=local, known=starts.designs)
     region = None
     if options.region:
         region = Space.chosen(machine, controller, options.region, options.width, called="--region", machine_only=True)

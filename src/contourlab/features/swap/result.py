@@ -50,7 +50,8 @@ class VariantResult:
 class SwapResult:
     """The result of the command, in SI; its fields are the keys of ``swap.json``.
 
-    `local` is None if no choice of local parameters is modular. `swap_loss` is the loss of the shared design. `designs_on_variants` holds
+    `local` is None if no choice of local parameters is modular. `swap_loss` is the loss of the shared design, and
+    `uncertainty` how much it may still change, from a quick study. `designs_on_variants` holds
     J of the best design of each variant (rows) on each variant (columns).
     """
 
@@ -59,6 +60,7 @@ class SwapResult:
     full_modularity: bool
     local: tuple[str, ...] | None
     swap_loss: float
+    uncertainty: float | None
     inconclusive: tuple[str, ...]
     settings: SwapSettings
     objective: str
@@ -97,13 +99,14 @@ def swap_result(
         own = variants.space.values(variants.best_points[i])
         judged[name] = VariantResult(float(variants.best[i]), study.optima[i], own, margins, broken)
     kept = not any(one.broken for one in judged.values())
-    modular = best is not None and not study.inconclusive
+    modular = best is not None and not study.inconclusive and not study.unsure
     return SwapResult(
         passed=modular and kept and any(cost.holds for cost in networks),
         verdict=study.verdict,
         full_modularity=study.full,
         local=None if best is None else best.local,
         swap_loss=study.base.swap_loss,
+        uncertainty=study.uncertainty,
         inconclusive=study.inconclusive,
         settings=study.settings,
         objective=variants.objective,
@@ -133,6 +136,8 @@ def _findings(
     others: Sequence[Finding],
 ) -> Iterator[Finding]:
     yield study.verdict
+    if study.uncertainty is not None and not study.unsure:
+        yield finding("CL722", loss=study.base.swap_loss, uncertainty=study.uncertainty)
     for name, variant in judged.items():
         if variant.broken:
             yield finding("CL711", name, guards=variant.broken)
@@ -190,9 +195,10 @@ def on_bounds(variants: Variants, choice: Choice) -> list[str]:
 
 
 def text_of(result: SwapResult) -> str:
-    """Return the result as text: tables and findings, the verdict first."""
+    """Return the result as text, the verdict first."""
     study = result.study
-    parts = [_losses(study).text(), paragraphs(str(one) for one in result.findings)]
+    verdict, *others = map(str, result.findings)
+    parts = [paragraphs([verdict]), _losses(study).text(), paragraphs(others)]
     which = "the shared design, nothing local" if study.recommended is None else "the recommended design"
     if study.recommended is not None:
         parts.append(_division(study, study.recommended).text())

@@ -351,7 +351,8 @@ class SwapSearch:
         self.searches += 1
         if self.checkpoint is None:
             return make(budget)
-        file = self.checkpoint.path(f"{self.searches} {name}\n".encode(), *(array.tobytes() for array in self.variants.state().values()))
+        state = (array.tobytes() for array in self.variants.state().values())
+        file = self.checkpoint.path(f"{self.searches} {name} {budget}\n".encode(), *state)
         arrays = self.checkpoint.load(file)
         if arrays is None:
             arrays = make(budget)

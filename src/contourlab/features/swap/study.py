@@ -17,6 +17,9 @@ from contourlab.features.swap.search import Design, Optimum, SwapSearch, SwapSet
 from contourlab.features.swap.variants import Variants
 from contourlab.findings import Finding, finding
 
+SCATTER = 0.01
+"""By how much the losses of two searches differ that have ended."""
+
 
 @dataclass(frozen=True, eq=False)
 class Choice:
@@ -75,6 +78,8 @@ class SwapStudy:
         J of the best design of variant i on variant j; infinite where it breaks a guard.
     given_breaks : tuple of str
         Variants on which the scenario's own parameters break a guard.
+    uncertainty : float or None
+        By how much the loss of the shared design may still change; known from a quick study only.
     """
 
     variants: Variants
@@ -84,6 +89,7 @@ class SwapStudy:
     choices: tuple[Choice, ...]
     crossed: Array
     given_breaks: tuple[str, ...] = ()
+    uncertainty: float | None = None
 
     @property
     def base(self) -> Choice:
@@ -112,9 +118,16 @@ class SwapStudy:
         return min(good, key=lambda choice: (len(choice.local), choice.swap_loss), default=None)
 
     @property
+    def unsure(self) -> bool:
+        """Whether the limit lies within the uncertainty of a quick study."""
+        return self.uncertainty is not None and not abs(self.base.swap_loss - self.settings.full) > self.uncertainty
+
+    @property
     def verdict(self) -> Finding:
         """The verdict on the swap, without a network."""
         shared, limit, best = self.base.swap_loss, self.settings.full, self.recommended
+        if self.unsure:
+            return finding("CL704", loss=shared, uncertainty=self.uncertainty, limit=limit)
         if best is None:
             least = min(self.choices, key=lambda choice: choice.swap_loss)
             return finding("CL702", loss=least.swap_loss, names=least.name, limit=limit)
@@ -178,6 +191,29 @@ def swap_study(
         np.array([np.where(broken[:, 0] > 0.0, np.inf, values[:, 0]) for values, broken in crossed]),
         breaks,
     )
+
+
+def quick_study(
+    variants: Variants,
+    candidates: tuple[str, ...],
+    settings: SwapSettings,
+    stage: Callable[[str, int], None] = lambda name, most: None,
+    checkpoint: Checkpoint | None = None,
+) -> SwapStudy:
+    """Run a study with half the budget, then one with the whole budget that starts from its designs.
+
+    The uncertainty is the sum of what the second study changed, relative to J* as in a loss: J* itself, and J of the shared design; and
+    `SCATTER`.
+
+    Parameters and errors: see `swap_study`.
+    """
+    half = swap_study(variants, candidates, replace(settings, budget=settings.budget // 2), stage, checkpoint)
+    best, shared = variants.best.copy(), half.base.values
+    designs = tuple(tuple(map(variants.space.values, points)) for points in (variants.best_points.copy(), half.base.points))
+    study = swap_study(variants, candidates, replace(settings, known=(*settings.known, *designs)), stage, checkpoint)
+    with np.errstate(invalid="ignore"):
+        moved = (best - variants.best + np.abs(shared - study.base.values)) / np.maximum(variants.best, variants.floor)
+    return replace(study, uncertainty=SCATTER + float(np.where(np.isnan(moved), math.inf, moved).max()))
 
 
 def _choice(variants: Variants, name: str, design: Design) -> Choice:

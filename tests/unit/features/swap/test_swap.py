@@ -21,7 +21,7 @@ from contourlab.features.swap.beyond import coverage, network_cost
 from contourlab.features.swap.pictures import drawing, matrices
 from contourlab.features.swap.result import swap_result, text_of
 from contourlab.features.swap.search import SharedSpace, SwapSearch, SwapSettings, merged
-from contourlab.features.swap.study import SwapStudy, swap_study
+from contourlab.features.swap.study import SwapStudy, quick_study, swap_study
 from contourlab.features.swap.variants import Variant, Variants, losses, variants_of
 from contourlab.feed import uniform
 from contourlab.geometry import contour
@@ -58,6 +58,17 @@ def studied(others: list[tuple[str, Axis]], **settings: object) -> SwapStudy:
 def test_loss_refers_to_the_larger_of_best_and_floor() -> None:
     assert losses([3e-6, 12e-6], [1e-6, 10e-6], 2e-6) == pytest.approx([1.0, 0.2])
     assert losses([1e-6], [1e-6], 2e-6).tolist() == [0.0]
+
+
+def test_a_quick_study_holds_its_own_uncertainty() -> None:
+    others = [("other", rigid("other", 1.01))]
+    variants = variants_under(others)
+    candidates = tuple(name for name in variants.space.names if variants.members[0].module(name))
+    quick, whole = quick_study(variants, candidates, SwapSettings(budget=200)), studied(others)
+    assert quick.uncertainty is not None and abs(quick.base.swap_loss - whole.base.swap_loss) <= quick.uncertainty < 0.03
+    assert not quick.unsure and quick.verdict.code == whole.verdict.code
+    near = replace(quick, settings=replace(quick.settings, full=quick.base.swap_loss + 0.5 * quick.uncertainty))
+    assert near.unsure and near.verdict.code == "CL704"
 
 
 def test_a_copy_of_the_axis_loses_nothing() -> None:
