@@ -33,23 +33,30 @@ class Heartbeat:
     def __init__(self, command: str) -> None:
         self.command, self.stage, self.has_bar = command, "", False
         self._began = self._stage_began = monotonic()
-        self._share = 0.0
+        self._share, self._step, self._steps = 0.0, 0, 0
         self._ended = threading.Event()
+
+    def expect(self, steps: int) -> None:
+        """Take the number of stages, so that shares are those of the command."""
+        self._steps = steps
 
     def begin(self, words: str) -> None:
         """Begin a stage."""
         self.stage, self._share, self._stage_began = words, 0.0, monotonic()
+        self._step += 1
 
     def advance(self, done: int, total: int) -> None:
-        """Take the progress of the stage."""
-        self._share = done / total if total else 0.0
+        """Take the progress of the stage; runs side by side may report it out of order."""
+        self._share = max(self._share, done / total if total else 0.0)
 
     def line(self) -> str:
         """Return command, stage, share and time left, or the time since the command began."""
         words = f"{self.command}: {self.stage}" if self.stage else self.command
-        spent = monotonic() - self._stage_began
-        if 0.0 < self._share < 1.0:
-            return f"{words}, {100.0 * self._share:.0f} %, {spent * (1.0 - self._share) / self._share:.0f} s left"
+        share, spent, of = self._share, monotonic() - self._stage_began, " of this step"
+        if self._steps:
+            share, spent, of = (self._step - 1 + self._share) / self._steps, monotonic() - self._began, ""
+        if 0.0 < share < 1.0:
+            return f"{words}, {100.0 * share:.0f} %{of}, {spent * (1.0 - share) / share:.0f} s left"
         return f"{words}, {monotonic() - self._began:.0f} s"
 
     def beat(self) -> None:
@@ -97,6 +104,11 @@ class Stages:
     def __init__(self, bar: Progress | None = None) -> None:
         self._bar = bar
         self._task: TaskID | None = None
+
+    def expect(self, steps: int) -> None:
+        """Take the number of stages, about equally long: lines then show share and time left of the whole command."""
+        if _running is not None:
+            _running.expect(steps)
 
     def begin(self, words: str) -> None:
         """End the previous stage, and show a new one with its elapsed time."""

@@ -58,8 +58,6 @@ def format_of(file: str | Path) -> Format:
         If the file cannot be read, is empty, or has no known format.
     """
     path = Path(file)
-    if path.is_dir():
-        raise LogError("is a folder: name a file in it", file=path)
     head = head_of(path)
     for kind in FORMATS.values():
         if kind.matches(path, head):

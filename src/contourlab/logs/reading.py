@@ -42,6 +42,8 @@ def head_of(file: Path) -> bytes:
     LogError
         If it cannot be read, is not a regular file, or is empty.
     """
+    if file.is_dir():
+        raise LogError("is a folder: name a file in it", file=file)
     if file.exists() and not file.is_file():
         raise LogError("is not a regular file: copy its content to one", file=file)
     with readable(file), file.open("rb") as stream:

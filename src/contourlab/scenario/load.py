@@ -173,6 +173,23 @@ def load_controller(
 # --- scenarios -----------------------------------------------------------------------------------------------------------------------
 
 
+def _in_folder(folder: Path) -> Path:
+    """Return the scenario of a folder.
+
+    Raises
+    ------
+    ScenarioError
+        If it has no ``scenario.toml``; with what to name instead.
+    """
+    file = folder / "scenario.toml"
+    if file.exists():
+        return file
+    if (folder / "machine.toml").exists():
+        raise ScenarioError(f"no scenario.toml in this folder: run a part program on its machine, with --machine {folder}", file=folder)
+    others = ", ".join(sorted(str(path) for path in folder.glob("*.toml"))[:5])
+    raise ScenarioError(f"is a folder without scenario.toml: name a scenario{others and f', such as {others}'}", file=folder)
+
+
 def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scenario:
     """Read a scenario.
 
@@ -198,7 +215,7 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scena
     >>> [case.name for case in load_scenario("builtin:ghaffari/demo-stage").cases()][0]
     'position loop'
     """
-    reader, content = _open(Path(file) / "scenario.toml" if Path(file).is_dir() else file, plugins)
+    reader, content = _open(_in_folder(Path(file)) if Path(file).is_dir() else file, plugins)
     return _scenario(reader, content, Path(content.file))
 
 

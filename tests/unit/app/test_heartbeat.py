@@ -21,9 +21,15 @@ def test_the_time_left_follows_from_the_share_that_is_done(monkeypatch: pytest.M
     now = 109.0
     assert beat.line() == "tune: searching, 9 s"
     beat.advance(1, 5)
-    assert beat.line() == "tune: searching, 20 %, 20 s left"
+    assert beat.line() == "tune: searching, 20 % of this step, 20 s left"
     beat.advance(5, 5)
     assert beat.line() == "tune: searching, 9 s"
+    beat.expect(3)
+    beat.begin("writing")
+    beat.advance(1, 2)
+    assert beat.line() == "tune: writing, 50 %, 9 s left"
+    beat.advance(1, 4)  # of another run beside it
+    assert beat.line() == "tune: writing, 50 %, 9 s left"
 
 
 def test_a_working_command_prints_lines_and_a_quick_one_none(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:
@@ -39,7 +45,7 @@ def test_a_working_command_prints_lines_and_a_quick_one_none(monkeypatch: pytest
         steps.advance(1, 2)
         time.sleep(0.2)
     lines = capfd.readouterr().err.splitlines()
-    assert lines and all(re.fullmatch(r"slow: waiting, 50 %, \d+ s left", line) for line in lines)
+    assert lines and all(re.fullmatch(r"slow: waiting, 50 % of this step, \d+ s left", line) for line in lines)
     Stages().advance(1, 2)  # outside a command: nothing to show
     time.sleep(0.1)
     assert capfd.readouterr().err == ""

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from contourlab.app.stages import shown
-from contourlab.features.backlash.study import BacklashStudy, Cycle, backlash_study
+from contourlab.features.backlash.study import BacklashStudy, Cycle, backlash_study, loose_axes
 from contourlab.figures import NONE, figure, number
 from contourlab.report.table import Column, Table, paragraphs
 
@@ -57,6 +57,7 @@ def backlash_scenario(
     scenario = loaded(file, schemes, plugins)
     studies = {}
     with shown(progress) as stages:
+        stages.expect(sum(3 + len(loose_axes(case.machine)) for case in scenario.cases()))
         for case in scenario.cases():
             stages.begin(f"planning {case.name}")
             reference = case.reference()

@@ -169,7 +169,7 @@ def backlash_study(
         report = None if progress is None else lambda done: progress(done, reference.n_sample)
         return simulate(machine, tried, reference, seed=seed, signals=(*SIGNALS, *extra), progress=report)
 
-    loose = [axis for axis in machine.axes if isinstance(axis.plant, TwoInertia) and axis.plant.widest_gap > 0.0]
+    loose = loose_axes(machine)
     chains = [axis for axis in machine.axes if axis.plant.two_sided and not isinstance(axis.plant, TwoInertia)]
     if not loose:
         others = sorted({axis.plant.kind for axis in chains})
@@ -196,6 +196,11 @@ def backlash_study(
     findings += _conclusions(axes, [axis.name for axis in chains])
     snippet = _toml(best.parts, machine) if best.parts else None
     return BacklashStudy(axes, _on_circles(judged, reference, machine), tuple(trials), best.name, snippet, tuple(findings))
+
+
+def loose_axes(machine: Machine) -> list[Axis]:
+    """Return the two-inertia axes with backlash."""
+    return [axis for axis in machine.axes if isinstance(axis.plant, TwoInertia) and axis.plant.widest_gap > 0.0]
 
 
 def _on_circles(judged: Result, reference: Reference, machine: Machine) -> CircleBacklash | None:

@@ -123,6 +123,7 @@ def link_scenario(
     costs: dict[str, SchemeCost] = {}
     with staged(folder, "summary.json", inputs=scenario.inputs) as stage:
         with shown(progress) as stages:
+            stages.expect(sum(1 + len(list(_controllers(case.controller, options, settings))) for case in cases))
             for case in cases:
                 stages.begin(f"planning {case.name}")
                 costs[case.name] = _scheme_cost(case, options, settings, stages)
