@@ -1,11 +1,11 @@
-"""Checkpoints of long work: finished pieces stay on disk, and the same command continues after the last one."""
+"""Interrupted work: finished pieces stay on disk, and the same command continues; or they are printed."""
 
 from __future__ import annotations
 
 import hashlib
 import io
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from importlib.metadata import version
@@ -94,6 +94,18 @@ class Checkpoint:
         found += [finding("CL901", pieces=pieces, folder=str(self.folder))] if self.others else []
         found += [finding("CL902", pieces=pieces, count=self.damaged)] if self.damaged else []
         return tuple(found)
+
+
+@contextmanager
+def said_if_interrupted(results: Callable[[], str]) -> Iterator[None]:
+    """If the block is interrupted, add the text of the results so far, if any, to the interrupt."""
+    try:
+        yield
+    except KeyboardInterrupt as stop:
+        text = results()
+        if text:
+            stop.add_note(f"Finished before:\n\n{text}")
+        raise
 
 
 @contextmanager

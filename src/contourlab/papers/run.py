@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import groupby
 from pathlib import Path
 
+from contourlab.app.checkpoint import said_if_interrupted
 from contourlab.papers.rows import KINDS, Part, Row, tally
 from contourlab.report.table import Column, Table, paragraphs
 
@@ -20,10 +21,11 @@ def run_parts(parts: Iterable[Part], stage: Callable[[str], object] | None = Non
         Called with the name of each part before it runs.
     """
     rows: list[Row] = []
-    for name, rows_of in parts:
-        if stage is not None:
-            stage(name)
-        rows += rows_of()
+    with said_if_interrupted(lambda: text_of(rows) if rows else ""):
+        for name, rows_of in parts:
+            if stage is not None:
+                stage(name)
+            rows += rows_of()
     return rows
 
 

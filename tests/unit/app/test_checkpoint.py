@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contourlab.app.checkpoint import Checkpoint, resumable
+from contourlab.app.checkpoint import Checkpoint, resumable, said_if_interrupted
 
 
 def test_a_piece_is_read_back_bit_by_bit(tmp_path: Path) -> None:
@@ -58,3 +58,11 @@ def test_an_interrupt_promises_to_continue_only_if_there_is_something_to_continu
         assert len(getattr(stop.value, "__notes__", ())) == notes
         checkpoint = Checkpoint(tmp_path, "one")
         checkpoint.store(checkpoint.path(b"a"), {"values": [1.0]})
+
+
+@pytest.mark.parametrize(("results", "notes"), [("one scheme", 1), ("", 0)])
+def test_an_interrupt_says_what_was_finished(results: str, notes: int) -> None:
+    with pytest.raises(KeyboardInterrupt) as stop, said_if_interrupted(lambda: results):
+        raise KeyboardInterrupt
+    found = getattr(stop.value, "__notes__", [])
+    assert len(found) == notes and all(results in note for note in found)

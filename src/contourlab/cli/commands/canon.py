@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import BlockDelete, Dialect, MostMoves, Part, ToolTable, reading_of
-from contourlab.cli.output import silence
+from contourlab.cli.output import silence, suggest
 
 
 def canon(
@@ -30,3 +30,5 @@ def canon(
         return
     for notice in notices:
         print(notice, file=sys.stderr)
+    if not as_json and sys.stdout.isatty():
+        suggest(as_json, "check", file)

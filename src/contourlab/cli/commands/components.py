@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import Json
-from contourlab.cli.output import emit_json, say
+from contourlab.cli.output import emit_json, say, suggest
 
 
 def components(
@@ -34,7 +34,9 @@ def components(
     if as_json:
         emit_json([describe(kind) for kind in kinds])
     elif name is None:
-        say(f"{overview(kinds).text()}\n\ncontourlab components KIND shows a family or one component, in the units of files.")
+        say(overview(kinds).text())
+        suggest(as_json, "components", kinds[0].kind)
     else:
         say("\n".join(part for kind in kinds for part in details(kind)))
+        suggest(as_json, "machines")
     return 0

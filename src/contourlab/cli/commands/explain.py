@@ -14,7 +14,7 @@ def explain(
     as_json: Json = False,
 ) -> None:
     """Explain a finding: what it means, and what to do about it."""
-    from contourlab.cli.output import emit_json, say
+    from contourlab.cli.output import emit_json, say, suggest
     from contourlab.errors import ParameterError
     from contourlab.findings import catalogue
     from contourlab.report.table import Column, Table, page_width, paragraphs
@@ -31,6 +31,7 @@ def explain(
         for entry in shown:
             table.add(entry.code, entry.severity, entry.name, entry.outline)
         say(table.text())
+        suggest(as_json, "explain", shown[0].code)
     else:
         entry = shown[0]
         texts = [f"{entry.code} {entry.name} ({entry.severity})", entry.outline, entry.meaning, f"What to do: {entry.remedy}"]

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import Json
-from contourlab.cli.output import emit_json, say
+from contourlab.cli.output import emit_json, say, suggest
 
 
 def interpolate(
@@ -37,4 +37,8 @@ def interpolate(
         emit_json(result)
     else:
         say(text(result))
+        if out is None:
+            say("\nnext: the same command with --out interpolated")
+        else:
+            suggest(as_json, "components", "quadrature-encoder")
     return 1 if result.missed["n_sample"] else 0

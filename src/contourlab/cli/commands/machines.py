@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from contourlab.cli.options import Json
-from contourlab.cli.output import emit_json, say
+from contourlab.cli.output import emit_json, say, suggest
 
 if TYPE_CHECKING:
     from contourlab.features.machines.command import Shipped
@@ -38,6 +38,7 @@ def machines(
             emit_json(written)
         else:
             say("\n".join(f"wrote {file}" for file in written))
+            suggest(as_json, "run" if shipped_one(name).kind == "scenario" else "machines", written[0])
         return 0
     if name is None:
         files = shipped()
@@ -45,12 +46,14 @@ def machines(
             emit_json(files)
         else:
             _list(files)
+            suggest(as_json, "machines", "demo-part")
         return 0
     file = shipped_one(name)
     if as_json:
         emit_json(file)
     else:
         _details(file)
+        suggest(as_json, *(("run", f"builtin:{name}") if file.kind == "scenario" else ("machines", name, "--copy", "mine")))
     return 0
 
 

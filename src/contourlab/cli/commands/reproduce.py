@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import typer
 
 from contourlab.cli.options import Json
-from contourlab.cli.output import emit_json, say, wants_progress
+from contourlab.cli.output import emit_json, say, suggest, wants_progress
 
 Plots = Annotated[list[str] | None, typer.Option(help="Also draw the pictures of the paper or log as png, svg or pdf; repeatable.")]
 Out = Annotated[Path, typer.Option(help="Folder of the pictures; created if missing.")]
@@ -27,7 +27,7 @@ def ghaffari(as_json: Json = False, plots: Plots = None, out: Out = RESULTS) -> 
     """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring; Figs 6 and 7."""
     from contourlab.papers.ghaffari import pictures, study
 
-    return _compared(lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), as_json, plots, out)
+    return _compared("compare builtin:ghaffari/demo-stage", lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), as_json, plots, out)
 
 
 @reproduce.command()
@@ -35,7 +35,7 @@ def gecer_ulu(as_json: Json = False, plots: Plots = None, out: Out = RESULTS) ->
     """Gecer Ulu, Ulu and Cakmakci: learning based cross-coupled control for precision positioning; Figs 9 and 10."""
     from contourlab.papers.gecer_ulu import pictures, study
 
-    return _compared(lambda _: study.PARTS, pictures.draw, as_json, plots, out)
+    return _compared("compare builtin:gecer-ulu/contour", lambda _: study.PARTS, pictures.draw, as_json, plots, out)
 
 
 @reproduce.command()
@@ -43,7 +43,7 @@ def shahin(as_json: Json = False, plots: Plots = None, out: Out = RESULTS) -> in
     """Shahin, ElMaraghy and ElBeheiry: nonlinearity control of CNC feed drives, backlash and switching controllers; Figs 7 to 13."""
     from contourlab.papers.shahin import pictures, study
 
-    return _compared(lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), as_json, plots, out)
+    return _compared("backlash builtin:backlash/part", lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), as_json, plots, out)
 
 
 @reproduce.command()
@@ -57,7 +57,7 @@ def emps(
     """Janot, Gautier and Brunot: data set and reference models of the EMPS, a linear axis identified from its log."""
     from contourlab.papers.emps import pictures, study
 
-    return _compared(lambda _: study.parts_of(log, validation), lambda _, *where: pictures.draw(log, *where), as_json, plots, out)
+    return _compared("run builtin:emps/circle", lambda _: study.parts_of(log, validation), lambda _, *where: pictures.draw(log, *where), as_json, plots, out)
 
 
 @reproduce.command()
@@ -74,11 +74,11 @@ def ubc(
     def parts(stage: Callable[[str], None]) -> Sequence[Any]:
         return study.parts_of(log_folder, with_unseen=unseen, stage=stage)
 
-    return _compared(parts, lambda _, *where: pictures.draw(log_folder, *where), as_json, plots, out)
+    return _compared("run builtin:ubc/pole-placement", parts, lambda _, *where: pictures.draw(log_folder, *where), as_json, plots, out)
 
 
-def _compared(parts_of: Parts, draw: Draw, as_json: bool, plots: Sequence[str] | None, out: Path) -> int:
-    """Compute the rows, draw and print them; return 1 if one fails."""
+def _compared(following: str, parts_of: Parts, draw: Draw, as_json: bool, plots: Sequence[str] | None, out: Path) -> int:
+    """Compute the rows, draw and print them, and the following command; return 1 if a row fails."""
     from contourlab.app.stages import shown
     from contourlab.papers.run import check_pictures, run_parts, text_of
 
@@ -93,4 +93,5 @@ def _compared(parts_of: Parts, draw: Draw, as_json: bool, plots: Sequence[str] |
         emit_json(rows)
     else:
         say(text_of(rows))
+    suggest(as_json, *following.split())
     return 1 if any(row.passed is False for row in rows) else 0

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from contourlab.app.checkpoint import said_if_interrupted
 from contourlab.app.stages import shown
 from contourlab.features.backlash.study import BacklashStudy, Cycle, backlash_study, loose_axes
 from contourlab.figures import NONE, figure, number
@@ -55,8 +56,9 @@ def backlash_scenario(
     from contourlab.features.run.schemes import loaded
 
     scenario = loaded(file, schemes, plugins)
-    studies = {}
-    with shown(progress) as stages:
+    studies: dict[str, BacklashStudy] = {}
+    outcome = BacklashOutcome(scenario.name, studies, scenario.cases()[0].machine.servo_period)
+    with said_if_interrupted(lambda: outcome.text), shown(progress) as stages:
         stages.expect(sum(3 + len(loose_axes(case.machine)) for case in scenario.cases()))
         for case in scenario.cases():
             stages.begin(f"planning {case.name}")
@@ -64,7 +66,7 @@ def backlash_scenario(
             studies[case.name] = backlash_study(
                 case.name, case.machine, case.controller, reference, seed=case.seed, stage=stages.begin, progress=stages.advance
             )
-    return BacklashOutcome(scenario.name, studies, scenario.cases()[0].machine.servo_period)
+    return outcome
 
 
 def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:

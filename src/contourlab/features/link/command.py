@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from contourlab.app.checkpoint import said_if_interrupted
 from contourlab.app.json_values import json_values
 from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
@@ -121,13 +122,17 @@ def link_scenario(
     cases = scenario.cases()
     _refuse_idle(options, settings, cases)
     costs: dict[str, SchemeCost] = {}
-    with staged(folder, "summary.json", inputs=scenario.inputs) as stage:
+
+    def texts_so_far() -> list[str]:
+        return [scheme_text(name if len(cases) > 1 else scenario.name, of_scheme) for name, of_scheme in costs.items()]
+
+    with said_if_interrupted(lambda: "\n\n".join(texts_so_far())), staged(folder, "summary.json", inputs=scenario.inputs) as stage:
         with shown(progress) as stages:
             stages.expect(sum(1 + len(list(_controllers(case.controller, options, settings))) for case in cases))
             for case in cases:
                 stages.begin(f"planning {case.name}")
                 costs[case.name] = _scheme_cost(case, options, settings, stages)
-        texts = [scheme_text(name if len(costs) > 1 else scenario.name, of_scheme) for name, of_scheme in costs.items()]
+        texts = texts_so_far()
         result = LinkResult(scenario.name, costs)
         write_text_atomic(stage / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
         if plots:
