@@ -27,7 +27,8 @@ def ghaffari(as_json: Json = False, plots: Plots = None, out: Out = RESULTS) -> 
     """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring; Figs 6 and 7."""
     from contourlab.papers.ghaffari import pictures, study
 
-    return _compared("compare builtin:ghaffari/demo-stage", lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), as_json, plots, out)
+    where_next = "compare builtin:ghaffari/demo-stage"
+    return _compared(where_next, lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), as_json, plots, out)
 
 
 @reproduce.command()
@@ -57,7 +58,10 @@ def emps(
     """Janot, Gautier and Brunot: data set and reference models of the EMPS, a linear axis identified from its log."""
     from contourlab.papers.emps import pictures, study
 
-    return _compared("run builtin:emps/circle", lambda _: study.parts_of(log, validation), lambda _, *where: pictures.draw(log, *where), as_json, plots, out)
+    def draw(_: Rows, *where: Any) -> Any:
+        return pictures.draw(log, *where)
+
+    return _compared("run builtin:emps/circle", lambda _: study.parts_of(log, validation), draw, as_json, plots, out)
 
 
 @reproduce.command()
