@@ -58,7 +58,7 @@ def text_of(rows: Sequence[Row]) -> str:
             blocks.append("\n".join([paragraphs([title, *filter(None, notes)]), _table(group).text()]))
         else:
             blocks.append("\n".join([title, _table(group, with_notes=True).text()]))
-    return "\n\n".join([*blocks, tally(rows)])
+    return "\n\n".join([*blocks, paragraphs([tally(rows)])])
 
 
 def _first_place(rows: Sequence[Row]) -> Callable[[Row], int]:
@@ -72,7 +72,7 @@ def _first_place(rows: Sequence[Row]) -> Callable[[Row], int]:
 def _table(rows: Sequence[Row], *, with_notes: bool = False) -> Table:
     compared = any(row.paper is not None for row in rows)
     origins = dict.fromkeys(KINDS[row.source][0] for row in rows if row.source in KINDS and row.paper is not None)
-    columns = [Column("case", left=True)]
+    columns = [Column("case", left=True, prose=True)]
     if compared:
         columns += [Column(" or ".join(origins)), Column("here"), Column("difference"), Column("source", left=True)]
         columns.append(Column("verdict", left=True))

@@ -15,7 +15,7 @@ from contourlab.features.run.summary import Summary
 from contourlab.figures import figure, number
 from contourlab.report.data import ReportData
 from contourlab.report.overview import write_overview
-from contourlab.report.table import Column, Table
+from contourlab.report.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.scenario import builtin_file, load_scenario
 
