@@ -58,7 +58,8 @@ def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None =
         summary: dict[str, Any] = json_values(Demo(passed, summaries))
         write_text_atomic(stage / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
         write_overview(stage / "report.html", _answer(summaries), reports, NEXT)
-    conclusion = f"{'PASS' if passed else 'FAIL'}: {_answer(summaries)}\n\nreport: {folder / 'report.html'}\nnext: {NEXT}"
+    verdict = paragraphs([f"{'PASS' if passed else 'FAIL'}: {_answer(summaries)}"])
+    conclusion = f"{verdict}\n\nreport: {folder / 'report.html'}\nnext: {NEXT}"
     parts = [_table(data.title, summary) for data, summary in zip(reports.values(), summaries.values(), strict=True)]
     return RunOutcome(passed, summary, "\n\n".join([*parts, conclusion]))
 

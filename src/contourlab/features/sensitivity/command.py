@@ -106,8 +106,9 @@ class Sensitivity:
     def text(self) -> str:
         """Return the findings and the tables."""
         of, count, runs = self.study.plan.judged, len(self.study.space.numbers), self.runs_made + self.runs_reused
-        head = f"{self.scheme}: {of.label} {figure(self.study.present, of.unit, 4)}, servo period {figure(self.servo_period, 'ms')}"
-        return "\n\n".join([f"{head}\nparameters: {count}; runs: {runs}", paragraphs(map(str, self.findings)), *tables(self.study)])
+        period = figure(self.servo_period, "ms")
+        head = f"{self.scheme}: {of.label} {figure(self.study.present, of.unit, 4)}"
+        return "\n\n".join([f"{head}\nservo period: {period}; parameters: {count}; runs: {runs}", paragraphs(map(str, self.findings)), *tables(self.study)])
 
 
 def sensitivity_of(
