@@ -106,9 +106,9 @@ class Sensitivity:
     def text(self) -> str:
         """Return the findings and the tables."""
         of, count, runs = self.study.plan.judged, len(self.study.space.numbers), self.runs_made + self.runs_reused
-        period = figure(self.servo_period, "ms")
-        head = f"{self.scheme}: {of.label} {figure(self.study.present, of.unit, 4)}"
-        return "\n\n".join([f"{head}\nservo period: {period}; parameters: {count}; runs: {runs}", paragraphs(map(str, self.findings)), *tables(self.study)])
+        given = f"servo period: {figure(self.servo_period, 'ms')}; parameters: {count}; runs: {runs}"
+        head = f"{self.scheme}: {of.label} {figure(self.study.present, of.unit, 4)}\n{given}"
+        return "\n\n".join([head, paragraphs(map(str, self.findings)), *tables(self.study)])
 
 
 def sensitivity_of(
