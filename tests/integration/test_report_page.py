@@ -103,7 +103,7 @@ def test_clicks_lead_from_a_line_to_its_path_and_back(data, page, width):
     document = acted(page, CLICKS, {"path-space"}, f"--window-size={width},3000", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
     row, shown, found, order, scale = json.loads(html.unescape(re.search("<title>(.*?)</title>", document)[1]))
     assert (row, shown) == ("4", True) and found == "Line 3: G21 G90 F3770"
-    assert sorted(order.split(",")) == ["1", "2", "3", "4", "5"] and order.split(",")[0] in "34"
+    assert sorted(order.split(",")) == ["3", "4"]
     assert float(scale.split()[-1].replace("\u2009", "")) > before
     assert "path-space" in drawn(document)
 

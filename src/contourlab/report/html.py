@@ -17,7 +17,7 @@ from contourlab.report.charts import Chart, PathChart, PolarChart, SpaceChart
 from contourlab.report.comparison import compare
 from contourlab.report.data import ReportData
 from contourlab.report.error_pictures import error_charts, polar_charts
-from contourlab.report.lead import program_lines, sentence
+from contourlab.report.lead import MOST_LINES, program_lines, sentence
 from contourlab.report.learning_pictures import trial_charts
 from contourlab.report.page_tables import circle_tables, limit_tables, origin_tables, reversal_table
 from contourlab.report.path_picture import path_charts
@@ -140,7 +140,7 @@ def _program(data: ReportData) -> dict[str, Any] | None:
         return None
     digest = hashlib.sha256("\n".join(data.program).encode("utf-8", "replace")).hexdigest()
     rows = program_lines(data)
-    return {"rows": rows, "whole": len(rows) == len(data.program), "count": len(data.program), "digest": digest}
+    return {"rows": rows, "cut": len(rows) >= MOST_LINES, "count": len(data.program), "digest": digest}
 
 
 def _clipped(text: str) -> dict[str, Any]:

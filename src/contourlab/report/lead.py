@@ -12,8 +12,8 @@ from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.judgement import Verdict
 from contourlab.report.samples import signal
 
-MOST_LINES, CONTEXT, LETTERS = 1000, 12, 200
-"""Lines of a program that a page shows in full; of a longer one it shows the worst, and these many around them; letters of a line."""
+MOST_LINES, LETTERS = 500, 200
+"""Most lines of a program on a page, and letters of a line."""
 
 
 def sentence(data: ReportData) -> str:
@@ -82,19 +82,15 @@ class LineRow:
 
 
 def program_lines(data: ReportData) -> tuple[LineRow, ...]:
-    """Return the lines of the program with their errors; of a long one the lines with the largest errors, and those around the worst."""
+    """Return the judged lines of the program with their errors; of very many those with the largest errors."""
     columns = [_largest(scheme) for scheme in data.schemes]
     worst = {int(s.verdict.worst.line) for s in data.schemes if s.verdict is not None} - {0}
-    count = len(data.program)
-    shown = set(range(1, count + 1))
-    if count > MOST_LINES:
-        together = {line: max(column.get(line, 0.0) for column in columns) for column in columns for line in column}
-        shown = set(sorted(together, key=lambda line: -together[line])[: MOST_LINES // 2])
-        shown |= {near for line in worst for near in range(max(1, line - CONTEXT), min(count, line + CONTEXT) + 1)}
+    together = {line: max(column.get(line, 0.0) for column in columns) for column in columns for line in column}
+    shown = worst | set(sorted(together, key=lambda line: -together[line])[:MOST_LINES])
     return tuple(
         LineRow(n, data.program[n - 1][:LETTERS], tuple(number(1e6 * column[n]) if n in column else NONE for column in columns), n in worst)
         for n in sorted(shown)
-        if 1 <= n <= count
+        if n <= len(data.program)
     )
 
 

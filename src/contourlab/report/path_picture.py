@@ -14,7 +14,7 @@ from contourlab.report.charts import Curve, Magnified, PathChart, SpaceChart
 from contourlab.report.comparison import judged_words
 from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.lead import lines_at
-from contourlab.report.samples import keep_extremes, largest_magnitude, signal
+from contourlab.report.samples import keep_changes, keep_extremes, largest_magnitude, signal
 from contourlab.report.style import BAND, INK, REFERENCE, magnification, scheme_style
 
 MM, UM = 1e3, 1e6
@@ -72,18 +72,17 @@ def _places(path: Path, points: int) -> Array:
 
 
 def _run(data: ReportData, scheme: SchemeReport, points: int) -> _Drawn:
-    """Return the extremes of a run, in the window of its figures.
+    """Return the points of a run, in the window of its figures: many where the error changes.
 
     With many laps drawn, each would have too few points, and lines between them would cut corners.
     """
-    result = scheme.result
-    judged = scheme.metrics.judged.samples
-    kept = judged[keep_extremes(signal(result, "part_error")[judged], points)]
-    tool, along = signal(result, "tool_position")[kept], signal(result, "foot_arc_length")[kept]
-    good = np.all(np.isfinite(tool), axis=1) & np.isfinite(along)
-    foot = np.asarray(data.asked.position(along[good]), dtype=np.float64)
-    lines = np.zeros(kept.size, dtype=np.int64) if scheme.lines is None else scheme.lines[kept]
-    return _Drawn(foot, tool[good] - foot, np.abs(signal(result, "part_error")[kept][good]), lines[good])
+    result, judged = scheme.result, scheme.metrics.judged.samples
+    size, along = np.abs(signal(result, "part_error")[judged]), signal(result, "foot_arc_length")[judged]
+    good = np.flatnonzero(np.isfinite(size) & np.isfinite(along))
+    kept = good[keep_changes(size[good], points)] if good.size else good
+    foot = np.asarray(data.asked.position(along[kept]), dtype=np.float64)
+    lines = np.zeros(kept.size, dtype=np.int64) if scheme.lines is None else scheme.lines[judged[kept]]
+    return _Drawn(foot, signal(result, "tool_position")[judged[kept]] - foot, size[kept], lines)
 
 
 def _space(data: ReportData, asked: Array, asked_at: Index, runs: list[_Drawn], scale: float) -> SpaceChart:

@@ -46,8 +46,8 @@ def path_figure(chart: PathChart) -> Figure:
     layout = layout_look(_path_height(chart), hovermode="closest", dragmode="pan")
     layout["legend"] |= {"orientation": "v", "x": 1.01, "y": 1, "yanchor": "top"}
     layout["margin"] |= {"t": 24}
-    layout["xaxis"] = axis_look(chart.labels[0], constrain="domain")
-    layout["yaxis"] = axis_look(chart.labels[1], scaleanchor="x", constrain="domain")
+    layout["xaxis"] = axis_look(chart.labels[0])
+    layout["yaxis"] = axis_look(chart.labels[1], scaleanchor="x")
     magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(np.column_stack([chart.lines[0].x, chart.lines[0].y]))}
     data.append({**PICKED, "type": "scatter", "x": [], "y": []})
     return {"data": data, "layout": layout, "magnify": magnify, "numbered": numbered}

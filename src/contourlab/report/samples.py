@@ -96,6 +96,34 @@ def keep_extremes(values: ArrayLike, budget: int) -> Index:
     return np.unique(np.concatenate([_of_column(columns[:, i], n_interval) for i in range(n_column)]))
 
 
+def keep_changes(values: Array, budget: int) -> Index:
+    """Choose half of the samples evenly, and half where a signal changes quickly, so that a short spike keeps its shape.
+
+    Parameters
+    ----------
+    values : ndarray (n_sample,)
+        Finite.
+    budget : int, >= 2
+        Most samples to keep, besides the first, the last and the largest.
+
+    Returns
+    -------
+    ndarray of int (n_kept,)
+        Ascending.
+
+    >>> keep_changes(np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 5.0, 0.0]), 4)
+    array([0, 5, 6, 7])
+    """
+    if values.size <= budget:
+        return np.arange(values.size, dtype=np.int64)
+    # Squares of changes over a few samples: noise changes little, but at every sample.
+    every = np.arange(0, values.size, max(values.size // (8 * budget), 1))
+    change = np.diff(values[every], prepend=values[0]) ** 2
+    weight = np.cumsum(change / max(float(change.sum()), 1e-300) + 1.0 / every.size)
+    places = np.searchsorted(weight, np.linspace(0.0, weight[-1], budget)).clip(max=every.size - 1)
+    return np.unique([*every[places], 0, int(np.argmax(values)), values.size - 1])
+
+
 def _of_column(column: Array, n_interval: int) -> Index:
     """Return first, last, lowest and highest of each interval, unsorted."""
     column = np.ascontiguousarray(column)

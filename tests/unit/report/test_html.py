@@ -211,14 +211,14 @@ def _size(trace: dict) -> int:
     return unpack(numbers).size if isinstance(numbers, dict) else len(numbers)
 
 
-def test_a_long_program_is_cut_around_its_worst_line(circle):
+def test_of_a_long_program_the_judged_lines_are_shown(circle):
     lines = tuple(f"N{i} G1 X{i % 97}.125 Y{i % 89}.5" for i in range(60_000))
     worst = replace(circle.schemes[0].verdict.worst, line=40_000)
     scheme = replace(circle.schemes[0], verdict=replace(circle.schemes[0].verdict, worst=worst))
     text = render_html(replace(circle, program=lines, schemes=(scheme,)))
     assert len(text) < 3_000_000
     page = Page(text)
-    assert lines[39_999] in page.text and lines[39_990] in page.text and lines[20_000] not in page.text
+    assert lines[39_999] in page.text and lines[20_000] not in page.text
     assert hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16] in page.text
 
 

@@ -55,7 +55,11 @@
     spec.data.forEach(function (trace) {  // plotly.js takes typed arrays as places, not as colours
       if (trace.line && trace.line.color && trace.line.color.bdata) { trace.line.color = Array.from(decode(trace.line.color)); }
     });
-    if (spec.magnify && window.innerWidth < 700) { spec.layout.showlegend = false; }
+    if (spec.magnify && window.innerWidth < 700) {
+      spec.layout.showlegend = false;
+      spec.layout.height = Math.min(spec.layout.height, place.clientWidth);
+      place.style.minHeight = place.style.height = spec.layout.height + "px";
+    }
     const more = Object.assign({ scrollZoom: Boolean(spec.magnify), modeBarButtons: spec.layout.scene ? space : flat }, config);
     Plotly.newPlot(place, spec.data, spec.layout, more).then(function () {
       if (spec.numbered) { place.on("plotly_click", function (event) { pickPoint(spec, event.points[0]); }); }
