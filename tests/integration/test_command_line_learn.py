@@ -121,6 +121,7 @@ def test_a_part_missing_from_the_scenario_is_named(contourlab: Run, tmp_path: Pa
     assert contourlab("compare", "s.toml", "--schemes", "fb,mr,me").code == 0
 
 
+@pytest.mark.slow
 def test_tables_of_other_schemes_are_kept(contourlab: Run, tmp_path: Path) -> None:
     file = write(tmp_path)
     contourlab("learn", file, "--schemes", "ilc", "--trials", "1")

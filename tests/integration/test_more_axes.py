@@ -77,7 +77,7 @@ def schemes_of(said: Any) -> dict[str, Any]:
 @pytest.mark.parametrize(
     ("n", "contour"),
     [
-        pytest.param(3, HELIX, id="helix"),
+        pytest.param(3, HELIX, id="helix", marks=pytest.mark.slow),
         pytest.param(3, LISSAJOUS, id="lissajous-3", marks=pytest.mark.slow),
         pytest.param(5, LISSAJOUS, id="lissajous-5", marks=pytest.mark.slow),
     ],

@@ -158,6 +158,7 @@ def test_before_and_after_are_printed(folder: Path, identified: dict[str, Any], 
         assert sum(line.startswith(row) for line in text.splitlines()) == 1
 
 
+@pytest.mark.slow
 def test_gains_that_no_notch_saves_are_lowered(folder: Path, identified: dict[str, Any], capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "fast.toml").write_text(PART.replace('bandwidth = "70', 'bandwidth = "150'))
     assert main(["notch", str(folder / "fast.toml"), "--json"]) == 0

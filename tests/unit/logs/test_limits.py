@@ -91,6 +91,7 @@ def test_items_that_contain_themselves(tmp_path: Path) -> None:
             read_record(tmp_path / f"{name}.mat")
 
 
+@pytest.mark.slow
 def test_a_matrix_of_many_columns(tmp_path: Path) -> None:
     savemat(tmp_path / "a.mat", {"x": np.zeros((20_000, 20_000), dtype=bool)}, do_compression=True)
     with refuses(LogError, f"columns.*{limits.SETTING}=2", file=tmp_path / "a.mat"):

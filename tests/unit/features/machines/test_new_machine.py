@@ -198,7 +198,7 @@ def test_a_folder_is_no_toml_file(tmp_path):
         write_machine(new_machine(answers()), tmp_path / "mill.toml")
 
 
-@pytest.mark.parametrize("drive", ["screw", "linear"])
+@pytest.mark.parametrize("drive", [pytest.param("screw", marks=pytest.mark.slow), "linear"])
 def test_a_measured_resonance_gives_an_elastic_axis_with_a_notch(drive, tmp_path):
     """Measured on the assembled machine: the loaded axis rings at 60 Hz, and its proposed loop keeps 6 dB and 30 degrees."""
     given = answers() | {"x.resonance": "60 Hz"}
@@ -219,7 +219,8 @@ def test_a_measured_resonance_gives_an_elastic_axis_with_a_notch(drive, tmp_path
     assert sampled_loop(machine.axes[0], bare, machine.servo_period, machine.carried_mass("x")).margins().gain < margins.gain
 
 
-@pytest.mark.parametrize("hertz", [20, pytest.param(60, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("hertz", [20, 60])
 def test_a_lower_resonance_gives_a_slower_loop(hertz):
     given = answers() | {"x.resonance": f"{hertz} Hz"}
     x = new_machine(given).axes[0]

@@ -298,6 +298,7 @@ def test_a_controller_without_tunable_parameters_is_refused() -> None:
         tune(rigid_stage(), nothing, circle())
 
 
+@pytest.mark.slow
 def test_tenfold_on_the_paper_s_circle() -> None:
     reading = Reading()
     stage, made = machine(1, reading), controller(1, TABLE_2, reading)

@@ -39,7 +39,8 @@ def test_batches_judge_the_part_error_exactly(scenario: Scenario) -> None:
         assert batch.figures["part_error_max"][i] > 1.1 * batch.figures["contour_error_max"][i]
 
 
-@pytest.mark.parametrize("method", [pytest.param("sequential", marks=pytest.mark.slow), "both"])
+@pytest.mark.slow
+@pytest.mark.parametrize("method", ["sequential", "both"])
 def test_a_calibration_never_ends_worse(scenario: Scenario, method: str) -> None:
     """Started again from its own result it stays at least as good, whatever its rule prefers."""
     case = scenario.base
