@@ -91,7 +91,7 @@ def test_a_wrong_program_is_one_line_and_2(contourlab: Run, tmp_path: Path, name
 
 WRONG_NAMES = [
     (["none.toml"], r"none\.toml: "),
-    (["folder.toml"], r"folder\.toml.scenario\.toml: "),
+    (["folder.toml"], r"folder\.toml: "),
     (["folder.ngc", *ON_XYZ], r"folder\.ngc: "),
     (["part.ngc", "--machine", "xyz"], r"part\.ngc: .*--machine and --controller"),
     (["circle.toml", "--machine", "xyz"], r"circle\.toml: .*--machine"),

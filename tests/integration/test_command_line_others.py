@@ -205,7 +205,7 @@ def test_the_last_line_counts_printed_derived_and_differing_figures_apart(
     assert main(["reproduce", "ghaffari"]) == 0
     said = capsys.readouterr()
     assert said.err == ""
-    last = said.out.rstrip().splitlines()[-1]
+    last = " ".join(said.out.partition("next:")[0].split("\n\n")[-2].split())
     for source in ("printed", "derived"):
         verdicts = [row["verdict"] for row in rows if row["source"] == source]
         agree, differ = (verdicts.count(word) for word in ("agrees", "differs"))

@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
-from fnmatch import fnmatchcase
 from functools import cached_property
 
 import numpy as np
@@ -16,7 +14,8 @@ from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.design.values import calibration_order
 from contourlab.errors import ParameterError, UnitError
-from contourlab.loop import Controller, Machine, parameter_names
+from contourlab.loop import Controller, Machine, parameters_of
+from contourlab.loop.parameters import matching
 from contourlab.scenario.quantities import read_number
 from contourlab.units import from_si, in_si
 
@@ -216,7 +215,7 @@ class Space:
         """
         if not (width > 1.0 and math.isfinite(width)):
             raise ParameterError("width", f"{width:g}", "above 1 and finite: a factor either side of a value")
-        known = parameter_names(machine, controller)
+        known = parameters_of(machine, controller)
         if machine_only:
             known = {name: found for name, found in known.items() if name.startswith("axes.")}
         units = {axis.name: (axis.plant.command_unit, axis.plant.force_unit) for axis in machine.axes}
@@ -227,7 +226,7 @@ class Space:
         asked: dict[str, str] = {}
         for text in texts:
             wanted, _, bounds = (part.strip() for part in text.partition("="))
-            for name in _fitting(wanted, known, called, "the machine" if machine_only else "the machine or its controller"):
+            for name in matching(wanted, known, called, "the machine" if machine_only else "the machine or its controller"):
                 if bounds and asked.get(name, bounds) not in ("", bounds):
                     raise ParameterError(name, f"{asked[name]} and {bounds}", "given bounds once")
                 asked[name] = bounds or asked.get(name, "")
@@ -281,28 +280,6 @@ def _over(values: Array, power: Array) -> Array:
 
 def _value(known: tuple[Component, str]) -> float:
     return float(getattr(*known))
-
-
-def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]], called: str, whose: str) -> list[str]:
-    """Return the dotted names that a text matches."""
-    if wanted in known:
-        return [wanted]
-    found = [name for name in known if fnmatchcase(name, wanted) or fnmatchcase(name, f"*.{wanted}")]
-    # "3.position_gain" means controller.axes.3.controller.position_gain: the slot "controller" may be left out.
-    found += [name for name in known if name not in found and fnmatchcase(name.replace(".controller.", "."), f"*.{wanted}")]
-    if not wanted or not found:
-        raise ParameterError(called, repr(wanted), f"a parameter of {whose}, such as {', '.join(_near(wanted, known))}")
-    return found
-
-
-def _near(wanted: str, known: Iterable[str]) -> list[str]:
-    """Return the names nearest to an unknown name: with the same last word or a similar one, or else the first few."""
-    names = sorted(known, key=lambda name: name.startswith("axes."))  # gains first
-    ends = {name: name.rpartition(".")[2] for name in names}
-    word = wanted.rpartition(".")[2]
-    alike = get_close_matches(word, dict.fromkeys(ends.values()), n=3)
-    found = [name for end in (word, *alike) for name in names if ends[name] == end]
-    return list(dict.fromkeys(found))[:MOST_NAMES] or names[:MOST_NAMES]
 
 
 def _variable(name: str, known: tuple[Component, str], units: Mapping[str, tuple[str, str]], bounds: str, width: float) -> DesignVariable:

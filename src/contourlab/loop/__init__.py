@@ -3,7 +3,8 @@
 from contourlab.loop.axis_parts import DIVISIONS, AxisError, Division, Limits
 from contourlab.loop.batch import BatchResult, simulate_batch
 from contourlab.loop.feeding import Learned
-from contourlab.loop.machine import Axis, AxisController, Controller, Machine, parameter_names
+from contourlab.loop.machine import Axis, AxisController, Controller, Machine
+from contourlab.loop.parameters import parameter_names, parameters_of
 from contourlab.loop.reconfigure import Change
 from contourlab.loop.simulate import result_of, simulate, simulate_blocks
 
@@ -20,6 +21,7 @@ __all__ = [
     "Limits",
     "Machine",
     "parameter_names",
+    "parameters_of",
     "result_of",
     "simulate",
     "simulate_batch",

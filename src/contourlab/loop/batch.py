@@ -23,7 +23,8 @@ from contourlab.geometry.view import PathView, check_view, view_of
 from contourlab.loop.builder import Signals
 from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.judging import PART, WATCH, effort_figures, effort_node, error_figures, judge_node, part_nodes, sums_of
-from contourlab.loop.machine import Controller, Machine, parameter_names
+from contourlab.loop.machine import Controller, Machine
+from contourlab.loop.parameters import matching, parameters_of
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.metrics.streaming import SUMS
@@ -87,7 +88,8 @@ def simulate_batch(
     machine, controller, reference
         Common to all variants.
     variants : mapping of str to array_like (n_variant,)
-        Parameters that differ, by their dotted names (`contourlab.loop.parameter_names` lists them).
+        Parameters that differ [SI], by dotted name (`contourlab.loop.parameter_names` lists them); a pattern such as
+        ``axes.*.plant.mass`` gives all that match the same values.
     keep : sequence of str
         Signals to keep; none by default.
     threads : int, optional
@@ -183,12 +185,13 @@ def _advance_all(
 def _checked(machine: Machine, controller: Controller, variants: Mapping[str, ArrayLike]) -> tuple[dict[str, Array], int]:
     if not isinstance(variants, Mapping):
         raise ParameterError("variants", f"{variants!r:.60}", "a mapping from names of parameters to numbers")
-    known = parameter_names(machine, controller)
+    known = parameters_of(machine, controller)
     columns: dict[str, Array] = {}
-    for name, values in variants.items():
-        if name not in known:
-            raise ParameterError("variants", name, "a parameter of the machine or controller, such as " + ", ".join(list(known)[:3]))
+    named = [(name, values) for wanted, values in variants.items() for name in matching(str(wanted), known, "variants")]
+    for name, values in named:
         part, parameter = known[name]
+        if name in columns:
+            raise ParameterError("variants", name, "given once")
         try:
             columns[name] = np.atleast_1d(np.asarray(values)).astype(float, casting="same_kind")
             if columns[name].ndim != 1:

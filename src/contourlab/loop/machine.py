@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 
@@ -296,27 +295,3 @@ class Controller:
         if self.estimator is not None and blind:
             wanted = f"left out, because axis {blind[0]} sends no position to the base: its link goes one way"
             raise ParameterError("controller.estimator", f'"{self.estimator.kind}"', wanted)
-
-
-def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
-    """Return every parameter that a batch can vary: dotted name -> (component, parameter name).
-
-    Names read ``axes.x.plant.gain``, ``controller.axes.x.observer.bandwidth``, ``controller.coupling.weight``.
-    """
-    parameters: dict[str, Any] = {}
-
-    def collect(prefix: str, part: Component | None) -> None:
-        if part is not None:
-            parameters.update({f"{prefix}.{name}": (part, name) for name in part.numeric()})
-
-    for axis in machine.axes:
-        for slot in AXIS_SLOTS:
-            collect(f"axes.{axis.name}.{slot}", getattr(axis, slot))
-        parts = controller.axes[axis.name]
-        for slot, part in parts.parts.items():
-            collect(f"controller.axes.{axis.name}.{slot}", part)
-        for direction in ("down", "up") if parts.link is not None else ():
-            collect(f"controller.axes.{axis.name}.link.{direction}", getattr(parts.link, direction))
-    collect("controller.estimator", controller.estimator)
-    collect("controller.coupling", controller.coupling)
-    return parameters

@@ -66,7 +66,7 @@ def test_files_that_are_not_logs_name_the_requirements(tmp_path: Path) -> None:
     lacking = saved(tmp_path / "lacking.mat", {name: value for name, value in held().items() if name not in ("kp", "vir")})
     for file, told in (
         (tmp_path / "nowhere.mat", "cannot be read: No such file"),
-        (folder, "is not a regular file"),
+        (folder, "is a folder"),
         (text, "cannot be read"),
         (lacking, "has no vir, kp"),
     ):

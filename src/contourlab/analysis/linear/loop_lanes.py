@@ -18,7 +18,8 @@ from contourlab.analysis.linear.tick_map import TickMap, lane_matrices, live_sta
 from contourlab.arrays import Array, Complex, Flags
 from contourlab.engine.schedule import Schedule
 from contourlab.loop.batch import LANES
-from contourlab.loop.machine import Axis, AxisController, Controller, Machine, parameter_names
+from contourlab.loop.machine import Axis, AxisController, Controller, Machine
+from contourlab.loop.parameters import parameters_of
 from contourlab.loop.simulate import jit_enabled
 
 GRID = 200
@@ -138,7 +139,7 @@ def _opened_lanes(
     """Return the bare axis, its controller and open schedule, and A (n_variant, n, n) and B (n_variant, n, n_external)."""
     n = len(next(iter(columns.values()), (0.0,)))
     machine, bare = bare_axis(axis, controller, servo_period, carried_mass)
-    known = parameter_names(machine, bare)
+    known = parameters_of(machine, bare)
     # The loop of one axis has no estimator of the coupling.
     used = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name in known}
     schedule = opened_schedule(machine, bare, used)

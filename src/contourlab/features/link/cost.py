@@ -15,7 +15,7 @@ from contourlab.errors import ParameterError
 from contourlab.features.link.sweep import FIGURES, QUANTITIES, SEEDS, LinkSetting, LinkSweep, swept
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
-from contourlab.loop import Controller, Division, Machine, parameter_names, simulate, simulate_batch
+from contourlab.loop import Controller, Division, Machine, parameters_of, simulate, simulate_batch
 from contourlab.threads import in_threads
 
 WAYS = {"both": "both ways", "one": "one way"}
@@ -87,7 +87,7 @@ def undivided_error(
     if figure not in FIGURES:
         raise ParameterError("figure", repr(figure), "one of " + ", ".join(FIGURES))
     whole = replace(controller, axes={name: replace(axis, link=None) for name, axis in controller.axes.items()})
-    name, (part, parameter) = next(iter(parameter_names(machine, whole).items()))
+    name, (part, parameter) = next(iter(parameters_of(machine, whole).items()))
     error = simulate_batch(machine, whole, reference, {name: [part.values()[parameter]]}, seed=seed, moving=moving).figures[figure][0]
     if math.isnan(error):
         simulate(machine, whole, reference, seed=seed, moving=moving)  # raises an error with the place and time of the failure

@@ -11,7 +11,7 @@ from contourlab.design.variables import DesignVariable, Space
 from contourlab.errors import ParameterError
 from contourlab.features.refine.log_run import LogRun
 from contourlab.figures import figure
-from contourlab.loop import parameter_names
+from contourlab.loop import parameters_of
 
 SPAN = 10.0
 """Factor by which a parameter without a range may become smaller or larger."""
@@ -122,7 +122,7 @@ def _chosen(runs: Sequence[LogRun], among: Sequence[int], text: str) -> dict[int
 
 def _sought(runs: Sequence[LogRun], variables: Sequence[DesignVariable], held: tuple[int, ...], label: str) -> Sought:
     variable = variables[0]
-    part, name = parameter_names(runs[held[0]].machine, runs[held[0]].controller)[variable.name]
+    part, name = parameters_of(runs[held[0]].machine, runs[held[0]].controller)[variable.name]
     sought = Sought(variable, held, f"{label}:{variable.name}" if label else variable.name, part.parameters[name].minimum < 0.0)
     starts = sorted({one.value for one in variables})
     if len(starts) > 1:

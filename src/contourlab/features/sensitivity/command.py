@@ -24,7 +24,7 @@ from contourlab.features.sensitivity.text import tables
 from contourlab.features.sensitivity.verdict import Ranking, ranking, verdict
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.loop import parameter_names, simulate
+from contourlab.loop import parameters_of, simulate
 from contourlab.report.table import paragraphs
 from contourlab.result import write_text_atomic
 
@@ -180,7 +180,7 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
     if not holds(space, runs):
         # A single run reports where and when it fails.
         simulate(machine, controller, reference, seed=case.seed, moving=case.moving)
-    known = parameter_names(machine, controller)
+    known = parameters_of(machine, controller)
     accepted = {name: known[name][0].parameters[known[name][1]] for name in space.names}
     limits = {name: (parameter.minimum, parameter.maximum) for name, parameter in accepted.items()}
     level = _failure_level(case, reference, request.plan)

@@ -13,7 +13,7 @@ from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.swap.search import WarmStart
 from contourlab.features.swap.variants import Variant, Variants
 from contourlab.findings import Finding, finding
-from contourlab.loop import parameter_names
+from contourlab.loop import parameters_of
 
 if TYPE_CHECKING:
     from contourlab.loop import Controller
@@ -91,7 +91,7 @@ def _loaded(file: str, variant: Variant, plugins: Sequence[str | Path]) -> Contr
 
 def _values(variants: Variants, variant: Variant, file: str, controller: Controller) -> dict[str, float]:
     """Return the values of the searched parameters."""
-    there = parameter_names(variant.machine, controller)
+    there = parameters_of(variant.machine, controller)
     missing = [number.short for number in variants.space.numbers if number.name not in there]
     if missing:
         raise ParameterError("--from", file, f"a controller with all searched parameters; it has no {', '.join(missing)}")
@@ -124,7 +124,7 @@ def _remedy(beyond: Sequence[DesignVariable], values: dict[str, float]) -> str:
 
 def _not_taken(variants: Variants, variant: Variant, file: str, controller: Controller) -> list[Finding]:
     """Report the parameters that differ from the scenario's and are not searched."""
-    there, here = (parameter_names(variant.machine, of) for of in (controller, variants.controller))
+    there, here = (parameters_of(variant.machine, of) for of in (controller, variants.controller))
     kept = [name for name in here if name.startswith("controller.") and name not in variants.space.names]
     differ = [name for name in kept if name not in there or getattr(*there[name]) != getattr(*here[name])]
     differ += [name for name in there if name not in here]

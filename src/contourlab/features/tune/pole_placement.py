@@ -12,7 +12,7 @@ from contourlab.design.guards import Bounds
 from contourlab.design.placement import designed, fastest_speed, model_of
 from contourlab.errors import ParameterError
 from contourlab.features.tune.objective import Goal, Objective
-from contourlab.loop import Controller, Machine, parameter_names
+from contourlab.loop import Controller, Machine, parameters_of
 
 FRACTIONS = np.geomspace(0.1, 1.0, 32)
 """Fractions of the fastest poles, tried for all axes together."""
@@ -40,7 +40,7 @@ def placed_start(evaluator: Evaluator, goal: Goal, bounds: Bounds) -> Controller
     candidates = [placed for fraction in FRACTIONS.tolist() if (placed := _placed(machine, controller, speeds, fraction)) is not None]
     if not candidates:
         raise ParameterError("start", "placed", "scenario: no common fraction of the fastest poles gives gains on every axis")
-    parameters = [parameter_names(machine, candidate) for candidate in candidates]
+    parameters = [parameters_of(machine, candidate) for candidate in candidates]
     columns: dict[str, np.ndarray] = {}
     for name in parameters[-1]:
         if ".controller." in name:

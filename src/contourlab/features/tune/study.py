@@ -19,7 +19,7 @@ from contourlab.features.tune.objective import FIGURES, Evaluation, Goal, Object
 from contourlab.features.tune.pole_placement import FRACTIONS, placed_start
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
-from contourlab.loop import Controller, Machine, parameter_names
+from contourlab.loop import Controller, Machine, parameters_of
 
 METHODS = ("sequential", "global", "both")
 STARTS = ("scenario", "placed")
@@ -204,7 +204,7 @@ def _tuned(
     after = evaluate(machine, tuned, reference, guards, seed=seed, moving=moving)
     inside = all(variable.nearest == variable.value for variable in space.numbers)
     if inside and not before.violations and after.worse_than(before, settings.goal.figure):
-        known = parameter_names(machine, controller)
+        known = parameters_of(machine, controller)
         best = {variable.name: float(getattr(*known[variable.name])) for variable in space.numbers}
         method, tuned, after = "none", controller, before
     terms = drive_terms(machine, tuned, after.run)
@@ -219,7 +219,7 @@ def _tuned(
 def _check(machine: Machine, controller: Controller, settings: TuneSettings) -> None:
     """Refuse parameters of the machine, and a controller with nothing to calibrate."""
     if not settings.parameters:
-        known = parameter_names(machine, controller)
+        known = parameters_of(machine, controller)
         order = calibration_order(machine, controller)
         if not any(getattr(*known[name]) not in (0.0, math.inf) for name in order):
             kinds = ", ".join(sorted({part.controller.kind for part in controller.axes.values()}))
@@ -253,7 +253,7 @@ def _placed_values(evaluator: Evaluator, settings: TuneSettings, space: Space, b
         return []
     begin("placing poles")
     with suppress(ParameterError):
-        known = parameter_names(evaluator.machine, placed_start(evaluator, settings.goal, settings.bounds))
+        known = parameters_of(evaluator.machine, placed_start(evaluator, settings.goal, settings.bounds))
         return [{one.name: min(max(float(getattr(*known[one.name])), one.low), one.high) for one in space.numbers}]
     return []
 

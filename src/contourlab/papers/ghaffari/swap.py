@@ -9,7 +9,7 @@ from contourlab.design import Space
 from contourlab.features.swap.search import SwapSettings
 from contourlab.features.swap.study import SwapStudy, swap_study
 from contourlab.features.swap.variants import Variants, variants_of
-from contourlab.loop import parameter_names
+from contourlab.loop import parameters_of
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, axis, circle, controller, machine
 from contourlab.papers.rows import Row, ours, printed
 from contourlab.scenario import load_controller
@@ -46,7 +46,7 @@ def _gains(name: str) -> dict[str, float]:
     stage = machine(first, Reading())
     made = load_controller(f"builtin:ghaffari/{name}.toml", stage)
     numbers = {
-        dotted: float(getattr(*part)) for dotted, part in parameter_names(stage, made).items() if dotted.startswith("controller.axes.")
+        dotted: float(getattr(*part)) for dotted, part in parameters_of(stage, made).items() if dotted.startswith("controller.axes.")
     }
     return {dotted.replace(f".axes.{first}.", ".axes.1."): value for dotted, value in numbers.items()}
 

@@ -16,7 +16,7 @@ from contourlab.errors import ContourlabError
 from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
-from contourlab.loop import Controller, Learned, Machine, parameter_names, simulate_batch
+from contourlab.loop import Controller, Learned, Machine, parameters_of, simulate_batch
 from contourlab.report.judgement import Interval, Number, Rank, Spread
 
 SAMPLES = 64
@@ -162,7 +162,7 @@ def draw(uncertain: Sequence[Number], machine: Machine, controller: Controller, 
     share = qmc.Sobol(len(uncertain), scramble=True, rng=np.random.default_rng([seed, len(uncertain)])).random(n)
     share = np.clip(share, 0.5**31, 1.0 - 0.5**31)
     mixed = ndtr(ndtri(share) @ _root(uncertain, machine).T)
-    known = parameter_names(machine, controller)
+    known = parameters_of(machine, controller)
     return {number.name: _placed(number, known[number.name], mixed[:, i]) for i, number in enumerate(uncertain)}
 
 

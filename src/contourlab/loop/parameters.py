@@ -1,0 +1,85 @@
+"""The parameters of a machine and its controller by dotted name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from difflib import get_close_matches
+from fnmatch import fnmatchcase
+from typing import Any, TypeAlias
+
+from contourlab.components.contract import Component
+from contourlab.errors import ParameterError
+from contourlab.loop.machine import AXIS_SLOTS, Controller, Machine
+
+Known: TypeAlias = dict[str, tuple[Component, str]]
+"""Component and name of each parameter, by dotted name."""
+MOST_NAMES = 4
+
+
+def parameters_of(machine: Machine, controller: Controller) -> Known:
+    """Return every parameter that a batch can vary.
+
+    Names read ``axes.x.plant.gain``, ``controller.axes.x.observer.bandwidth``, ``controller.coupling.weight``.
+    """
+    parameters: Known = {}
+
+    def collect(prefix: str, part: Any) -> None:
+        if part is not None:
+            parameters.update({f"{prefix}.{name}": (part, name) for name in part.numeric()})
+
+    for axis in machine.axes:
+        for slot in AXIS_SLOTS:
+            collect(f"axes.{axis.name}.{slot}", getattr(axis, slot))
+        parts = controller.axes[axis.name]
+        for slot, part in parts.parts.items():
+            collect(f"controller.axes.{axis.name}.{slot}", part)
+        for direction in ("down", "up") if parts.link is not None else ():
+            collect(f"controller.axes.{axis.name}.link.{direction}", getattr(parts.link, direction))
+    collect("controller.estimator", controller.estimator)
+    collect("controller.coupling", controller.coupling)
+    return parameters
+
+
+def parameter_names(machine: Machine, controller: Controller) -> dict[str, str]:
+    """Return the SI unit of every parameter that a batch can vary, by dotted name; "" without a unit.
+
+    >>> from contourlab import load_scenario
+    >>> case = load_scenario("builtin:demo-part").base
+    >>> parameter_names(case.machine, case.controller)["axes.x.plant.mass"]
+    'kg'
+    """
+    return {name: unit_of(machine, name, *known) for name, known in parameters_of(machine, controller).items()}
+
+
+def unit_of(machine: Machine, name: str, part: Component, parameter: str) -> str:
+    """Return the SI unit of a parameter; commands and forces have the units of the plant of its axis."""
+    axis = next((axis for axis in machine.axes if f".axes.{axis.name}." in f".{name}"), machine.axes[0])
+    return part.parameters[parameter].for_plant(axis.plant.command_unit, axis.plant.force_unit).unit
+
+
+def matching(wanted: str, known: Mapping[str, Any], called: str, whose: str = "the machine or its controller") -> list[str]:
+    """Return the dotted names that a text matches: a name, the end of one, or a pattern such as ``axes.*.plant.mass``.
+
+    Raises
+    ------
+    ParameterError
+        If it matches none; names the nearest.
+    """
+    if wanted in known:
+        return [wanted]
+    found = [name for name in known if fnmatchcase(name, wanted) or fnmatchcase(name, f"*.{wanted}")]
+    # "3.position_gain" means controller.axes.3.controller.position_gain: the slot "controller" may be left out.
+    found += [name for name in known if name not in found and fnmatchcase(name.replace(".controller.", "."), f"*.{wanted}")]
+    if not wanted or not found:
+        raise ParameterError(called, repr(wanted), f"a parameter of {whose}, such as {', '.join(_near(wanted, known))}")
+    return found
+
+
+def _near(wanted: str, known: Iterable[str]) -> list[str]:
+    """Return the names nearest to an unknown name: with the same last word or a similar one, or else the first few."""
+    names = sorted(known, key=lambda name: name.startswith("axes."))  # gains first
+    ends = {name: name.rpartition(".")[2] for name in names}
+    word = wanted.rpartition(".")[2]
+    alike = get_close_matches(word, dict.fromkeys(ends.values()), n=3)
+    found = [name for end in (word, *alike) for name in names if ends[name] == end]
+    return list(dict.fromkeys(found))[:MOST_NAMES] or names[:MOST_NAMES]
