@@ -6,8 +6,9 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import nullcontext
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,11 +29,16 @@ from contourlab.loop.parameters import matching, parameters_of
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.metrics.streaming import SUMS
+from contourlab.result.notebook import curves, svg
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.figure import Figure
 
 LANES = 32
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class BatchResult:
     """Figures of each variant, arrays (n_variant,).
 
@@ -53,13 +59,47 @@ class BatchResult:
         The requested signals: views of `log`.
     log : ndarray (n_group, n_sample, n_row, 32)
         Memory of the signals, in the layout of the lanes.
+    variants : mapping of str to ndarray (n_variant,)
+        The parameters that differ [SI].
     """
 
     figures: Mapping[str, Array]
     failed_at: Index
     unsure: Array
     signals: Mapping[str, Array]
-    log: Array = field(repr=False)
+    log: Array
+    variants: Mapping[str, Array]
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return parameters and figures in SI, a row for each variant."""
+        import pandas
+
+        return pandas.DataFrame({**self.variants, **self.figures, "failed_at": self.failed_at})
+
+    def plot(self, figure: str = "contour_error_max") -> Figure:
+        """Draw a figure over the first parameter that differs.
+
+        Raises
+        ------
+        ParameterError
+            If there is no such figure.
+        """
+        if figure not in self.figures:
+            raise ParameterError("figure", repr(figure), "one of " + ", ".join(self.figures))
+        name, values = next(iter(self.variants.items()))
+        is_length = figure.endswith(("_rms", "_mean", "_max"))
+        order = np.argsort(values, kind="stable")
+        shown = (1e6 if is_length else 1.0) * self.figures[figure][order]
+        return curves([(f"{name} [SI]", f"{figure.replace('_', ' ')} [{'um' if is_length else 'SI'}]", [("", values[order], shown)])])
+
+    def __repr__(self) -> str:
+        failed = int((self.failed_at >= 0).sum())
+        names, figures = ", ".join(self.variants), ", ".join(self.figures)
+        return f"BatchResult({len(self.failed_at)} variants of {names}; {failed} failed; figures: {figures})"
+
+    def _repr_html_(self) -> str:
+        picture = svg(self.plot()) if "contour_error_max" in self.figures else ""
+        return str(self.to_pandas().describe().to_html()) + picture
 
 
 def simulate_batch(
@@ -156,7 +196,7 @@ def simulate_batch(
         figures |= {f"part_error_{name}": errors[f"contour_error_{name}"] for name in ("max", "rms")}
     if effort:
         figures |= effort_figures(sums_of(groups, "effort", n), failed, machine.servo_period)
-    return BatchResult(figures, failed, sums[SUMS.index("unsure")], _split(log, n, keep, loop), log)
+    return BatchResult(figures, failed, sums[SUMS.index("unsure")], _split(log, n, keep, loop), log, columns)
 
 
 def _advance_all(

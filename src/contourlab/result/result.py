@@ -12,13 +12,16 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import ResultError
 from contourlab.result.netcdf import FORMAT, ResultWriter, read_netcdf
+from contourlab.result.notebook import Panel, curves, svg, table
 from contourlab.result.signals import Signal, Status
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
+    from matplotlib.figure import Figure
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Result:
     """Signals of one run, simulated or measured.
 
@@ -106,6 +109,56 @@ class Result:
         data = {name: (signal.dims, np.array(signal.data), {"units": signal.unit}) for name, signal in self.signals.items()}
         coordinates: dict[str, Any] = {"time": ("sample", self.time, {"units": "s"}), "axis": ("axis", list(self.axes))}
         return xarray.Dataset(data, coordinates, dict(self.header()))
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return the signals in SI as a table over time [s]; a signal of the axes has a column for each, as ``reference x``."""
+        import pandas
+
+        columns: dict[str, Array] = {}
+        for name, signal in self.signals.items():
+            if signal.data.ndim == 1:
+                columns[name] = signal.data
+            else:
+                columns |= {f"{name} {axis}": signal.data[:, i] for i, axis in enumerate(self.axes)}
+        return pandas.DataFrame(columns, index=pandas.Index(self.time, name="time"))
+
+    def plot(self) -> Figure:
+        """Draw the path of the first two axes, and over time the contour error of a judged run, else each axis' deviation.
+
+        Raises
+        ------
+        ResultError
+            If a signal that it draws was not kept.
+        """
+        reference, actual = self["reference"], self["axis_position"]
+        panels: list[Panel] = []
+        if len(self.axes) > 1:
+            ways = [(name, *1e3 * values[:, :2].T) for name, values in (("reference", reference), ("axes", actual))]
+            panels.append((f"{self.axes[0]} [mm]", f"{self.axes[1]} [mm]", ways))
+        if "contour_error" in self:
+            panels.append(("time [s]", "contour error [um]", [("", self.time, 1e6 * self["contour_error"])]))
+        else:
+            off = [(name, self.time, 1e6 * column) for name, column in zip(self.axes, (actual - reference).T, strict=True)]
+            panels.append(("time [s]", "axis - reference [um]", off))
+        return curves(panels, to_scale=len(self.axes) > 1)
+
+    def _facts(self) -> dict[str, str]:
+        """Return what identifies the run, and its error if it was judged."""
+        facts = {"axes": ", ".join(self.axes), "samples": f"{self.n_sample} of {1e3 * self.servo_period:g} ms"}
+        if not self.status.ok:
+            facts["failed"] = f"{self.status.reason} at sample {self.status.sample}"
+        if "contour_error" in self and self.n_sample:
+            error = np.abs(self["contour_error"])
+            rms, largest = 1e6 * np.sqrt(np.nanmean(error**2)), 1e6 * np.nanmax(error)
+            facts["contour error"] = f"{rms:.3g} um rms, {largest:.3g} um largest, over all samples"
+        return facts
+
+    def __repr__(self) -> str:
+        return f"Result({self.scheme!r}; {'; '.join(f'{name}: {words}' for name, words in self._facts().items())})"
+
+    def _repr_html_(self) -> str:
+        picture = svg(self.plot()) if {"reference", "axis_position"} <= set(self.signals) else ""
+        return table({"run": self.scheme, **self._facts(), "signals": ", ".join(self.signals)}) + picture
 
     def header(self) -> dict[str, str | int | float]:
         """Return everything except the signals, as a flat mapping."""
