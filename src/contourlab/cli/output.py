@@ -72,10 +72,9 @@ def suggest(as_json: bool, *words: object) -> None:
     say(f"\nnext: {shlex.join(['contourlab', *typed])}")
 
 
-def suggest_file(as_json: bool, name: str) -> None:
-    """Say how to keep the result of the command in a file."""
-    if not as_json:
-        say(f"\nnext: the same command with --write {name}")
+def suggest_again(as_json: bool, *more: str, without: str = "") -> None:
+    """Print the command as typed, with more words or without one, as the next one."""
+    suggest(as_json, *(word for word in sys.argv[1:] if word != without), *more)
 
 
 def conclude(outcome: RunOutcome, as_json: bool) -> int:

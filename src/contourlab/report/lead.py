@@ -73,12 +73,11 @@ def lines_at(data: ReportData, along: Array) -> Index:
 
 @dataclass(frozen=True)
 class LineRow:
-    """A line of the program: number, text, the largest part error of each run [um], and whether it is the worst of a run."""
+    """A line of the program: number, text, and of each run the largest part error [um] and whether it exceeds the tolerance."""
 
     number: int
     text: str
-    errors: tuple[str, ...]
-    worst: bool
+    errors: tuple[tuple[str, bool], ...]
 
 
 def program_lines(data: ReportData) -> tuple[LineRow, ...]:
@@ -87,11 +86,13 @@ def program_lines(data: ReportData) -> tuple[LineRow, ...]:
     worst = {int(s.verdict.worst.line) for s in data.schemes if s.verdict is not None} - {0}
     together = {line: max(column.get(line, 0.0) for column in columns) for column in columns for line in column}
     shown = worst | set(sorted(together, key=lambda line: -together[line])[:MOST_LINES])
-    return tuple(
-        LineRow(n, data.program[n - 1][:LETTERS], tuple(number(1e6 * column[n]) if n in column else NONE for column in columns), n in worst)
-        for n in sorted(shown)
-        if n <= len(data.program)
-    )
+    limit = np.inf if data.tolerance is None else data.tolerance
+
+    def cell(error: float | None) -> tuple[str, bool]:
+        return (NONE, False) if error is None else (number(1e6 * error), error > limit)
+
+    inside = [n for n in sorted(shown) if n <= len(data.program)]
+    return tuple(LineRow(n, data.program[n - 1][:LETTERS], tuple(cell(column.get(n)) for column in columns)) for n in inside)
 
 
 def _largest(scheme: SchemeReport) -> dict[int, float]:

@@ -65,7 +65,8 @@ def _words(place: Axes, data: ReportData) -> None:
         where = f", at line {verdict.worst.line}" if verdict is not None and verdict.worst.line else ""
         words = f"{answer}{scheme.name}: largest part error {figure(size.max, 'um')}{where}, rms {number(1e6 * size.rms)} um"
         lines.append((words, {"size": 8.5, "color": scheme_style(i, len(data.schemes))[0]}))
-    lines += [(f"Next: {command}", {"size": 7.5, "color": MUTED, "family": "monospace"}) for _, command in data.next_steps[:1]]
+    typed = [f"Next: {command}" for _, command in data.next_steps[:1]]
+    lines += [(line, {"size": 7.5, "color": MUTED, "family": "monospace"}) for text in typed for line in wrap(text, LETTERS)]
     lines.append((f"contourlab {data.provenance.version}: {data.provenance.command}", {"size": 7.5, "color": MUTED}))
     height = sum(look["size"] for _, look in lines)
     at = 1.0

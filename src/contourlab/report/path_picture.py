@@ -129,7 +129,8 @@ def _chart(
 ) -> PathChart:
     """Return one view."""
     columns = list(pair)
-    view = "".join(data.axes[i] for i in pair).upper()
+    names = [data.axes[i] for i in pair]
+    view = "".join(names).upper() if "".join(names).isalpha() else " and ".join(names)
     count = len(data.schemes)
     magnified = tuple(
         Magnified(run.foot[:, columns] * MM, run.error[:, columns] * UM, scheme.name, *scheme_style(i, count), run.lines)

@@ -216,6 +216,8 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scena
     'position loop'
     """
     reader, content = _open(_in_folder(Path(file)) if Path(file).is_dir() else file, plugins)
+    if "axes" in content.entries and "controller" not in content.entries:
+        raise content.error("this is a machine: run a part program on it, with --machine")
     return _scenario(reader, content, Path(content.file))
 
 

@@ -23,12 +23,13 @@ def test_the_sentence_has_the_figures_of_the_verdict() -> None:
 def test_a_line_has_the_largest_error_of_its_samples() -> None:
     data = synthetic.report()
     rows = {row.number: row for row in program_lines(data)}
-    assert set(rows) == {3, 4} and rows[4].worst and not rows[3].worst
+    assert set(rows) == {3, 4}
     for column, scheme in enumerate(data.schemes):
         judged = scheme.metrics.judged.samples
         errors = np.abs(scheme.result["part_error"][judged]) * 1e6
         for line in (3, 4):
-            assert float(rows[line].errors[column]) == float(f"{errors[scheme.lines[judged] == line].max():.3g}")  # type: ignore[index]
+            largest = errors[scheme.lines[judged] == line].max()  # type: ignore[index]
+            assert rows[line].errors[column] == (f"{largest:.3g}", largest > 1e6 * data.tolerance)
 
 
 def test_of_a_long_program_the_worst_lines_are_shown() -> None:
@@ -39,7 +40,7 @@ def test_of_a_long_program_the_worst_lines_are_shown() -> None:
     lines = np.arange(1, n + 1)
     verdict = replace(scheme.verdict, worst=replace(scheme.verdict.worst, line=int(scheme.verdict.worst.sample) + 1))
     rows = program_lines(replace(data, program=program, schemes=[replace(scheme, lines=lines, verdict=verdict)]))
-    assert len(rows) <= 501 and any(row.worst for row in rows) and max(len(row.text) for row in rows) <= 200
+    assert len(rows) <= 501 and max(len(row.text) for row in rows) <= 200
     judged = scheme.metrics.judged.samples
     largest = int(judged[np.abs(scheme.result["part_error"][judged]).argmax()]) + 1
     assert largest in {row.number for row in rows}

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, Plots, SamplePeriod, Write
-from contourlab.cli.output import emit_json, say, suggest, suggest_file
+from contourlab.cli.output import emit_json, say, suggest, suggest_again
 
 MODEL = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor, two-mass, two-inertia."
 
@@ -82,7 +82,7 @@ def identify(
     else:
         say(identification.text)
     if write is None:
-        suggest_file(as_json, "axis.toml")
+        suggest_again(as_json, "--write", "axis.toml")
     else:
         suggest(as_json, "machines", write)
     return 0 if identification.done else 1

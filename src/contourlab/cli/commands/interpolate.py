@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import Json
-from contourlab.cli.output import emit_json, say, suggest
+from contourlab.cli.output import emit_json, say, suggest, suggest_again
 
 
 def interpolate(
@@ -38,7 +38,7 @@ def interpolate(
     else:
         say(text(result))
         if out is None:
-            say("\nnext: the same command with --out interpolated")
+            suggest_again(as_json, "--out", "interpolated")
         else:
             suggest(as_json, "components", "quadrature-encoder")
     return 1 if result.missed["n_sample"] else 0

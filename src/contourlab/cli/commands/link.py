@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, listed
-from contourlab.cli.output import show_result, suggest, wants_progress
+from contourlab.cli.output import say, show_result, suggest, wants_progress
 
 
 def link(
@@ -69,5 +69,7 @@ def link(
     given = {"schemes": listed(schemes), "plugins": tuple(plugin or ()), "plots": tuple(plots or ()), "folder": out}
     result = link_scenario(file, options, **given, progress=wants_progress(as_json))  # type: ignore[arg-type]
     show_result(result, as_json)
+    if not as_json:
+        say(f"\nresults: {out}")
     suggest(as_json, "sensitivity", file)
     return 0

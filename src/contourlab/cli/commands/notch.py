@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import GainMargin, Json, PhaseMargin, Plugins, ScenarioFile, Write, listed
-from contourlab.cli.output import show_result, suggest, suggest_file
+from contourlab.cli.output import show_result, suggest, suggest_again
 
 
 def notch(
@@ -30,7 +30,7 @@ def notch(
     notched = notch_scenario(file, scheme=scheme, axes=listed(axes), bounds=bounds, out=write, plugins=tuple(plugin or ()))
     show_result(notched, as_json)
     if write is None and notched.designs:
-        suggest_file(as_json, "notched.toml")
+        suggest_again(as_json, "--write", "notched.toml")
     else:
         suggest(as_json, "analyse", file)
     return 0 if notched.passed else 1

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, Plots, Plugins, SamplePeriod, ScenarioFile, Write
-from contourlab.cli.output import emit_json, say, suggest, suggest_file
+from contourlab.cli.output import emit_json, say, suggest, suggest_again
 
 
 def refine(
@@ -67,7 +67,7 @@ def refine(
     else:
         say(refinement.text())
     if write is None:
-        suggest_file(as_json, "machine.toml")
+        suggest_again(as_json, "--write", "machine.toml")
     else:
         suggest(as_json, "sensitivity", scenario)
     return 0 if refinement.result.usable else 1

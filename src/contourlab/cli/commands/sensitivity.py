@@ -61,6 +61,6 @@ def sensitivity(
     if as_json:
         emit_json(result)
     else:
-        say(result.text())
+        say(f"{result.text()}\n\nresults: {out}")
     suggest(as_json, "tune", file, "--scheme", scheme or None)
     return 0

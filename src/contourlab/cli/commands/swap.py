@@ -21,7 +21,7 @@ from contourlab.cli.options import (
     Width,
     listed,
 )
-from contourlab.cli.output import conclude, suggest, wants_progress
+from contourlab.cli.output import conclude, suggest, suggest_again, wants_progress
 
 
 def swap(
@@ -138,5 +138,8 @@ def swap(
     swaps = [(name, [one.strip() for one in text.split(",")]) for name, text in zip(axis, others, strict=True)]
     outcome = swap_scenario(file, swaps, out, options, scheme=scheme, plots=tuple(plots or ("png",)), progress=wants_progress(as_json))
     code = conclude(outcome, as_json)
-    suggest(as_json, "link", file)
+    if quick:
+        suggest_again(as_json, without="--quick")
+    else:
+        suggest(as_json, "link", file)
     return code

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import GainMargin, Json, Judge, Out, Parameters, PhaseMargin, Plots, Plugins, Seed, Threads, Width, Write
-from contourlab.cli.output import emit_json, say, suggest, suggest_file, wants_progress
+from contourlab.cli.output import emit_json, say, suggest, suggest_again, wants_progress
 
 
 def tune(
@@ -88,7 +88,7 @@ def tune(
     else:
         say(calibration.text())
     if calibration.controller_file is None:
-        suggest_file(as_json, "tuned.toml")
+        suggest_again(as_json, "--write", "tuned.toml")
     elif machine is not None:
         tuned = ("--controller", calibration.controller_file)
         suggest(as_json, "run", file, "--machine", machine, "--tolerance", tolerance, "--judge", judge, *tuned)

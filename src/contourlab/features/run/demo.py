@@ -12,7 +12,7 @@ from contourlab.app.json_values import json_values
 from contourlab.app.results import staged
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
 from contourlab.features.run.summary import Summary
-from contourlab.figures import figure, number
+from contourlab.figures import figure, listing, number
 from contourlab.report.data import ReportData
 from contourlab.report.overview import write_overview
 from contourlab.report.table import Column, Table, paragraphs
@@ -65,11 +65,14 @@ def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None =
 
 
 def _answer(summaries: Mapping[str, Any]) -> str:
-    """Return the sentence on top: how many cases hold their tolerance with their first and with their best controller."""
-    first, last = (
-        sum(list(summary["schemes"].values())[which]["verdict"]["passed"] for summary in summaries.values()) for which in (0, -1)
-    )
-    return f"The first controller keeps {first} of {len(summaries)} parts within tolerance; the last one keeps {last}."
+    """Return the sentence on top: the largest errors with the first and with the last controller of each case, and how many pass."""
+
+    def told(which: int) -> str:
+        schemes = [list(summary["schemes"].values())[which] for summary in summaries.values()]
+        sizes = listing([number(1e6 * scheme["metrics"]["part_error"]["max"]) for scheme in schemes])
+        return f"{sizes} um, {sum(scheme['verdict']['passed'] for scheme in schemes)} of {len(schemes)} within tolerance"
+
+    return f"Largest errors with the first controller of each machine: {told(0)}. With the last one: {told(-1)}."
 
 
 def _last(summary: dict[str, Any]) -> dict[str, Any]:

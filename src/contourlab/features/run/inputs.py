@@ -56,8 +56,11 @@ def scenario_of(
     if machine is not None and Path(machine).is_dir():
         folder = Path(machine)
         machine, controller = folder / "machine.toml", folder / "controller.toml" if controller is None else controller
+    if not path.exists():
+        raise ScenarioError("no such file", file=path)
     if machine is None or controller is None:
-        raise ScenarioError("a part program needs --machine and --controller; a scenario ends in .toml", file=path)
+        alone = "" if machine is None else f"; {machine} is not a folder, which would give both"
+        raise ScenarioError(f"a part program needs --machine and --controller{alone}; a scenario ends in .toml", file=path)
     run = {} if tolerance is None else {"tolerance": tolerance}
     try:
         return scenario_from_parts(path, machine, controller, run=run, options=keys, plugins=plugins)

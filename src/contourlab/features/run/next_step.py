@@ -30,7 +30,8 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     if not judged:
         limit = 2.0 * min(outcome.metrics.part_error.max for outcome in outcomes)
         words = [*options, "--tolerance", f"{float(f'{1e6 * limit:.1g}'):g} um"]
-        return [("Judge it against a tolerance:", _typed("run", file, words))] if part else []
+        explore = ("Find what the error depends on:", _typed("sensitivity", file, ["--quick"]))
+        return [("Judge it against a tolerance:", _typed("run", file, words)) if part else explore]
     steps = []
     kept = [outcome for outcome in judged if outcome.verdict is not None and outcome.verdict.passed]
     if proposed and part and not kept:
@@ -41,7 +42,7 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     if not kept or part:
         steps.append(("Search all gains:", _typed("tune", file, [*_of_case(options), *scheme])))
     else:
-        steps.append(("Find what the error depends on:", _typed("sensitivity", file, scheme)))
+        steps.append(("Find what the error depends on:", _typed("sensitivity", file, ["--quick", *scheme])))
     return steps
 
 

@@ -172,6 +172,7 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
     space = Space.chosen(machine, controller, request.parameters, request.width)
     drawn = distributions(space, request.distribution, request.deviations)
     request.plan.check(len(space.numbers))
+    stages.expect(2 + len(request.plan.parts))
     stages.begin("planning the motion")
     reference = case.reference()
     evaluator = Evaluator(machine, controller, reference, moving=case.moving, seed=case.seed, threads=request.threads, effort=False)

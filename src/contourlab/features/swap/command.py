@@ -137,6 +137,8 @@ def swap_scenario(
     searches = Path(out) / SEARCHES
     with resumable(searches, "searches"), shown(progress) as stages, staged(out, "swap.json", inputs=ready.inputs) as folder:
         checkpoint = Checkpoint(searches, _identity(ready))
+        searches_most = 2 * len(variants) + len(ready.candidates) + 4  # the elimination may need fewer
+        stages.expect(searches_most * (2 if options.quick else 1))
         studied = quick_study if options.quick else swap_study
         study = studied(variants, ready.candidates, settings, _stage(stages, variants), checkpoint)
         covered = None
