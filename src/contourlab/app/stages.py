@@ -37,8 +37,12 @@ class Heartbeat:
         self._ended = threading.Event()
 
     def expect(self, steps: int) -> None:
-        """Take the number of stages, so that shares are those of the command."""
-        self._steps = steps
+        """Take the number of stages that follow, so that shares are those of all of them."""
+        self._steps, self._step, self._began = steps, 0, monotonic()
+
+    def reach(self, step: int) -> None:
+        """Take the number of stages that have ended, where some were left out."""
+        self._step = step
 
     def begin(self, words: str) -> None:
         """Begin a stage."""
@@ -109,6 +113,11 @@ class Stages:
         """Take the number of stages, about equally long: lines then show share and time left of the whole command."""
         if _running is not None:
             _running.expect(steps)
+
+    def reach(self, step: int) -> None:
+        """Take the number of stages that have ended, where some were left out."""
+        if _running is not None:
+            _running.reach(step)
 
     def begin(self, words: str) -> None:
         """End the previous stage, and show a new one with its elapsed time."""

@@ -24,12 +24,14 @@ def test_the_time_left_follows_from_the_share_that_is_done(monkeypatch: pytest.M
     assert beat.line() == "tune: searching, 20 % of this step, 20 s left"
     beat.advance(5, 5)
     assert beat.line() == "tune: searching, 9 s"
-    beat.expect(3)
+    beat.expect(4)
+    beat.reach(1)
     beat.begin("writing")
-    beat.advance(1, 2)
-    assert beat.line() == "tune: writing, 50 %, 9 s left"
+    beat.advance(1, 1)
+    now = 119.0
+    assert beat.line() == "tune: writing, 50 %, 10 s left"
     beat.advance(1, 4)  # of another run beside it
-    assert beat.line() == "tune: writing, 50 %, 9 s left"
+    assert beat.line() == "tune: writing, 50 %, 10 s left"
 
 
 def test_a_working_command_prints_lines_and_a_quick_one_none(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:

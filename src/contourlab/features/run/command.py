@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     from contourlab.report.data import ReportData
     from contourlab.scenario import Scenario
 
+STEPS, LEARNING_STEPS = 6, 8
+"""Most stages of a run, and of one that learns."""
+
 
 @dataclass(frozen=True)
 class RunOutcome:
@@ -149,8 +152,11 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
     with staged(out, *outputs, inputs=scenario.inputs) as folder:
         outcomes: list[Outcome] = []
         diverged: dict[str, DivergenceError] = {}
+        lengths = [LEARNING_STEPS if case.learning is not None else STEPS for case in cases]
         with shown(options.progress) as stages:
-            for case in cases:
+            stages.expect(sum(lengths) + 2)
+            for i, case in enumerate(cases):
+                stages.reach(sum(lengths[:i]))
                 try:
                     asked: dict[str, Any] = {"costs": costs, "foretell": foretell, "interval": options.interval}
                     outcomes.append(run_case(case, progress=stages.advance, stage=stages.begin, **asked))
@@ -161,6 +167,7 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
             first = next(iter(diverged.values()), None)
             if first is not None and not outcomes:
                 raise first
+            stages.reach(sum(lengths))
             stages.begin("writing signals")
             for outcome in outcomes:
                 _write_signals(outcome, folder / "signals" / f"{names[outcome.name]}.nc", signals or outcome.case.signals)
