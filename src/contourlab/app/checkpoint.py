@@ -6,7 +6,7 @@ import hashlib
 import io
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from importlib.metadata import version
 from pathlib import Path
@@ -97,26 +97,25 @@ class Checkpoint:
 
 
 @contextmanager
-def said_if_interrupted(results: Callable[[], str]) -> Iterator[None]:
+def _noted(note: Callable[[], str]) -> Iterator[None]:
+    """If the block is interrupted, add a note, if there is one, to the interrupt."""
+    try:
+        yield
+    except KeyboardInterrupt as stop:
+        if text := note():
+            stop.add_note(text)
+        raise
+
+
+def said_if_interrupted(results: Callable[[], str]) -> AbstractContextManager[None]:
     """If the block is interrupted, add the text of the results so far, if any, to the interrupt."""
-    try:
-        yield
-    except KeyboardInterrupt as stop:
-        text = results()
-        if text:
-            stop.add_note(f"Finished before:\n\n{text}")
-        raise
+    return _noted(lambda: f"Finished before:\n\n{text}" if (text := results()) else "")
 
 
-@contextmanager
-def resumable(folder: Path, pieces: str) -> Iterator[None]:
+def resumable(folder: Path, pieces: str) -> AbstractContextManager[None]:
     """If the block is interrupted and `folder` has pieces, add a note to the interrupt: the same command continues."""
-    try:
-        yield
-    except KeyboardInterrupt as stop:
-        if any(folder.glob("*/*.npz")):
-            stop.add_note(f"The finished {pieces} are kept in {folder}. Run the same command again to continue.")
-        raise
+    kept = f"The finished {pieces} are kept in {folder}. Run the same command again to continue."
+    return _noted(lambda: kept if any(folder.glob("*/*.npz")) else "")
 
 
 def run_identity(

@@ -15,7 +15,7 @@ from contourlab.components.contract import Component
 from contourlab.design.values import calibration_order
 from contourlab.errors import ParameterError, UnitError
 from contourlab.loop import Controller, Machine, parameters_of
-from contourlab.loop.parameters import matching
+from contourlab.loop.parameters import declared, matching
 from contourlab.scenario.quantities import read_number
 from contourlab.units import from_si, in_si
 
@@ -27,8 +27,6 @@ DIGITS = 6
 """Digits of a value in a file."""
 ROUNDING = 1e-9
 """Share of a bound by which a value may exceed it."""
-MOST_NAMES = 8
-"""Largest number of names suggested for an unknown name."""
 
 
 @dataclass(frozen=True)
@@ -218,11 +216,10 @@ class Space:
         known = parameters_of(machine, controller)
         if machine_only:
             known = {name: found for name, found in known.items() if name.startswith("axes.")}
-        units = {axis.name: (axis.plant.command_unit, axis.plant.force_unit) for axis in machine.axes}
         if not texts:
             order = calibration_order(machine, controller)
             names = [name for name in order if _value(known[name]) not in (0.0, math.inf)]
-            return Space(tuple(_variable(name, known[name], units, "", width) for name in names))
+            return Space(tuple(_variable(name, known[name], machine, "", width) for name in names))
         asked: dict[str, str] = {}
         for text in texts:
             wanted, _, bounds = (part.strip() for part in text.partition("="))
@@ -230,7 +227,7 @@ class Space:
                 if bounds and asked.get(name, bounds) not in ("", bounds):
                     raise ParameterError(name, f"{asked[name]} and {bounds}", "given bounds once")
                 asked[name] = bounds or asked.get(name, "")
-        return Space(tuple(_variable(name, known[name], units, bounds, width) for name, bounds in asked.items()))
+        return Space(tuple(_variable(name, known[name], machine, bounds, width) for name, bounds in asked.items()))
 
     def only(self, names: Iterable[str]) -> Space:
         """Return the space of some of the variables."""
@@ -282,11 +279,9 @@ def _value(known: tuple[Component, str]) -> float:
     return float(getattr(*known))
 
 
-def _variable(name: str, known: tuple[Component, str], units: Mapping[str, tuple[str, str]], bounds: str, width: float) -> DesignVariable:
+def _variable(name: str, known: tuple[Component, str], machine: Machine, bounds: str, width: float) -> DesignVariable:
     """Return a variable with the bounds of a text, by default its value divided and multiplied by `width`."""
-    part, word = known
-    axis = next((axis for axis in units if f".axes.{axis}." in f".{name}"), next(iter(units)))
-    parameter = replace(part.parameters[word].for_plant(*units[axis]), name=name)
+    parameter = replace(declared(machine, name, *known), name=name)
     value = _value(known)
     if bounds:
         low, high = _bounds(name, bounds, parameter.unit, parameter.display)

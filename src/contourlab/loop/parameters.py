@@ -7,13 +7,14 @@ from difflib import get_close_matches
 from fnmatch import fnmatchcase
 from typing import Any, TypeAlias
 
-from contourlab.components.contract import Component
+from contourlab.components.contract import Component, Parameter
 from contourlab.errors import ParameterError
 from contourlab.loop.machine import AXIS_SLOTS, Controller, Machine
 
 Known: TypeAlias = dict[str, tuple[Component, str]]
 """Component and name of each parameter, by dotted name."""
-MOST_NAMES = 4
+MOST_NAMES = 8
+"""Largest number of names suggested for an unknown name."""
 
 
 def parameters_of(machine: Machine, controller: Controller) -> Known:
@@ -48,13 +49,13 @@ def parameter_names(machine: Machine, controller: Controller) -> dict[str, str]:
     >>> parameter_names(case.machine, case.controller)["axes.x.plant.mass"]
     'kg'
     """
-    return {name: unit_of(machine, name, *known) for name, known in parameters_of(machine, controller).items()}
+    return {name: declared(machine, name, *known).unit for name, known in parameters_of(machine, controller).items()}
 
 
-def unit_of(machine: Machine, name: str, part: Component, parameter: str) -> str:
-    """Return the SI unit of a parameter; commands and forces have the units of the plant of its axis."""
+def declared(machine: Machine, name: str, part: Component, parameter: str) -> Parameter:
+    """Return a parameter as declared; commands and forces have the units of the plant of its axis."""
     axis = next((axis for axis in machine.axes if f".axes.{axis.name}." in f".{name}"), machine.axes[0])
-    return part.parameters[parameter].for_plant(axis.plant.command_unit, axis.plant.force_unit).unit
+    return part.parameters[parameter].for_plant(axis.plant.command_unit, axis.plant.force_unit)
 
 
 def matching(wanted: str, known: Mapping[str, Any], called: str, whose: str = "the machine or its controller") -> list[str]:

@@ -16,8 +16,6 @@ Panel: TypeAlias = tuple[str, str, Sequence[tuple[str, Array, Array]]]
 """Labels of x and y, and curves: name, x and y."""
 SIZE = (7.0, 2.8)
 """Width and height of a picture [in]."""
-MOST = 4000
-"""Most points of a curve."""
 
 
 def table(rows: Mapping[str, object]) -> str:
@@ -28,9 +26,10 @@ def table(rows: Mapping[str, object]) -> str:
 
 def svg(figure: Figure) -> str:
     """Return a figure as SVG."""
-    text = StringIO()
-    figure.savefig(text, format="svg", metadata={"Date": None})
-    return text.getvalue()[text.getvalue().index("<svg") :]
+    buffer = StringIO()
+    figure.savefig(buffer, format="svg", metadata={"Date": None})
+    text = buffer.getvalue()
+    return text[text.index("<svg") :]
 
 
 def curves(panels: Sequence[Panel], to_scale: bool = False) -> Figure:
@@ -41,8 +40,7 @@ def curves(panels: Sequence[Panel], to_scale: bool = False) -> Figure:
     for i, (across, up, drawn) in enumerate(panels):
         axes = figure.add_subplot(1, len(panels), i + 1)
         for name, x, y in drawn:
-            step = max(len(x) // MOST, 1)
-            axes.plot(x[::step], y[::step], label=name, linewidth=1.0)
+            axes.plot(x, y, label=name, linewidth=1.0)
         axes.set(xlabel=across, ylabel=up)
         if to_scale and i == 0:
             axes.set_aspect("equal", "datalim")

@@ -30,5 +30,5 @@ def canon(
         return
     for notice in notices:
         print(notice, file=sys.stderr)
-    if not as_json and sys.stdout.isatty():
+    if sys.stdout.isatty():
         suggest(as_json, "check", file)

@@ -88,7 +88,7 @@ def tune(
     else:
         say(calibration.text())
     if calibration.controller_file is None:
-        suggest_again(as_json, "--write", "tuned.toml")
+        suggest_again(as_json, *(("--start", "placed") if calibration.result.after.violations else ("--write", "tuned.toml")))
     elif machine is not None:
         tuned = ("--controller", calibration.controller_file)
         suggest(as_json, "run", file, "--machine", machine, "--tolerance", tolerance, "--judge", judge, *tuned)

@@ -56,11 +56,12 @@ def backlash_scenario(
     from contourlab.features.run.schemes import loaded
 
     scenario = loaded(file, schemes, plugins)
+    cases = scenario.cases()
     studies: dict[str, BacklashStudy] = {}
-    outcome = BacklashOutcome(scenario.name, studies, scenario.cases()[0].machine.servo_period)
+    outcome = BacklashOutcome(scenario.name, studies, cases[0].machine.servo_period)
     with said_if_interrupted(lambda: outcome.text), shown(progress) as stages:
-        stages.expect(sum(3 + len(loose_axes(case.machine)) for case in scenario.cases()))
-        for case in scenario.cases():
+        stages.expect(sum(3 + len(loose_axes(case.machine)) for case in cases))
+        for case in cases:
             stages.begin(f"planning {case.name}")
             reference = case.reference()
             studies[case.name] = backlash_study(

@@ -56,9 +56,14 @@ class SchemeCost:
         """Display unit of the error."""
         return "um s" if self.figure == "contour_error_integral" else "um"
 
+    @property
+    def coarse(self) -> bool:
+        """Whether the sweeps are coarse, all alike."""
+        return any(sweep.coarse for sweep in self.divisions[0].sweeps.values())
+
     def _found(self) -> Iterator[Finding]:
         sweeps = self.divisions[0].sweeps
-        if any(sweep.coarse for sweep in sweeps.values()):
+        if self.coarse:
             yield finding("CL765")
         else:
             yield from _ranges(sweeps)
@@ -112,7 +117,7 @@ def scheme_text(name: str, costs: SchemeCost) -> str:
     head = f"{name}\n{what}: {limits[0]} undivided, {limits[1]} allowed"
     parts = [head + _slowest(costs), _largest(costs, quantities).text()]
     timed = [quantity for quantity in ("message_period", "delay") if quantity in quantities]
-    if timed and not any(sweep.coarse for cost in costs.divisions for sweep in cost.sweeps.values()):
+    if timed and not costs.coarse:
         parts.append(_stable_limits(costs, timed).text())
     shared = [one for one in costs.divisions[0].findings if all(one in cost.findings for cost in costs.divisions)]
     lines = [str(one) for one in (*costs.findings, *shared)]

@@ -139,8 +139,12 @@ def swap_scenario(
         checkpoint = Checkpoint(searches, _identity(ready))
         searches_most = 2 * len(variants) + len(ready.candidates) + 4  # the elimination may need fewer
         stages.expect(searches_most * (2 if options.quick else 1))
-        studied = quick_study if options.quick else swap_study
-        study = studied(variants, ready.candidates, settings, _stage(stages, variants), checkpoint)
+        stage = _stage(stages, variants)
+
+        def study_with(chosen: SwapSettings) -> SwapStudy:
+            return swap_study(variants, ready.candidates, chosen, stage, checkpoint)
+
+        study = quick_study(study_with, settings) if options.quick else study_with(settings)
         covered = None
         if ready.region is not None:
             stages.begin("coverage of the region")

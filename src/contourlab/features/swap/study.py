@@ -193,24 +193,23 @@ def swap_study(
     )
 
 
-def quick_study(
-    variants: Variants,
-    candidates: tuple[str, ...],
-    settings: SwapSettings,
-    stage: Callable[[str, int], None] = lambda name, most: None,
-    checkpoint: Checkpoint | None = None,
-) -> SwapStudy:
+def quick_study(study_with: Callable[[SwapSettings], SwapStudy], settings: SwapSettings) -> SwapStudy:
     """Run a study with half the budget, then one with the whole budget that starts from its designs.
 
     The uncertainty is the sum of what the second study changed, relative to J* as in a loss: J* itself, and J of the shared design; and
     `SCATTER`.
 
-    Parameters and errors: see `swap_study`.
+    Parameters
+    ----------
+    study_with : callable
+        Runs a study of the same variants with some settings; see `swap_study`.
+    settings : SwapSettings
     """
-    half = swap_study(variants, candidates, replace(settings, budget=settings.budget // 2), stage, checkpoint)
-    best, shared = variants.best.copy(), half.base.values
-    designs = tuple(tuple(map(variants.space.values, points)) for points in (variants.best_points.copy(), half.base.points))
-    study = swap_study(variants, candidates, replace(settings, known=(*settings.known, *designs)), stage, checkpoint)
+    half = study_with(replace(settings, budget=settings.budget // 2))
+    variants, shared = half.variants, half.base.values
+    best = variants.best.copy()
+    designs = tuple(tuple(map(variants.space.values, points)) for points in (variants.best_points, half.base.points))
+    study = study_with(replace(settings, known=(*settings.known, *designs)))
     with np.errstate(invalid="ignore"):
         moved = (best - variants.best + np.abs(shared - study.base.values)) / np.maximum(variants.best, variants.floor)
     return replace(study, uncertainty=SCATTER + float(np.where(np.isnan(moved), math.inf, moved).max()))

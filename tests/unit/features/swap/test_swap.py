@@ -64,7 +64,8 @@ def test_a_quick_study_holds_its_own_uncertainty() -> None:
     others = [("other", rigid("other", 1.01))]
     variants = variants_under(others)
     candidates = tuple(name for name in variants.space.names if variants.members[0].module(name))
-    quick, whole = quick_study(variants, candidates, SwapSettings(budget=200)), studied(others)
+    quick = quick_study(lambda settings: swap_study(variants, candidates, settings), SwapSettings(budget=200))
+    whole = studied(others)
     assert quick.uncertainty is not None and abs(quick.base.swap_loss - whole.base.swap_loss) <= quick.uncertainty < 0.03
     assert not quick.unsure and quick.verdict.code == whole.verdict.code
     near = replace(quick, settings=replace(quick.settings, full=quick.base.swap_loss + 0.5 * quick.uncertainty))
