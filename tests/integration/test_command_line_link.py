@@ -165,7 +165,7 @@ def test_plots_are_written_where_they_are_asked_for(circle: str, tmp_path: Path,
 def test_the_saved_results_equal_the_printed_ones(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     words = (circle, "--division", "observer", "--ways", "both", "--vary", "delay", "--longest", "2 ms")
     printed = json.loads(output(capsys, *words, "--json"))
-    assert json.loads(Path("results/link/summary.json").read_text(encoding="utf-8")) == printed
+    assert json.loads(Path("results/summary.json").read_text(encoding="utf-8")) == printed
 
 
 @pytest.mark.parametrize("place", ["file", "file/below"])

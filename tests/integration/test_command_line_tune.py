@@ -11,6 +11,7 @@ import pytest
 from typed_commands import Run, contents
 
 from contourlab.cli.main import main
+from contourlab.features.tune import study
 from contourlab.scenario import load_scenario
 
 STAGE = """\
@@ -96,6 +97,25 @@ def test_the_text_shows_the_search_and_drive_terms(tmp_path: Path, capsys: pytes
     for part in ("pass 1", "Kv", "Pgain", "FF2", "CL607"):
         assert part in said, part
     assert {path.name for path in (tmp_path / "pictures" / "plots").iterdir()} == {"tune-course.svg", "tune-lines.svg", "tune-error.svg"}
+
+
+def test_an_interrupted_search_keeps_what_one_parameter_at_a_time_found(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file, words = written(tmp_path), ["--parameter", "x.position_gain", "--parameter", "x.model_gain", "--json"]
+
+    def stopped(*given: Any, **options: Any) -> Any:
+        raise KeyboardInterrupt
+
+    assert main(["tune", str(file), *words, "--method", "sequential", "--write", str(tmp_path / "whole.toml")]) == 0
+    whole = json.loads(capsys.readouterr().out)
+    monkeypatch.setattr(study, "global_search", stopped)
+    assert main(["tune", str(file), *words, "--write", str(tmp_path / "stopped.toml")]) == 130
+    found = json.loads(capsys.readouterr().out)
+    assert "CL610" in codes(found) and found["result"]["values"] == whole["result"]["values"]
+    assert (tmp_path / "stopped.toml").read_text() == (tmp_path / "whole.toml").read_text()
+    assert main(["tune", str(file), *words, "--method", "global"]) == 130
+    assert capsys.readouterr().out == ""
 
 
 def test_a_tolerance_that_is_missed_is_a_failed_verdict(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shlex
 from collections.abc import Callable
 from datetime import datetime, timedelta
 from pathlib import Path
@@ -279,6 +280,19 @@ def test_a_simulated_run_can_be_measured(tmp_path: Path, capsys: pytest.CaptureF
     found = measure(log.result)
     assert found.metrics.contour_error.max == pytest.approx(printed["metrics"]["contour_error"]["max"], rel=1e-3)
     assert found.metrics.contour_error.rms == pytest.approx(printed["metrics"]["contour_error"]["rms"], rel=1e-2)
+
+
+def test_each_next_command_runs_as_printed(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["compare", "builtin:ghaffari/demo-stage", "--schemes", "position loop", "--out", "run"]) in (0, 1)
+    capsys.readouterr()
+    words, named = ["measure", "run/signals/position-loop.nc"], []
+    while words[0] == "measure":
+        assert main([*words, "--out", "measured"]) == 0
+        words = shlex.split(capsys.readouterr().out.splitlines()[-1].removeprefix("next: contourlab "))
+        named.append(words[0])
+    assert named == ["measure", "identify"]
+    assert main(words) == 0
 
 
 def test_two_measured_runs_side_by_side(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

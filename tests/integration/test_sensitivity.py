@@ -60,12 +60,16 @@ def test_a_study_says_what_matters_and_keeps_its_runs(circle: Path, capsys: pyte
     assert "CL900" in {one["code"] for one in again["findings"]}
 
 
-def test_the_text_has_the_tables_and_the_words(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["sensitivity", str(circle), *SMALL, "--figure", "max", "--deviation", "3.model_gain=5 %"]) == 0
+def test_the_text_has_one_table_and_the_parts_have_theirs(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["sensitivity", str(circle), *SMALL, "--figure", "max", "--deviation", "3.model_gain=5 %"]
+    assert main(words) == 0
     said = capsys.readouterr().out
-    for part in ("9 values", "Small changes", "Interactions", "Morris", "Sobol", "CL656"):
-        assert part in said
-    assert "0 failed" in said and "CL667" in said
+    assert "CL656" in said and "CL667" in said and "Morris" not in said and len(said.splitlines()) < 40
+    assert main([*words, "--parts", "curves,local,morris,sobol", "--values", "9"]) == 0
+    assert capsys.readouterr().out.splitlines()[-8:] == said.splitlines()[-8:]
+    for part, mark in (("curves", "9 values"), ("local", "Interactions"), ("morris", "mu*"), ("sobol", "0 failed")):
+        assert main([*words, "--parts", part]) == 0
+        assert mark in capsys.readouterr().out
 
 
 def test_an_interrupted_study_continues(circle: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, Plots, SamplePeriod, listed
-from contourlab.cli.output import conclude, suggest
+from contourlab.cli.output import conclude
 
 
 def measure(
@@ -52,7 +52,4 @@ def measure(
     choice = LogChoice(log, tuple(column or ()), columns, format, period, listed(axes))
     asked = {"reference": reference, "shift": shift, "tolerance": tolerance}
     outcome = measure_log(choice, out, **asked, plots=tuple(plots or ()), command=shlex.join(words))
-    code = conclude(outcome, as_json)
-    same = [word for text in column or () for word in ("--column", text)]
-    suggest(as_json, "identify", log, "--model", "rigid", "--columns", columns, "--format", format, "--period", period, *same)
-    return code
+    return conclude(outcome, as_json)

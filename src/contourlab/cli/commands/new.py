@@ -61,7 +61,8 @@ def machine(
     say("\n".join([made.summary(), *(f"wrote {target}" for target in written)]))
     if "scenario.toml" in made.files():
         say(f"next: contourlab run {shlex.quote(str(out))}")
-    say(f'your part: contourlab run part.ngc --machine {shlex.quote(str(out))} --tolerance "{show(made.tolerance, "um")}"')
+    what = "your part" if "scenario.toml" in made.files() else "next"
+    say(f'{what}: contourlab run part.ngc --machine {shlex.quote(str(out))} --tolerance "{show(made.tolerance, "um")}"')
     return 0
 
 

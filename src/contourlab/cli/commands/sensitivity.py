@@ -41,7 +41,7 @@ def sensitivity(
     judge: Judge = None,
     seed: Seed = 0,
     threads: Threads = None,
-    out: Out = Path("results/sensitivity"),
+    out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
     plugin: Plugins = None,

@@ -87,6 +87,8 @@ def tune(
         emit_json(calibration)
     else:
         say(calibration.text())
+    if calibration.result.interrupted:
+        raise KeyboardInterrupt
     if calibration.controller_file is None:
         suggest_again(as_json, *(("--start", "placed") if calibration.result.after.violations else ("--write", "tuned.toml")))
     elif machine is not None:

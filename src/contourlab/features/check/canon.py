@@ -189,15 +189,16 @@ def write_canon(file: str | Path, out: TextIO, *, as_json: bool, reading: Readin
 
 def _line(move: dict[str, Any]) -> str:
     """Return a move as one line of text."""
-    words = [f"{move['line']:>7}", f"{move['kind']:<8}"]
+    words = [f"{move['line']:>6}", f"{move['kind']:<8}"]
     if move["kind"] == "dwell":
         return " ".join([*words, f"{move['seconds']:g} s"]) + "\n"
-    words += [f"{letter}{value:<11.6g}" for letter, value in zip("XYZ", move["end"], strict=True)]
+    words += [f"{letter}{value:<9.6g}" for letter, value in zip("XYZ", move["end"], strict=True)]
     if move["kind"] != "traverse":
         words.append(f"F{move['feed']:.6g}")
     if move["kind"] == "arc":
-        centre = ", ".join(f"{value:.6g}" for value in move["centre"])
-        words.append(f"{move['plane']} centre ({centre}) turns {move['turns']:+d}")
+        centre = dict(zip("XYZ", move["centre"], strict=True))
+        words += ["about", *(f"{letter}{centre[letter]:.6g}" for letter in move["plane"]), "ccw" if move["turns"] > 0 else "cw"]
+        words += [f"{abs(move['turns'])} turns"] if abs(move["turns"]) > 1 else []
     if move["kind"] == "nurbs":
         words.append(f"degree {move['degree']}, {len(move['points'])} control points")
     if move["path_mode"] != "exact_path":

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import json
+import math
 import platform
+import shlex
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, Literal
 
@@ -36,6 +39,9 @@ from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
 from contourlab.result import write_text_atomic
 from contourlab.units import to_si
+
+_OF_COLUMNS = ("--column", "--columns", "--format", "--period")
+"""Options that say how to read a log."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,8 +182,24 @@ def _written(runs: Sequence[_Run], title: str, out: str | Path, limit: float | N
             run.measured.result.save(folder / "signals" / f"{files[run.name]}.nc")
         summary: dict[str, Any] = json_values(MeasuredSummary(title, command, limit, passed, {run.name: _scheme(run) for run in runs}))
         write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
-        table = _report(runs, title, limit, folder, command, plots)
-    return RunOutcome(passed is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}")
+        step = _next_step(runs, limit, command)
+        table = _report(runs, title, limit, folder, command, plots, step)
+    return RunOutcome(passed is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}\n\nnext: {step[1]}")
+
+
+def _next_step(runs: Sequence[_Run], limit: float | None, command: str) -> tuple[str, str]:
+    """Return what to do next, and the command for it: judge the worst run against a tolerance, or identify its worst axis."""
+    worst = max(runs, key=lambda run: run.measured.metrics.contour_error.max)
+    typed = shlex.split(command) if len(runs) == 1 else ["contourlab", "measure", str(worst.log.record.file)]
+    if limit is None:
+        twice = 2e6 * worst.measured.metrics.contour_error.max
+        return "Judge it against a tolerance:", shlex.join([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"])
+    errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.measured.metrics.tracking_error]
+    axis = worst.measured.result.axes[errors.index(max(errors))]
+    model = "rigid" if "force" in worst.log.result else "first-order"
+    columns = [word for name, value in pairwise(typed) if name in _OF_COLUMNS for word in (name, value)]
+    words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *columns]
+    return "Identify the axis that strays most:", shlex.join(words)
 
 
 def _scheme(run: _Run) -> MeasuredScheme:
@@ -200,7 +222,9 @@ def _scheme(run: _Run) -> MeasuredScheme:
     )
 
 
-def _report(runs: Sequence[_Run], title: str, limit: float | None, folder: Path, command: str, plots: Sequence[str]) -> str:
+def _report(
+    runs: Sequence[_Run], title: str, limit: float | None, folder: Path, command: str, plots: Sequence[str], step: tuple[str, str]
+) -> str:
     """Write report and plots; return the text for the terminal."""
     from contourlab.report.data import Provenance, ReportData, SchemeReport
     from contourlab.report.html import write_html
@@ -214,7 +238,8 @@ def _report(runs: Sequence[_Run], title: str, limit: float | None, folder: Path,
         for run, m in ((run, run.measured) for run in runs)
     ]
     notes = [str(note) if len(runs) == 1 else f"{run.name}: {note}" for run in runs for note in run.findings]
-    data = ReportData(title, schemes, runs[0].measured.reference.path, provenance, tolerance=limit, notes=notes, is_measured=True)
+    about_runs: dict[str, Any] = {"tolerance": limit, "notes": notes, "is_measured": True, "next_steps": [step]}
+    data = ReportData(title, schemes, runs[0].measured.reference.path, provenance, **about_runs)
     write_html(data, folder / "report.html")
     if plots:
         from contourlab.report.plots import write_plots

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from contourlab.app.checkpoint import said_if_interrupted
 from contourlab.app.json_values import json_values
 from contourlab.app.results import staged
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
@@ -46,7 +47,8 @@ def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None =
     folder = Path(out)
     reports: dict[str, ReportData] = {}
     summaries: dict[str, Any] = {}
-    with staged(folder, "summary.json", "report.html") as stage:
+    parts: list[str] = []
+    with said_if_interrupted(lambda: "\n\n".join(parts)), staged(folder, "summary.json", "report.html") as stage:
         for name, shipped in DEMOS.items():
             scenario = load_scenario(builtin_file(shipped))
             options = RunOptions(folder / name, progress=progress, interval=interval)
@@ -54,13 +56,13 @@ def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None =
             summaries[name] = outcome.summary
             if outcome.data is not None:
                 reports[f"{name}/report.html"] = outcome.data
+                parts.append(_table(outcome.data.title, outcome.summary))
         passed = all(_last(summary)["verdict"]["passed"] for summary in summaries.values())
         summary: dict[str, Any] = json_values(Demo(passed, summaries))
         write_text_atomic(stage / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
         write_overview(stage / "report.html", _answer(summaries), reports, NEXT)
     verdict = paragraphs([f"{'PASS' if passed else 'FAIL'}: {_answer(summaries)}"])
     conclusion = f"{verdict}\n\nreport: {folder / 'report.html'}\nnext: {NEXT}"
-    parts = [_table(data.title, summary) for data, summary in zip(reports.values(), summaries.values(), strict=True)]
     return RunOutcome(passed, summary, "\n\n".join([*parts, conclusion]))
 
 

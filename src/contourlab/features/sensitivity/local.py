@@ -136,7 +136,7 @@ def _slope(variable: DesignVariable, top: float, rows: Array, figure: float) -> 
     if top == 0.0:
         return Slope(variable, nan, 0.0, nan, nan, nan, finding("CL670", place))
     if np.isnan(rows).any():
-        return Slope(variable, nan, top, nan, nan, nan, finding("CL671", place, step=float(top)))
+        return Slope(variable, nan, top, nan, nan, nan, finding("CL671", place))
     steps = top * 0.5 ** np.arange(STEPS)
     below, above = (figure - rows[:, 0]) / (steps * figure), (rows[:, 1] - figure) / (steps * figure)
     central = (below + above) / 2.0
@@ -146,9 +146,9 @@ def _slope(variable: DesignVariable, top: float, rows: Array, figure: float) -> 
     bend, wider = abs(above[at] - below[at]), abs(above[at - 1] - below[at - 1])
     doubt = None
     if below[at] < 0.0 < above[at] and bend > AGREE and bend > CORNER * wider:
-        doubt = finding("CL672", place, below=float(below[at]), above=float(above[at]))
+        doubt = finding("CL672", place)
     elif difference > AGREE + AGREE_SHARE * abs(central[at]):
-        doubt = finding("CL673", place, difference=difference)
+        doubt = finding("CL673", place)
     return Slope(variable, float(central[at]), float(steps[at]), difference, float(below[at]), float(above[at]), doubt)
 
 

@@ -10,9 +10,9 @@ from contourlab.arrays import Array
 from contourlab.design import DesignVariable
 from contourlab.features.sensitivity.curves import CHANGE, Interval
 from contourlab.features.sensitivity.indices import Distribution, Sample
-from contourlab.features.sensitivity.study import Study
+from contourlab.features.sensitivity.study import PARTS, Study
 from contourlab.figures import figure
-from contourlab.report.table import Column, Table
+from contourlab.report.table import Column, Table, paragraphs
 
 FEW = 24
 """Largest number of parameters of a printed matrix; a larger one is in JSON and the picture only."""
@@ -21,9 +21,26 @@ ESTIMATE = ("+- (95 %)",)
 
 
 def tables(study: Study) -> Iterator[str]:
-    """Yield the tables of a study."""
+    """Yield one table of all parameters for a study with all its parts, else every table of its parts."""
+    if study.plan.parts == PARTS:
+        yield _overview(study).text()
+        yield paragraphs([f"Details: the same command with --parts {', '.join(PARTS[:-1])} or {PARTS[-1]} prints them from the kept runs."])
+        return
     for part in (_curves, _local, _interactions, _morris, _sobol):
         yield from (table.text() for table in part(study))
+
+
+def _overview(study: Study) -> Table:
+    assert study.curves is not None and study.sobol is not None
+    title = "Share of the variance (total Sobol index); best value of this parameter alone, and the part of the error that it leaves:"
+    table = _table(title, ("share [%]", "present", "best", "unit", "leaves [%]"), left=("unit",))
+    indices = study.sobol
+    for j in np.argsort(-indices.total, kind="stable"):
+        variable, lowest = study.space.numbers[j], study.curves[j].minimum
+        best = ("-", "-") if lowest is None else (*_shown(variable, lowest.value), figure(100.0 * lowest.figure / study.present))
+        share = " +-".join(figure(100.0 * float(values[j]), digits=2) for values in (indices.total, indices.total_interval))
+        table.add(variable.short, share, *_shown(variable, variable.value), best[0], variable.display_unit, best[1])
+    return table
 
 
 def _table(title: str, heads: Sequence[str], left: Sequence[str] = (), prose: Sequence[str] = ()) -> Table:

@@ -12,6 +12,7 @@ import numpy as np
 from contourlab.arrays import Array, Flags
 from contourlab.features.sensitivity.curves import CHANGE, Curve
 from contourlab.features.sensitivity.study import Study
+from contourlab.figures import figure, listing
 from contourlab.findings import Finding, finding
 
 LOCAL = "local sensitivity"
@@ -35,7 +36,8 @@ class Ranking:
     measure : str
         The measure of strength.
     matter, undecided, negligible : dict of str to float
-        Short names and strengths; undecided where the interval includes the threshold.
+        Short names and strengths; undecided where the interval includes the threshold. A parameter that alone lowers the figure by
+        `WORTHWHILE` matters, whatever its strength over the whole range.
     """
 
     measure: str
@@ -65,7 +67,9 @@ def _ranking(study: Study, measure: str, strength: Array, interval: Array, bound
     def named(which: Flags) -> dict[str, float]:
         return {study.space.numbers[j].short: float(strength[j]) for j in order if which[j]}
 
-    matter, negligible = strength - interval > bound, strength + interval < bound
+    alone = {curve.variable.short for _, curve in _worthwhile(study)}
+    matter = (strength - interval > bound) | np.array([variable.short in alone for variable in study.space.numbers])
+    negligible = ~matter & (strength + interval < bound)
     return Ranking(measure, named(matter), named(~matter & ~negligible), named(negligible))
 
 
@@ -135,15 +139,21 @@ def _local_interactions(study: Study, names: list[str], pairs: Iterable[tuple[in
 
 def _first(study: Study) -> Iterator[Finding]:
     """Yield the parameters that alone lower the figure most."""
-    if study.curves is None:
-        return
-    minima = [(curve.minimum.figure / study.present, curve.minimum, curve) for curve in study.curves if curve.minimum is not None]
-    worth = sorted((one for one in minima if one[0] < 1.0 - WORTHWHILE), key=lambda one: one[0])
-    if not worth:
+    first = _worthwhile(study)[:MOST_FIRST]
+    if first:
+        shown = [f"{curve.variable.short} to {figure(ratio, '%')}" for ratio, curve in first]
+        yield finding("CL667", shown=shown, parameters=[curve.variable.short for _, curve in first], ratios=[ratio for ratio, _ in first])
+    elif study.curves is not None:
         yield finding("CL666", least=WORTHWHILE)
-    for ratio, minimum, curve in worth[:MOST_FIRST]:
-        values = {"ratio": ratio, "value": minimum.value}
-        yield finding("CL668", curve.variable.short, **values) if minimum.bound else finding("CL667", curve.variable.short, **values)
+    bounds = [curve.variable.short for _, curve in first if curve.minimum is not None and curve.minimum.bound]
+    if bounds:
+        yield finding("CL668", parameters=bounds)
+
+
+def _worthwhile(study: Study) -> list[tuple[float, Curve]]:
+    """Return the curves whose minimum lies below the present figure by `WORTHWHILE`, lowest first, each with that ratio."""
+    minima = [(curve.minimum.figure / study.present, curve) for curve in study.curves or () if curve.minimum is not None]
+    return sorted((one for one in minima if one[0] < 1.0 - WORTHWHILE), key=lambda one: one[0])
 
 
 def _doubts(study: Study) -> Iterator[Finding]:
@@ -152,5 +162,9 @@ def _doubts(study: Study) -> Iterator[Finding]:
     for name, sampled in (("Morris", study.morris_sample), ("Sobol", study.sobol_sample)):
         if sampled is not None and sampled.failed:
             yield finding("CL674", name, failed=sampled.failed, runs=sampled.runs, share=sampled.failed / sampled.runs)
-    if study.local is not None:
-        yield from (slope.doubt for slope in study.local.slopes if slope.doubt is not None)
+    doubtful: dict[str, list[str]] = {}
+    for slope in study.local.slopes if study.local is not None else ():
+        if slope.doubt is not None:
+            doubtful.setdefault(slope.doubt.code, []).append(slope.variable.short)
+    for code, names in doubtful.items():
+        yield finding(code, listing(names), parameters=names)

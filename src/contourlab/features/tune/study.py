@@ -105,6 +105,8 @@ class Tuned:
     drive_terms : tuple of DriveTerms
     runs : int
         Total number of runs.
+    interrupted : bool
+        Whether Ctrl-C ended the search of all parameters at once; the result is then that of the sequential procedure.
     findings : tuple of Finding
     """
 
@@ -119,6 +121,7 @@ class Tuned:
     global_result: GlobalResult | None
     drive_terms: tuple[DriveTerms, ...]
     runs: int
+    interrupted: bool = field(metadata=HIDDEN)
     findings: tuple[Finding, ...] = field(metadata=HIDDEN)
 
 
@@ -196,7 +199,7 @@ def _tuned(
     objective, guards = Objective(evaluator, settings.goal, values), Guards([(machine, start)], settings.bounds)
     start_objective = float(objective.at(values).value[0])
     placed = _placed_values(evaluator, settings, space, begin)
-    path, global_result, candidates = _candidates((objective, guards, space), values, placed, settings, begin, progress)
+    path, global_result, candidates, interrupted = _candidates((objective, guards, space), values, placed, settings, begin, progress)
     method, best, rejected = _chosen(objective, guards, values, candidates)
     begin("checking the result")
     best = {variable.name: float(variable.written(best[variable.name])) for variable in space.numbers}
@@ -213,7 +216,8 @@ def _tuned(
     if global_result is not None and global_result.values is None:
         findings.append(finding("CL603"))
     findings += [*linuxcnc_findings(terms), *_conclusions(settings.goal, before, after)]
-    return Tuned(tuned, space, best, method, before, after, start_objective, path, global_result, terms, runs, tuple(findings))
+    findings += [finding("CL610")] if interrupted else []
+    return Tuned(tuned, space, best, method, before, after, start_objective, path, global_result, terms, runs, interrupted, tuple(findings))
 
 
 def _check(machine: Machine, controller: Controller, settings: TuneSettings) -> None:
@@ -265,8 +269,14 @@ def _candidates(
     settings: TuneSettings,
     begin: Callable[[str], None],
     progress: Callable[[int, int], None] | None,
-) -> tuple[SearchPath, GlobalResult | None, list[Candidate]]:
-    """Search from a start with the chosen methods; return the steps, the result of the global search, and the candidates."""
+) -> tuple[SearchPath, GlobalResult | None, list[Candidate], bool]:
+    """Search from a start with the chosen methods.
+
+    Returns
+    -------
+    tuple
+        The steps, the result of the global search, the candidates, and whether Ctrl-C ended the global search.
+    """
     objective = problem[0]
     candidates: list[Candidate] = []
     begin("restoring the margins")
@@ -279,7 +289,7 @@ def _candidates(
         candidates.append((float(objective.at(line.values).value[0]), "sequential", line.values))
         starts.append(line.values)
     if settings.method == "sequential":
-        return path, None, candidates
+        return path, None, candidates, False
     begin("all parameters at once")
     starts += placed
     try:
@@ -289,10 +299,14 @@ def _candidates(
     except ParameterError:  # every run fails
         if settings.method == "global":
             raise
-        return path, None, candidates
+        return path, None, candidates, False
+    except KeyboardInterrupt:
+        if not candidates:
+            raise
+        return path, None, candidates, True
     if result.values is not None:
         candidates.append((result.objective, "global", result.values))
-    return path, result, candidates
+    return path, result, candidates, False
 
 
 def _chosen(
