@@ -292,7 +292,7 @@ def test_each_next_command_runs_as_printed(tmp_path: Path, capsys: pytest.Captur
         words = shlex.split(capsys.readouterr().out.splitlines()[-1].removeprefix("next: contourlab "))
         named.append(words[0])
     assert named == ["measure", "identify"]
-    assert main(words) == 0
+    assert main(words) in (0, 1)  # 1: the model explains too little
 
 
 def test_two_measured_runs_side_by_side(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
