@@ -99,19 +99,19 @@ class Family:
 
 PORTS = {
     "position": ("m", "position of the axis: true for sensor and disturbance, predicted after a predictor, else measured"),
-    "velocity": ("m/s", "velocity of the axis, from the velocity part"),
+    "velocity": ("m/s", "velocity of the axis, as the velocity part computes it"),
     "acceleration": ("m/s^2", "mean acceleration over the tick"),
     "motor_position": ("m", "position measured on the motor side, in load units"),
     "motor_velocity": ("m/s", "velocity on the motor side"),
-    "load_position": ("m", "position measured on the load side, or the gap observer's estimate"),
-    "load_velocity": ("m/s", "velocity on the load side, or the gap observer's estimate"),
-    "reference": ("m", "reference position; for a controller with modified reference, shift and learned table included"),
+    "load_position": ("m", "position on the load side, measured or estimated by the gap observer"),
+    "load_velocity": ("m/s", "velocity on the load side, measured or estimated by the gap observer"),
+    "reference": ("m", "reference position; for controller and supervisor with all that is added to it"),
     "reference_velocity": ("m/s", "velocity of the reference"),
     "reference_acceleration": ("m/s^2", "acceleration of the reference"),
     "reference_ahead": ("m", "reference position `ahead(dt)` ticks later"),
     "reference_shift": ("m", "is added to the reference of the controller"),
     "modified_reference": ("m", "replaces the reference of all axes"),
-    "command": ("command", "command of the controller, before the drive"),
+    "command": ("command", "command to the drive; of a feedforward or compensation, is added to it"),
     "correction": ("command", "is added to the commands of all axes"),
     "feedforward": ("command", "sum of feedforward, compensation, cross-coupling and learned table"),
     "applied": ("command", "command that leaves the drive, after limit and delay; to a controller or an observer one tick late"),
@@ -195,7 +195,13 @@ _ESTIMATE = Method("path_step(self, view, n_axis)", "the `Step` on a path; take 
 _REVISE = Method("revised(self, table, trial, problem)", "the next table, a new array; arguments as in `LearningLaw.update`")
 
 FAMILY = {
-    "plant": Family("moves", "axes.NAME.plant", ("command", "load"), ("position", "velocity", "acceleration"), (_LAGGED, *_PLANTS)),
+    "plant": Family(
+        "moves under command and load",
+        "axes.NAME.plant",
+        ("command", "load"),
+        ("position", "velocity", "acceleration"),
+        (_LAGGED, *_PLANTS),
+    ),
     "friction": Family("resists the motion", "axes.NAME.friction", forms=_FRICTIONS),
     "drive": Family("limits and delays the command", "axes.NAME.drive", ("command",), ("applied",), _STEP),
     "sensor": Family("measures the position", "axes.NAME.sensor", ("position",), ("position",), _STEP),
@@ -278,7 +284,7 @@ FAMILY = {
     ),
     "link": Family(
         "turns a signal sent into the one received, from base to axis or back",
-        "controller.axes.NAME.link.down, .up",
+        "controller.axes.NAME.link.down` and `.up",
         ("sent",),
         ("received",),
         _STEP,

@@ -204,7 +204,7 @@ KEPT = [0.0]
 
 
 def talking(a: float, b: float) -> float:
-    print(a)
+    print(a)  # noqa: T201
     return b
 
 
@@ -231,7 +231,7 @@ def collecting(a: float, b: float) -> float:
         (lambda a, b: a % b, 0, "%: use a - b*floor(a/b)"),
         (lambda a, b: a // b, 0, "//: use floor"),
         (lambda a, b: [a, b][0], 0, "a list: use a tuple"),
-        (lambda a, b: tuple([v for v in (a, b)])[0], 0, "a list: use a tuple"),  # noqa: C409, C416
+        (lambda a, b: tuple([v for v in (a, b)])[0], 0, "a list: use a tuple"),  # noqa: C416, RUF015
         (lambda a, b: float(f"{a}"), 0, "an f-string"),
         (lambda a, b: nowhere, 0, "no name 'nowhere'"),  # type: ignore[name-defined]  # noqa: F821
         (talking, 1, "print(a)"),
