@@ -44,9 +44,9 @@ __all__ = [
 
 
 def error_text(error: BaseException) -> str:
-    """Return type and text of an error of third-party code; the type alone if it has no readable text."""
+    """Return type and text of an error of third-party code on one line; the type alone if it has no readable text."""
     try:
-        return f"{type(error).__name__}: {error}"
+        return ": ".join(filter(None, (type(error).__name__, " ".join(str(error).split()))))
     except KeyboardInterrupt:
         raise
     except BaseException:  # __str__ may raise anything
@@ -110,7 +110,11 @@ class ComponentError(ContourlabError):
 
 
 class EngineError(ContourlabError):
-    """A schedule cannot be compiled or wired."""
+    """A schedule cannot be compiled or wired; gives file and line (from 1) of a step that cannot be compiled."""
+
+    def __init__(self, message: str, *, file: str = "", line: int = 0) -> None:
+        self.message, self.file, self.line = message, file, line
+        super().__init__(f"{file}:{line}: {message}" if file else message)
 
 
 class LogError(ContourlabError):

@@ -47,6 +47,48 @@ class Dice(Amplifier):
         return (), (inp.command + random.random(),)
 
 
+class Loaded(Amplifier):
+    """Draws a derived constant."""
+
+    derived = ("gain",)
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return (random.random(),)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (par.gain * inp.command,)
+
+
+CALLS = [0]
+
+
+class Tired(Loaded):
+    """Has a derived constant that depends on how often it was computed."""
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        CALLS[0] += 1
+        return (1.0 if CALLS[0] % 5 else 0.5,)
+
+
+class Branching(Loaded):
+    """Derives with a function that takes no arrays, which it gets in a batch."""
+
+    example = {"rate": 2.0}
+    rate: float = param(minimum=0.0, doc="r")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return (max(par.rate, 1.0),)
+
+
+class Greatest(Amplifier):
+    """Uses `max`, which differs from machine code for NaN."""
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (max(inp.command, 0.0),)
+
+
 MEMORY = [0.0]
 
 
@@ -307,6 +349,15 @@ class LyingName(Saturation):
 
     def linearize(self) -> LinearModel:
         return LinearModel(np.zeros((0, 0)), np.zeros((0, 1)), np.zeros((1, 0)), np.ones((1, 1)), ("current",), ("applied",))
+
+
+class LyingType(Saturation):
+    """Has a number for a linear model."""
+
+    kind = "lying-type"
+
+    def linearize(self) -> LinearModel:
+        return 1.0  # type: ignore[return-value]
 
 
 class LyingShape(Saturation):

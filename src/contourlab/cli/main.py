@@ -170,6 +170,12 @@ def _in_typed_words(error: BaseException, typed: Sequence[str]) -> str:
     return option + text.removeprefix(error.name) if given else text
 
 
+def _fault_of_plugin(error: BaseException) -> str:
+    """Return place and text of an error raised by the code of a plug-in, or an empty text."""
+    place = sys.modules.get("contourlab.components.place")  # absent: no plug-in was loaded
+    return "" if place is None else str(place.raised_in_plugin(error))
+
+
 def _explain(error: BaseException, debug: bool, typed: Sequence[str] = ()) -> int:
     """Print the error on standard error; return the exit code."""
     code = BAD_INPUT
@@ -177,6 +183,8 @@ def _explain(error: BaseException, debug: bool, typed: Sequence[str] = ()) -> in
         code, lines = error.exit_code, [f"{NAME}: {_in_typed_words(error, typed)}"]
     elif isinstance(error, KeyboardInterrupt | typer.Abort):
         code, lines = INTERRUPTED, [f"{NAME}: interrupted"]
+    elif said := _fault_of_plugin(error):
+        lines = [f"{NAME}: {said}"]
     elif isinstance(error, typer.TyperException):
         context = getattr(error, "ctx", None)
         place = context.command_path if context is not None else NAME

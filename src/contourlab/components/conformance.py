@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-import math
-import sys
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.components.contract import FAMILIES, Component, Parameter
+from contourlab.components.contract import Component, LinearModel, Parameter
+from contourlab.components.declaration import check_class, check_documents, form_of
 from contourlab.components.learning_check import learning_fault
 from contourlab.components.linear_check import linear_fault
+from contourlab.components.place import fault, file_of_class, line_in
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Bank, Step, rows
+from contourlab.engine.step import Step, rows
+from contourlab.engine.translate.step_graph import graph_of
 from contourlab.errors import ComponentError, ContourlabError, EngineError, error_text
 from contourlab.primitives import Table
 
@@ -24,54 +24,7 @@ TICKS = 160
 SCALES = (1.0, 1e-3)
 AGREEMENT = 1e-9
 
-ASKED = ("reference", "reference_velocity", "reference_acceleration")
-BOTH_SIDES = ("motor_position", "motor_velocity", "load_position", "load_velocity")
-SLOTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
-    "plant": (("command", "load"), ("position", "velocity", "acceleration")),
-    "friction": ((), ()),
-    "drive": (("command",), ("applied",)),
-    "sensor": (("position",), ("position",)),
-    "predictor": (("position", "applied"), ("position",)),
-    "velocity": (("position",), ("velocity",)),
-    "disturbance": (("position",), ("force",)),
-    "observer": (("velocity", "applied"), ("disturbance_estimate",)),
-    "gap_observer": (
-        ("motor_position", "motor_velocity", "reference_velocity", "applied"),
-        ("gap_state", "gap", "gap_deviation", "confidence", "load_position", "load_velocity"),
-    ),
-    "supervisor": (
-        (*ASKED, *BOTH_SIDES, "position", "velocity", "gap_state", "gap_estimate", "confidence", "arc_length", "source_line", "accepted"),
-        ("active", "reason"),
-    ),
-    "controller": (
-        (*ASKED, *BOTH_SIDES, "position", "velocity", "gap_estimate", "disturbance_estimate", "feedforward", "applied", "accepted"),
-        ("command",),
-    ),
-    "filter": (("command",), ("command",)),
-    "feedforward": ((*ASKED, "reference_ahead"), ("reference_shift", "command")),
-    "compensation": ((*ASKED, *BOTH_SIDES, "gap_estimate"), ("reference_shift", "command")),
-    "estimator": (("position", "arc_length"), ("foot_position", "error_vector", "contour_error_estimate", "tangent")),
-    "coupling": (
-        ("reference", "position", "foot_position", "error_vector", "contour_error_estimate", "tangent", "command", "accepted"),
-        ("modified_reference", "correction"),
-    ),
-    "link": (("sent",), ("received",)),
-    "learning": ((), ()),
-}
-"""Ports of each family: inputs that its slot offers, outputs that it needs."""
-
-CHOOSING = ("gap_observer", "feedforward", "compensation", "supervisor", "controller", "coupling")
-"""Families that may leave inputs out."""
-EITHER = ("feedforward", "compensation", "coupling")
-"""Families that need only one of their outputs."""
-
-UNWIRED = {("velocity", "true")}
-"""Ideal parts with ports of their own; the loop runs no node for them."""
-
-
 DECLARED = "declarations and example"
-TYPED = ("reference", "example", "ring", "states", "inputs", "outputs", "derived", "tables", "unbounded", "without_effect", "calibrated")
-"""Attributes of a class that must have the type that `Component` gives them."""
 
 
 def check_component(kind: type[Component], *, jit: bool = True) -> tuple[str, ...]:
@@ -102,22 +55,48 @@ def check_component(kind: type[Component], *, jit: bool = True) -> tuple[str, ..
     >>> check_component(Saturation, jit=False)[0]
     'declarations and example'
     """
-    _check_declaration(kind)
+    check_class(kind)
+    check_documents(kind)
+    try:
+        return _checked(kind, jit)
+    except KeyboardInterrupt:
+        raise
+    except ComponentError as error:
+        if str(error).startswith(file_of_class(kind)):
+            raise
+        raise fault(kind, str(error)) from error
+    except EngineError as error:
+        raise _in_class(kind, error) from error
+    except BaseException as error:  # third-party code may raise anything
+        raise fault(kind, f"its code fails: {error_text(error)}", line=line_in(file_of_class(kind), error)) from error
+
+
+def _in_class(kind: type[Component], error: EngineError) -> ComponentError:
+    """Return the fault of a class that cannot be compiled, with the line where it is in its own file."""
+    if error.file != file_of_class(kind):
+        return fault(kind, str(error))
+    return fault(kind, error.message.removeprefix(f"{kind.__name__}."), line=error.line)
+
+
+def _checked(kind: type[Component], jit: bool) -> tuple[str, ...]:
     try:
         part = kind(**kind.example)
     except ContourlabError as error:
-        raise _fault(kind, f"its example is not valid: {error}") from error
+        raise fault(kind, f"its example is not valid: {error}") from error
+    _check_numbers(kind, part)
     if kind.family == "learning":  # it has no step: it runs between trials
-        fault = learning_fault(part, _others)
-        if fault:
-            raise _fault(kind, fault)
+        wrong = learning_fault(part, _others)
+        if wrong:
+            raise fault(kind, wrong)
         return DECLARED, "corrections of a trial"
+    graph_of(subject(part)[0])
     for scale in SCALES:
         _check_running(kind, part, scale, jit)
     linear, passive = _check_linear(kind, part), _check_passive(kind, part)
     _check_effects(kind, part)
     checks = {
         DECLARED: True,
+        "language of steps": True,
         f"{TICKS} ticks at {len(SCALES)} sizes: finite, repeatable, saved and restored": True,
         "compiled form and lanes agree with plain Python": jit,
         "linear model agrees with the step": linear,
@@ -125,61 +104,6 @@ def check_component(kind: type[Component], *, jit: bool = True) -> tuple[str, ..
         f"every parameter has an effect ({len(kind.parameters)})": bool(kind.parameters),
     }
     return tuple(words for words, done in checks.items() if done)
-
-
-def _fault(kind: type[Component], message: str) -> ComponentError:
-    file = getattr(sys.modules.get(kind.__module__), "__file__", kind.__module__)
-    return ComponentError(f"{file}: {kind.__name__}: {message}")
-
-
-def _check_declaration(kind: type[Component]) -> None:
-    if not (isinstance(kind, type) and issubclass(kind, Component) and kind.kind):
-        raise ComponentError(f"{kind!r} is not a component: write a class with family and kind")
-    if kind.family not in FAMILIES:
-        raise _fault(kind, f"family {kind.family!r} is not one of {', '.join(FAMILIES)}")
-    for name in TYPED:
-        wanted = type(getattr(Component, name))
-        if not isinstance(getattr(kind, name), wanted):
-            raise _fault(kind, f"{name} = {getattr(kind, name)!r} is not a {wanted.__name__}")
-    # Not inspect.getdoc, which would find the docstring of a parent.
-    if not (kind.__doc__ or "").strip():
-        raise _fault(kind, "has no docstring: write one")
-    _check_ports(kind)
-    for name, parameter in kind.parameters.items():
-        if not parameter.doc:
-            raise _fault(kind, f"parameter {name} has no doc: write one")
-        _check_bounds(kind, name, parameter)
-    for name in (*kind.calibrated, *kind.calibrated_ahead):
-        if name not in kind.numeric():
-            raise _fault(kind, f"the calibrated parameter {name} is not one of its numbers: {', '.join(kind.numeric())}")
-
-
-def _check_ports(kind: type[Component]) -> None:
-    """Check the ports against the slot of the family."""
-    if (kind.family, kind.kind) in UNWIRED:
-        return
-    offered, wanted = SLOTS[kind.family]
-    takes, gives = ([port.name for port in ports] for ports in (kind.inputs, kind.outputs))
-    for name in takes:
-        if name not in offered:
-            raise _fault(kind, f"a {kind.family} cannot have the input {name!r}; its inputs are: {', '.join(offered) or 'none'}")
-    if kind.family in EITHER and any(name in gives for name in wanted):
-        wanted = tuple(name for name in wanted if name in gives)
-    for what, names, needed in (("inputs", takes, () if kind.family in CHOOSING else offered), ("outputs", gives, wanted)):
-        missing = [name for name in needed if name not in names]
-        if missing:
-            raise _fault(kind, f"a {kind.family} must declare {missing[0]!r} in its {what}")
-
-
-def _check_bounds(kind: type[Component], name: str, parameter: Parameter) -> None:
-    bounded = parameter.choices or parameter.minimum > -math.inf or parameter.maximum < math.inf
-    if not bounded and name not in kind.unbounded:
-        raise _fault(kind, f"parameter {name} has no bound: give minimum or maximum, or name it in `unbounded`")
-    if parameter.default is not None:
-        try:
-            parameter.check(parameter.default)
-        except ContourlabError as error:
-            raise _fault(kind, f"the default of {name} is out of range: {error}") from error
 
 
 def subject(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
@@ -205,37 +129,8 @@ def _linked(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
     return link(plant, friction), {**plant.block(PERIOD), **rubbing}, plant.table_values()
 
 
-def _sized(step: Step) -> Step:
-    """Return the step with a check of tuple lengths against ports: a wrong length would shift numbers silently."""
-
-    def function(*given: Any) -> Any:
-        returned = step.function(*given)
-        for what, ports, values in (("state", step.own_states, returned[0]), ("output", step.outputs, returned[1])):
-            if len(values) != len(ports):
-                raise ValueError(f"the step returns {len(values)} {what}s, but declares {len(ports)}")
-            for port, value in zip(ports, values, strict=True):
-                if port.size and len(value) != port.size:
-                    raise ValueError(f"the step returns {len(value)} numbers for {what} {port.name}, which has {port.size}")
-        return returned
-
-    return replace(step, function=function, bank=_sized_bank(step.bank) if step.bank else None)
-
-
-def _sized_bank(bank: Bank) -> Bank:
-    def member(*given: Any) -> Any:
-        kept, found = bank.function(*given)
-        for what, values, wanted in (("kept", kept, bank.size), ("found", found, bank.n_found)):
-            if len(values) != wanted:
-                raise ValueError(f"a member has {len(values)} numbers {what}, but {wanted} are declared")
-        return kept, found
-
-    return replace(bank, function=member)
-
-
 def _group(part: Component, jit: bool, width: int = 1) -> Group:
     step, values, tables = subject(part)
-    if not jit:
-        step = _sized(step)
     wires = {port.name: f"in.{port.name}" for port in step.inputs}
     node = Node("part", step, wires, values, tables, ring_length=part.ring_length(PERIOD))
     schedule = Schedule((node,), step.inputs, PERIOD, 1)
@@ -268,27 +163,17 @@ def _gap(one: Array, other: Array) -> float:
 
 
 def _check_running(kind: type[Component], part: Component, scale: float, jit: bool) -> None:
-    try:
-        plain = _run(part, scale, False)
-    except KeyboardInterrupt:
-        raise
-    except BaseException as error:  # third-party code may raise anything
-        raise _fault(kind, f"its step fails in plain Python: {error_text(error)}") from error
+    plain = _run(part, scale, False)
     if not np.isfinite(plain).all():
-        raise _fault(kind, "an output or a state is not finite")
+        raise fault(kind, "an output or a state is not finite")
     if not np.array_equal(plain, _run(part, scale, False)):
-        raise _fault(kind, "two runs differ: a step must depend on its arguments alone")
+        raise fault(kind, "two runs differ: a step must depend on its arguments alone")
     _check_resume(kind, part, scale, False)
     for name, width in (("the compiled form", 1), ("the lanes", 32)) if jit else ():
-        try:
-            fast = _run(part, scale, True, width)
-        except EngineError as error:
-            raise _fault(kind, str(error)) from error
-        except Exception as error:  # the compiler has exceptions of its own
-            raise _fault(kind, f"its step cannot be compiled: {error_text(error)}") from error
+        fast = _run(part, scale, True, width)
         gap = _gap(fast, plain)
         if not gap <= AGREEMENT:
-            raise _fault(kind, f"{name} and plain Python differ by {gap:.3g}")
+            raise fault(kind, f"{name} and plain Python differ by {gap:.3g}")
     if jit:
         _check_resume(kind, part, scale, True)
 
@@ -303,16 +188,18 @@ def _check_resume(kind: type[Component], part: Component, scale: float, jit: boo
     group.restore(saved)
     again = group.run(inputs[half:], _outputs(group))
     if not np.array_equal(rest, again):
-        raise _fault(kind, "a restored run differs from the original: keep all memory in its states or its ring")
+        raise fault(kind, "a restored run differs from the original: keep all memory in its states or its ring")
     if not np.array_equal(np.concatenate([first, rest]), whole):
-        raise _fault(kind, "a run in two halves differs from one run: keep all memory in its states or its ring")
+        raise fault(kind, "a run in two halves differs from one run: keep all memory in its states or its ring")
 
 
 def _check_linear(kind: type[Component], part: Component) -> bool:
     """Check the linear model; return whether there is one."""
     model = part.linearize()
+    if not isinstance(model, LinearModel | None):
+        raise fault(kind, f"linearize returns {model!r}: write a LinearModel, or None", kind.linearize)
     # A ring is not part of the states, so the model of a delay cannot be checked.
-    if model is None or kind.ring or kind.family not in SLOTS:
+    if model is None or kind.ring:
         return False
     step = part.make_step(2)
     if kind.family == "plant":
@@ -322,10 +209,31 @@ def _check_linear(kind: type[Component], part: Component) -> bool:
         part = part.linear()
         step = link(part, component("friction", "none")())
     tables = {name: Table(values) for name, values in part.table_values().items()}
-    fault = linear_fault(model, step, lambda dt: {**part.block(dt), **tables})
-    if fault:
-        raise _fault(kind, f"its linear model differs from its step: {fault}")
+    wrong = linear_fault(model, step, lambda dt: {**part.block(dt), **tables})
+    if wrong:
+        raise fault(kind, f"its linear model differs from its step: {wrong}", kind.linearize)
     return True
+
+
+def _check_numbers(kind: type[Component], part: Component) -> None:
+    """Check constants, tables, and the functions of plant or friction with numbers, before a step calls them."""
+    part.block(PERIOD)
+    for name in kind.numeric() if kind.derived else ():
+        # In a batch each variant has its own value: `derive` must not branch on it or use the functions of `math`.
+        try:
+            part.block(PERIOD, {name: np.repeat(getattr(part, name), 2)})
+        except (TypeError, ValueError) as error:
+            message = f"derive must take arrays, one number for each variant: use the functions of numpy ({error_text(error)})"
+            raise fault(kind, message, kind.derive) from error
+    if set(part.table_values()) != set(kind.tables):
+        raise fault(kind, f"table_values returns {sorted(part.table_values())}, but tables names {sorted(kind.tables)}", kind.table_values)
+    if kind.family not in ("plant", "friction"):
+        return
+    for method in form_of(kind).methods:
+        if method.static:
+            value = getattr(kind, method.name)(part.constants(), *[0.1] * (len(method.arguments) - 1))
+            if not isinstance(value, float | int):
+                raise fault(kind, f"{method.name} returns {value!r}, not a number", getattr(kind, method.name))
 
 
 def _check_passive(kind: type[Component], part: Component) -> bool:
@@ -337,7 +245,7 @@ def _check_passive(kind: type[Component], part: Component) -> bool:
     par = part.constants()
     for speed in np.geomspace(1e-7, 10.0, 33):
         if not force(par, float(speed)) >= 0.0 or (law == "smooth" and not force(par, -float(speed)) <= 0.0):
-            raise _fault(kind, f"adds energy at {speed:.3g} m/s: a friction force must oppose the motion")
+            raise fault(kind, f"adds energy at {speed:.3g} m/s: a friction force must oppose the motion")
     return True
 
 
@@ -354,7 +262,8 @@ def _check_effects(kind: type[Component], part: Component) -> None:
             if any(not np.array_equal(_run(changed, scale, False), old) for scale, old in zip(SCALES, before, strict=True)):
                 break
         else:
-            raise _fault(kind, f"parameter {name} has no effect on its outputs in the example")
+            cure = "change the example, or name it in `without_effect`"
+            raise fault(kind, f"parameter {name} has no effect on its outputs in the example: {cure}")
 
 
 def _others(parameter: Parameter, value: Any) -> list[Any]:

@@ -23,37 +23,16 @@ from types import SimpleNamespace
 from typing import Any, ClassVar, dataclass_transform
 
 from contourlab.arrays import Array
+from contourlab.components.families import FAMILIES as FAMILIES
 from contourlab.components.origin import Traced
 from contourlab.components.parameter import NOISE_STREAM as NOISE_STREAM
 from contourlab.components.parameter import Parameter as Parameter
 from contourlab.components.parameter import param as param
 from contourlab.components.parameter import require_positive as require_positive
 from contourlab.components.parameter import text_param as text_param
+from contourlab.components.place import fault
 from contourlab.engine.step import Port, Step, ports, record
 from contourlab.errors import ComponentError, ParameterError
-
-FAMILIES = (
-    "plant",
-    "friction",
-    "drive",
-    "sensor",
-    "predictor",
-    "velocity",
-    "disturbance",
-    "observer",
-    "gap_observer",
-    "feedforward",
-    "compensation",
-    "supervisor",
-    "controller",
-    "filter",
-    "estimator",
-    "coupling",
-    "link",
-    "learning",
-)
-"""The slots of the servo loop, in the order in which `contourlab components` lists them."""
-
 
 REFERENCE = ports("reference", "reference_velocity", "reference_acceleration")
 """Input ports with the reference of an axis."""
@@ -245,6 +224,10 @@ class Component(Traced):
         """Return the value of every parameter row, derived ones included; overrides are arrays (n_variant,)."""
         rows: dict[str, Any] = {**{name: getattr(self, name) for name in self.numeric()}, **(overrides or {})}
         derived = self.derive(SimpleNamespace(**rows), dt)
+        if not isinstance(derived, tuple) or len(derived) != len(self.derived):
+            found = f"{len(derived)} numbers" if isinstance(derived, tuple) else repr(derived)
+            wanted = f"a tuple of {len(self.derived)}: {', '.join(self.derived) or 'none'}"
+            raise fault(type(self), f"derive returns {found}, but derived names {wanted}", type(self).derive)
         return {**rows, **dict(zip(self.derived, derived, strict=True))}
 
 

@@ -56,6 +56,11 @@ class Parameter:
     source: str
 
     def __post_init__(self) -> None:
+        for name in ("minimum", "maximum"):
+            if isinstance(getattr(self, name), bool) or not isinstance(getattr(self, name), float | int):
+                raise ParameterError(name, repr(getattr(self, name)), "a number")
+        if not self.minimum <= self.maximum:
+            raise ParameterError("minimum", f"{self.minimum:g}", f"at most the maximum, {self.maximum:g}")
         for unit in (self.unit, self.display):
             try:
                 unit.format(command="", force="")

@@ -10,12 +10,17 @@ import importlib.metadata
 import importlib.util
 import pkgutil
 import sys
+import traceback
 from functools import cache
+from importlib.abc import Loader
 from pathlib import Path
 from types import ModuleType
 
 from contourlab.components.contract import FAMILIES, Component
-from contourlab.errors import ComponentError, error_text
+from contourlab.components.declaration import check_class
+from contourlab.components.place import fault, file_of_class
+from contourlab.engine.translate.source import TYPED
+from contourlab.errors import ComponentError, ContourlabError, error_text
 
 ENTRY_POINT_GROUP = "contourlab.components"
 _plugins: dict[tuple[str, str], type[Component]] = {}
@@ -45,16 +50,54 @@ def _built_in() -> dict[tuple[str, str], type[Component]]:
             raise ComponentError(f"entry point {entry.name}: defines no component: write a subclass of Component with family and kind")
         for kind in kinds:
             _add(found, kind, f"entry point {entry.name}")
+            check_class(kind)
     return found
 
 
-def _add(found: dict[tuple[str, str], type[Component]], kind: type[Component], where: str) -> None:
+def _add(found: dict[tuple[str, str], type[Component]], kind: type[Component], where: str = "") -> None:
     if not (isinstance(kind, type) and issubclass(kind, Component) and kind.kind):
         raise ComponentError(f"{where}: {kind!r} is not a component: write a class with family and kind")
     key = (kind.family, kind.kind)
     if key in found and found[key] is not kind:
-        raise ComponentError(f"{where}: {kind.family} {kind.kind!r} already exists in {found[key].__module__}: choose another kind")
+        other = found[key]
+        home = other.__module__ if other.__module__.startswith("contourlab.") else file_of_class(other)
+        error = fault(kind, f"{kind.family} {kind.kind!r} already exists, {other.__name__} in {home}: choose another kind")
+        raise ComponentError(f"{where}: {error}") if where else error
     found[key] = kind
+
+
+def _imported(module: ModuleType, loader: Loader) -> list[type[Component]]:
+    """Run the code of a plug-in; return its components, which can run."""
+    file = getattr(module, TYPED)
+    try:
+        loader.exec_module(module)
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # a plug-in may raise anything
+        raise ComponentError(_import_fault(file, error)) from error
+    kinds = _declared(module)
+    own = [v for v in vars(module).values() if isinstance(v, type) and issubclass(v, Component) and v.__module__ == module.__name__]
+    for kind in own:
+        if not kind.kind and not any(kind in other.__mro__[1:] for other in own):
+            raise fault(kind, 'has no kind: write kind = "my-name", its name in files')
+    if not kinds:
+        raise ComponentError(f"{file}: defines no component: write a subclass of Component with family and kind")
+    for kind in kinds:
+        check_class(kind)
+    return kinds
+
+
+def _import_fault(file: str, error: BaseException) -> str:
+    """Return the message about a file that cannot be imported, with the line and the class where there is one."""
+    if isinstance(error, SyntaxError):
+        encoded = "codec" in str(error.msg) or "null bytes" in str(error.msg)
+        cure = ": save the file as UTF-8" if encoded else ""
+        return f"{file}{f':{error.lineno}' if error.lineno else ''}: cannot be read as Python: {type(error).__name__}: {error.msg}{cure}"
+    frames = [(frame, line) for frame, line in traceback.walk_tb(error.__traceback__) if frame.f_globals.get(TYPED) == file]
+    # In the body of a class the code has the name of the class.
+    classes = [frame.f_code.co_name for frame, _ in frames if "__qualname__" in frame.f_locals]
+    place = ": ".join([f"{file}:{frames[-1][1]}" if frames else file, *classes[-1:]])
+    return f"{place}: {error}" if isinstance(error, ContourlabError) else f"{place}: cannot be imported: {error_text(error)}"
 
 
 def load_plugin(file: str | Path) -> list[type[Component]]:
@@ -63,28 +106,27 @@ def load_plugin(file: str | Path) -> list[type[Component]]:
     Raises
     ------
     ComponentError
-        If the file cannot be imported, defines no component, or uses a name that is taken; then nothing is registered.
+        If the file cannot be imported, defines no component or one without the ports and methods of its family (`docs/components.md`), or
+        uses a name that is taken; then nothing is registered. The message names file, line and class.
     """
     path = Path(file).resolve()
-    name = f"contourlab_plugin_{path.stem}_{abs(hash(str(path))):x}"
+    name = str(path)  # so that whatever shows the module shows the file
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None or spec.loader is None or not path.is_file():
         raise ComponentError(f"{file}: not a Python file: name one that defines components")
     module = importlib.util.module_from_spec(spec)
+    setattr(module, TYPED, str(file))
+    before = sys.modules.get(name)
     sys.modules[name] = module
     try:
-        spec.loader.exec_module(module)
-    except KeyboardInterrupt:
+        kinds = _imported(module, spec.loader)
+    except BaseException:
+        # The components of an earlier version stay.
+        sys.modules.pop(name) if before is None else sys.modules.update({name: before})
         raise
-    except BaseException as error:  # a plug-in may raise anything
-        sys.modules.pop(name, None)
-        raise ComponentError(f"{file}: cannot be imported: {error_text(error)}") from error
-    kinds = _declared(module)
-    if not kinds:
-        raise ComponentError(f"{file}: defines no component: write a subclass of Component with family and kind")
     known = {**_built_in(), **{key: kind for key, kind in _plugins.items() if kind.__module__ != name}}
     for kind in kinds:
-        _add(known, kind, str(file))
+        _add(known, kind)
     for key in [key for key, kind in _plugins.items() if kind.__module__ == name]:
         del _plugins[key]
     _plugins.update({(kind.family, kind.kind): kind for kind in kinds})

@@ -140,6 +140,32 @@ def pack(ports: Iterable[Port], values: Iterable[Any]) -> list[float]:
     return flat
 
 
+def misfit(step: Step, returned: Any) -> str:
+    """Return why the result of a step function does not fit its ports, as text; empty if it fits."""
+    if not isinstance(returned, tuple) or len(returned) != 2:
+        return f"returns {_what(returned)}: end with  return x_next, out"
+    for what, wanted, values in zip(("state", "output"), (step.own_states, step.outputs), returned, strict=True):
+        if not isinstance(values, tuple):
+            return f"returns {_what(values)} as its {what}s: write a tuple, such as (value,)"
+        if len(values) != len(wanted):
+            return f"returns {len(values)} {what}s, but declares {len(wanted)}: {', '.join(port.name for port in wanted) or 'none'}"
+        for port, value in zip(wanted, values, strict=True):
+            if port.size and (not isinstance(value, tuple) or len(value) != port.size):
+                return f"returns {_what(value)} for {what} {port.name}, which is a tuple of {port.size}"
+            if not port.size and isinstance(value, tuple):
+                return f"returns {_what(value)} for {what} {port.name}, which is a number"
+    return ""
+
+
+def _what(value: Any) -> str:
+    """Describe a value that was returned."""
+    if value is None:
+        return "nothing"
+    if isinstance(value, tuple):
+        return f"a tuple of {len(value)}"
+    return repr(value) if isinstance(value, str) else "a number"
+
+
 @cache
 def record(fields: tuple[str, ...]) -> Any:
     """Return the named-tuple type with these fields (one type per set of fields, so that compiled code is shared)."""

@@ -39,7 +39,7 @@ def _load_plugins(plugins: Sequence[str | Path]) -> None:
     for plugin in plugins:
         file = Path(plugin).resolve()
         if file not in _loaded:
-            load_plugin(file)
+            load_plugin(plugin)
             _loaded.add(file)
 
 

@@ -48,7 +48,7 @@ def fresh(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.setattr(registry, "_plugins", {})
     yield
     registry._built_in.cache_clear()
-    for name in [name for name in sys.modules if name.startswith("contourlab_plugin_")]:
+    for name in [name for name in sys.modules if name.endswith(".py")]:  # a plug-in is the module of its file's name
         del sys.modules[name]
 
 
@@ -91,12 +91,12 @@ def test_an_edited_file_replaces_its_old_version(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("class Push(\n", r"SyntaxError: .*line 1"),
+        ("class Push(\n", r"push\.py:1: .*SyntaxError"),
         ("import no_such_package\n", "ModuleNotFoundError: .*'no_such_package'"),
         ("raise KeyError('x')\n", "imported: KeyError"),
         ("x = 1\n", "no component: .*subclass"),
         ("from contourlab.components.drive.saturation import Saturation\n", "no component"),
-        (source("push").replace('kind = "push"', ""), "no component"),
+        (source("push").replace('kind = "push"', ""), "Push: has no kind"),
         (source("push").replace('"disturbance"', '"gearbox"'), "'gearbox'.* plant, friction"),
         (source("constant"), "disturbance 'constant' already"),
         (source("push") + source("push", "Second"), "disturbance 'push' already"),

@@ -10,7 +10,8 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.contract import param, text_param
-from contourlab.components.plant.two_sided import DERIVED, TwoSided, even_gap
+from contourlab.components.families import TWO_SIDED
+from contourlab.components.plant.two_sided import TwoSided, even_gap
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, floor, lookup, select
 
@@ -41,7 +42,7 @@ class TwoInertia(TwoSided):
     reference = "Shahin, ElMaraghy & ElBeheiry, eqs 1-4; Nordin, Galic & Gutman 1997"
     command_unit = "N*m"
     rest_depends = ("backlash_gap", "backlash_angle", "start_in_gap", "lead")
-    derived = (*DERIVED, "profile_rate")
+    derived = (*TWO_SIDED, "profile_rate")
     tables = ("profile",)
     example = {
         "motor_inertia": 5.2e-3,

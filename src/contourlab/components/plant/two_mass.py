@@ -6,8 +6,9 @@ import math
 from typing import Any
 
 from contourlab.components.contract import param
+from contourlab.components.families import TWO_SIDED
 from contourlab.components.plant.ball_screw import BallScrew
-from contourlab.components.plant.two_sided import DERIVED, TwoSided
+from contourlab.components.plant.two_sided import TwoSided
 
 
 class Elastic(TwoSided):
@@ -22,7 +23,7 @@ class Elastic(TwoSided):
     and at the antiresonance w_a = w_r sqrt(m_m/m) the load absorbs the motion of the motor. A subclass gives m_m, m_l and F per command.
     """
 
-    derived = DERIVED
+    derived = TWO_SIDED
 
     resonance: float = param(unit="Hz", minimum=0.0, exclusive=True, doc="structural resonance as measured, without carried mass, w_r/2 pi")
     damping_ratio: float = param(default=0.02, minimum=0.0, maximum=1.0, doc="of the resonance, D; bolted structures: 0.01 to 0.05")

@@ -21,7 +21,7 @@ COARSEST = 0.5
 class TwoSided(Plant):
     """Base of two masses joined by a spring and a damper, with or without a gap; all states are lengths at the load.
 
-    A subclass derives `DERIVED`. `bonded` is 1 without a gap. `two_mass_mechanics` integrates the motion;
+    A subclass derives `contourlab.components.families.TWO_SIDED`. `bonded` is 1 without a gap. `two_mass_mechanics` integrates the motion;
     `two_mass_bristle` does with bristle friction.
     """
 
@@ -95,21 +95,6 @@ class TwoSided(Plant):
         damped = d.damper_value * (d.motor_mobility + d.load_mobility) + max(d.motor_decay, d.load_decay)
         wanted = max(fast * dt / COARSEST, damped * dt / 1.0)
         return max(1, math.ceil(wanted - 1e-9)), f"a shaft that oscillates at {fast / (2.0 * math.pi):.4g} Hz"
-
-
-DERIVED = (
-    "force_value",
-    "motor_mobility",
-    "motor_decay",
-    "load_mobility",
-    "load_decay",
-    "stiffness_value",
-    "damper_value",
-    "half_gap",
-    "bonded",
-    "unwinding",
-)
-"""Derived constants of a plant with two sides: force per command; mobility and decay of either mass; shaft; gap; decay of a twist."""
 
 
 def even_gap(par: Any, position: float) -> tuple[float, float]:

@@ -82,6 +82,8 @@ class Evaluator(Expressions):
             if statement.value is not None:
                 assign(statement.target, self.expression(statement.value, frame), frame.env)
         elif isinstance(statement, ast.AugAssign):
+            if not isinstance(statement.target, ast.Name):
+                assign(statement.target, None, frame.env)  # refuses it
             assert isinstance(statement.target, ast.Name)
             here = frame.name(statement.target.id)
             frame.env[statement.target.id] = self.operation(statement.op, here, self.expression(statement.value, frame))

@@ -5,19 +5,44 @@ from __future__ import annotations
 import ast
 import operator as operators
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from types import BuiltinFunctionType, FunctionType
+from types import FunctionType
 from typing import Any
 
+from contourlab import primitives as language
 from contourlab.engine.translate.graph import Graph, MismatchError, Op
 from contourlab.engine.translate.names import Closure, Frame, assign, bound, flat, has_unset, last_of, outer_names
-from contourlab.engine.translate.source import tree_of
+from contourlab.engine.translate.source import file_of, tree_of
 from contourlab.errors import EngineError, error_text
 
 NOTHING: Any = object()
 """What a body returns that ends without a return."""
 _ARITHMETIC = {ast.Add: "fadd", ast.Sub: "fsub", ast.Mult: "fmul", ast.Div: "fdiv"}
 _SIGNS = {ast.Lt: "<", ast.Gt: ">", ast.LtE: "<=", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
-_KNOWN_ONLY = (range, int, bool, str, round, min, max)
+_INSTEAD = {
+    "max": "maximum",
+    "min": "minimum",
+    "abs": "fabs",
+    "absolute": "fabs",
+    "round": "rint",
+    "int": "floor",
+    "trunc": "floor",
+    "ceil": "-floor(-x)",
+    "where": "select",
+    "sum": "dot, or + in a loop",
+    "fsum": "dot, or + in a loop",
+    "pow": "a product",
+    "bool": "a comparison",
+    "random": "uniform",
+    "gauss": "normal",
+    "normalvariate": "normal",
+}
+"""Functions that a step cannot call, and what it uses instead. Some of them differ from machine code, such as `max` for NaN or, from
+Python 3.12 on, `sum`, which does not round after each term; all are refused, so that the rule has no exceptions."""
+_SYMBOLS: dict[type, tuple[str, str]] = {
+    ast.Pow: ("**", "a product, or exp and log"),
+    ast.Mod: ("%", "a - b*floor(a/b)"),
+    ast.FloorDiv: ("//", "floor(a/b)"),
+}
 _DEEPEST = 60
 """Most calls within each other: more is a recursion."""
 _PYTHON: dict[type, Callable[[Any, Any], Any]] = {
@@ -78,11 +103,11 @@ class Expressions:
             return primitive(self, *args)
         if isinstance(function, Closure):
             around = function.around.origin
-            frame = Frame(function.around.file, lambda name: around.now.name(name))
+            frame = Frame(function.around.file, lambda name: around.now.name(name), function.around.title)
             frame.env = bound(function.node.args, function.defaults, args, named or {})
             return self._run(function.node, frame)
         if isinstance(function, FunctionType):
-            frame = Frame(function.__code__.co_filename, outer_names(function))
+            frame = Frame(file_of(function), outer_names(function), function.__qualname__)
             node = tree_of(function)
             defaults = [*last_of(node.args, function.__defaults__ or ()), *(function.__kwdefaults__ or {}).items()]
             frame.env = bound(node.args, dict(defaults), args, named or {})
@@ -90,25 +115,17 @@ class Expressions:
         return self._builtin(function, args, named or {})
 
     def _builtin(self, function: Any, args: Sequence[Any], named: Mapping[str, Any]) -> Any:
-        if function in (len, isinstance):
-            return function(*args)
+        """Call what shapes tuples and loops; numbers are for `contourlab.primitives` alone."""
         unknown = any(isinstance(arg, Op) for arg in flat(args))
         if function is float:
             return self.graph.number(args[0]) if unknown else float(args[0])
-        if function is abs:
-            return self.graph.arithmetic("fabs", args[0])
-        if function is sum:
-            total = named.get("start", args[1] if len(args) > 1 else 0)
-            for value in args[0]:
-                total = self.operation(ast.Add(), total, value)
-            return total
         if function in (tuple, zip, enumerate, reversed):
             return tuple(function(*args, **named))
-        if isinstance(function, type) and issubclass(function, tuple):
+        if function is len or (function is range and not unknown) or (isinstance(function, type) and issubclass(function, tuple)):
             return function(*args, **named)
-        if not unknown and (function in _KNOWN_ONLY or (isinstance(function, BuiltinFunctionType) and function.__module__ == "math")):
-            return function(*args, **named)
-        raise MismatchError(f"{getattr(function, '__name__', function)} cannot be called here: use the functions of contourlab.primitives")
+        if function is range:
+            raise MismatchError("range of a number known only in the run: loop over a fixed range, and break")
+        raise MismatchError(_refused(function))
 
     def _run(self, node: Any, frame: Frame) -> Any:
         self._depth += 1
@@ -123,7 +140,7 @@ class Expressions:
             raise
         except Exception as error:  # Python itself may refuse what it computes now
             said = str(error) if isinstance(error, MismatchError) else error_text(error)
-            raise EngineError(f"{frame.file}:{getattr(error, 'line', node.lineno)}: {said}") from error
+            raise EngineError(f"{frame.title}: {said}", file=frame.file, line=getattr(error, "line", node.lineno)) from error
         finally:
             self._depth -= 1
 
@@ -143,7 +160,9 @@ class Expressions:
     def _attribute(self, tree: ast.Attribute, frame: Frame) -> Any:
         value = self.expression(tree.value, frame)
         if not hasattr(value, tree.attr):
-            raise MismatchError(f"there is no {tree.attr} here")
+            known = getattr(value, "_fields", None)
+            there = "" if known is None else f"; {ast.unparse(tree.value)} has: {', '.join(known) or 'nothing'}"
+            raise MismatchError(f"no {tree.attr!r} here{there}")
         return getattr(value, tree.attr)
 
     def _binop(self, tree: ast.BinOp, frame: Frame) -> Any:
@@ -151,11 +170,13 @@ class Expressions:
 
     def operation(self, operator: ast.operator, a: Any, b: Any) -> Any:
         """Return the result of an operator; of plain values as Python computes it."""
-        if not isinstance(a, Op) and not isinstance(b, Op):
+        known = not isinstance(a, Op) and not isinstance(b, Op)
+        if known and type(operator) in _PYTHON:
             return _PYTHON[type(operator)](a, b)
         kind = _ARITHMETIC.get(type(operator))
         if kind is None:
-            raise MismatchError(f"{type(operator).__name__.lower()} of numbers that are not known")
+            sign, cure = _SYMBOLS.get(type(operator), (words_of(operator), "arithmetic and comparisons"))
+            raise MismatchError(f"a step cannot use {sign}: use {cure}")
         return self.graph.arithmetic(kind, a, b)
 
     def _unaryop(self, tree: ast.UnaryOp, frame: Frame) -> Any:
@@ -214,7 +235,7 @@ class Expressions:
             raise MismatchError("the two sides of an if give values of different kinds")
         return value
 
-    def _tuple(self, tree: ast.Tuple | ast.List, frame: Frame) -> Any:
+    def _tuple(self, tree: ast.Tuple, frame: Frame) -> Any:
         return tuple(self._items(tree.elts, frame))
 
     def _items(self, trees: Iterable[ast.expr], frame: Frame) -> Any:
@@ -256,7 +277,7 @@ class Expressions:
         pairs += [(arg.arg, value) for arg, value in zip(given.kwonlyargs, given.kw_defaults, strict=True) if value is not None]
         return Closure(node, frame, {name: self.expression(value, frame) for name, value in pairs})
 
-    def _generatorexp(self, tree: ast.GeneratorExp | ast.ListComp, frame: Frame) -> Any:
+    def _generatorexp(self, tree: ast.GeneratorExp, frame: Frame) -> Any:
         made: list[Any] = []
 
         def fill(depth: int, own: Frame) -> None:
@@ -273,9 +294,25 @@ class Expressions:
         fill(0, frame.copy())
         return tuple(made)
 
-    _list, _listcomp = _tuple, _generatorexp
+
+def _refused(function: Any) -> str:
+    """Return the message about a function that a step cannot call."""
+    name, module = getattr(function, "__name__", repr(function)), getattr(function, "__module__", None)
+    instead = _INSTEAD.get(name, name)
+    if instead in language.__all__:
+        instead = f"{instead} of contourlab.primitives"
+    elif name not in _INSTEAD:
+        instead = "the functions of contourlab.primitives, or your own"
+    called = name if module in (None, "builtins") else f"{module}.{name}"
+    return f"{called} cannot be called here: use {instead}"
 
 
 def words_of(tree: ast.AST) -> str:
     """Return the name of a construct, as text."""
+    if isinstance(tree, (ast.List, ast.ListComp)):
+        return "a list: use a tuple"
+    if isinstance(tree, ast.JoinedStr):
+        return "an f-string"
+    if isinstance(tree, ast.Expr):
+        return f"{ast.unparse(tree)}, a line without effect on its result: leave it out"
     return "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in type(tree).__name__).strip()

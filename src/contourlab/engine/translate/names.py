@@ -27,14 +27,14 @@ class Frame:
     A side of a branch and a round of a loop have a copy. `now` of the `origin` is the copy that runs.
     """
 
-    def __init__(self, file: str, outer: Callable[[str], Any]) -> None:
-        self.file, self.outer = file, outer
+    def __init__(self, file: str, outer: Callable[[str], Any], name: str) -> None:
+        self.file, self.outer, self.title = file, outer, name
         self.env: Env = {}
         self.origin = self.now = self
 
     def copy(self) -> Frame:
         """Return a frame with the same names, to be changed apart from this one."""
-        made = Frame(self.file, self.outer)
+        made = Frame(self.file, self.outer, self.title)
         made.env, made.origin = dict(self.env), self.origin
         return made
 
@@ -57,7 +57,7 @@ def assign(target: ast.expr, value: Any, env: Env) -> None:
         env[target.id] = value
         return
     if not isinstance(target, (ast.Tuple, ast.List)):
-        raise MismatchError(f"a step cannot assign to {type(target).__name__.lower()}")
+        raise MismatchError(f"a step cannot assign to {ast.unparse(target)}: keep it in a name, or in a state")
     values, targets = list(value), list(target.elts)
     for i, item in enumerate(targets):
         if isinstance(item, ast.Starred):
@@ -140,6 +140,6 @@ def outer_names(function: FunctionType) -> Callable[[str], Any]:
             return function.__globals__[wanted]
         if hasattr(builtins, wanted):
             return getattr(builtins, wanted)
-        raise MismatchError(f"no name {wanted}")
+        raise MismatchError(f"no name {wanted!r}: take it from par, x or inp, or define it")
 
     return lookup

@@ -12,6 +12,13 @@ from contourlab.engine.translate.names import positional
 from contourlab.errors import EngineError
 
 Function = ast.FunctionDef | ast.Lambda
+TYPED = "__typed__"
+"""Name, in the module of a plug-in, of its file as the user typed it."""
+
+
+def file_of(function: FunctionType) -> str:
+    """Return the file of a function; that of a plug-in as the user typed it."""
+    return str(function.__globals__.get(TYPED, function.__code__.co_filename))
 
 
 @cache
@@ -24,16 +31,16 @@ def tree_of(function: FunctionType) -> Function:
         If there is no source, or the file has changed since it was imported.
     """
     code = function.__code__
-    place = f"{code.co_filename}:{code.co_firstlineno}"
+    file, line = file_of(function), code.co_firstlineno
     linecache.checkcache(code.co_filename)  # the file of a plugin may have changed since
     source = "".join(linecache.getlines(code.co_filename))
     found = [node for node in _functions(source) if _matches(node, code)]
     if len(found) > 1:
         found = [node for node in found if _start(node) == _start_of_code(code)]
     if found and code_words(code) not in _written(source, code.co_filename):
-        raise EngineError(f"{place}: {function.__qualname__} has changed in the file since it was imported: import it again")
+        raise EngineError(f"{function.__qualname__} has changed in the file since it was imported: import it again", file=file, line=line)
     if len(found) != 1:
-        raise EngineError(f"{place}: no source of {function.__qualname__}: define it in a file")
+        raise EngineError(f"no source of {function.__qualname__}: define it in a file", file=file, line=line)
     return found[0]
 
 

@@ -6,11 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from contourlab.engine.step import Bank, Port, Step, pack, record, rows, unpack
+from contourlab.engine.step import Bank, Port, Step, misfit, pack, record, rows, unpack
 from contourlab.engine.translate.evaluate import Evaluator
 from contourlab.engine.translate.graph import TABLE, Graph, MismatchError, Op
 from contourlab.engine.translate.maths import EXACT
 from contourlab.engine.translate.passes import fuse_products, prune
+from contourlab.engine.translate.source import file_of
 from contourlab.errors import EngineError
 from contourlab.primitives import Clock
 
@@ -84,15 +85,15 @@ def once(
     own = record_of(step.own_states, list(states))
     found = (_bank(run, step.bank, par, own, members, inputs, clock),) if step.bank else ()
     result = run.call(step.function, [par, own, inputs, clock, *found])
+    fault = misfit(step, result)
     try:
-        following, out = result
-        ended = pack(step.own_states, following), pack(step.outputs, out)
-        first, second = (tuple(run.graph.number(value) for value in values) for values in ended)
-    except (MismatchError, TypeError, ValueError) as error:
-        code = step.function.__code__
-        where = f"{code.co_filename}:{code.co_firstlineno}"
-        raise EngineError(f"{where}: {step.name} must return its next states and its outputs as numbers: {error}") from error
-    return first, second
+        if not fault:
+            following, out = (pack(ports, values) for ports, values in zip((step.own_states, step.outputs), result, strict=True))
+            return tuple(map(run.graph.number, following)), tuple(map(run.graph.number, out))
+    except MismatchError as error:
+        fault = str(error)
+    function: Any = step.function
+    raise EngineError(f"{function.__qualname__}: {fault}", file=file_of(function), line=function.__code__.co_firstlineno)
 
 
 def _bank(run: Evaluator, bank: Bank, par: Any, own: Any, first: int, inputs: Any, clock: Any) -> tuple[Op, ...]:
@@ -102,6 +103,8 @@ def _bank(run: Evaluator, bank: Bank, par: Any, own: Any, first: int, inputs: An
     def one(index: Op, found: list[Op]) -> Sequence[Any]:
         kept = tuple(graph.op("member", (index,), extra=(first + j, bank.size)) for j in range(bank.size))
         after, found_next = run.call(bank.function, [par, own, kept, tuple(found), index, inputs, clock])
+        if len(after) != bank.size:
+            raise EngineError(f"a member of the bank returns {len(after)} numbers, but declares {bank.size}")
         for j, value in enumerate(after):
             graph.effect("store_member", [graph.number(value), index], (first + j, bank.size))
         return found_next  # type: ignore[no-any-return]

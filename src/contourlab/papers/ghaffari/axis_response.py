@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.sampled_loop import AxisResponse, sampled_loop
 from contourlab.arrays import Array, Complex
-from contourlab.components.conformance import SLOTS
 from contourlab.components.contract import Component, LinearModel
+from contourlab.components.families import FAMILY
 from contourlab.components.ideal import TrueVelocity
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Axis, AxisController
@@ -104,8 +104,8 @@ def _continuous(axis: Axis, controller: AxisController, w: Array, carried_mass: 
 
 def _gains(model: LinearModel, s: Complex) -> dict[str, Complex]:
     """Return the command over each possible input of a controller; zero for an input that it lacks."""
-    offered, _ = SLOTS["controller"]
     rows = transfer(model, s)
+    offered = FAMILY["controller"].inputs
     return {name: rows[:, 0, model.inputs.index(name)] if name in model.inputs else np.zeros_like(s) for name in offered}
 
 

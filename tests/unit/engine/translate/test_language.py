@@ -18,7 +18,7 @@ from contourlab.engine.step import Port, Step
 from contourlab.engine.translate import llvm_ir
 from contourlab.engine.translate.step_graph import graph_of
 from contourlab.errors import EngineError
-from contourlab.primitives import clip, copysign, exp, fabs, floor, lookup, maximum, minimum, rint, select, sqrt
+from contourlab.primitives import clip, copysign, dot, exp, fabs, floor, lookup, maximum, minimum, rint, select, sqrt
 
 FLOATS = st.floats(allow_nan=True, allow_infinity=True, width=64)
 
@@ -85,7 +85,8 @@ def indexed(a: float, b: float) -> float:
 def tuples(a: float, b: float) -> float:
     pair, third = ((a, b), 1.0) if a < b else ((b, a), 2.0)
     (low, high), *rest = pair, third
-    return high - low + rest[0] + sum(v for v in (a, b) if True)
+    one, other = tuple(v for v in (a, b) if True)
+    return high - low + rest[0] + (one + other)
 
 
 def rounding(a: float, b: float) -> float:
@@ -97,7 +98,7 @@ def mixed(a: float, b: float) -> float:
 
 
 def operands(a: float, b: float) -> float:
-    return (a or 3.0) + (b and 2.0) + ((a > b and a) or b) + (floor(a) in (0.0, 1.0, b)) + sum((a, b), start=1.0) + floor(x=b)
+    return (a or 3.0) + (b and 2.0) + ((a > b and a) or b) + (floor(a) in (0.0, 1.0, b)) + floor(x=b)
 
 
 def late(a: float, b: float) -> float:
@@ -131,11 +132,14 @@ def growing(a: float, b: float) -> float:
     every: tuple[float, ...] = (a,)
     for _ in range(9):
         every = (*every, 0.5 * every[-1] + b)
-    return sum(every)
+    return dot(every, every)
 
 
 def weighted(a: float, b: float = 2.0, *more: float, factor: float = 3.0) -> float:
-    return factor * (a + b) + sum(more)
+    total = factor * (a + b)
+    for one in more:
+        total += one
+    return total
 
 
 def called(a: float, b: float) -> float:
@@ -196,6 +200,24 @@ def doubling(a: float, b: float, depth: int = 30) -> float:
     return doubling(a - b, b, depth - 1) if depth else b
 
 
+KEPT = [0.0]
+
+
+def talking(a: float, b: float) -> float:
+    print(a)  # noqa: T201
+    return b
+
+
+def hoarding(a: float, b: float) -> float:
+    KEPT[0] = a
+    return b
+
+
+def collecting(a: float, b: float) -> float:
+    KEPT[0] += a
+    return b
+
+
 @pytest.mark.parametrize(
     ("function", "line", "reason"),
     [
@@ -205,7 +227,17 @@ def doubling(a: float, b: float, depth: int = 30) -> float:
         (endless, 0, "calls itself"),
         (half_set, 3, "c may have no value"),
         (refusing, 1, "cannot use raise"),
-        (lambda a, b: a**b, 0, "pow"),
+        (lambda a, b: a**b, 0, "**: use a product"),
+        (lambda a, b: a % b, 0, "%: use a - b*floor(a/b)"),
+        (lambda a, b: a // b, 0, "//: use floor"),
+        (lambda a, b: [a, b][0], 0, "a list: use a tuple"),
+        (lambda a, b: tuple([v for v in (a, b)])[0], 0, "a list: use a tuple"),  # noqa: C416, RUF015
+        (lambda a, b: float(f"{a}"), 0, "an f-string"),
+        (lambda a, b: nowhere, 0, "no name 'nowhere'"),  # type: ignore[name-defined]  # noqa: F821
+        (talking, 1, "print(a)"),
+        (hoarding, 1, "KEPT[0]"),
+        (collecting, 1, "KEPT[0]"),
+        (lambda a, b: float(len(range(a))), 0, "a fixed range"),  # type: ignore[arg-type]
         (lambda a, b: a + "b", 0, "a number is needed"),
         (lambda a, b: weighted(a, b, width=1.0), 0, "width"),
         (lambda a, b: half_set(a), 0, "'b'"),
@@ -213,8 +245,7 @@ def doubling(a: float, b: float, depth: int = 30) -> float:
         (lambda a, b: floor(a, b), 0, "too many"),
         (lambda a, b: 1.0 if (a > b) is True else a, 0, "is of"),
         (lambda a, b: 1.0 if (a, b) == (1.0, b) else a, 0, "eq of"),
-        (lambda a, b: max((a, b)), 0, "max"),
-        (lambda a, b: a + (6 & 3), 0, "BitAnd"),
+        (lambda a, b: a + (6 & 3), 0, "bit and"),
         (with_else, 1, "else after a loop"),
         (doubling, 1, "more than"),
     ],
@@ -225,6 +256,61 @@ def test_what_cannot_be_translated_is_refused_with_its_line(function: Any, line:
     where, _, message = str(refusal.value).partition(": ")
     assert where == f"{__file__}:{function.__code__.co_firstlineno + line}"
     assert reason in message
+
+
+@pytest.mark.parametrize(
+    ("function", "instead"),
+    [
+        (lambda a, b: max(a, b), "max cannot be called here: use maximum of"),
+        (lambda a, b: max((a, b)), "maximum"),
+        (lambda a, b: a * max(1.0, 2.0), "maximum"),
+        (lambda a, b: min(a, b), "minimum"),
+        (lambda a, b: abs(a), "fabs"),
+        (lambda a, b: round(a), "rint"),
+        (lambda a, b: int(a), "floor"),
+        (lambda a, b: bool(a), "a comparison"),
+        (lambda a, b: sum((a, b)), "dot"),
+        (lambda a, b: a * sum((1.0, 2.0)), "dot"),
+        (lambda a, b: pow(a, 2), "a product"),
+        (lambda a, b: math.exp(a), "math.exp cannot be called here: use exp of contourlab.primitives"),
+        (lambda a, b: a * math.sqrt(2.0), "sqrt"),
+        (lambda a, b: math.hypot(a, b), "the functions of"),
+        (lambda a, b: np.sin(a), "sin"),
+        (lambda a, b: np.maximum(a, b), "maximum"),
+        (lambda a, b: float(str(a)), "the functions of"),
+    ],
+)
+def test_a_function_that_is_no_primitive_is_refused_with_the_one_to_use(function: Any, instead: str) -> None:
+    """Also of constants: one rule. `max` and `maximum` differ for NaN and zeros; `sum` compensates from Python 3.12 on."""
+    with pytest.raises(EngineError) as refusal:
+        graph_of(step_of(function))
+    assert refusal.value.line == function.__code__.co_firstlineno and refusal.value.file == __file__
+    assert instead in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    ("returned", "reason"),
+    [
+        (None, "nothing"),
+        (1.0, "a number: end with"),
+        ("full", "'full'"),
+        ((1.0,), "a tuple of 1"),
+        ((1.0, (1.0,)), "a number as its states"),
+        (((1.0,), 1.0), "a number as its outputs"),
+        (((), (1.0,)), "0 states, but declares 1: kept"),
+        (((1.0,), (1.0, 2.0)), "2 outputs, but declares 1: y"),
+        (((1.0,), ((1.0, 2.0),)), "a tuple of 2 for output y"),
+        (((1.0,), ("full",)), "not 'full'"),
+    ],
+)
+def test_a_result_that_does_not_fit_the_ports_is_refused(returned: Any, reason: str) -> None:
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return returned
+
+    with pytest.raises(EngineError) as refusal:
+        graph_of(Step("made", step, states=(Port("kept"),), outputs=(Port("y"),)))
+    assert (refusal.value.file, refusal.value.line) == (__file__, step.__code__.co_firstlineno)
+    assert reason in str(refusal.value)
 
 
 def test_what_decides_is_computed_first() -> None:
@@ -278,7 +364,7 @@ def test_a_long_loop_is_not_written_out() -> None:
 def test_what_is_known_is_computed_now() -> None:
     def known(a: float, b: float) -> float:
         weights = tuple(1.0 / (1.0 + i) for i in range(4))
-        return sum(weights) * a if len(weights) == 4 else b
+        return dot(weights, weights) * a if len(weights) == 4 else b
 
     assert sorted(set(kinds(known, False))) == ["constant", "fmul", "input"]
 

@@ -1,0 +1,300 @@
+"""What each family of components must have: ports, methods, base class.
+
+Loader, conformance test and `docs/components.md` use this table.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Method:
+    """A method that a class must define.
+
+    Attributes
+    ----------
+    call : str
+        Name and arguments; with `self` it is an ordinary method, otherwise a static one.
+    doc : str
+        What it returns.
+    """
+
+    call: str
+    doc: str
+
+    @property
+    def name(self) -> str:
+        """Name of the method."""
+        return self.call.partition("(")[0]
+
+    @property
+    def arguments(self) -> list[str]:
+        """Names of its arguments."""
+        return self.call.partition("(")[2].rstrip(")").split(", ")
+
+    @property
+    def static(self) -> bool:
+        """Whether it is a static method."""
+        return self.arguments[0] != "self"
+
+
+@dataclass(frozen=True)
+class Form:
+    """One way to write a class of a family.
+
+    Attributes
+    ----------
+    methods : tuple of Method
+    base : str
+        Module and name of the base class; empty for `Component`.
+    law : str
+        The class attribute `law` that selects this form.
+    constants : dict of str to str
+        Names in `par`, as parameters or derived, and the method that may be written instead; empty where there is none.
+    states : tuple of str
+        States that it must have.
+    attributes : dict of str to str
+        Further class attributes or properties, and an example.
+    """
+
+    methods: tuple[Method, ...] = ()
+    base: str = ""
+    law: str = ""
+    constants: dict[str, str] = field(default_factory=dict)
+    states: tuple[str, ...] = ()
+    attributes: dict[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Family:
+    """A family of components.
+
+    Attributes
+    ----------
+    doc : str
+        What it does.
+    slot : str
+        Its key in a machine or controller.
+    inputs : tuple of str
+        What the slot offers.
+    outputs : tuple of str
+        What it expects.
+    forms : tuple of Form
+        The ways to write a class.
+    chooses : bool
+        Whether a class may leave inputs out.
+    either : bool
+        Whether one of the outputs is enough.
+    """
+
+    doc: str
+    slot: str
+    inputs: tuple[str, ...] = ()
+    outputs: tuple[str, ...] = ()
+    forms: tuple[Form, ...] = ()
+    chooses: bool = False
+    either: bool = False
+
+
+PORTS = {
+    "position": ("m", "position of the axis: true for sensor and disturbance, predicted after a predictor, else measured"),
+    "velocity": ("m/s", "velocity of the axis, as the velocity part computes it"),
+    "acceleration": ("m/s^2", "mean acceleration over the tick"),
+    "motor_position": ("m", "position measured on the motor side, in load units"),
+    "motor_velocity": ("m/s", "velocity on the motor side"),
+    "load_position": ("m", "position on the load side, measured or estimated by the gap observer"),
+    "load_velocity": ("m/s", "velocity on the load side, measured or estimated by the gap observer"),
+    "reference": ("m", "reference position; for controller and supervisor with all that is added to it"),
+    "reference_velocity": ("m/s", "velocity of the reference"),
+    "reference_acceleration": ("m/s^2", "acceleration of the reference"),
+    "reference_ahead": ("m", "reference position `ahead(dt)` ticks later"),
+    "reference_shift": ("m", "is added to the reference of the controller"),
+    "modified_reference": ("m", "replaces the reference of all axes"),
+    "command": ("command", "command to the drive; of a feedforward or compensation, is added to it"),
+    "correction": ("command", "is added to the commands of all axes"),
+    "feedforward": ("command", "sum of feedforward, compensation, cross-coupling and learned table"),
+    "applied": ("command", "command that leaves the drive, after limit and delay; to a controller or an observer one tick late"),
+    "accepted": ("command", "last command that the drive accepted, before its delay"),
+    "disturbance_estimate": ("command", "estimate of the observer; the controller subtracts it"),
+    "load": ("force", "sum of all outer forces on the axis"),
+    "force": ("force", "force on the axis, positive in its direction"),
+    "gap_state": ("", "place of the motor in the gap: -1 and 1 in contact, 0 between"),
+    "gap": ("m", "estimated size of the gap"),
+    "gap_estimate": ("m", "size of the gap where the gap observer is confident, else 0"),
+    "gap_deviation": ("m", "standard deviation of the estimated size"),
+    "confidence": ("", "probability of the estimated state, 0 to 1"),
+    "active": ("", "number of the active controller: 0 for `controller`, 1, 2 ... for `others`"),
+    "reason": ("", "number of the reason in `reasons`, from 1, at the tick of a switch; else 0"),
+    "arc_length": ("m", "arc length of the reference on the path; it grows over laps"),
+    "source_line": ("", "line of the part program"),
+    "foot_position": ("m", "point of the path nearest to the tool"),
+    "error_vector": ("m", "from the tool to the path"),
+    "contour_error_estimate": ("m", "signed distance from the path, positive left of travel; in space the distance"),
+    "tangent": ("", "unit tangent of the path at the foot point"),
+    "sent": ("any", "signal at the sender"),
+    "received": ("any", "signal at the receiver"),
+}
+"""Unit and meaning of each port. ``command`` and ``force`` are the units of the plant."""
+
+ALONE = ("arc_length", "contour_error_estimate")
+"""Ports of estimators and couplings with one number; their other ports have one for each axis."""
+ACROSS = ("estimator", "coupling")
+"""Families that see all axes: declare their vectors with ``Port(name, -1)``."""
+
+TWO_SIDED = (
+    *("force_value", "motor_mobility", "motor_decay", "load_mobility", "load_decay"),
+    *("stiffness_value", "damper_value", "half_gap", "bonded", "unwinding"),
+)
+"""Constants of a plant with two sides: force per command; mobility and decay of either mass; shaft; gap; decay of a twist."""
+
+
+def size_of(family: str, port: str) -> int:
+    """Return the size of a port of a family's slot: 0 for a number, -1 for one number for each axis."""
+    return -1 if family in ACROSS and port not in ALONE else 0
+
+
+_ASKED = ("reference", "reference_velocity", "reference_acceleration")
+_SIDES = ("motor_position", "motor_velocity", "load_position", "load_velocity")
+_ADVANCE = Method("step(par, x, inp, clock)", "`x_next, out`: next states and outputs, tuples in the order of `states` and `outputs`")
+_STEP = (Form((_ADVANCE,)),)
+_PLANTS = (
+    Form(
+        (Method("drive_force(par, command)", "the force of the drive"),),
+        "contourlab.components.plant.plant.SingleMass",
+        constants={"mobility_value": "mobility", "decay_value": "decay"},
+    ),
+    Form(
+        (),
+        "contourlab.components.plant.two_sided.TwoSided",
+        constants=dict.fromkeys(TWO_SIDED, ""),
+    ),
+)
+_LAGGED = Form(
+    (Method("rates(self, par)", "mobility, decay, rate of the lag, force per command and back-action, as in `LaggedMass`"),),
+    "contourlab.components.plant.lagged_mass.LaggedMass",
+)
+_FRICTIONS = (
+    Form((Method("force(par, v)", "the friction force at the velocity v, with the sign of v"),), law="smooth"),
+    Form(
+        (
+            Method("held(par)", "the largest force that it holds at rest"),
+            Method("sliding(par, speed)", "the resistance at a speed, >= 0, continued smoothly below zero"),
+        ),
+        law="sticking",
+    ),
+    Form(
+        (Method("level(par, v)", "the friction of steady sliding without its viscous part, > 0"),),
+        law="bristle",
+        constants=dict.fromkeys(("stiffness", "bristle_damping", "viscous"), ""),
+        states=("bristle",),
+    ),
+)
+_CHOICE = {"reasons": '("too fast", "slow again")', "n_controller": "2"}
+_ESTIMATE = Method("path_step(self, view, n_axis)", "the `Step` on a path; take `contourlab.components.estimator.newton` as a pattern")
+_REVISE = Method("revised(self, table, trial, problem)", "the next table, a new array; arguments as in `LearningLaw.update`")
+
+FAMILY = {
+    "plant": Family(
+        "moves under command and load",
+        "axes.NAME.plant",
+        ("command", "load"),
+        ("position", "velocity", "acceleration"),
+        (_LAGGED, *_PLANTS),
+    ),
+    "friction": Family("resists the motion", "axes.NAME.friction", forms=_FRICTIONS),
+    "drive": Family("limits and delays the command", "axes.NAME.drive", ("command",), ("applied",), _STEP),
+    "sensor": Family("measures the position", "axes.NAME.sensor", ("position",), ("position",), _STEP),
+    "predictor": Family(
+        "predicts the position at which commands under way will act; declares a `ring` to look back",
+        "controller.axes.NAME.predictor",
+        ("position", "applied"),
+        ("position",),
+        _STEP,
+    ),
+    "velocity": Family("computes the velocity", "controller.axes.NAME.velocity", ("position",), ("velocity",), _STEP),
+    "disturbance": Family("pushes the axis", "axes.NAME.disturbance", ("position",), ("force",), _STEP),
+    "observer": Family(
+        "estimates the disturbance", "controller.axes.NAME.observer", ("velocity", "applied"), ("disturbance_estimate",), _STEP
+    ),
+    "gap_observer": Family(
+        "estimates state and size of the gap, its own confidence, and the load, from motor and command",
+        "controller.axes.NAME.gap_observer",
+        ("motor_position", "motor_velocity", "reference_velocity", "applied"),
+        ("gap_state", "gap", "gap_deviation", "confidence", "load_position", "load_velocity"),
+        _STEP,
+        chooses=True,
+    ),
+    "feedforward": Family(
+        "turns the reference into `reference_shift`, `command` or both; `ahead(dt)` ticks of look-ahead",
+        "controller.axes.NAME.feedforward",
+        (*_ASKED, "reference_ahead"),
+        ("reference_shift", "command"),
+        _STEP,
+        chooses=True,
+        either=True,
+    ),
+    "compensation": Family(
+        "turns the reference and both sides of the drive into `reference_shift`, `command` or both",
+        "controller.axes.NAME.compensation",
+        (*_ASKED, *_SIDES, "gap_estimate"),
+        ("reference_shift", "command"),
+        _STEP,
+        chooses=True,
+        either=True,
+    ),
+    "supervisor": Family(
+        "chooses the active controller and gives a reason, both as numbers",
+        "controller.axes.NAME.supervisor",
+        (*_ASKED, *_SIDES, "position", "velocity", "gap_state", "gap_estimate", "confidence", "arc_length", "source_line", "accepted"),
+        ("active", "reason"),
+        (Form((_ADVANCE,), "contourlab.components.supervisor.switching.Supervisor", attributes=_CHOICE),),
+        chooses=True,
+    ),
+    "controller": Family(
+        "command = own law + `feedforward` - `disturbance_estimate`",
+        "controller.axes.NAME.controller",
+        (*_ASKED, *_SIDES, "position", "velocity", "gap_estimate", "disturbance_estimate", "feedforward", "applied", "accepted"),
+        ("command",),
+        _STEP,
+        chooses=True,
+    ),
+    "filter": Family(
+        "turns the controller's command into the drive's; its states are commands, all equal at rest",
+        "controller.axes.NAME.filters.LABEL",
+        ("command",),
+        ("command",),
+        _STEP,
+    ),
+    "estimator": Family(
+        "turns positions and path into the contour-error vector",
+        "controller.estimator",
+        ("position", "arc_length"),
+        ("foot_position", "error_vector", "contour_error_estimate", "tangent"),
+        (Form((_ESTIMATE,)),),
+    ),
+    "coupling": Family(
+        "turns the error vector into `modified_reference` or `correction`",
+        "controller.coupling",
+        ("reference", "position", "foot_position", "error_vector", "contour_error_estimate", "tangent", "command", "accepted"),
+        ("modified_reference", "correction"),
+        _STEP,
+        chooses=True,
+        either=True,
+    ),
+    "link": Family(
+        "turns a signal sent into the one received, from base to axis or back",
+        "controller.axes.NAME.link.down` and `.up",
+        ("sent",),
+        ("received",),
+        _STEP,
+    ),
+    "learning": Family(
+        "turns the record of a trial into the next table",
+        "learning.law",
+        forms=(Form((_REVISE,), "contourlab.components.learning.law.LearningLaw"),),
+    ),
+}
+"""The families, in the order in which `contourlab components` lists them."""
+
+FAMILIES = tuple(FAMILY)
