@@ -34,7 +34,7 @@ from contourlab.loop.simulate import sampler
 from contourlab.loop.switches import Switches, switches_of
 from contourlab.loop.template import build
 from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, judged_part, reversal_spikes, summarise
-from contourlab.report.judgement import Trust, Verdict
+from contourlab.rendering.judgement import Trust, Verdict
 from contourlab.result import Result
 from contourlab.scenario import Case
 

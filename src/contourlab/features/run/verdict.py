@@ -14,7 +14,7 @@ from contourlab.findings import finding
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import judged_part
 from contourlab.metrics.figures import left_out
-from contourlab.report.judgement import Verdict, Worst
+from contourlab.rendering.judgement import Verdict, Worst
 from contourlab.result import Result
 
 SHARE, LARGE = 0.25, 0.5
