@@ -52,6 +52,7 @@ _HOMES = {
     ),
     "contourlab.components.plant.reflected": ("reflected_inertia", "reflected_mass"),
     "contourlab.metrics": (
+        "Metrics",
         "backlash_from_circle",
         "backlash_of_runs",
         "circles_of",
@@ -66,6 +67,7 @@ _HOMES = {
     "contourlab.features.link.cost": ("message_rate",),
     "contourlab.features.learn": ("LearnedTable", "learn"),
     "contourlab.features.run.record": ("simulate_to_file",),
+    "contourlab.features.run.report": ("report",),
     "contourlab.features.run.verdict": ("verdict",),
 }
 _WHERE = {name: home for home, names in _HOMES.items() for name in names}

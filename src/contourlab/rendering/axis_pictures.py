@@ -12,9 +12,10 @@ from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick
 from contourlab.rendering.data import ReportData, SchemeReport
 from contourlab.rendering.error_pictures import MARKS
 from contourlab.rendering.run_data import AxisBounds, FeedRun
-from contourlab.rendering.samples import axis_column, keep_extremes, largest_magnitude, times
+from contourlab.rendering.samples import axis_column, largest_magnitude, times
 from contourlab.rendering.style import LIMIT, REFERENCE, scheme_style
 from contourlab.result import Result
+from contourlab.thinning import keep_extremes
 
 UM = 1e6
 OFF_SCALE = 4.0

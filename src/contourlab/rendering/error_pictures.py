@@ -8,8 +8,9 @@ from contourlab.arrays import Array
 from contourlab.figures import figure, number
 from contourlab.rendering.charts import Chart, Curve, Panel, PolarChart, Tick, ring_spacing
 from contourlab.rendering.data import ReportData
-from contourlab.rendering.samples import error_signal, keep_extremes, largest_magnitude, signal, times
+from contourlab.rendering.samples import error_signal, largest_magnitude, signal, times
 from contourlab.rendering.style import scheme_style
+from contourlab.thinning import keep_extremes
 
 UM = 1e6
 MARKS = 400

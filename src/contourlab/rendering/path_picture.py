@@ -14,8 +14,9 @@ from contourlab.rendering.charts import Curve, Magnified, PathChart, SpaceChart
 from contourlab.rendering.comparison import judged_words
 from contourlab.rendering.data import ReportData, SchemeReport
 from contourlab.rendering.lead import lines_at
-from contourlab.rendering.samples import keep_changes, keep_extremes, largest_magnitude, signal
+from contourlab.rendering.samples import keep_changes, largest_magnitude, signal
 from contourlab.rendering.style import BAND, INK, REFERENCE, magnification, scheme_style
+from contourlab.thinning import keep_extremes
 
 MM, UM = 1e3, 1e6
 FLAT = 1e-3

@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from contourlab.errors import ParameterError
-from contourlab.rendering.samples import keep_extremes, share
+from contourlab.rendering.samples import share
+from contourlab.thinning import keep_extremes
 
 FINITE = st.floats(-1e6, 1e6)
 

@@ -1,0 +1,133 @@
+"""One report on runs made in Python, as ``contourlab run`` writes it."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from contourlab import __version__
+from contourlab.errors import ParameterError
+from contourlab.features.run.outcome import judged_spikes
+from contourlab.features.run.verdict import unexplained
+from contourlab.feed import Reference
+from contourlab.metrics import circles_of, judge, summarise
+from contourlab.metrics.circles import pairs
+from contourlab.program import Program
+from contourlab.rendering.data import Provenance, ReportData, SchemeReport
+from contourlab.rendering.html import write_html
+from contourlab.result import Result
+
+
+def report(
+    results: Result | Sequence[Result] | Mapping[str, Result],
+    file: str | Path = "report.html",
+    *,
+    reference: Reference | Sequence[Reference] | None = None,
+    tolerance: float | None = None,
+    program: Program | None = None,
+    title: str = "",
+) -> Path:
+    """Write one HTML page about runs along one path; it opens off-line.
+
+    Parameters
+    ----------
+    results : Result, sequence of Result, or mapping of str to Result
+        The first is compared with the others. A run that is not judged is judged first. Names are those of a mapping, or else the
+        schemes; equal ones are numbered.
+    file : str or Path
+        Replaced completely or not at all.
+    reference : Reference or sequence of Reference, optional
+        The reference of all runs or of each. A result of `simulate` or `judge` knows its own; one from a file does not.
+    tolerance : float [m], > 0, optional
+        Largest part error that passes.
+    program : Program, optional
+        The part program, for the error of each line.
+    title : str
+        By default the names of the runs.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ParameterError
+        If there is no result, or their number is not that of the references, a reference is missing, paths or axes differ, or the
+        tolerance is out of range.
+    ResultError
+        If a signal is missing, or a result is of another reference.
+    OutputError
+        If the file cannot be written.
+
+    Notes
+    -----
+    Causes, margins and limits need the scenario: `contourlab run` adds them.
+
+    >>> import contourlab as cl
+    >>> case = cl.load_scenario("builtin:ghaffari/demo-stage").base
+    >>> circle = cl.uniform(cl.contour("circle", radius=5e-3), 1.0, 1, case.machine.servo_period)
+    >>> page = cl.report(cl.simulate(case.machine, case.controller, circle), "report.html", tolerance=20e-6)  # doctest: +SKIP
+    """
+    named = _named(results)
+    runs = [
+        _run(name, result, motion, tolerance, program)
+        for (name, result), motion in zip(named.items(), _references(named, reference), strict=True)
+    ]
+    motion, schemes = runs[0][1], [scheme for scheme, _ in runs]
+    for name, (_, other) in zip(named, runs, strict=True):
+        if other.programmed.digest != motion.programmed.digest:
+            raise ParameterError(f"path of {name!r}", "another one", f"that of {schemes[0].name!r}")
+    programmed = None if motion.programmed is motion.path else motion.programmed
+    system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
+    provenance = Provenance(__version__, "", "", "", platform=system)
+    lines = () if program is None else program.lines
+    return write_html(ReportData(title or ", ".join(named), schemes, motion.path, provenance, programmed, lines, tolerance), file)
+
+
+def _named(results: Result | Sequence[Result] | Mapping[str, Result]) -> dict[str, Result]:
+    """Return the results by name, equal names numbered."""
+    if isinstance(results, Mapping):
+        return dict(results)
+    named: dict[str, Result] = {}
+    for result in (results,) if isinstance(results, Result) else results:
+        name, number = result.scheme, 1
+        while name in named:
+            number += 1
+            name = f"{result.scheme} {number}"
+        named[name] = result
+    return named
+
+
+def _references(named: Mapping[str, Result], reference: Reference | Sequence[Reference] | None) -> Iterator[Reference]:
+    """Yield the reference of each result."""
+    given = [reference] * len(named) if reference is None or isinstance(reference, Reference) else list(reference)
+    if len(given) != len(named):
+        raise ParameterError("reference", f"{len(given)} references", f"one for all, or one for each of {len(named)} results")
+    for (name, result), one in zip(named.items(), given, strict=True):
+        motion = result.motion if one is None else one
+        if motion is None:
+            raise ParameterError("reference", "None", f"given: {name!r} does not know the reference that it was simulated along")
+        yield motion
+
+
+def _run(
+    name: str, result: Result, reference: Reference, tolerance: float | None, program: Program | None
+) -> tuple[SchemeReport, Reference]:
+    """Judge a run where necessary, and sum it up."""
+    judged = result if {"part_error", "tracking_error"} <= set(result.signals) else judge(result, reference)
+    circles = circles_of(judged, reference)
+    verdict = None if tolerance is None else unexplained(reference, judged, tolerance, () if program is None else program.lines)
+    scheme = SchemeReport(
+        name=name,
+        result=judged,
+        metrics=summarise(judged, reference),
+        verdict=verdict,
+        circles=circles,
+        bidirectional=pairs(circles),
+        spikes=judged_spikes(judged, reference),
+        findings=() if verdict is None else verdict.findings,
+        lines=None if program is None else reference.source_line(judged["arc_length"]),
+    )
+    return scheme, reference
