@@ -55,8 +55,10 @@ def simulate_batch(
 
     Parameters
     ----------
-    machine, controller, reference
-        Common to all variants.
+    machine : Machine
+    controller : Controller
+    reference : Reference
+        All three common to all variants.
     variants : mapping of str to array_like (n_variant,)
         Parameters that differ [SI], by dotted name (`contourlab.loop.parameter_names` lists them); a pattern such as
         ``axes.*.plant.mass`` gives all that match the same values.

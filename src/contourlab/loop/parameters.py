@@ -44,6 +44,16 @@ def parameters_of(machine: Machine, controller: Controller) -> Known:
 def parameter_names(machine: Machine, controller: Controller) -> dict[str, str]:
     """Return the SI unit of every parameter that a batch can vary, by dotted name; "" without a unit.
 
+    Parameters
+    ----------
+    machine : Machine
+    controller : Controller
+
+    Returns
+    -------
+    dict of str to str
+        Units such as ``"kg"``, by names such as ``axes.x.plant.mass`` and ``controller.axes.x.observer.bandwidth``.
+
     >>> from contourlab import load_scenario
     >>> case = load_scenario("builtin:demo-part").base
     >>> parameter_names(case.machine, case.controller)["axes.x.plant.mass"]

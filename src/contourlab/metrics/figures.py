@@ -22,7 +22,19 @@ from contourlab.result import Result
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Sample, time [s], arc length [m], position [m] and program line (0 if none)."""
+    """Where an error is largest.
+
+    Attributes
+    ----------
+    sample : int
+    time : float [s]
+    arc_length : float [m]
+        Progress of the reference.
+    position : tuple of float [m]
+        Of the tool, by axis.
+    line : int
+        Program line; 0 for none.
+    """
 
     sample: int
     time: float
@@ -60,7 +72,16 @@ class ErrorFigures:
 
 @dataclass(frozen=True, slots=True)
 class MoveFigures:
-    """Moves that are not judged: ``approach``, ``rapids`` or ``retract``; their time [s], largest part error [m], and its place."""
+    """Moves that are not judged.
+
+    Attributes
+    ----------
+    moves : {"approach", "rapids", "retract"}
+    time : float [s]
+    max : float [m]
+        Largest part error.
+    worst : Place
+    """
 
     moves: str
     time: float
@@ -70,7 +91,13 @@ class MoveFigures:
 
 @dataclass(frozen=True, slots=True)
 class AxisFigures:
-    """Tracking error of an axis [m]: rms and max of the magnitude."""
+    """Tracking error of an axis.
+
+    Attributes
+    ----------
+    rms, max : float [m]
+        Of the magnitude.
+    """
 
     rms: float
     max: float
@@ -186,6 +213,10 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
     reference : Reference
     window : (int, int), optional
         Samples [start, stop) to judge; by default those of `Reference.judged`.
+
+    Returns
+    -------
+    Metrics
 
     Raises
     ------

@@ -41,6 +41,11 @@ def judge(result: Result, reference: Reference) -> Result:
         With ``tool_position``, ``reference`` and ``arc_length``.
     reference : Reference
 
+    Returns
+    -------
+    Result
+        With the signals below.
+
     Raises
     ------
     ResultError

@@ -39,7 +39,9 @@ def verdict(
 
     Parameters
     ----------
-    machine, controller, reference
+    machine : Machine
+    controller : Controller
+    reference : Reference
     judged : Result
         The run, with the judge's signals.
     tolerance : float [m], > 0
@@ -54,6 +56,10 @@ def verdict(
         Whether to find causes and advice (about thirty more runs).
     rerun : callable, optional
         `contourlab.loop.simulate` with the options of the run.
+
+    Returns
+    -------
+    Verdict
     """
     plain = unexplained(reference, judged, tolerance, lines)
     sample, findings = plain.worst.sample, list(plain.findings)
