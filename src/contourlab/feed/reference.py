@@ -25,8 +25,8 @@ CHUNK = 4096
 """Samples computed at once, so that they stay in the processor's cache."""
 KEPT_BLOCKS = 4
 """Blocks kept for the next run of the same reference."""
-EVEN_TIMES = 2000
-"""Even times at which a picture shows a planned motion, besides its spans."""
+EVEN_POINTS = 2000
+"""Even places and times in a picture of a planned motion, besides the ends of curves and spans."""
 
 
 class ReferenceBlock(NamedTuple):
@@ -253,32 +253,31 @@ class Reference:
 
     def plot(self) -> Figure:
         """Draw the path of the first two axes and the feedrate over time; a long motion is thinned, corners and peaks kept."""
-        time, arc_length, speed = self._course()
+        time, speed = self._speeds()
         panels: list[Panel] = [("time [s]", "feedrate [mm/min]", [("", time, 6e4 * speed)])]
         if self.n_axis > 1:
-            position = self.path.position(arc_length) if self.recorded is None else self.recorded.position
+            places = np.unique(np.concatenate([np.linspace(0.0, self.path.length, EVEN_POINTS), self.path.breaks]))
+            position = self.path.position(places) if self.recorded is None else self.recorded.position
             panels.insert(0, ("axis 1 [mm]", "axis 2 [mm]", [("", 1e3 * position[:, 0], 1e3 * position[:, 1])]))
         drawn = curves(panels, to_scale=self.n_axis > 1)
         drawn.axes[-1].set_ylim(bottom=0.0)
         return drawn
 
-    def _course(self) -> tuple[Array, Array, Array]:
-        """Return time [s], arc length [m] and feedrate [m/s] (n,): of every recorded sample, or of even times and every span."""
+    def _speeds(self) -> tuple[Array, Array]:
+        """Return time [s] and feedrate [m/s] (n,): of every recorded sample, or of even times and every span."""
         if self.recorded is not None:
             velocity = _differences(self.recorded.position, self.servo_period, 0, self.n_sample)[0]
-            speed: Array = np.sqrt((velocity**2).sum(axis=1))
-            return np.asarray(np.arange(self.n_sample) * self.servo_period), self.recorded.arc_length, speed
+            return np.asarray(np.arange(self.n_sample) * self.servo_period), np.asarray(np.sqrt((velocity**2).sum(axis=1)))
         assert self.profile is not None  # a reference is either planned or recorded
         profile, lasts = self.profile, np.diff(self.profile.t0, append=self.duration)
         # A span has its highest and lowest speed at its ends, or inside where its acceleration is 0.
         turn = profile.t0 + np.clip(-profile.a0 / np.where(profile.j == 0.0, np.inf, profile.j), 0.0, lasts)
-        time = np.unique(np.concatenate([np.linspace(0.0, self.duration, EVEN_TIMES, endpoint=False), profile.t0, turn]))
-        motion = profile.motion(time)
-        return time, motion.arc_length, motion.speed
+        time = np.unique(np.concatenate([np.linspace(0.0, self.duration, EVEN_POINTS, endpoint=False), profile.t0, turn]))
+        return time, profile.motion(time).speed
 
     @cached_property
     def _largest_feedrate(self) -> float:
-        return float(self._course()[2].max())
+        return float(self._speeds()[1].max())
 
     def _facts(self) -> dict[str, object]:
         """Return what describes the motion."""

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import platform
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from contourlab import __version__
@@ -64,21 +65,16 @@ def report(
     Notes
     -----
     Causes, margins and limits need the scenario: `contourlab run` adds them.
-
-    >>> import contourlab as cl
-    >>> case = cl.load_scenario("builtin:ghaffari/demo-stage").base
-    >>> circle = cl.uniform(cl.contour("circle", radius=5e-3), 1.0, 1, case.machine.servo_period)
-    >>> page = cl.report(cl.simulate(case.machine, case.controller, circle), "report.html", tolerance=20e-6)  # doctest: +SKIP
     """
+    if tolerance is not None and not 0.0 < tolerance < math.inf:
+        raise ParameterError("tolerance", tolerance, "finite and > 0", "m")
     named = _named(results)
-    runs = [
-        _run(name, result, motion, tolerance, program)
-        for (name, result), motion in zip(named.items(), _references(named, reference), strict=True)
-    ]
-    motion, schemes = runs[0][1], [scheme for scheme, _ in runs]
-    for name, (_, other) in zip(named, runs, strict=True):
+    motions = _references(named, reference)
+    first, motion = next(iter(motions.items()))
+    for name, other in motions.items():
         if other.programmed.digest != motion.programmed.digest:
-            raise ParameterError(f"path of {name!r}", "another one", f"that of {schemes[0].name!r}")
+            raise ParameterError(f"path of {name!r}", "another one", f"that of {first!r}")
+    schemes = [_scheme(name, result, motions[name], tolerance, program) for name, result in named.items()]
     programmed = None if motion.programmed is motion.path else motion.programmed
     system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
     provenance = Provenance(__version__, "", "", "", platform=system)
@@ -88,10 +84,14 @@ def report(
 
 def _named(results: Result | Sequence[Result] | Mapping[str, Result]) -> dict[str, Result]:
     """Return the results by name, equal names numbered."""
+    members = [results] if isinstance(results, Result) else list(results.values() if isinstance(results, Mapping) else results)
+    wrong = [type(one).__name__ for one in members if not isinstance(one, Result)]
+    if wrong or not members:
+        raise ParameterError("results", wrong[0] if wrong else "none", "one Result or more")
     if isinstance(results, Mapping):
         return dict(results)
     named: dict[str, Result] = {}
-    for result in (results,) if isinstance(results, Result) else results:
+    for result in members:
         name, number = result.scheme, 1
         while name in named:
             number += 1
@@ -100,26 +100,26 @@ def _named(results: Result | Sequence[Result] | Mapping[str, Result]) -> dict[st
     return named
 
 
-def _references(named: Mapping[str, Result], reference: Reference | Sequence[Reference] | None) -> Iterator[Reference]:
-    """Yield the reference of each result."""
+def _references(named: Mapping[str, Result], reference: Reference | Sequence[Reference] | None) -> dict[str, Reference]:
+    """Return the reference of each result."""
     given = [reference] * len(named) if reference is None or isinstance(reference, Reference) else list(reference)
     if len(given) != len(named):
         raise ParameterError("reference", f"{len(given)} references", f"one for all, or one for each of {len(named)} results")
+    motions = {}
     for (name, result), one in zip(named.items(), given, strict=True):
         motion = result.motion if one is None else one
         if motion is None:
             raise ParameterError("reference", "None", f"given: {name!r} does not know the reference that it was simulated along")
-        yield motion
+        motions[name] = motion
+    return motions
 
 
-def _run(
-    name: str, result: Result, reference: Reference, tolerance: float | None, program: Program | None
-) -> tuple[SchemeReport, Reference]:
+def _scheme(name: str, result: Result, reference: Reference, tolerance: float | None, program: Program | None) -> SchemeReport:
     """Judge a run where necessary, and sum it up."""
     judged = result if {"part_error", "tracking_error"} <= set(result.signals) else judge(result, reference)
     circles = circles_of(judged, reference)
     verdict = None if tolerance is None else unexplained(reference, judged, tolerance, () if program is None else program.lines)
-    scheme = SchemeReport(
+    return SchemeReport(
         name=name,
         result=judged,
         metrics=summarise(judged, reference),
@@ -130,4 +130,3 @@ def _run(
         findings=() if verdict is None else verdict.findings,
         lines=None if program is None else reference.source_line(judged["arc_length"]),
     )
-    return scheme, reference
