@@ -27,6 +27,7 @@ _HOMES = {
     "contourlab.feed": (
         "AxisLimits",
         "Reference",
+        "Route",
         "blended",
         "limit_report",
         "plan",
@@ -52,6 +53,7 @@ _HOMES = {
     ),
     "contourlab.components.plant.reflected": ("reflected_inertia", "reflected_mass"),
     "contourlab.metrics": (
+        "Metrics",
         "backlash_from_circle",
         "backlash_of_runs",
         "circles_of",
@@ -60,12 +62,13 @@ _HOMES = {
         "reversal_spikes",
         "summarise",
     ),
-    "contourlab.program": ("Program", "parse_program", "read_program"),
+    "contourlab.program": ("Program", "Reading", "parse_program", "read_program"),
     "contourlab.result": ("Result", "Signal", "Status"),
-    "contourlab.scenario": ("load_scenario",),
+    "contourlab.scenario": ("Scenario", "load_scenario"),
     "contourlab.features.link.cost": ("message_rate",),
-    "contourlab.features.learn": ("LearnedTable", "learn"),
+    "contourlab.features.learn": ("LearnedTable", "Stopping", "learn"),
     "contourlab.features.run.record": ("simulate_to_file",),
+    "contourlab.features.run.report": ("report",),
     "contourlab.features.run.verdict": ("verdict",),
 }
 _WHERE = {name: home for home, names in _HOMES.items() for name in names}

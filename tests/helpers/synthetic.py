@@ -10,9 +10,9 @@ from contourlab.feed import Reference, uniform
 from contourlab.findings import finding
 from contourlab.geometry import Path, contour
 from contourlab.metrics import circles_of, judge, reversal_spikes, summarise
-from contourlab.report.data import Provenance, ReportData, SchemeReport
-from contourlab.report.judgement import Cause, Verdict, Worst
-from contourlab.report.run_data import AxisBounds, FrequencyResponse
+from contourlab.rendering.data import Provenance, ReportData, SchemeReport
+from contourlab.rendering.judgement import Cause, Verdict, Worst
+from contourlab.rendering.run_data import AxisBounds, FrequencyResponse
 from contourlab.result import Result, Signal
 
 RADIUS, LAG, FREQUENCY = 0.02, 50e-6, 0.5

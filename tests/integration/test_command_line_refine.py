@@ -139,8 +139,8 @@ def test_a_fit_that_holds_only_in_its_window_is_reported(scene: Path, odd: str, 
 
 
 def test_the_window_is_shaded_in_the_pictures(scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from contourlab.report import plots
-    from contourlab.report.charts import Chart
+    from contourlab.rendering import plots
+    from contourlab.rendering.charts import Chart
 
     drawn: list[Chart] = []
     monkeypatch.setattr(plots, "write_charts", lambda charts, folder, formats: drawn.extend(charts) or ())

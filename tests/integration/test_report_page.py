@@ -13,9 +13,9 @@ from pathlib import Path
 import pytest
 import synthetic
 
-from contourlab.report.comparison import compare
-from contourlab.report.html import write_html
-from contourlab.report.path_picture import path_charts
+from contourlab.rendering.comparison import compare
+from contourlab.rendering.html import write_html
+from contourlab.rendering.path_picture import path_charts
 from contourlab.result import Result
 
 BROWSER = next((found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None)

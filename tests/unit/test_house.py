@@ -112,13 +112,10 @@ def test_importing_contourlab_loads_nothing_heavy():
     assert not modules_after("import contourlab") & {*HEAVY, "typer", "rich"}
 
 
-def test_every_public_name_exists_and_is_documented():
+def test_every_public_name_is_found():
     assert len(set(contourlab.__all__)) == len(contourlab.__all__)
     # Importing a sub-package replaces a name of the same spelling.
     assert not set(contourlab.__all__) & {path.name.removesuffix(".py") for path in SOURCE.iterdir()}
-    for name in contourlab.__all__:
-        thing = getattr(contourlab, name)
-        assert name.startswith("__") or (thing.__doc__ or "").strip(), name
     assert set(contourlab.__all__) <= set(dir(contourlab))
     with pytest.raises(AttributeError, match="no_such_name"):
         contourlab.no_such_name  # noqa: B018

@@ -57,8 +57,10 @@ class LinearModel:
 class Component(Traced):
     """Base of all components; the module docstring has an example.
 
-    Class attributes that a component sets
-    --------------------------------------
+    A component sets these attributes of its class. Its parameters, declared with `param`, are keyword arguments.
+
+    Attributes
+    ----------
     family, kind : str
         Its slot, and its name in files.
     states, inputs, outputs : tuple of Port
@@ -83,6 +85,13 @@ class Component(Traced):
         Feedforward parameters, calibrated after all loops.
     wishes : dict of str to Parameter
         Arguments of `designed`, which computes gains: ``gains = {...}`` in files.
+
+    Raises
+    ------
+    ComponentError
+        If the family of a new class is unknown.
+    ParameterError
+        If a parameter is unknown, missing or out of range.
     """
 
     family: ClassVar[str] = ""

@@ -151,12 +151,51 @@ def param(
     doc: str,
     source: str = "",
 ) -> Any:
-    """Declare a number or a list of numbers; see `Parameter`. Bounds and default are in `unit`, which is SI."""
+    """Declare a parameter of a component: a number or a list of numbers.
+
+    Parameters
+    ----------
+    default : float or tuple of float [unit], optional
+        Without it a value is required.
+    unit : str
+        SI unit; empty for a plain number. ``{command}`` and ``{force}`` become the units of the plant.
+    minimum, maximum : float [unit]
+        Bounds.
+    exclusive : bool
+        Whether the minimum itself is excluded.
+    whole : bool
+        Whether only whole numbers are allowed.
+    structural : bool
+        Whether it changes the structure of the step; then it cannot differ between variants.
+    vector : bool
+        Whether it is a list of numbers, each within the bounds; then it is structural.
+    display : str
+        Unit in which people read it; by default `unit`.
+    doc, source : str
+        Meaning, and where the value comes from.
+
+    Returns
+    -------
+    Parameter
+    """
     return Parameter("", unit, default, minimum, maximum, exclusive, (), whole, structural or vector, vector, display or unit, doc, source)
 
 
 def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, source: str = "") -> Any:
-    """Declare a choice of words; it is structural."""
+    """Declare a parameter of a component that is a choice of words; it is structural.
+
+    Parameters
+    ----------
+    default : str or None
+        None if a value is required.
+    choices : tuple of str
+    doc, source : str
+        Meaning, and where the value comes from.
+
+    Returns
+    -------
+    Parameter
+    """
     return Parameter("", "", default, -math.inf, math.inf, False, choices, False, True, False, "", doc, source)
 
 

@@ -103,6 +103,16 @@ def _import_fault(file: str, error: BaseException) -> str:
 def load_plugin(file: str | Path) -> list[type[Component]]:
     """Load and return the components of a loose Python file. Loading a file again replaces its components.
 
+    Parameters
+    ----------
+    file : str or Path
+        A Python file that defines components.
+
+    Returns
+    -------
+    list of subclasses of Component
+        The components of the file, now known by family and kind.
+
     Raises
     ------
     ComponentError
@@ -150,6 +160,17 @@ def components(family: str | None = None) -> list[type[Component]]:
 
 def component(family: str, kind: str) -> type[Component]:
     """Return one component by family and kind.
+
+    Parameters
+    ----------
+    family : str
+        Such as ``"plant"``; ``contourlab components`` lists all.
+    kind : str
+        Its name in files.
+
+    Returns
+    -------
+    subclass of Component
 
     Raises
     ------

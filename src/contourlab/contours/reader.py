@@ -77,6 +77,10 @@ def read_contour(
     reverse : bool
         Whether to reverse the direction.
 
+    Returns
+    -------
+    Path
+
     Raises
     ------
     GeometryError

@@ -13,7 +13,14 @@ StepFunction = Callable[..., tuple[tuple[Any, ...], tuple[Any, ...]]]
 
 @dataclass(frozen=True, slots=True)
 class Port:
-    """A named input, output or state; `size` 0 is one number, n > 0 a vector of n (one row per axis)."""
+    """A named input, output or state.
+
+    Parameters
+    ----------
+    name : str
+    size : int
+        0 for one number, n > 0 for a vector of n, -1 for one row per axis.
+    """
 
     name: str
     size: int = 0

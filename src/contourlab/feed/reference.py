@@ -17,12 +17,16 @@ from contourlab.errors import FeedError
 from contourlab.feed.correspondence import Correspondence, place_on_programmed
 from contourlab.feed.judged import CUTTING, LAST_LAP, WHOLE, Judged, ranges_of_curves
 from contourlab.feed.profile import Profile
+from contourlab.figures import figure
 from contourlab.geometry import Path
+from contourlab.notebook import Figure, Frame, Panel, curves, facts_line, facts_table, frame, svg
 
 CHUNK = 4096
 """Samples computed at once, so that they stay in the processor's cache."""
 KEPT_BLOCKS = 4
 """Blocks kept for the next run of the same reference."""
+EVEN_POINTS = 2000
+"""Even places and times in a picture of a planned motion, besides the ends of curves and spans."""
 
 
 class ReferenceBlock(NamedTuple):
@@ -93,7 +97,7 @@ def along_path(path: Path, arc_length: Array, speed: Array, acceleration: Array,
     rows[2 * n :] += first * acceleration
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class Reference:
     """Set points of the axes; sample k is at the time ``k * servo_period``.
 
@@ -222,6 +226,77 @@ class Reference:
     def programmed_arc_length(self, arc_length: ArrayLike) -> Array:
         """Return the progress (n,) [m] along `programmed` for a progress (n,) [m] along `path`; both may count laps."""
         return place_on_programmed(self.correspondence, self.path, self.programmed, arc_length)
+
+    def to_pandas(self, start: int = 0, stop: int | None = None) -> Frame:
+        """Return samples in SI as a table over time [s].
+
+        Parameters
+        ----------
+        start, stop : int, 0 <= start <= stop <= n_sample
+            Samples [start, stop); all by default. Each takes 8 (3 n_axis + 3) bytes of memory.
+
+        Returns
+        -------
+        pandas.DataFrame
+            ``position 1``, ``velocity 1``, ``acceleration 1`` and so on for each axis, ``arc_length`` and ``feedrate``.
+
+        Raises
+        ------
+        FeedError
+            If the range is not within the reference.
+        """
+        stop = self.n_sample if stop is None else stop
+        block = self.block(start, stop)
+        columns = {f"{name} {i + 1}": getattr(block, name)[:, i] for name in block._fields[:3] for i in range(self.n_axis)}
+        columns |= {"arc_length": block.arc_length, "feedrate": block.feedrate}
+        return frame(columns, np.arange(start, stop) * self.servo_period, "time")
+
+    def plot(self) -> Figure:
+        """Draw the path of the first two axes and the feedrate over time; a long motion is thinned, corners and peaks kept."""
+        time, speed = self._speeds()
+        panels: list[Panel] = [("time [s]", "feedrate [mm/min]", [("", time, 6e4 * speed)])]
+        if self.n_axis > 1:
+            places = np.unique(np.concatenate([np.linspace(0.0, self.path.length, EVEN_POINTS), self.path.breaks]))
+            position = self.path.position(places) if self.recorded is None else self.recorded.position
+            panels.insert(0, ("axis 1 [mm]", "axis 2 [mm]", [("", 1e3 * position[:, 0], 1e3 * position[:, 1])]))
+        drawn = curves(panels, to_scale=self.n_axis > 1)
+        drawn.axes[-1].set_ylim(bottom=0.0)
+        return drawn
+
+    def _speeds(self) -> tuple[Array, Array]:
+        """Return time [s] and feedrate [m/s] (n,): of every recorded sample, or of even times and every span."""
+        if self.recorded is not None:
+            velocity = _differences(self.recorded.position, self.servo_period, 0, self.n_sample)[0]
+            return np.asarray(np.arange(self.n_sample) * self.servo_period), np.asarray(np.sqrt((velocity**2).sum(axis=1)))
+        assert self.profile is not None  # a reference is either planned or recorded
+        profile, lasts = self.profile, np.diff(self.profile.t0, append=self.duration)
+        # A span has its highest and lowest speed at its ends, or inside where its acceleration is 0.
+        turn = profile.t0 + np.clip(-profile.a0 / np.where(profile.j == 0.0, np.inf, profile.j), 0.0, lasts)
+        time = np.unique(np.concatenate([np.linspace(0.0, self.duration, EVEN_POINTS, endpoint=False), profile.t0, turn]))
+        return time, profile.motion(time).speed
+
+    @cached_property
+    def _largest_feedrate(self) -> float:
+        return float(self._speeds()[1].max())
+
+    def _facts(self) -> dict[str, object]:
+        """Return what describes the motion."""
+        facts: dict[str, object] = {
+            "axes": self.n_axis,
+            "duration": figure(self.duration, "s", 5),
+            "samples": f"{self.n_sample} of {1e3 * self.servo_period:g} ms",
+            "length": figure(self.path.length, "mm", 6),
+            "largest feedrate": figure(self._largest_feedrate, "mm/min", 4),
+        }
+        if self.laps:
+            facts["laps"] = len(self.laps)
+        return {**facts, "judged": self.judged.basis}
+
+    def __repr__(self) -> str:
+        return facts_line("Reference", self._facts())
+
+    def _repr_html_(self) -> str:
+        return facts_table(self._facts()) + svg(self.plot())
 
     @cached_property
     def digest(self) -> str:

@@ -130,6 +130,10 @@ def route_from_path(path: Path, feedrate: float, *, dwell: float = 0.0, programm
         Time at rest at the end.
     programmed : Path, optional
 
+    Returns
+    -------
+    Route
+
     Raises
     ------
     FeedError
@@ -217,6 +221,10 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
         The machine's linear axes in their order: ``x``, ``y``, ``z`` or some of them.
     default_tolerance : float [m], >= 0
         For corners and merged lines under G64 without P.
+
+    Returns
+    -------
+    Route
 
     Raises
     ------

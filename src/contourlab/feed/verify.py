@@ -28,7 +28,7 @@ class Worst:
     ----------
     axis : int
     value, limit : float [m/s, m/s^2 or m/s^3]
-    allowance : float
+    allowance : float [m/s, m/s^2 or m/s^3]
         Part of `value` due to rounded positions.
     sample : int
         -1 if no sample counts.
@@ -197,6 +197,10 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
     reference : Reference
         Read in blocks, so that memory does not grow with its length.
     limits : AxisLimits
+
+    Returns
+    -------
+    LimitReport
 
     Raises
     ------

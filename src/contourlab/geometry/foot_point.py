@@ -26,6 +26,8 @@ _CHUNK = 1 << 17
 class FootPoint(NamedTuple):
     """Closest points of a path.
 
+    Attributes
+    ----------
     arc_length : ndarray (n,) [m]
         In the lap of the given progress.
     position : ndarray (n, n_axis) [m]

@@ -142,7 +142,13 @@ _UNITS = {**dict.fromkeys(_LENGTHS, "m"), "start_angle": "rad", "phase": "rad"}
 
 
 def contour_names() -> tuple[str, ...]:
-    """Return the names of the contours."""
+    """Return the names of the contours.
+
+    Returns
+    -------
+    tuple of str
+        Such as ``"circle"``.
+    """
     return tuple(_MAKERS)
 
 
@@ -167,8 +173,12 @@ def contour(name: str, **parameters: float) -> Path:
     ----------
     name : str
         One of `contour_names`.
-    **parameters : float
-        See `contour_parameters`; in m and rad.
+    **parameters : float [m or rad]
+        Dimensions of the contour; `contourlab.geometry.contour_parameters` lists names and defaults.
+
+    Returns
+    -------
+    Path
 
     Raises
     ------

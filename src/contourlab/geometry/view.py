@@ -23,9 +23,16 @@ from contourlab.primitives import clip, cos, floor, lookup, maximum, select, sin
 
 @dataclass(frozen=True)
 class PathView:
-    """A path for a step: ``evaluate(par, s)`` returns r, dr/ds and d2r/ds2 as tuples over the axes.
+    """A path for a step.
 
-    Add `parameters` and `tables` to those of the step; every name starts with ``path_``. `path` is the path of `view_of`.
+    Attributes
+    ----------
+    evaluate : callable
+        ``evaluate(par, s)`` returns r, dr/ds and d2r/ds2 as tuples over the axes.
+    parameters, tables : mapping
+        To be added to those of the step; every name starts with ``path_``.
+    path : Path or None
+        The path of `view_of`.
     """
 
     evaluate: Callable[[Any, float], Any]

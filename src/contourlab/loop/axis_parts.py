@@ -32,6 +32,11 @@ class Limits:
         Source of each number, by name.
     file : str
         File that holds the limits; empty if there is none.
+
+    Raises
+    ------
+    ParameterError
+        If a limit is not positive, or the travel is empty.
     """
 
     velocity: float = math.inf
@@ -63,6 +68,11 @@ class AxisError:
         Unidirectional repeatability by ISO 230-2 (4 s): each reversal draws a new offset of the tool, normal with s = a quarter of it.
     origins : mapping of str to Origin
         Source of each number, by name.
+
+    Raises
+    ------
+    ParameterError
+        If the table is not finite or not ascending, or the repeatability is negative.
     """
 
     position: Array = field(default_factory=lambda: np.zeros(0))
@@ -107,6 +117,11 @@ class Division:
     up : Component or None
         Link from the axis to the base. None if nothing comes back: the base sees no position, so the controller must be local. Use the
         ideal link if the base has its own wires to the sensors and messages go one way.
+
+    Raises
+    ------
+    ParameterError
+        If the division is unknown, or leaves the base without a position that it needs.
 
     References
     ----------

@@ -6,9 +6,7 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import nullcontext
-from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,85 +19,17 @@ from contourlab.engine.schedule import Node
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, check_view, view_of
+from contourlab.loop.batch_result import FIGURE_UNITS, BatchResult
 from contourlab.loop.builder import Signals
 from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.judging import PART, WATCH, effort_figures, effort_node, error_figures, judge_node, part_nodes, sums_of
 from contourlab.loop.machine import Controller, Machine
-from contourlab.loop.parameters import matching, parameters_of
+from contourlab.loop.parameters import matching, parameter_names, parameters_of
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.metrics.streaming import SUMS
-from contourlab.result.notebook import curves, svg
-
-if TYPE_CHECKING:
-    import pandas
-    from matplotlib.figure import Figure
 
 LANES = 32
-
-
-@dataclass(frozen=True, repr=False)
-class BatchResult:
-    """Figures of each variant, arrays (n_variant,).
-
-    Attributes
-    ----------
-    figures : mapping of str to ndarray (n_variant,)
-        ``contour_error_rms``, ``contour_error_mean``, ``contour_error_max`` and ``contour_error_signed_mean`` [m] (in space the last is the
-        mean magnitude), ``contour_error_integral`` [m s], ``contour_error_max_time`` [s], ``tracking_error_rms`` and ``tracking_error_max``
-        [m]. With `part`, ``part_error_max`` and ``part_error_rms`` [m]. With `effort`, ``command_energy`` [s], the integral of the squared
-        accepted commands, and ``command_largest``, both relative to each drive's limit (in command units if it has none), and
-        ``limited_share``, the share of time at which a drive did not accept the whole command. NaN for a variant that failed.
-    failed_at : ndarray (n_variant,) of int
-        Sample at which the variant left its following-error limit, or produced a non-finite command; -1 for neither.
-    unsure : ndarray (n_variant,)
-        Samples at which the judge's foot point was in doubt, because the loop hardly follows the path. The figures of the contour error are
-        then upper bounds; `judge` of a single run is exact.
-    signals : mapping of str to ndarray (n_sample, n, n_variant)
-        The requested signals: views of `log`.
-    log : ndarray (n_group, n_sample, n_row, 32)
-        Memory of the signals, in the layout of the lanes.
-    variants : mapping of str to ndarray (n_variant,)
-        The parameters that differ [SI].
-    """
-
-    figures: Mapping[str, Array]
-    failed_at: Index
-    unsure: Array
-    signals: Mapping[str, Array]
-    log: Array
-    variants: Mapping[str, Array]
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """Return parameters and figures in SI, a row for each variant."""
-        import pandas
-
-        return pandas.DataFrame({**self.variants, **self.figures, "failed_at": self.failed_at})
-
-    def plot(self, figure: str = "contour_error_max") -> Figure:
-        """Draw a figure over the first parameter that differs.
-
-        Raises
-        ------
-        ParameterError
-            If there is no such figure.
-        """
-        if figure not in self.figures:
-            raise ParameterError("figure", repr(figure), "one of " + ", ".join(self.figures))
-        name, values = next(iter(self.variants.items()))
-        is_length = figure.endswith(("_rms", "_mean", "_max"))
-        order = np.argsort(values, kind="stable")
-        shown = (1e6 if is_length else 1.0) * self.figures[figure][order]
-        return curves([(f"{name} [SI]", f"{figure.replace('_', ' ')} [{'um' if is_length else 'SI'}]", [("", values[order], shown)])])
-
-    def __repr__(self) -> str:
-        failed = int((self.failed_at >= 0).sum())
-        names, figures = ", ".join(self.variants), ", ".join(self.figures)
-        return f"BatchResult({len(self.failed_at)} variants of {names}; {failed} failed; figures: {figures})"
-
-    def _repr_html_(self) -> str:
-        picture = svg(self.plot()) if "contour_error_max" in self.figures else ""
-        return str(self.to_pandas().describe().to_html()) + picture
 
 
 def simulate_batch(
@@ -125,8 +55,10 @@ def simulate_batch(
 
     Parameters
     ----------
-    machine, controller, reference
-        Common to all variants.
+    machine : Machine
+    controller : Controller
+    reference : Reference
+        All three common to all variants.
     variants : mapping of str to array_like (n_variant,)
         Parameters that differ [SI], by dotted name (`contourlab.loop.parameter_names` lists them); a pattern such as
         ``axes.*.plant.mass`` gives all that match the same values.
@@ -196,7 +128,9 @@ def simulate_batch(
         figures |= {f"part_error_{name}": errors[f"contour_error_{name}"] for name in ("max", "rms")}
     if effort:
         figures |= effort_figures(sums_of(groups, "effort", n), failed, machine.servo_period)
-    return BatchResult(figures, failed, sums[SUMS.index("unsure")], _split(log, n, keep, loop), log, columns)
+    known = parameter_names(machine, controller)
+    units = {name: known[name] for name in columns} | {name: FIGURE_UNITS[name] for name in figures}
+    return BatchResult(figures, failed, sums[SUMS.index("unsure")], _split(log, n, keep, loop), log, columns, units)
 
 
 def _advance_all(

@@ -47,7 +47,13 @@ class Learned:
             object.__setattr__(self, name, values)
 
     def check(self, n_sample: int, n_axis: int) -> None:
-        """Raise ParameterError unless the arrays fit a motion with this number of samples and axes."""
+        """Check that the arrays fit a motion with this number of samples and axes.
+
+        Raises
+        ------
+        ParameterError
+            If they do not.
+        """
         for name in ("command", "reference"):
             values = getattr(self, name)
             if values is not None and values.shape != (n_sample, n_axis):

@@ -24,15 +24,34 @@ from contourlab.loop.axis_parts import AxisError, Division, Limits
 class Axis:
     """One axis: plant, friction, drive and sensors.
 
-    `stage_mass` [kg] is the mass of the whole module, moved mass included, as carried by the axis `mounted_on`. `alignment` is the cosine
-    of the angle between the two directions of motion, 0 for crossed axes. If it is not 0, each axis feels the other's acceleration, one
-    tick late: the moved mass of the upper axis times that acceleration and the cosine. Positions stay along each axis' own guide.
-
-    `sensor` measures the load, as a linear scale does. If the motor can differ in position, `motor_sensor` is the motor's encoder, in load
-    units, and `motor_friction` acts on the motor side.
-
-    `origins` has the source of `stage_mass`; components, limits and error have their own. `correlations` holds pairs of values fitted
-    together: their names, such as ``plant.mass`` and ``friction.coulomb``, and the coefficient.
+    Parameters
+    ----------
+    name : str
+    plant : Plant
+    friction, drive : Component
+    sensor : Component
+        Measures the load, as a linear scale does.
+    disturbance : Component or None
+    error : AxisError
+    limits : Limits
+    mounted_on : str
+        Name of the axis that carries this one; empty for none.
+    alignment : float
+        Cosine of the angle to the direction of the axis `mounted_on`, 0 for crossed axes. If it is not 0, each axis feels the other's
+        acceleration, one tick late: the moved mass of the upper axis times that acceleration and the cosine. Positions stay along each
+        axis' own guide.
+    stage_mass : float [kg], >= 0
+        Mass of the whole module, moved mass included, as carried by the axis `mounted_on`.
+    substeps : int, >= 1
+        Integration steps of the plant for each servo period.
+    motor_friction : Component
+        Acts on the motor side, if the motor can differ in position.
+    motor_sensor : Component
+        The motor's encoder, in load units.
+    origins : mapping of str to Origin
+        Source of `stage_mass`; components, limits and error have their own.
+    correlations : tuple of (str, str, float)
+        Pairs of values fitted together: their names, such as ``plant.mass`` and ``friction.coulomb``, and the coefficient.
     """
 
     name: str
@@ -68,6 +87,11 @@ class Machine:
         Sources of `servo_period` and the angles (``squareness.x-y``).
     correlations : tuple of (str, str, float)
         Of values fitted together on two axes, such as ``x.plant.damping``; those within one axis are in `Axis`.
+
+    Raises
+    ------
+    ParameterError
+        If the servo period is not positive, names repeat, axes carry each other in a circle, or an axis does not fit its plant.
     """
 
     name: str
@@ -197,15 +221,31 @@ SIDES = ("load", "motor")
 
 @dataclass(frozen=True)
 class AxisController:
-    """Components of an axis' controller; `local` names the parameters that move with the axis when it is swapped.
+    """Components of an axis' controller.
 
-    `feedback` and `velocity_feedback` select the side of a drive with backlash on which position and velocity are measured. Under a
-    `supervisor` the `controller` is number 0; those of `others`, each with its name, are 1, 2 ...
+    Parameters
+    ----------
+    controller, velocity : Component
+    observer, predictor, feedforward : Component or None
+    local : tuple of str
+        Parameters that move with the axis when it is swapped. The base of a `link` is the same for all axes, so they may only be of the
+        part in the axis.
+    gap_observer, compensation : Component or None
+    supervisor : Component or None
+        Chooses between `controller`, number 0, and those of `others`, numbers 1, 2 ...
+    others : tuple of (str, Component)
+        Further controllers with their names.
+    filters : tuple of (str, Component)
+        Filters with their names, in the order in which the command passes them on its way to the drive.
+    feedback, velocity_feedback : {"load", "motor"}
+        Side of a drive with backlash on which position and velocity are measured.
+    link : Division or None
+        Puts part of the controller in the axis and the rest in the base.
 
-    The command passes through `filters`, each with its name, in their order, on its way to the drive.
-
-    With a `link` a part of it is in the axis and the rest in the base. The base is the same for all axes, so `local` may only name
-    parameters of the part in the axis.
+    Raises
+    ------
+    ParameterError
+        If components do not fit together, or `local` names a parameter that cannot move with the axis.
     """
 
     controller: Component = field(default_factory=PositionController)
@@ -282,6 +322,11 @@ class Controller:
         Contour-error estimator.
     coupling : Component or None
         Feedback of the estimate; requires an estimator.
+
+    Raises
+    ------
+    ParameterError
+        If there is a coupling without an estimator, or an axis sends the estimator no position.
     """
 
     axes: Mapping[str, AxisController]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from difflib import get_close_matches
+from difflib import SequenceMatcher, get_close_matches
 from fnmatch import fnmatchcase
 from typing import Any, TypeAlias
 
@@ -44,6 +44,16 @@ def parameters_of(machine: Machine, controller: Controller) -> Known:
 def parameter_names(machine: Machine, controller: Controller) -> dict[str, str]:
     """Return the SI unit of every parameter that a batch can vary, by dotted name; "" without a unit.
 
+    Parameters
+    ----------
+    machine : Machine
+    controller : Controller
+
+    Returns
+    -------
+    dict of str to str
+        Units such as ``"kg"``, by names such as ``axes.x.plant.mass`` and ``controller.axes.x.observer.bandwidth``.
+
     >>> from contourlab import load_scenario
     >>> case = load_scenario("builtin:demo-part").base
     >>> parameter_names(case.machine, case.controller)["axes.x.plant.mass"]
@@ -77,10 +87,10 @@ def matching(wanted: str, known: Mapping[str, Any], called: str, whose: str = "t
 
 
 def _near(wanted: str, known: Iterable[str]) -> list[str]:
-    """Return the names nearest to an unknown name: with the same last word or a similar one, or else the first few."""
+    """Return the names most like an unknown name: with its last word, a similar one, or one that has it; or else the first few."""
     names = sorted(known, key=lambda name: name.startswith("axes."))  # gains first
     ends = {name: name.rpartition(".")[2] for name in names}
     word = wanted.rpartition(".")[2]
-    alike = get_close_matches(word, dict.fromkeys(ends.values()), n=3)
-    found = [name for end in (word, *alike) for name in names if ends[name] == end]
-    return list(dict.fromkeys(found))[:MOST_NAMES] or names[:MOST_NAMES]
+    alike = [word, *get_close_matches(word, dict.fromkeys(ends.values()), n=3)]
+    found = [name for name in names if ends[name] in alike] or [name for name in names if word and word in ends[name]]
+    return sorted(found, key=lambda name: SequenceMatcher(None, wanted, name).ratio(), reverse=True)[:MOST_NAMES] or names[:MOST_NAMES]

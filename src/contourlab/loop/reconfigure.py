@@ -40,6 +40,11 @@ class Change:
         Time constant with which the jump of each command decays; 0 lets it jump. The supervisor of an axis has its own.
     file : str
         File of the controller.
+
+    Raises
+    ------
+    ParameterError
+        If a time is out of range.
     """
 
     time: float

@@ -189,6 +189,7 @@ def result_of(
             **{f"command_limit_{axis.name}": float(getattr(axis.drive, "limit", math.inf)) for axis in machine.axes},
         },
         start=start,
+        motion=reference,
     )
 
 

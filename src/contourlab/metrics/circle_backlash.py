@@ -129,12 +129,16 @@ def backlash_from_circle(
     centre : array_like (2,) [m]
     radius : float [m]
         Nominal, > 0.
-    opposite : array_like (m, 2) [m], optional
+    opposite : array_like (n, 2) [m], optional
         The same circle in the other sense.
     axes : (str, str)
         Names.
     before, after : float [rad], >= 0
         The fit omits samples from `before` a reversal to `after` it, where the spike is; together at most 60 degrees.
+
+    Returns
+    -------
+    CircleBacklash
 
     Raises
     ------
@@ -157,6 +161,18 @@ def backlash_of_runs(
     """Return the backlash from runs around one circle, from `circle_figures` or `circles_of`: at most one in each sense.
 
     The standard deviations are those of least squares, corrected for first-order autocorrelation of the residual.
+
+    Parameters
+    ----------
+    runs : sequence of CircleFigures
+    axes : (str, str)
+        Names.
+    before, after : float [rad], >= 0
+        The fit omits samples from `before` a reversal to `after` it, where the spike is; together at most 60 degrees.
+
+    Returns
+    -------
+    CircleBacklash
 
     Raises
     ------

@@ -188,6 +188,11 @@ def circles_of(result: Result, reference: Reference) -> tuple[CircleFigures, ...
     result : Result
         With ``tool_position`` and ``arc_length``.
     reference : Reference
+
+    Returns
+    -------
+    tuple of CircleFigures
+        In the order of the path.
     """
     path = reference.programmed
     runs = []

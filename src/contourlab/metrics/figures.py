@@ -14,13 +14,27 @@ from contourlab.arrays import Flags, Index
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.feed.judged import CUTTING, LAST_LAP, Judged
+from contourlab.figures import figure
 from contourlab.metrics.judge import check_reference
+from contourlab.notebook import Figure, Frame, bars, facts_line, facts_table, frame, grid, svg
 from contourlab.result import Result
 
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Sample, time [s], arc length [m], position [m] and program line (0 if none)."""
+    """Where an error is largest.
+
+    Attributes
+    ----------
+    sample : int
+    time : float [s]
+    arc_length : float [m]
+        Progress of the reference.
+    position : tuple of float [m]
+        Of the tool, by axis.
+    line : int
+        Program line; 0 for none.
+    """
 
     sample: int
     time: float
@@ -58,7 +72,16 @@ class ErrorFigures:
 
 @dataclass(frozen=True, slots=True)
 class MoveFigures:
-    """Moves that are not judged: ``approach``, ``rapids`` or ``retract``; their time [s], largest part error [m], and its place."""
+    """Moves that are not judged.
+
+    Attributes
+    ----------
+    moves : {"approach", "rapids", "retract"}
+    time : float [s]
+    max : float [m]
+        Largest part error.
+    worst : Place
+    """
 
     moves: str
     time: float
@@ -68,13 +91,19 @@ class MoveFigures:
 
 @dataclass(frozen=True, slots=True)
 class AxisFigures:
-    """Tracking error of an axis [m]: rms and max of the magnitude."""
+    """Tracking error of an axis.
+
+    Attributes
+    ----------
+    rms, max : float [m]
+        Of the magnitude.
+    """
 
     rms: float
     max: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Metrics:
     """Figures of a run.
 
@@ -82,6 +111,8 @@ class Metrics:
     ----------
     judged : Judged
         The samples that all figures but `cycle_time` cover.
+    axes : tuple of str
+        Names of the axes.
     judged_time : float [s]
         Their duration.
     part_error, contour_error, planning_deviation : ErrorFigures
@@ -104,6 +135,7 @@ class Metrics:
     json_derived: ClassVar = ("basis",)
 
     judged: Judged = field(metadata={"json": False})
+    axes: tuple[str, ...] = field(metadata={"json": False})
     judged_time: float
     part_error: ErrorFigures
     contour_error: ErrorFigures
@@ -121,6 +153,55 @@ class Metrics:
         """What is judged, such as "cutting moves"."""
         return self.judged.basis
 
+    @property
+    def _errors(self) -> dict[str, ErrorFigures]:
+        """The errors from the path, by name."""
+        return {"part error": self.part_error, "contour error": self.contour_error, "planning deviation": self.planning_deviation}
+
+    @property
+    def _tracking(self) -> dict[str, AxisFigures]:
+        return {f"tracking error {axis}": figures for axis, figures in zip(self.axes, self.tracking_error, strict=True)}
+
+    def to_pandas(self) -> Frame:
+        """Return a row for each error and a column for each figure of `ErrorFigures`, in SI; the worst place as time [s] and line."""
+        names = ("rms", "max", "mean", "p95", "integral", "signed_mean", "integral_without_mean")
+        rows: list[dict[str, float]] = [
+            {name: getattr(error, name) for name in names} | {"worst_time": error.worst.time, "worst_line": error.worst.line}
+            for error in self._errors.values()
+        ]
+        rows += [{"rms": axis.rms, "max": axis.max} for axis in self._tracking.values()]
+        columns = {name: [row.get(name, math.nan) for row in rows] for name in rows[0]}
+        return frame(columns, [*self._errors, *self._tracking], "error")
+
+    def plot(self) -> Figure:
+        """Draw the largest and the rms value of each error [um]."""
+        pairs = {name: (1e6 * error.max, 1e6 * error.rms) for name, error in self._errors.items()}
+        pairs |= {name: (1e6 * axis.max, 1e6 * axis.rms) for name, axis in self._tracking.items()}
+        return bars("error [um]", pairs, ("largest", "rms"))
+
+    def _facts(self) -> dict[str, str]:
+        """Return the figures that are no errors."""
+        return {
+            "judged": f"{self.basis}, {figure(self.judged_time, 's', 4)}",
+            "cycle time": figure(self.cycle_time, "s", 5),
+            "mean feedrate": figure(self.feedrate_mean, "mm/min", 4),
+            "feedrate ripple": figure(self.feedrate_ripple, "%"),
+            "saturated": ", ".join(f"{axis} {figure(part, '%')}" for axis, part in zip(self.axes, self.saturation, strict=True)),
+        }
+
+    def __repr__(self) -> str:
+        errors = {name: f"{figure(error.max, 'um')} largest, {figure(error.rms, 'um')} rms" for name, error in self._errors.items()}
+        return facts_line("Metrics", {**errors, "judged": self.basis})
+
+    def _repr_html_(self) -> str:
+        rows = {
+            name: [figure(value, "um") for value in (error.rms, error.p95, error.max)]
+            + [figure(error.worst.time, "s", 5), str(error.worst.line or "")]
+            for name, error in self._errors.items()
+        }
+        rows |= {name: [figure(axis.rms, "um"), "", figure(axis.max, "um"), "", ""] for name, axis in self._tracking.items()}
+        return grid(("", "rms", "95 %", "largest", "at", "line"), rows) + facts_table(self._facts()) + svg(self.plot())
+
 
 def summarise(result: Result, reference: Reference, window: tuple[int, int] | None = None) -> Metrics:
     """Return the figures of a judged run.
@@ -132,6 +213,10 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
     reference : Reference
     window : (int, int), optional
         Samples [start, stop) to judge; by default those of `Reference.judged`.
+
+    Returns
+    -------
+    Metrics
 
     Raises
     ------
@@ -152,7 +237,7 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
     part, contour, planning = (_error_figures(result, reference, name, cut) for name in names)
     missed, others = left_out(result, reference, judged)[0], tuple(_others(result, reference, judged))
     time = cut.size * result.servo_period
-    return Metrics(judged, time, part, contour, planning, axes, saturation, missed, mean, ripple, cycle, others)
+    return Metrics(judged, result.axes, time, part, contour, planning, axes, saturation, missed, mean, ripple, cycle, others)
 
 
 def judged_part(result: Result, reference: Reference) -> Judged:

@@ -10,6 +10,8 @@ In the plane it is signed, positive to the left of the direction of travel; in s
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from contourlab.arrays import Array
@@ -38,6 +40,11 @@ def judge(result: Result, reference: Reference) -> Result:
     result : Result
         With ``tool_position``, ``reference`` and ``arc_length``.
     reference : Reference
+
+    Returns
+    -------
+    Result
+        With the signals below.
 
     Raises
     ------
@@ -69,7 +76,7 @@ def judge(result: Result, reference: Reference) -> Result:
     if "axis_position" in result.signals:
         _check_positions(result, "axis_position")
         tracking = wanted - result["axis_position"]
-    return result.with_signals(
+    return replace(result, motion=reference).with_signals(
         contour_error=Signal(contour, ("sample",), "m"),
         part_error=Signal(part, ("sample",), "m"),
         planning_deviation=Signal(planning, ("sample",), "m"),

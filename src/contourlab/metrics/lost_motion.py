@@ -97,11 +97,9 @@ def lost_motion_from_pair(
     bins : int
         Number of places along the axis, >= 1.
 
-    Notes
-    -----
-    A sample counts once the motor has gone further in one direction than `MARGIN` times the range of motor less load. This ensures contact
-    if the load is slow enough for its friction to hold it against the motor. Samples are weighted by their travel, so standstill has no
-    weight. Means are taken over each pass in each bin; scale errors along the axis cancel, since they are the same both ways.
+    Returns
+    -------
+    LostMotion
 
     Raises
     ------
@@ -110,6 +108,12 @@ def lost_motion_from_pair(
         determine the stiffness.
     ParameterError
         If bins, stiffness or friction are out of range, or friction is given without stiffness.
+
+    Notes
+    -----
+    A sample counts once the motor has gone further in one direction than `MARGIN` times the range of motor less load. This ensures contact
+    if the load is slow enough for its friction to hold it against the motor. Samples are weighted by their travel, so standstill has no
+    weight. Means are taken over each pass in each bin; scale errors along the axis cancel, since they are the same both ways.
     """
     no_force = np.zeros(np.shape(motor_position))
     motor, load, push = records(motor=motor_position, load=load_position, force=no_force if force is None else force)

@@ -99,6 +99,10 @@ def reversal_spikes(
     reference : Reference, optional
         Gives the place of a reversal on an arc, and in space the direction of the error; needs all signals of the judge.
 
+    Returns
+    -------
+    tuple of Spike
+
     Notes
     -----
     The search runs from the reversal halfway to the next one, at most `longest`. The baseline is the line from the mean of the five samples

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from contourlab.app.checkpoint import said_if_interrupted
 from contourlab.papers.rows import KINDS, Part, Row, tally
-from contourlab.report.table import Column, Table, paragraphs
+from contourlab.rendering.table import Column, Table, paragraphs
 
 
 def run_parts(parts: Iterable[Part], stage: Callable[[str], object] | None = None) -> list[Row]:
@@ -40,7 +40,7 @@ def check_pictures(folder: str | Path, formats: Sequence[str]) -> None:
         If the folder is not writable.
     """
     from contourlab.app.results import staged
-    from contourlab.report.plots import write_charts
+    from contourlab.rendering.plots import write_charts
 
     write_charts((), folder, formats)
     with staged(folder):

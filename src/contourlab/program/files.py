@@ -74,13 +74,19 @@ def parse_program(text: str, name: str = "<text>", *, require_end: bool = True, 
     text : str
     name : str
         Name of the program, also in error messages.
-    require_end, reading
-        See `iter_moves`.
+    require_end : bool
+        Whether a program must have an end, as in LinuxCNC.
+    reading : Reading, optional
+        Everything about how to read; replaces `require_end`.
+
+    Returns
+    -------
+    Program
 
     Raises
     ------
     ProgramError
-        As `iter_moves`.
+        If a line cannot be read, or the program has no end or no motion; names line and column.
 
     >>> parse_program("G21 G1 X10 F600\\nM2").moves[0].feedrate
     0.01
@@ -96,8 +102,10 @@ def read_program(
     Parameters
     ----------
     file : str or Path
-    require_end, reading
-        See `iter_moves`. Subprogram files are searched for in the folder of the program.
+    require_end : bool
+        Whether a program must have an end, as in LinuxCNC.
+    reading : Reading, optional
+        Everything about how to read; replaces `require_end`. Subprogram files are searched for in the folder of the program.
     problems : list of ProgramError, optional
         Collects faults; faulty lines are skipped where possible. Without it the first fault is raised.
 
@@ -109,7 +117,7 @@ def read_program(
     Raises
     ------
     ProgramError
-        If the file cannot be read, and as `iter_moves`.
+        If the file or a line cannot be read, or the program has no end or no motion; names line and column.
     """
     path = Path(file)
     chosen = _beside(path, reading or Reading(require_end=require_end))

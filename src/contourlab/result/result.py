@@ -11,14 +11,13 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import ResultError
+from contourlab.feed import Reference
+from contourlab.notebook import Figure, Frame, Panel, curves, facts_line, facts_table, frame, svg
 from contourlab.result.netcdf import FORMAT, ResultWriter, read_netcdf
-from contourlab.result.notebook import Panel, curves, svg, table
 from contourlab.result.signals import Signal, Status
 
 if TYPE_CHECKING:
-    import pandas
     import xarray
-    from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True, repr=False)
@@ -40,6 +39,8 @@ class Result:
         Further data: machine, seed, digest of the path.
     start : int
         Index of the first sample in the run: not 0 for a window.
+    motion : Reference or None
+        The reference that it was simulated or judged along; not saved.
 
     Raises
     ------
@@ -54,6 +55,7 @@ class Result:
     status: Status = field(default_factory=Status)
     attributes: Mapping[str, str | int | float] = field(default_factory=dict)
     start: int = 0
+    motion: Reference | None = field(default=None, compare=False)
 
     def __post_init__(self) -> None:
         lengths = {len(signal.data) for signal in self.signals.values()}
@@ -110,17 +112,15 @@ class Result:
         coordinates: dict[str, Any] = {"time": ("sample", self.time, {"units": "s"}), "axis": ("axis", list(self.axes))}
         return xarray.Dataset(data, coordinates, dict(self.header()))
 
-    def to_pandas(self) -> pandas.DataFrame:
+    def to_pandas(self) -> Frame:
         """Return the signals in SI as a table over time [s]; a signal of the axes has a column for each, as ``reference x``."""
-        import pandas
-
         columns: dict[str, Array] = {}
         for name, signal in self.signals.items():
             if signal.data.ndim == 1:
                 columns[name] = signal.data
             else:
                 columns |= {f"{name} {axis}": signal.data[:, i] for i, axis in enumerate(self.axes)}
-        return pandas.DataFrame(columns, index=pandas.Index(self.time, name="time"))
+        return frame(columns, self.time, "time")
 
     def plot(self) -> Figure:
         """Draw the path of the first two axes, and over time the contour error of a judged run, else each axis' deviation.
@@ -154,11 +154,11 @@ class Result:
         return facts
 
     def __repr__(self) -> str:
-        return f"Result({self.scheme!r}; {'; '.join(f'{name}: {words}' for name, words in self._facts().items())})"
+        return facts_line("Result", {"run": self.scheme, **self._facts()})
 
     def _repr_html_(self) -> str:
         picture = svg(self.plot()) if {"reference", "axis_position"} <= set(self.signals) else ""
-        return table({"run": self.scheme, **self._facts(), "signals": ", ".join(self.signals)}) + picture
+        return facts_table({"run": self.scheme, **self._facts(), "signals": ", ".join(self.signals)}) + picture
 
     def header(self) -> dict[str, str | int | float]:
         """Return everything except the signals, as a flat mapping."""

@@ -14,7 +14,22 @@ DIMENSIONS = (("sample",), ("sample", "axis"))
 
 @dataclass(frozen=True)
 class Signal:
-    """One signal: data (n_sample,) or (n_sample, n_axis), its dimensions' names, its unit (SI)."""
+    """One signal with its unit.
+
+    Parameters
+    ----------
+    data : ndarray (n_sample,) or (n_sample, n_axis) [unit]
+        Read-only afterwards.
+    dims : ("sample",) or ("sample", "axis")
+        Names of the dimensions.
+    unit : str
+        SI unit; empty for none.
+
+    Raises
+    ------
+    ResultError
+        If shape and dimensions do not fit.
+    """
 
     data: Array
     dims: tuple[str, ...]
@@ -31,7 +46,17 @@ class Signal:
 
 @dataclass(frozen=True)
 class Status:
-    """How a run ended; after a failure also sample, axis and reason."""
+    """How a run ended.
+
+    Parameters
+    ----------
+    ok : bool
+        Whether it reached its end.
+    sample : int
+        Sample of the failure; -1 for none.
+    axis, reason : str
+        Axis and cause of the failure; empty for none.
+    """
 
     ok: bool = True
     sample: int = -1

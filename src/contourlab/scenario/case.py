@@ -32,7 +32,21 @@ from contourlab.scenario.values import (
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """A machine under a controller along a motion, with learning and controller changes."""
+    """A machine under a controller along a motion, with learning and controller changes.
+
+    Attributes
+    ----------
+    name : str
+    machine : Machine
+    controller : Controller
+    motion : Motion
+        Contour or part program.
+    feed : FeedSettings
+    run : RunSettings
+    learning : LearningSettings or None
+    changes : tuple of Change
+        Controllers that take over during the run.
+    """
 
     name: str
     machine: Machine

@@ -13,7 +13,7 @@ from contourlab.analysis.linear.margins import Margins
 from contourlab.features.run.outcome import Outcome, bode_of, run_case
 from contourlab.features.run.page import report_data
 from contourlab.features.run.summary import summary_of
-from contourlab.report.comparison import compare
+from contourlab.rendering.comparison import compare
 
 
 @pytest.fixture(scope="module")

@@ -41,3 +41,18 @@ def test_a_mistyped_name_suggests_the_nearest(case):
     circle = cl.uniform(cl.contour("circle", radius=5e-3), 1.0, 1, case.machine.servo_period)
     with refuses(ParameterError, "axes.1.plant.gain"):
         cl.simulate_batch(case.machine, case.controller, circle, {"axes.1.plant.gian": GAINS})
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("controller.axes.3.controller.positon_gain", "controller.axes.3.controller.position_gain"),
+        ("axs.3.plant.gain", "axes.3.plant.gain"),
+        ("axes.*.plant.dampng", "axes.1.plant.damping"),
+    ],
+)
+def test_the_nearest_name_comes_first(case, typed, meant):
+    circle = cl.uniform(cl.contour("circle", radius=5e-3), 1.0, 1, case.machine.servo_period)
+    with pytest.raises(ParameterError) as caught:
+        cl.simulate_batch(case.machine, case.controller, circle, {typed: GAINS})
+    assert caught.value.bound.partition("such as ")[2].split(", ")[0] == meant

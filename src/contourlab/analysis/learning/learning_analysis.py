@@ -212,12 +212,17 @@ def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw
 
     Parameters
     ----------
-    machine, controller
+    machine : Machine
+    controller : Controller
         Limits, friction and quantisation are left out; all else must be linear.
     law : LearningLaw
         Linear in the table and the trial.
     reference : Reference, optional
         Analyse a whole trial on its path as well; takes seconds for 30 000 samples.
+
+    Returns
+    -------
+    LearningAnalysis
 
     Raises
     ------

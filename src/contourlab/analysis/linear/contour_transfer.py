@@ -214,6 +214,25 @@ def contour_margins(machine: Machine, controller: Controller, *, strength: float
     """Return gain, phase and modulus margin of the coupling over all directions of the path; see `contour_transfer`.
 
     Each direction is constant; for a turning path see `internal_stability`.
+
+    Parameters
+    ----------
+    machine : Machine
+    controller : Controller
+        Limits, friction and quantisation are left out; all else must be linear.
+    strength : float, > 0
+        Squared length of the coupling gains, a factor on the loop gain: 1 for the unit normal.
+
+    Returns
+    -------
+    ContourMargins
+
+    Raises
+    ------
+    ComponentError
+        If the controller has no coupling, or a component is not linear.
+    ParameterError
+        If the strength is not positive.
     """
     return contour_transfer(machine, controller, strength=strength).margins()
 
@@ -275,10 +294,15 @@ def internal_stability(machine: Machine, controller: Controller, reference: Refe
 
     Parameters
     ----------
-    machine, controller
+    machine : Machine
+    controller : Controller
         Limits, friction and quantisation are left out; all else must be linear.
     reference : Reference, optional
         On a closed path with whole laps; the last lap is analysed.
+
+    Returns
+    -------
+    InternalStability
 
     Raises
     ------

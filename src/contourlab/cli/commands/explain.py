@@ -17,7 +17,7 @@ def explain(
     from contourlab.cli.output import emit_json, say, suggest
     from contourlab.errors import ParameterError
     from contourlab.findings import catalogue
-    from contourlab.report.table import Column, Table, page_width, paragraphs
+    from contourlab.rendering.table import Column, Table, page_width, paragraphs
 
     entries = catalogue()
     code = f"CL{code}" if code is not None and code.isdigit() else code

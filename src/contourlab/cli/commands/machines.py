@@ -58,7 +58,7 @@ def machines(
 
 
 def _list(files: list[Shipped]) -> None:
-    from contourlab.report.table import Column, Table, paragraphs
+    from contourlab.rendering.table import Column, Table, paragraphs
 
     names, prose = ("kind", "name", "axes"), ("description", "sources")
     table = Table([*(Column(head, left=True) for head in names), *(Column(head, prose=True) for head in prose)])
@@ -68,7 +68,7 @@ def _list(files: list[Shipped]) -> None:
 
 
 def _details(file: Shipped) -> None:
-    from contourlab.report.table import Column, Table
+    from contourlab.rendering.table import Column, Table
 
     axes = f" with the axes {', '.join(file.axes)}" if file.axes else ""
     head = [f"builtin:{file.name}, {file.kind}{axes}", f"file: {file.file}"]

@@ -31,9 +31,9 @@ from contourlab.features.run.margin_words import decibel, degrees, gain_words, p
 from contourlab.features.run.outcome import coupling_findings
 from contourlab.figures import NONE, listing, number
 from contourlab.findings import Finding, finding
-from contourlab.report.charts import Chart, Curve, Level, Panel
-from contourlab.report.style import scheme_style
-from contourlab.report.table import Column, Table, paragraphs
+from contourlab.rendering.charts import Chart, Curve, Level, Panel
+from contourlab.rendering.style import scheme_style
+from contourlab.rendering.table import Column, Table, paragraphs
 
 if TYPE_CHECKING:
     from contourlab.scenario import Case
@@ -145,7 +145,7 @@ def analyse_scenario(
     analysis = Analysis(scenario.name, {case.name: _analyse(case, whole) for case in scenario.cases()})
     if not plots:
         return analysis
-    from contourlab.report.plots import write_charts
+    from contourlab.rendering.plots import write_charts
 
     with staged(out, inputs=scenario.inputs) as stage:
         files = write_charts(_charts(analysis.schemes), stage / "plots", tuple(plots))
@@ -254,7 +254,7 @@ def _table(name: str, scheme: SchemeAnalysis) -> str:
 
 def _charts(schemes: Mapping[str, SchemeAnalysis]) -> list[Chart]:
     """Return the charts of each coupling, and those of learning for all schemes together."""
-    from contourlab.report.learning_pictures import learning_charts, singular_value_chart
+    from contourlab.rendering.learning_pictures import learning_charts, singular_value_chart
 
     charts: list[Chart] = []
     names = file_names(list(schemes))

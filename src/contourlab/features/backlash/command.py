@@ -10,7 +10,7 @@ from contourlab.app.checkpoint import said_if_interrupted
 from contourlab.app.stages import shown
 from contourlab.features.backlash.study import BacklashStudy, Cycle, backlash_study, loose_axes
 from contourlab.figures import NONE, figure, number
-from contourlab.report.table import Column, Table, paragraphs
+from contourlab.rendering.table import Column, Table, paragraphs
 
 FEW = 0.05
 """Largest ratio of servo period to limit-cycle period at which a continuous loop approximates the sampled one."""

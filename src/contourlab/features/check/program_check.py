@@ -11,7 +11,7 @@ from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.planned_motion import PlannedMotion, parts
 from contourlab.findings import Finding
 from contourlab.program import Arc, Dwell, Feed, Program, Reading, Spline, Traverse, open_program
-from contourlab.report.table import paragraphs
+from contourlab.rendering.table import paragraphs
 
 MOST_FEEDS = 12
 """Largest number of feedrates to print one by one."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 from contourlab.components.contract import Component, Parameter
 from contourlab.errors import ComponentError
-from contourlab.report.table import Column, Table, paragraphs
+from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.scenario.tree import hint
 from contourlab.units import from_si
 

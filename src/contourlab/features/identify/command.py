@@ -15,7 +15,7 @@ from contourlab.components.origin import Origin
 from contourlab.features.identify.request import Request
 from contourlab.features.identify.result import Identified, Picture, join_names
 from contourlab.features.run.command import check_plots
-from contourlab.report.table import Column, Table, paragraphs
+from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted, toml
@@ -74,7 +74,7 @@ def identify_log(
     with staged(folder, inputs=request.inputs) if plots else nullcontext() as stage:
         identified = request.identify()
         if stage is not None:
-            from contourlab.report.plots import write_charts
+            from contourlab.rendering.plots import write_charts
 
             files = write_charts([_chart(picture) for picture in identified.pictures], stage / "plots", plots)
             drawn = [Path(folder) / file.relative_to(stage) for file in files]
@@ -133,8 +133,8 @@ def _text(identified: Identified) -> str:
 
 
 def _chart(picture: Picture) -> Any:
-    from contourlab.report.charts import Chart, Curve, Level, Panel
-    from contourlab.report.style import scheme_style
+    from contourlab.rendering.charts import Chart, Curve, Level, Panel
+    from contourlab.rendering.style import scheme_style
 
     # A name looks the same in all graphs: they share the legend.
     names = list(dict.fromkeys(name for graph in picture.graphs for name in graph.curves))

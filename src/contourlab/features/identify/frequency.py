@@ -40,7 +40,7 @@ from contourlab.features.identify.records import TRAVEL, AxisRecord, common_unit
 from contourlab.features.identify.result import Drawn, Graph, Identified, Picture, Propagated, Tables, figures, propagate
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
-from contourlab.report.table import Column, Table
+from contourlab.rendering.table import Column, Table
 
 PRINTED = 24
 """Largest number of points printed; the JSON has all."""

@@ -31,7 +31,7 @@ from contourlab.features.identify.result import (
 from contourlab.features.identify.rigid import direction_findings
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
-from contourlab.report.table import Column, Table
+from contourlab.rendering.table import Column, Table
 
 DIP, RISE = "stribeck_velocity", "rise_velocity"
 """Parameter for the speed of the bend: in a component whose friction dips, and in one whose friction rises."""

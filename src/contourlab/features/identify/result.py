@@ -14,7 +14,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.components.origin import Origin
 from contourlab.findings import Finding
-from contourlab.report.table import Table
+from contourlab.rendering.table import Table
 
 Row = tuple[float | str, str, Origin | None]
 """A value in SI, its unit, and its origin (None for a word)."""

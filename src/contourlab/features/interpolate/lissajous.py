@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.report.style import scheme_style
+from contourlab.rendering.style import scheme_style
 
 POINTS = 6000
 
@@ -43,7 +43,7 @@ def lissajous_png(data: LissajousData) -> bytes:
     import matplotlib
     from matplotlib.figure import Figure
 
-    from contourlab.report.matplotlib_view import LOOKS, WIDTH
+    from contourlab.rendering.matplotlib_view import LOOKS, WIDTH
 
     with matplotlib.rc_context(fname=LOOKS):
         figure = Figure(figsize=(WIDTH, 3.6), layout="constrained")

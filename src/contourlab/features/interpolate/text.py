@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from contourlab.arrays import Array, Index
 from contourlab.features.interpolate.study import Interpolated
-from contourlab.report.table import paragraphs
+from contourlab.rendering.table import paragraphs
 
 
 def text(result: Interpolated) -> str:

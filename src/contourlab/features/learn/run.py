@@ -166,7 +166,9 @@ def learn(
 
     Parameters
     ----------
-    machine, controller, reference
+    machine : Machine
+    controller : Controller
+    reference : Reference
     law : LearningLaw
     trials : int, >= 0
         Largest number of trials after the first.
@@ -177,8 +179,10 @@ def learn(
     stopping : Stopping, optional
     part : {"ends", "all", "none"}
         Trials to compute the distance to the programmed path for: the first and the best, all, or none.
-    jit, view
-        See `simulate`.
+    jit : bool, optional
+        Compiled, or plain Python.
+    view : PathView, optional
+        View of the path for the estimator.
     progress : callable, optional
         Called with the total number of samples done.
     on_trial : callable, optional

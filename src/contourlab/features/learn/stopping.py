@@ -37,6 +37,11 @@ class Stopping:
         Diverged also if each of this many trials is worse than the one before, and the last is worse than the best by `growth_margin`.
     growth_margin : float, > 0
         As a share of the best.
+
+    Raises
+    ------
+    ParameterError
+        If a number is out of range.
     """
 
     improvement: float = 0.01

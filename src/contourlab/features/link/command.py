@@ -26,7 +26,7 @@ from contourlab.units import to_si
 
 if TYPE_CHECKING:
     from contourlab.loop import Controller
-    from contourlab.report.charts import Chart
+    from contourlab.rendering.charts import Chart
     from contourlab.scenario import Case
 
 LONGEST = 10.0
@@ -136,7 +136,7 @@ def link_scenario(
         result = LinkResult(scenario.name, costs)
         write_text_atomic(stage / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
         if plots:
-            from contourlab.report.plots import write_charts
+            from contourlab.rendering.plots import write_charts
 
             charts: list[Chart] = []
             for name, of_scheme in costs.items():

@@ -125,9 +125,9 @@ class LinkLimit:
         nan if the smallest fails.
     limited : bool
         False if all tested values hold.
-    error : float
+    error : float [m or m s]
         Error at that value.
-    undivided, allowed : float
+    undivided, allowed : float [m or m s]
         Error of the undivided loop, and the largest allowed.
     """
 
@@ -208,12 +208,31 @@ def message_rate(
 
     Parameters
     ----------
-    machine, controller, reference
-        The controller undivided; its own links are replaced.
-    division, ways, link, axes
-        See `divided`; delay, jitter and loss of the link stay as given.
-    **options
-        See `link_limit`.
+    machine : Machine
+    controller : Controller
+        Undivided; its own links are replaced.
+    reference : Reference
+    division : {"observer", "drive", "controller"}
+        What is in the axis: see `Division`.
+    ways : {"both", "one"}
+        Whether messages also go up, from the axis to the base.
+    link : Network, optional
+        Network in each direction, whose delay, jitter and loss stay as given; by default it has none.
+    axes : sequence of str, optional
+        Axes to divide; all by default.
+    **options : Any
+        See `contourlab.features.link.cost.link_limit`.
+
+    Returns
+    -------
+    LinkLimit
+
+    Raises
+    ------
+    ParameterError
+        If division, ways, an axis or an option is out of range.
+    DivergenceError
+        If the undivided loop leaves its limits.
     """
     return link_limit(machine, divided(controller, division, ways, link, axes), reference, "message_period", **options)
 

@@ -13,9 +13,9 @@ from contourlab.features.link.cost import DivisionCost
 from contourlab.features.link.sweep import GROWN, QUANTITIES, LinkSweep
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.report.charts import Chart, Curve, Level, Panel
-from contourlab.report.style import scheme_style
-from contourlab.report.table import Column, Table, paragraphs
+from contourlab.rendering.charts import Chart, Curve, Level, Panel
+from contourlab.rendering.style import scheme_style
+from contourlab.rendering.table import Column, Table, paragraphs
 
 FIGURES = {"rms": "contour_error_rms", "max": "contour_error_max", "integral": "contour_error_integral"}
 """Figures of the contour error, by option value."""

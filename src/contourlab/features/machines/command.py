@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from contourlab.errors import OutputError
 from contourlab.features.run.trust.provenance import numbers_of_axis, numbers_of_machine, stated
-from contourlab.report.judgement import NOT_STATED, Number
+from contourlab.rendering.judgement import NOT_STATED, Number
 from contourlab.result import write_bytes_atomic
 from contourlab.scenario import BUILTIN, builtin_file, builtin_names, load_axis, load_machine, load_scenario
 from contourlab.scenario.tree import read_tree

@@ -226,10 +226,10 @@ def _report(
     runs: Sequence[_Run], title: str, limit: float | None, folder: Path, command: str, plots: Sequence[str], step: tuple[str, str]
 ) -> str:
     """Write report and plots; return the text for the terminal."""
-    from contourlab.report.data import Provenance, ReportData, SchemeReport
-    from contourlab.report.html import write_html
-    from contourlab.report.page_tables import reversal_text
-    from contourlab.report.tables import comparison_text
+    from contourlab.rendering.data import Provenance, ReportData, SchemeReport
+    from contourlab.rendering.html import write_html
+    from contourlab.rendering.page_tables import reversal_text
+    from contourlab.rendering.tables import comparison_text
 
     system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
     provenance = Provenance(__version__, command, command, "", None, system)
@@ -242,7 +242,7 @@ def _report(
     data = ReportData(title, schemes, runs[0].measured.reference.path, provenance, **about_runs)
     write_html(data, folder / "report.html")
     if plots:
-        from contourlab.report.plots import write_plots
+        from contourlab.rendering.plots import write_plots
 
         write_plots(data, folder / "plots", tuple(plots))
     reversals = reversal_text(data)

@@ -18,7 +18,7 @@ from contourlab.features.tune.objective import FIGURES, Evaluation, evaluate
 from contourlab.figures import figure, number
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
-from contourlab.report.table import Column, Table, paragraphs
+from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:

@@ -22,9 +22,9 @@ from contourlab.features.run.command import check_plots
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
-from contourlab.report import plots
-from contourlab.report.charts import traces_chart
-from contourlab.report.table import Column, Table, paragraphs
+from contourlab.rendering import plots
+from contourlab.rendering.charts import traces_chart
+from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.units import to_si
 

@@ -20,11 +20,11 @@ from contourlab.features.run.record import switch_file
 from contourlab.features.run.summary import summary_of
 from contourlab.figures import figure
 from contourlab.findings import Finding
-from contourlab.report.table import paragraphs
+from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
-    from contourlab.report.data import ReportData
+    from contourlab.rendering.data import ReportData
     from contourlab.scenario import Scenario
 
 STEPS, LEARNING_STEPS = 6, 8
@@ -217,7 +217,7 @@ def check_plots(plots: Sequence[str]) -> None:
     ParameterError
         If there is one.
     """
-    from contourlab.report.plots import FORMATS
+    from contourlab.rendering.plots import FORMATS
 
     _check_known("--plots", plots, FORMATS)
 
@@ -256,20 +256,20 @@ def _write_report(
     scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, options: RunOptions, steps: Sequence[tuple[str, str]]
 ) -> tuple[str, ReportData]:
     from contourlab.features.run.page import report_data
-    from contourlab.report.html import write_html
-    from contourlab.report.page_tables import reversal_text
-    from contourlab.report.switching import switch_lines
-    from contourlab.report.tables import comparison_text, trials_text
+    from contourlab.rendering.html import write_html
+    from contourlab.rendering.page_tables import reversal_text
+    from contourlab.rendering.switching import switch_lines
+    from contourlab.rendering.tables import comparison_text, trials_text
     from contourlab.scenario.dump import dump
 
     data = replace(report_data(scenario.name, outcomes, scenario=dump(scenario), command=command), next_steps=steps)
     write_html(data, folder / "report.html")
     if options.plots:
-        from contourlab.report.plots import write_plots
+        from contourlab.rendering.plots import write_plots
 
         write_plots(data, folder / "plots", options.plots)
     if options.pdf:
-        from contourlab.report.one_page import write_page
+        from contourlab.rendering.one_page import write_page
 
         write_page(data, folder / "report.pdf")
     reversals = reversal_text(data) if any(map(_shows_reversals, outcomes)) else ""

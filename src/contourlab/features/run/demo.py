@@ -14,9 +14,9 @@ from contourlab.app.results import staged
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
 from contourlab.features.run.summary import Summary
 from contourlab.figures import figure, listing, number
-from contourlab.report.data import ReportData
-from contourlab.report.overview import write_overview
-from contourlab.report.table import Column, Table, paragraphs
+from contourlab.rendering.data import ReportData
+from contourlab.rendering.overview import write_overview
+from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.scenario import builtin_file, load_scenario
 

@@ -34,7 +34,7 @@ from contourlab.loop.simulate import sampler
 from contourlab.loop.switches import Switches, switches_of
 from contourlab.loop.template import build
 from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, judged_part, reversal_spikes, summarise
-from contourlab.report.judgement import Trust, Verdict
+from contourlab.rendering.judgement import Trust, Verdict
 from contourlab.result import Result
 from contourlab.scenario import Case
 
@@ -190,7 +190,7 @@ def run_case(
         metrics=figures,
         verdict=answer,
         circles=circles_of(judged, reference),
-        spikes=_judged_spikes(judged, reference),
+        spikes=judged_spikes(judged, reference),
         bode=bode_of(machine, controller),
         limits=limits_of(case, reference),
         learning=learned,
@@ -202,7 +202,7 @@ def run_case(
     )
 
 
-def _judged_spikes(judged: Result, reference: Reference) -> tuple[Spike, ...]:
+def judged_spikes(judged: Result, reference: Reference) -> tuple[Spike, ...]:
     """Return the reversal spikes on the judged moves."""
     part = judged_part(judged, reference)
     counts = part.mask(judged.n_sample)

@@ -15,8 +15,8 @@ from contourlab.features.run.outcome import AxisBode, Outcome
 from contourlab.feed.binding import Binding, limiting
 from contourlab.figures import listing
 from contourlab.metrics.circles import CircleFigures, pairs
-from contourlab.report.data import Provenance, ReportData, SchemeReport
-from contourlab.report.run_data import AxisBounds, FeedRun, FrequencyResponse, TrialCourse
+from contourlab.rendering.data import Provenance, ReportData, SchemeReport
+from contourlab.rendering.run_data import AxisBounds, FeedRun, FrequencyResponse, TrialCourse
 
 FEED_POINTS = 4000
 PER_SPAN = 3

@@ -39,8 +39,10 @@ def simulate_to_file(
 
     Parameters
     ----------
-    machine, controller, reference
-        As for `simulate`.
+    machine : Machine
+    controller : Controller
+    reference : Reference
+        All three as for `simulate`.
     file : str or Path
         Written whole when the run ends well, else not at all.
     signals : sequence of str
@@ -57,6 +59,10 @@ def simulate_to_file(
         Controllers that take over during the run.
     switches : str or Path, optional
         CSV file for every switch of controllers, with its reason.
+
+    Returns
+    -------
+    Status
 
     Raises
     ------

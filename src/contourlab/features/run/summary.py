@@ -18,8 +18,8 @@ from contourlab.findings import Finding
 from contourlab.loop.switches import Switches
 from contourlab.metrics import CircleFigures, Metrics, ReversalFigures, Spike, reversal_figures
 from contourlab.metrics.circles import Bidirectional, pairs
-from contourlab.report.judgement import Trust, Verdict
-from contourlab.report.page_tables import nearest
+from contourlab.rendering.judgement import Trust, Verdict
+from contourlab.rendering.page_tables import nearest
 from contourlab.result import Status
 
 SCHEMA = "contourlab-summary/1"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -14,7 +15,7 @@ from contourlab.findings import finding
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import judged_part
 from contourlab.metrics.figures import left_out
-from contourlab.report.judgement import Verdict, Worst
+from contourlab.rendering.judgement import Verdict, Worst
 from contourlab.result import Result
 
 SHARE, LARGE = 0.25, 0.5
@@ -38,7 +39,9 @@ def verdict(
 
     Parameters
     ----------
-    machine, controller, reference
+    machine : Machine
+    controller : Controller
+    reference : Reference
     judged : Result
         The run, with the judge's signals.
     tolerance : float [m], > 0
@@ -53,27 +56,23 @@ def verdict(
         Whether to find causes and advice (about thirty more runs).
     rerun : callable, optional
         `contourlab.loop.simulate` with the options of the run.
+
+    Returns
+    -------
+    Verdict
     """
-    samples = judged_part(judged, reference).samples
-    sample = int(samples[np.argmax(np.abs(judged["part_error"][samples]))])
-    worst = _place(judged, reference, sample, lines)
-    skipped = _skipped(judged, reference, tolerance)
-    within = worst.value <= tolerance
-    off = np.abs(judged["planning_deviation"][samples])
-    planned = float(off.max())
-    findings = [finding("CL201", length=skipped)] if skipped else []
-    if planned > tolerance:
-        line = int(reference.source_line(judged["arc_length"][samples[off.argmax()]][None])[0])
-        findings.append(finding("CL208", deviation=planned, line=line, tolerance=tolerance))
+    plain = unexplained(reference, judged, tolerance, lines)
+    sample, findings = plain.worst.sample, list(plain.findings)
     # The error of a tool that skips part of the path says nothing about causes.
-    if not explain or (skipped and within):
-        return Verdict(bool(within) and not skipped, tolerance, worst, (), skipped, tuple(findings))
+    if not explain or (plain.left_out and plain.worst.value <= tolerance):
+        return plain
+    planned = _planned(reference, judged)[0]
     ranked, diverging = causes(machine, controller, reference, judged, sample, rerun)
     if diverging:
         findings.append(finding("CL202", causes=diverging))
     plans: dict[str, Callable[[], Reference]] = {} if slower is None else {"taking the feed down by a fifth": partial(slower, 0.8)}
     near = closer(SHARE * tolerance) if closer is not None and planned > SHARE * tolerance else {}
-    start = Trial((), controller, reference, worst.value)
+    start = Trial((), controller, reference, plain.worst.value)
     if planned > LARGE * tolerance:
         best = advice(machine, start, tolerance, plans, rerun, near)
     else:
@@ -86,7 +85,27 @@ def verdict(
         cause = max(left, key=lambda one: one.contribution)
         findings.append(finding("CL204", tolerance=tolerance, cause=cause.name, left=cause.contribution, help=WOULD_HELP[cause.name]))
     proposed = None if best.controller is controller else best.controller
-    return Verdict(bool(within) and not skipped, tolerance, worst, ranked, skipped, tuple(findings), proposed)
+    return replace(plain, causes=ranked, findings=tuple(findings), proposed=proposed)
+
+
+def unexplained(reference: Reference, judged: Result, tolerance: float, lines: tuple[str, ...] = ()) -> Verdict:
+    """Return the verdict on a judged run without causes and advice; arguments as for `verdict`."""
+    samples = judged_part(judged, reference).samples
+    worst = _place(judged, reference, int(samples[np.argmax(np.abs(judged["part_error"][samples]))]), lines)
+    skipped = _skipped(judged, reference, tolerance)
+    planned, line = _planned(reference, judged)
+    findings = [finding("CL201", length=skipped)] if skipped else []
+    if planned > tolerance:
+        findings.append(finding("CL208", deviation=planned, line=line, tolerance=tolerance))
+    return Verdict(worst.value <= tolerance and not skipped, tolerance, worst, (), skipped, tuple(findings))
+
+
+def _planned(reference: Reference, judged: Result) -> tuple[float, int]:
+    """Return the largest planning deviation [m] of the judged samples, and its program line."""
+    samples = judged_part(judged, reference).samples
+    off = np.abs(judged["planning_deviation"][samples])
+    line = reference.source_line(judged["arc_length"][samples[off.argmax()]][None])[0]
+    return float(off.max()), int(line)
 
 
 def _skipped(judged: Result, reference: Reference, tolerance: float) -> float:

@@ -25,7 +25,7 @@ from contourlab.features.sensitivity.verdict import Ranking, ranking, verdict
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.loop import parameters_of, simulate
-from contourlab.report.table import paragraphs
+from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
@@ -161,7 +161,7 @@ def sensitivity_of(
         write_text_atomic(stage / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
         if plots:
             from contourlab.features.sensitivity.pictures import charts_of
-            from contourlab.report.plots import write_charts
+            from contourlab.rendering.plots import write_charts
 
             write_charts(charts_of(study), stage / "plots", plots)
     return result

@@ -9,9 +9,9 @@ import numpy as np
 from contourlab.arrays import Array, Flags
 from contourlab.features.sensitivity.curves import Curve
 from contourlab.features.sensitivity.study import Study
-from contourlab.report.charts import Bars, Matrix, Multiples, Series, Tile
-from contourlab.report.charts import Curve as Line
-from contourlab.report.style import MUTED, scheme_style
+from contourlab.rendering.charts import Bars, Matrix, Multiples, Series, Tile
+from contourlab.rendering.charts import Curve as Line
+from contourlab.rendering.style import MUTED, scheme_style
 
 MICRO = 1e6
 """Display scale of all figures."""

@@ -12,7 +12,7 @@ from contourlab.features.sensitivity.curves import CHANGE, Interval
 from contourlab.features.sensitivity.indices import Distribution, Sample
 from contourlab.features.sensitivity.study import PARTS, Study
 from contourlab.figures import figure
-from contourlab.report.table import Column, Table, paragraphs
+from contourlab.rendering.table import Column, Table, paragraphs
 
 FEW = 24
 """Largest number of parameters of a printed matrix; a larger one is in JSON and the picture only."""

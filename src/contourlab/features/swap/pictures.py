@@ -14,7 +14,7 @@ import numpy as np
 from contourlab.arrays import Array, Flags
 from contourlab.features.swap.study import Choice, SwapStudy
 from contourlab.figures import figure
-from contourlab.report.style import INK, MUTED
+from contourlab.rendering.style import INK, MUTED
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -95,7 +95,7 @@ def write_matrices(
     OutputError
         If a file cannot be written.
     """
-    from contourlab.report.plots import write_figures
+    from contourlab.rendering.plots import write_figures
 
     return write_figures({"swap": lambda: drawing(matrices, limit, title)}, folder, formats)
 

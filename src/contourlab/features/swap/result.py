@@ -18,7 +18,7 @@ from contourlab.features.swap.study import Choice, SwapStudy
 from contourlab.features.swap.variants import Variants
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.report.table import Column, Table, paragraphs
+from contourlab.rendering.table import Column, Table, paragraphs
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,7 +17,7 @@ from contourlab.features.run.inputs import scenario_of
 from contourlab.features.tune.study import Tuned, TuneSettings, tune
 from contourlab.features.tune.text import tables
 from contourlab.findings import Finding, finding
-from contourlab.report.table import paragraphs
+from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
@@ -132,7 +132,7 @@ def tune_scenario(
         drawn: list[Path] = []
         if stage is not None:
             from contourlab.features.tune.pictures import tuning_charts
-            from contourlab.report.plots import write_charts
+            from contourlab.rendering.plots import write_charts
 
             charts = write_charts(tuning_charts(settings.goal, tuned), stage / "plots", tuple(plots))
             drawn = [Path(folder) / chart.relative_to(stage) for chart in charts]

@@ -10,8 +10,8 @@ from contourlab.arrays import Array
 from contourlab.features.tune.line_search import Step
 from contourlab.features.tune.objective import Goal
 from contourlab.features.tune.study import Tuned
-from contourlab.report.charts import Chart, Curve, Panel
-from contourlab.report.style import scheme_style
+from contourlab.rendering.charts import Chart, Curve, Panel
+from contourlab.rendering.style import scheme_style
 
 SMALLEST = 1e-12
 

@@ -10,7 +10,7 @@ from contourlab.features.run.margin_words import decibel, degrees
 from contourlab.features.tune.objective import FIGURES, Goal
 from contourlab.features.tune.study import Tuned
 from contourlab.figures import figure, listing
-from contourlab.report.table import Column, Table, paragraphs
+from contourlab.rendering.table import Column, Table, paragraphs
 
 
 def tables(goal: Goal, tuned: Tuned) -> Iterator[str]:

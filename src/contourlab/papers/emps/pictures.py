@@ -11,8 +11,8 @@ from contourlab.analysis.identification.filtered_motion import decimate, filtere
 from contourlab.arrays import Array
 from contourlab.papers.emps.simulation import axis_of, simulate_emps
 from contourlab.papers.emps.study import SETTINGS, Identified, identified
-from contourlab.report.charts import traces_chart
-from contourlab.report.plots import write_charts
+from contourlab.rendering.charts import traces_chart
+from contourlab.rendering.plots import write_charts
 
 Traces = dict[str, tuple[Array, Array]]
 PERIOD = 6.24

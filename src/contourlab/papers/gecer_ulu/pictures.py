@@ -12,8 +12,8 @@ from contourlab.arrays import Array
 from contourlab.papers.gecer_ulu.convergence import convergence, turn
 from contourlab.papers.gecer_ulu.learning import RATIO
 from contourlab.papers.gecer_ulu.setup import EXPERIMENT, SIMULATION, TABLE_2
-from contourlab.report.charts import traces_chart
-from contourlab.report.plots import write_charts
+from contourlab.rendering.charts import traces_chart
+from contourlab.rendering.plots import write_charts
 
 
 def draw(rows: Sequence[Mapping[str, Any]], folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:

@@ -10,9 +10,9 @@ import numpy as np
 from contourlab.features.sensitivity.curves import Curve as Study
 from contourlab.papers.ghaffari.sensitivity import axis_curves
 from contourlab.papers.ghaffari.setup import AXES
-from contourlab.report.charts import Curve, Multiples, Tile
-from contourlab.report.plots import write_charts
-from contourlab.report.style import scheme_style
+from contourlab.rendering.charts import Curve, Multiples, Tile
+from contourlab.rendering.plots import write_charts
+from contourlab.rendering.style import scheme_style
 
 FIGURES = {
     "fig-6a": ("Fig 6(a): observer, around Table III", ("a_hat", "b_hat")),

@@ -11,9 +11,9 @@ from contourlab.arrays import Array
 from contourlab.papers.shahin import setup
 from contourlab.papers.shahin.runs import third_lap
 from contourlab.papers.shahin.setup import Setting
-from contourlab.report.charts import Chart, Curve, PolarChart, ring_spacing, traces_chart
-from contourlab.report.plots import write_charts
-from contourlab.report.style import scheme_style
+from contourlab.rendering.charts import Chart, Curve, PolarChart, ring_spacing, traces_chart
+from contourlab.rendering.plots import write_charts
+from contourlab.rendering.style import scheme_style
 
 
 def draw(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from contourlab.papers.ubc.runs import read_runs
-from contourlab.report.charts import traces_chart
-from contourlab.report.plots import write_charts
+from contourlab.rendering.charts import traces_chart
+from contourlab.rendering.plots import write_charts
 
 
 def draw(logs: str | Path | None, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:

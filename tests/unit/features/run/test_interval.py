@@ -20,7 +20,7 @@ from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine, simulate_batch
-from contourlab.report.judgement import Rank
+from contourlab.rendering.judgement import Rank
 
 PERIOD = 1e-3
 GAIN, FORCE_CONSTANT = 4000.0, 50.0

@@ -28,7 +28,7 @@ from contourlab.features.run.causes import idealise
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import judge
-from contourlab.report.judgement import Cause
+from contourlab.rendering.judgement import Cause
 from contourlab.result import Result, Signal
 
 Rerun: TypeAlias = Callable[..., Result]

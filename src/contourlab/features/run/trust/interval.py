@@ -17,7 +17,7 @@ from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Learned, Machine, parameters_of, simulate_batch
-from contourlab.report.judgement import Interval, Number, Rank, Spread
+from contourlab.rendering.judgement import Interval, Number, Rank, Spread
 
 SAMPLES = 64
 """Machines that are drawn: two groups of 32 lanes."""

@@ -8,7 +8,7 @@ from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import Origin
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS
-from contourlab.report.judgement import Interval, Number, Trust
+from contourlab.rendering.judgement import Interval, Number, Trust
 
 
 def trust_of(machine: Machine, controller: Controller, interval: Interval | None = None) -> Trust:

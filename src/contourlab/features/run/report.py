@@ -1,0 +1,132 @@
+"""One report on runs made in Python, as ``contourlab run`` writes it."""
+
+from __future__ import annotations
+
+import math
+import platform
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from contourlab import __version__
+from contourlab.errors import ParameterError
+from contourlab.features.run.outcome import judged_spikes
+from contourlab.features.run.verdict import unexplained
+from contourlab.feed import Reference
+from contourlab.metrics import circles_of, judge, summarise
+from contourlab.metrics.circles import pairs
+from contourlab.program import Program
+from contourlab.rendering.data import Provenance, ReportData, SchemeReport
+from contourlab.rendering.html import write_html
+from contourlab.result import Result
+
+
+def report(
+    results: Result | Sequence[Result] | Mapping[str, Result],
+    file: str | Path = "report.html",
+    *,
+    reference: Reference | Sequence[Reference] | None = None,
+    tolerance: float | None = None,
+    program: Program | None = None,
+    title: str = "",
+) -> Path:
+    """Write one HTML page about runs along one path; it opens off-line.
+
+    Parameters
+    ----------
+    results : Result, sequence of Result, or mapping of str to Result
+        The first is compared with the others. A run that is not judged is judged first. Names are those of a mapping, or else the
+        schemes; equal ones are numbered.
+    file : str or Path
+        Replaced completely or not at all.
+    reference : Reference or sequence of Reference, optional
+        The reference of all runs or of each. A result of `simulate` or `judge` knows its own; one from a file does not.
+    tolerance : float [m], > 0, optional
+        Largest part error that passes.
+    program : Program, optional
+        The part program, for the error of each line.
+    title : str
+        By default the names of the runs.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ParameterError
+        If there is no result, or their number is not that of the references, a reference is missing, paths or axes differ, or the
+        tolerance is out of range.
+    ResultError
+        If a signal is missing, or a result is of another reference.
+    OutputError
+        If the file cannot be written.
+
+    Notes
+    -----
+    Causes, margins and limits need the scenario: `contourlab run` adds them.
+    """
+    if tolerance is not None and not 0.0 < tolerance < math.inf:
+        raise ParameterError("tolerance", tolerance, "finite and > 0", "m")
+    named = _named(results)
+    motions = _references(named, reference)
+    first, motion = next(iter(motions.items()))
+    for name, other in motions.items():
+        if other.programmed.digest != motion.programmed.digest:
+            raise ParameterError(f"path of {name!r}", "another one", f"that of {first!r}")
+    schemes = [_scheme(name, result, motions[name], tolerance, program) for name, result in named.items()]
+    programmed = None if motion.programmed is motion.path else motion.programmed
+    system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
+    provenance = Provenance(__version__, "", "", "", platform=system)
+    lines = () if program is None else program.lines
+    return write_html(ReportData(title or ", ".join(named), schemes, motion.path, provenance, programmed, lines, tolerance), file)
+
+
+def _named(results: Result | Sequence[Result] | Mapping[str, Result]) -> dict[str, Result]:
+    """Return the results by name, equal names numbered."""
+    members = [results] if isinstance(results, Result) else list(results.values() if isinstance(results, Mapping) else results)
+    wrong = [type(one).__name__ for one in members if not isinstance(one, Result)]
+    if wrong or not members:
+        raise ParameterError("results", wrong[0] if wrong else "none", "one Result or more")
+    if isinstance(results, Mapping):
+        return dict(results)
+    named: dict[str, Result] = {}
+    for result in members:
+        name, number = result.scheme, 1
+        while name in named:
+            number += 1
+            name = f"{result.scheme} {number}"
+        named[name] = result
+    return named
+
+
+def _references(named: Mapping[str, Result], reference: Reference | Sequence[Reference] | None) -> dict[str, Reference]:
+    """Return the reference of each result."""
+    given = [reference] * len(named) if reference is None or isinstance(reference, Reference) else list(reference)
+    if len(given) != len(named):
+        raise ParameterError("reference", f"{len(given)} references", f"one for all, or one for each of {len(named)} results")
+    motions = {}
+    for (name, result), one in zip(named.items(), given, strict=True):
+        motion = result.motion if one is None else one
+        if motion is None:
+            raise ParameterError("reference", "None", f"given: {name!r} does not know the reference that it was simulated along")
+        motions[name] = motion
+    return motions
+
+
+def _scheme(name: str, result: Result, reference: Reference, tolerance: float | None, program: Program | None) -> SchemeReport:
+    """Judge a run where necessary, and sum it up."""
+    judged = result if {"part_error", "tracking_error"} <= set(result.signals) else judge(result, reference)
+    circles = circles_of(judged, reference)
+    verdict = None if tolerance is None else unexplained(reference, judged, tolerance, () if program is None else program.lines)
+    return SchemeReport(
+        name=name,
+        result=judged,
+        metrics=summarise(judged, reference),
+        verdict=verdict,
+        circles=circles,
+        bidirectional=pairs(circles),
+        spikes=judged_spikes(judged, reference),
+        findings=() if verdict is None else verdict.findings,
+        lines=None if program is None else reference.source_line(judged["arc_length"]),
+    )

@@ -1,0 +1,275 @@
+"""Axes in pictures: planned feed, signals against their limits, backlash, and frequency response."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from contourlab.arrays import Array
+from contourlab.figures import figure, number, shown_unit
+from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick
+from contourlab.rendering.data import ReportData, SchemeReport
+from contourlab.rendering.error_pictures import MARKS
+from contourlab.rendering.run_data import AxisBounds, FeedRun
+from contourlab.rendering.samples import axis_column, largest_magnitude, times
+from contourlab.rendering.style import LIMIT, REFERENCE, scheme_style
+from contourlab.result import Result
+from contourlab.thinning import keep_extremes
+
+UM = 1e6
+OFF_SCALE = 4.0
+"""Peaks above this multiple of the limit are cut off, because they would flatten the rest."""
+FAR = 0.08
+"""Curves below this share of the limit are drawn without it, because they would look flat."""
+STEP = "curvature step"
+"""Kind of the marks at steps of curvature."""
+DEEPEST = 120.0
+"""Drawn range of magnitude [dB]; smaller values are rounding."""
+FEED_COLOURS = ("#8a949e", "#0072b2", "#009e73", "#d55e00", "#cc79a7", "#e69f00", "#56b4e9")
+EXPLAINED = {
+    "curvature step": "Curvature step: the acceleration jumps where a line meets an arc. The jump keeps the acceleration limits;"
+    " no jerk limit can hold there without a stop.",
+    "near a slow section": "Near a slow section: the planner slows down for a slower section nearby.",
+}
+"""Explanations of what limits the feed."""
+FEED_POINTS = 10_000
+FINER = 4
+"""A loop gets this many times the points of a curve over time, since it repeats."""
+
+
+def feed_charts(run: FeedRun | None) -> tuple[Chart, ...]:
+    """Return the planned feed over arc length, coloured by what limits it; nothing without limits."""
+    if run is None:
+        return ()
+    kept = keep_extremes(run.feedrate, FEED_POINTS)
+    x, feed, programmed, binding = run.arc_length[kept] * 1e3, run.feedrate[kept] * 6e4, run.programmed[kept] * 6e4, run.binding[kept]
+    top = float(feed.max())
+    asked = np.where(programmed <= 1.5 * top, programmed, np.nan)
+    curves = [Curve(x, asked, "programmed", REFERENCE, "dot")] if np.isfinite(asked).any() else []
+    for code, name in enumerate(run.names):
+        held = binding == code
+        if not held.any():
+            continue
+        # A segment extends to the start of the next, so that the line has no gaps.
+        drawn = held | np.append(False, held[:-1])
+        curves.append(Curve(x, np.where(drawn, feed, np.nan), name, FEED_COLOURS[code % len(FEED_COLOURS)], "solid", 2.2))
+    panel = Panel("arc length [mm]", "feedrate [mm/min]", tuple(curves))
+    shares = ", ".join(f"{name} {number(100.0 * part)} %" for name, part in run.shares().items() if part >= 5e-4)
+    cycle = figure(float(run.time[-1]), "s")
+    caption = f"Planned feedrate. The colour shows what limits it. Share of time: {shares}. Cycle time {cycle}."
+    explained = [text for name, text in EXPLAINED.items() if name in run.shares()]
+    return (Chart("feed", "Feed along the path", " ".join([caption, *explained]), (panel,)),)
+
+
+def axis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
+    """Return one chart per axis: tracking error, velocity, acceleration, jerk, command; curves have at most `points` points."""
+    return tuple(_axis_chart(data, axis, name, points) for axis, name in enumerate(data.axes))
+
+
+def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
+    """Return the chart of one axis, without panels of signals that no scheme has."""
+    panels = (
+        _runs(data, axis, points, "tracking_error", "tracking error", 1e6, "um"),
+        _velocity(data, axis, points),
+        _planned(data, axis, points, "acceleration"),
+        _planned(data, axis, points, "jerk"),
+        _command(data, axis, points),
+    )
+    drawn = tuple(panel for panel in panels if panel is not None)
+    peaks = [text for panel in drawn if (text := _off_scale(panel))]
+    bounded = ["Dashed lines are the limits."] if any(panel.levels for panel in drawn) else []
+    planned = ["Acceleration and jerk are those of the reference."] if _reference_of(data, "reference_acceleration") is not None else []
+    caption = " ".join([*bounded, *planned, *peaks, *_steps_of(drawn)])
+    return Chart(f"axis-{axis}", f"Axis {name}", caption, drawn)
+
+
+def _curve(result: Result, values: Array, points: int, factor: float, look: tuple[str, str, str]) -> Curve:
+    """Return a thinned curve over time; `look` is name, colour and dash."""
+    kept = keep_extremes(values, points)
+    return Curve(times(result, kept), values[kept] * factor, *look)
+
+
+def _runs(data: ReportData, axis: int, points: int, signal: str, label: str, factor: float, unit: str) -> Panel | None:
+    """Return a panel with one signal of every scheme."""
+    curves = tuple(
+        _curve(scheme.result, axis_column(scheme.result, signal, axis), points, factor, (scheme.name, *style))
+        for index, scheme in enumerate(data.schemes)
+        if signal in scheme.result
+        for style in (scheme_style(index, len(data.schemes)),)
+    )
+    return Panel("time [s]", f"{label} [{unit}]", curves) if curves else None
+
+
+def _limited(panel: Panel, bounds: AxisBounds | None, name: str, axis: int, factor: float, unit: str) -> Panel:
+    """Return the panel with its two limits and a range that flattens neither them nor the curves."""
+    limit = bounds.of(name, axis) * factor if bounds is not None else float("inf")
+    if not np.isfinite(limit):
+        return panel
+    text = f"limit ±{number(limit, 6)} {unit}"
+    top = max(largest_magnitude(curve.y) for curve in panel.curves)
+    far = 0.0 < top < FAR * limit
+    cut = top > OFF_SCALE * limit
+    text += f"; peaks of {number(top)} {unit} off scale" if cut else ""
+    edge = 1.25 * (top if far else limit if cut else max(limit, top))
+    return replace(panel, levels=(Level(limit, text), Level(-limit, "")), y_range=(-edge, edge), far=far)
+
+
+def _off_scale(panel: Panel) -> str:
+    """Describe the peak outside a panel, if any."""
+    if panel.y_range is None or max(largest_magnitude(curve.y) for curve in panel.curves) <= panel.y_range[1]:
+        return ""
+    what, _, unit = panel.y_label.partition(" [")
+    worst = max(panel.curves, key=lambda curve: largest_magnitude(curve.y))
+    at = int(np.nanargmax(np.abs(worst.y)))
+    peak = f"{number(float(worst.y[at]))} {unit.rstrip(']')}"
+    return f"{what.capitalize()} peaks at {peak} at {number(float(worst.x[at]), 4)} s, outside the drawn range."
+
+
+def _bounds(data: ReportData) -> AxisBounds | None:
+    """Return the limits of the first scheme that has any."""
+    return next((scheme.bounds for scheme in data.schemes if scheme.bounds is not None), None)
+
+
+def _reference_of(data: ReportData, signal: str) -> Result | None:
+    """Return the first result with a signal of the common reference."""
+    return next((scheme.result for scheme in data.schemes if signal in scheme.result), None)
+
+
+def _velocity(data: ReportData, axis: int, points: int) -> Panel | None:
+    """Return the velocity of every scheme over that of the reference."""
+    factor, unit = shown_unit("m/s")
+    panel = _runs(data, axis, points, "velocity", "velocity", factor, unit)
+    source = _reference_of(data, "reference_velocity")
+    if source is not None:
+        wanted = axis_column(source, "reference_velocity", axis)
+        curve = _curve(source, wanted, points, factor, ("reference", REFERENCE, "dot"))
+        panel = Panel("time [s]", f"velocity [{unit}]", (curve, *(panel.curves if panel else ())))
+    return _limited(panel, _bounds(data), "velocity", axis, factor, unit) if panel is not None else None
+
+
+def _planned(data: ReportData, axis: int, points: int, name: str) -> Panel | None:
+    """Return acceleration or jerk (difference over a servo period) of the reference."""
+    source = _reference_of(data, "reference_acceleration")
+    if source is None:
+        return None
+    values = axis_column(source, "reference_acceleration", axis)
+    if name == "jerk":
+        if values.size < 2:
+            return None
+        values = np.diff(values) / float(source.servo_period)
+    unit = "m/s^2" if name == "acceleration" else "m/s^3"
+    curve = _curve(source, values, points, 1.0, ("reference", REFERENCE, "solid"))
+    ticks = _curvature_steps(data, axis) if name == "jerk" else ()
+    return _limited(Panel("time [s]", f"{name} [{unit}]", (curve,), ticks=ticks), _bounds(data), name, axis, 1.0, unit)
+
+
+def _curvature_steps(data: ReportData, axis: int) -> tuple[Tick, ...]:
+    """Return marks at the curvature steps whose jerk over a servo period exceeds the limit; the largest ones if there are many."""
+    scheme = next(scheme for scheme in data.schemes if "reference_acceleration" in scheme.result)
+    if scheme.limits is None:
+        return ()
+    period, start = float(scheme.result.servo_period), int(scheme.result.start)
+    steps = scheme.limits.jerk_peaks(axis, period)
+    shown = [i for i in np.argsort(-steps.size)[:MARKS] if 0 <= steps.sample[i] - start < scheme.result.n_sample - 1]
+    return tuple(
+        Tick(float(steps.sample[i] * period), f"step of {figure(steps.size[i], 'm/s^2')}: {figure(steps.size[i] / period, 'm/s^3')}", STEP)
+        for i in sorted(shown, key=lambda i: int(steps.sample[i]))
+    )
+
+
+def _steps_of(panels: tuple[Panel, ...]) -> list[str]:
+    """Explain the marks of curvature steps, if any."""
+    marked = any(tick.kind == STEP for panel in panels for tick in panel.ticks)
+    return ["Triangles mark curvature steps; their jerk over a servo period exceeds the limit, see the table above."] if marked else []
+
+
+def _command(data: ReportData, axis: int, points: int) -> Panel | None:
+    """Return the command of every scheme and its saturation."""
+    source = _reference_of(data, "command")
+    if source is None:
+        return None
+    factor, unit = shown_unit(str(source.signals["command"].unit))
+    panel = _runs(data, axis, points, "command", "command", factor, unit or "1")
+    return _limited(panel, _bounds(data), "command", axis, factor, unit) if panel is not None else None
+
+
+def bode_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
+    """Return the frequency response of the closed loop of each axis that has one."""
+    charts = []
+    for index, axis in enumerate(data.axes):
+        with_axis = [(i, scheme) for i, scheme in enumerate(data.schemes) if axis in scheme.bode]
+        if not with_axis:
+            continue
+        gains, phases, notes = [], [], []
+        for i, scheme in with_axis:
+            answer, look = scheme.bode[axis], (scheme.name, *scheme_style(i, len(data.schemes)))
+            with np.errstate(divide="ignore"):
+                gain = 20.0 * np.log10(np.abs(answer.response))
+            phase = np.degrees(np.unwrap(np.angle(answer.response)))
+            kept = keep_extremes(gain, points)
+            gains.append(Curve(answer.frequency[kept], gain[kept], *look))
+            phases.append(Curve(answer.frequency[kept], phase[kept], *look))
+            figures = ", ".join(f"{name} {value}" for name, value in answer.notes.items())
+            note = ", ".join(text for text in (answer.meant, figures) if text)
+            notes += [f"{scheme.name}: {note}."] * bool(note)
+        magnitude = Panel("frequency [Hz]", "magnitude [dB]", tuple(gains), (Level(-3.0, "−3 dB"),), log_x=True, y_range=_decibels(gains))
+        phase_panel = Panel("frequency [Hz]", "phase [deg]", tuple(phases), log_x=True)
+        caption = " ".join(["Closed loop, reference to position.", *notes])
+        charts.append(Chart(f"bode-{index}", f"Axis {axis}", caption, (magnitude, phase_panel)))
+    return tuple(charts)
+
+
+def _decibels(gains: list[Curve]) -> tuple[float, float] | None:
+    """Return the drawn range of magnitude if a zero at the Nyquist frequency would compress the rest."""
+    values = np.concatenate([gain.y[np.isfinite(gain.y)] for gain in gains])
+    if not values.size or np.ptp(values) <= DEEPEST:
+        return None
+    return float(values.max()) - DEEPEST, float(values.max()) + 0.05 * DEEPEST
+
+
+def hysteresis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
+    """Return motor less load over load position: a chart for each axis that has both, a panel for each scheme."""
+    return tuple(chart for i, axis in enumerate(data.axes) if (chart := _hysteresis(data, i, axis, points)) is not None)
+
+
+def _hysteresis(data: ReportData, axis: int, name: str, points: int) -> Chart | None:
+    shown = [(i, scheme) for i, scheme in enumerate(data.schemes) if name in scheme.gaps and "motor_position" in scheme.result]
+    if not shown:
+        return None
+    panels, notes = [], []
+    for i, scheme in shown:
+        x, y = _loop(scheme.result, axis, FINER * points)
+        panels.append((Curve(x, y, scheme.name, *scheme_style(i, len(data.schemes)), 1.0), *_flanks(scheme, name, x)))
+        notes.append(_note(scheme, name, x, y))
+    edge = 1.15 * max(largest_magnitude(curve.y) for curves in panels for curve in curves) or 1.0
+    drawn = tuple(Panel("load position [mm]", "motor − load [um]", curves, y_range=(-edge, edge)) for curves in panels)
+    caption = f"Between the dashed lines the motor moves without the load; beyond them the shaft winds up. {' '.join(notes)}"
+    return Chart(f"backlash-{axis}", f"Axis {name}: motor minus load position", caption, drawn, loops=True)
+
+
+def _loop(result: Result, axis: int, points: int) -> tuple[Array, Array]:
+    """Return load position [mm] and motor less load [um], thinned."""
+    load = axis_column(result, "axis_position", axis)
+    apart = axis_column(result, "motor_position", axis) - load
+    kept = keep_extremes(np.column_stack([load, apart]), points)
+    return load[kept] * 1e3, apart[kept] * UM
+
+
+def _flanks(scheme: SchemeReport, axis: str, x: Array) -> tuple[Curve, Curve]:
+    """Return the two flanks of the gap [um] over the used travel."""
+    place, width = scheme.gaps[axis]
+    low, high = float(np.nanmin(x)), float(np.nanmax(x))
+    inside = place[(place * 1e3 > low) & (place * 1e3 < high)] * 1e3
+    at = np.concatenate([[low], inside, [high]])
+    half = 0.5 * np.interp(at * 1e-3, place, width) * UM
+    return Curve(at, half, "edge of the gap", LIMIT, "dash"), Curve(at, -half, "edge of the gap", LIMIT, "dash")
+
+
+def _note(scheme: SchemeReport, axis: str, x: Array, y: Array) -> str:
+    """Describe the width of the gap and the largest wind-up."""
+    place, width = scheme.gaps[axis]
+    wide, narrow = float(width.max()) * UM, float(width.min()) * UM
+    gap = f"{number(wide, 6)} um" if wide == narrow else f"{number(narrow, 6)} um to {number(wide, 6)} um"
+    twist = np.abs(y) - 0.5 * np.interp(x * 1e-3, place, width) * UM
+    return f"{scheme.name}: backlash gap {gap}, wind-up at most {number(max(float(np.nanmax(twist)), 0.0))} um."

@@ -1,0 +1,341 @@
+"""Charts as data, before plotly or matplotlib draws them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from contourlab.arrays import Array, Flags, Index
+from contourlab.rendering.style import round_down, scheme_style
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """One line, in the units of its panel.
+
+    Parameters
+    ----------
+    x, y : ndarray (n,)
+    name : str
+        Legend entry; curves with the same name share it.
+    colour : str
+    dash : {"solid", "dash", "dot"}
+    width : float [px]
+    half : ndarray (n,), optional
+        Half the height of the error bar at each point; draws points without a line.
+    """
+
+    x: Array
+    y: Array
+    name: str
+    colour: str
+    dash: str = "solid"
+    width: float = 1.3
+    half: Array | None = None
+
+
+@dataclass(frozen=True)
+class Level:
+    """A limit: a horizontal line at `value` with its text."""
+
+    value: float
+    label: str
+
+
+@dataclass(frozen=True)
+class Tick:
+    """A mark on the x axis; its label appears on hover."""
+
+    x: float
+    label: str
+    kind: str
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """One pair of axes.
+
+    Parameters
+    ----------
+    x_label, y_label : str
+        With unit.
+    curves : tuple of Curve
+    levels : tuple of Level
+    band : (low, high), optional
+        Shaded band: the tolerance.
+    band_label : str
+    span : (low, high), optional
+        Shaded span of x: the window of a fit.
+    span_label : str
+    ticks : tuple of Tick
+    log_x, log_y : bool
+    y_range : (low, high), optional
+        None lets the renderer choose.
+    far : bool
+        Whether the levels are so far from the curves that the range leaves them out.
+    y_ticks : tuple of (value, text)
+        Texts instead of numbers on the y axis.
+    """
+
+    x_label: str
+    y_label: str
+    curves: tuple[Curve, ...]
+    levels: tuple[Level, ...] = ()
+    band: tuple[float, float] | None = None
+    band_label: str = ""
+    span: tuple[float, float] | None = None
+    span_label: str = ""
+    ticks: tuple[Tick, ...] = ()
+    log_x: bool = False
+    log_y: bool = False
+    y_range: tuple[float, float] | None = None
+    far: bool = False
+    y_ticks: tuple[tuple[float, str], ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Chart:
+    """Panels above one another with a common x axis.
+
+    Parameters
+    ----------
+    key, title, caption : str
+    panels : tuple of Panel
+    panel_height : int [px]
+        0 for the default.
+    loops : bool
+        Whether curves go back and forth along x.
+    """
+
+    key: str
+    title: str
+    caption: str
+    panels: tuple[Panel, ...]
+    panel_height: int = 0
+    loops: bool = False
+
+
+def traces_chart(
+    key: str,
+    title: str,
+    labels: tuple[str, str],
+    traces: Mapping[str, tuple[Array, Array]],
+    *,
+    caption: str = "",
+    level: float | None = 0.0,
+    **panel: Any,
+) -> Chart:
+    """Return curves (x, y) by name in one panel, in the units of its labels; `panel` are parameters of `Panel`."""
+    curves = tuple(Curve(x, y, name, *scheme_style(i, len(traces))) for i, (name, (x, y)) in enumerate(traces.items()))
+    levels = () if level is None else (Level(level, ""),)
+    return Chart(key, title, caption, (Panel(*labels, curves, levels, **panel),))
+
+
+@dataclass(frozen=True, eq=False)
+class PolarChart:
+    """Radial deviation around a circle; the nominal circle is where the deviation is 0.
+
+    Parameters
+    ----------
+    curves : tuple of Curve
+        x is the angle [deg], y the deviation [um].
+    division : float [um]
+        Distance between two rings.
+    reach : (low, high) [um]
+        Deviation at the centre and at the rim.
+    radius : float [m]
+    marks : tuple of Curve
+        Marked points: reversal spikes.
+    """
+
+    key: str
+    title: str
+    caption: str
+    curves: tuple[Curve, ...]
+    division: float
+    reach: tuple[float, float]
+    radius: float
+    marks: tuple[Curve, ...] = ()
+
+    def rings(self) -> list[tuple[float, str]]:
+        """Return each ring [um] with its text; every second one has a number, those in the middle have none."""
+        count = round(self.reach[1] / self.division)
+        texts = {k: f"{k * self.division:+g}" for k in range(-count, count - 1) if k % 2 == 0}
+        texts |= {0: "0", count: f"{self.reach[1]:+g} um"}
+        return [(k * self.division, texts.get(k, "")) for k in range(-2 * count, count + 1)]
+
+
+def ring_spacing(largest: float) -> tuple[float, float]:
+    """Return ring spacing and rim [um] such that deviations up to `largest` fill the outer part of a polar chart."""
+    if largest <= 0.0:
+        return 1.0, 3.0
+    division = round_down(largest / 2.0)
+    return division, division * float(np.ceil(1.05 * largest / division))
+
+
+@dataclass(frozen=True, eq=False)
+class Magnified:
+    """One run beside the path: ``foot + magnification * error``.
+
+    Parameters
+    ----------
+    foot : ndarray (n, 2 or 3) [mm]
+    error : ndarray (n, 2 or 3) [um]
+        From the foot point on the path to the machine.
+    name, colour, dash : str
+    lines : ndarray (n,) of int, optional
+        Line of the program at each point; 0 for none.
+    """
+
+    foot: Array
+    error: Array
+    name: str
+    colour: str
+    dash: str = "solid"
+    lines: Index | None = None
+
+    def drawn(self, magnification: float) -> Array:
+        """Return the points (n, 2) [mm] to draw."""
+        return np.asarray(self.foot + self.error * (1e-3 * magnification), dtype=np.float64)
+
+
+@dataclass(frozen=True, eq=False)
+class PathChart:
+    """The path, seen along one axis, with the magnified errors of the runs.
+
+    Parameters
+    ----------
+    view : str
+        For example ``"XY"``.
+    labels : (str, str)
+        Labels of the two axes, with unit.
+    lines : tuple of Curve
+        Planned and programmed path [mm].
+    runs : tuple of Magnified
+    tolerance : tuple of Magnified
+        Edges of the tolerance.
+    worst : tuple of Magnified
+        One point each: the worst error of a run.
+    magnification : float
+        Initial value.
+    asked_at : ndarray (n,) of int
+        Line of the program at each point of the first curve of `lines`; 0 for none.
+    """
+
+    key: str
+    view: str
+    title: str
+    caption: str
+    labels: tuple[str, str]
+    lines: tuple[Curve, ...]
+    runs: tuple[Magnified, ...]
+    tolerance: tuple[Magnified, ...]
+    worst: tuple[Magnified, ...]
+    magnification: float
+    asked_at: Index
+
+
+@dataclass(frozen=True, eq=False)
+class SpaceChart:
+    """The path in space, with the magnified errors of the runs coloured by their size.
+
+    Parameters
+    ----------
+    labels : (str, str, str)
+        Labels of the three axes, with unit.
+    asked : ndarray (n, 3) [mm]
+        The programmed path.
+    runs : tuple of Magnified
+    sizes : tuple of ndarray (n,) [um]
+        Size of the error at each point of a run.
+    magnification : float
+        Initial value.
+    asked_at : ndarray (n,) of int
+        As in `PathChart`.
+    """
+
+    key: str
+    view: str
+    title: str
+    caption: str
+    labels: tuple[str, str, str]
+    asked: Array
+    runs: tuple[Magnified, ...]
+    sizes: tuple[Array, ...]
+    magnification: float
+    asked_at: Index
+
+
+@dataclass(frozen=True, eq=False)
+class Tile:
+    """One of several small pictures, with its own x axis.
+
+    Parameters
+    ----------
+    title, x_label : str
+    curves : tuple of Curve
+    marks : tuple of (x, y, colour)
+        Rings: minima of curves.
+    here : tuple of (x, colour)
+        Vertical lines: present values.
+    shaded : tuple of (low, high)
+        Spans of x in which runs fail.
+    log_x : bool
+    """
+
+    title: str
+    x_label: str
+    curves: tuple[Curve, ...]
+    marks: tuple[tuple[float, float, str], ...] = ()
+    here: tuple[tuple[float, str], ...] = ()
+    shaded: tuple[tuple[float, float], ...] = ()
+    log_x: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Multiples:
+    """Small pictures side by side with a common logarithmic y axis."""
+
+    key: str
+    title: str
+    caption: str
+    y_label: str
+    tiles: tuple[Tile, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Series:
+    """Bars of one colour: values (n,) and half the widths of their intervals (n,)."""
+
+    name: str
+    values: Array
+    intervals: Array
+    colour: str
+
+
+@dataclass(frozen=True, eq=False)
+class Bars:
+    """Horizontal bars beside their names, from top to bottom."""
+
+    key: str
+    title: str
+    caption: str
+    x_label: str
+    names: tuple[str, ...]
+    series: tuple[Series, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Matrix:
+    """A matrix (n, n) in colours, red above 0 and blue below; NaN is blank, doubtful values get a question mark."""
+
+    key: str
+    title: str
+    caption: str
+    label: str
+    names: tuple[str, ...]
+    values: Array
+    doubtful: Flags

@@ -1,0 +1,228 @@
+"""The comparison of schemes: the same rows for the terminal, Markdown and the page."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from contourlab.figures import NONE, figure, listing, number
+from contourlab.rendering.data import ReportData, SchemeReport
+from contourlab.rendering.style import scheme_style
+
+UM = 1e6
+
+
+@dataclass(frozen=True)
+class Head:
+    """A column: one scheme and its colour."""
+
+    name: str
+    colour: str
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One figure in print; `mood` is ``"good"``, ``"poor"`` or ``""``."""
+
+    text: str
+    mood: str = ""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One figure of every scheme.
+
+    Parameters
+    ----------
+    label, unit : str
+    cells : tuple of Cell
+        One per scheme.
+    change : Cell
+        Change from the first scheme to the last, in percent.
+    strong : bool
+        Whether the tolerance applies to this row.
+    """
+
+    label: str
+    unit: str
+    cells: tuple[Cell, ...]
+    change: Cell = Cell("")
+    strong: bool = False
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """The whole table; `note` explains its figures, `notes` concern the path and the runs."""
+
+    heads: tuple[Head, ...]
+    rows: tuple[Row, ...]
+    tolerance: str
+    note: str
+    notes: tuple[str, ...] = ()
+
+    @property
+    def has_change(self) -> bool:
+        """Whether there are two schemes or more."""
+        return len(self.heads) > 1
+
+
+def compare(data: ReportData) -> Comparison:
+    """Return the comparison of a report's schemes.
+
+    Rows: verdict (with a tolerance), servo loops (if one is unstable), learning, errors, axes, drives, time. A figure that no scheme has
+    is omitted.
+    """
+    count = len(data.schemes)
+    heads = tuple(Head(scheme.name, scheme_style(i, count)[0]) for i, scheme in enumerate(data.schemes))
+    columns = [figures_of(data, scheme) for scheme in data.schemes]
+    figures = [_row([column.get(key) for column in columns]) for key in dict.fromkeys(key for column in columns for key in column)]
+    rows = [*_status_rows(data), *(row for row in figures if any(cell.text != NONE for cell in row.cells))]
+    tolerance = "" if data.tolerance is None else figure(data.tolerance, "um", 6)
+    return Comparison(heads, tuple(rows), tolerance, _note(data), tuple(data.notes))
+
+
+def _status_rows(data: ReportData) -> list[Row]:
+    """Return the rows of text: pass or fail, unstable loops, how learning ended."""
+    rows = []
+    passed = [_passed(scheme, data.tolerance) for scheme in data.schemes]
+    if any(answer is not None for answer in passed):
+        tolerance = data.tolerance or next(scheme.verdict.tolerance for scheme in data.schemes if scheme.verdict is not None)
+        cells = tuple(Cell(NONE) if answer is None else Cell("pass", "good") if answer else Cell("fail", "poor") for answer in passed)
+        rows.append(Row(f"tolerance {figure(tolerance, 'um', 6)}", "", cells, strong=True))
+    if any(not answer.stable for scheme in data.schemes for answer in scheme.bode.values()):
+        rows.append(Row("servo loops", "", tuple(map(_loops, data.schemes))))
+    if any(scheme.trials is not None for scheme in data.schemes):
+        rows.append(Row("learning", "", tuple(map(_learning, data.schemes))))
+    return rows
+
+
+def _loops(scheme: SchemeReport) -> Cell:
+    """Name the unstable loops of a scheme."""
+    unstable = [f"{axis} ({answer.meant})" if answer.meant else axis for axis, answer in scheme.bode.items() if not answer.stable]
+    return Cell(f"unstable: {', '.join(unstable)}", "poor") if unstable else Cell("stable" if scheme.bode else NONE)
+
+
+def _learning(scheme: SchemeReport) -> Cell:
+    if scheme.trials is None:
+        return Cell(NONE)
+    return Cell(scheme.trials.in_words, "poor" if scheme.trials.status.startswith("diverged") else "")
+
+
+def _passed(scheme: SchemeReport, tolerance: float | None) -> bool | None:
+    """Return the verdict, or whether the largest error is within the tolerance; a run that stopped early fails."""
+    if not scheme.result.status.ok:
+        return False
+    if scheme.verdict is not None:
+        return bool(scheme.verdict.passed)
+    return None if tolerance is None else bool(scheme.metrics.part_error.max <= tolerance)
+
+
+def _row(figures: list[Figure | None]) -> Row:
+    known = next(figure for figure in figures if figure is not None)
+    values = [math.nan if figure is None else figure.value * known.factor for figure in figures]
+    change = _change(values[0], values[-1], known.lower_is_better) if len(values) > 1 else Cell("")
+    return Row(known.label, known.unit, tuple(Cell(number(value)) for value in values), change, known.strong)
+
+
+def _change(before: float, after: float, lower_is_better: bool) -> Cell:
+    """Return the change of the magnitude in percent, and whether it is an improvement."""
+    # A first value that is only rounding gives no meaningful ratio.
+    if not (math.isfinite(before) and math.isfinite(after)) or abs(before) <= 1e-9 * abs(after) or before == 0.0:
+        return Cell(NONE)
+    percent = 100.0 * (abs(after) - abs(before)) / abs(before)
+    if abs(percent) < 0.05:
+        return Cell("0 %")
+    text = f"{percent:+.0f} %" if abs(percent) >= 10.0 else f"{percent:+.1f} %"
+    return Cell(text, ("good" if percent < 0.0 else "poor") if lower_is_better and abs(percent) >= 1.0 else "")
+
+
+def judged_words(scheme: SchemeReport) -> str:
+    """Describe the judged samples of a run."""
+    metrics, period = scheme.metrics, scheme.result.servo_period
+    if len(metrics.judged.ranges) > 1:
+        return f"the {metrics.basis}, {figure(metrics.judged_time, 's', 4)} of {figure(metrics.cycle_time, 's', 4)}"
+    start, stop = (figure(sample * period, "s", 4) for sample in metrics.judged.ranges[0])
+    return f"the {metrics.basis}, {start} to {stop}"
+
+
+def _judged_parts(schemes: Sequence[SchemeReport]) -> str:
+    """Describe the evaluated part of the run; by scheme if they differ."""
+    parts: dict[str, list[str]] = {}
+    for scheme in schemes:
+        parts.setdefault(judged_words(scheme), []).append(scheme.name)
+    if len(parts) == 1:
+        return f"Errors over {next(iter(parts))}."
+    texts = [f"{part} ({listing(names)})" for part, names in parts.items()]
+    return f"Errors over {listing(texts)}."
+
+
+def _note(data: ReportData) -> str:
+    """Describe what the numbers do not show."""
+    notes = [_judged_parts(data.schemes)]
+    if data.is_measured:
+        notes.append("Positions are those of the log's encoders: errors that no encoder measures are not included.")
+    elif not data.is_blended:
+        notes.append("The planned path equals the programmed path, so contour error and part error are equal.")
+    if len(data.schemes) > 1:
+        notes.append(f"Change: {data.schemes[-1].name} compared with {data.schemes[0].name}.")
+    stopped = [scheme for scheme in data.schemes if not scheme.result.status.ok]
+    notes += [f"{scheme.name} did not finish: {scheme.result.status.reason}. Its figures cover the part that ran." for scheme in stopped]
+    return " ".join(notes)
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One number of one run: SI value, and how to print it.
+
+    Parameters
+    ----------
+    label : str
+    value : float
+        SI.
+    factor : float
+        From SI to `unit`.
+    unit : str
+    strong : bool
+        Whether the tolerance applies to it.
+    lower_is_better : bool
+    """
+
+    label: str
+    value: float
+    factor: float
+    unit: str
+    strong: bool = False
+    lower_is_better: bool = True
+
+
+def figures_of(data: ReportData, scheme: SchemeReport) -> dict[str, Figure]:
+    """Return the figures of a run by label, in printing order; part error and contour error appear once if they are the same."""
+    return {figure.label: figure for figure in _figures(data, scheme)}
+
+
+def _figures(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
+    metrics, blended = scheme.metrics, data.is_blended
+    if blended:
+        yield Figure("part error, largest", metrics.part_error.max, UM, "um", strong=True)
+        yield Figure("part error, rms", metrics.part_error.rms, UM, "um")
+        yield Figure("planning deviation, largest", metrics.planning_deviation.max, UM, "um")
+    error = metrics.contour_error
+    yield Figure("contour error, largest", error.max, UM, "um", strong=not blended)
+    yield Figure("contour error, rms", error.rms, UM, "um")
+    yield Figure("contour error, mean", error.mean, UM, "um")
+    yield Figure("contour error, 95th percentile", error.p95, UM, "um")
+    if len(data.axes) == 2:  # in space the error has no side
+        yield Figure("contour error, signed mean", error.signed_mean, UM, "um", lower_is_better=False)
+    yield Figure("contour error, integral", error.integral, UM, "um s")
+    for other in metrics.others:
+        yield Figure(f"part error, {other.moves} (not judged)", other.max, UM, "um")
+    for axis, tracking in zip(data.axes, metrics.tracking_error, strict=True):
+        yield Figure(f"tracking error {axis}, rms", tracking.rms, UM, "um")
+    for axis, part in zip(data.axes, metrics.saturation, strict=True):
+        yield Figure(f"drive {axis} saturated", part, 100.0, "% of time")
+    yield Figure("feedrate, mean", metrics.feedrate_mean, 6e4, "mm/min", lower_is_better=False)
+    yield Figure("feedrate, ripple", metrics.feedrate_ripple, 100.0, "%")
+    yield Figure("cycle time", metrics.cycle_time, 1.0, "s")
+    if scheme.tick is not None:
+        yield Figure("computing time per servo tick", scheme.tick, 1e9, "ns", lower_is_better=False)

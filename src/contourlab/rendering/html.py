@@ -1,0 +1,203 @@
+"""The report as one self-contained HTML file."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import hashlib
+import json
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from contourlab.figures import figure, number
+from contourlab.rendering.axis_pictures import FINER, axis_charts, bode_charts, feed_charts, hysteresis_charts
+from contourlab.rendering.charts import Chart, PathChart, PolarChart, SpaceChart
+from contourlab.rendering.comparison import compare
+from contourlab.rendering.data import ReportData
+from contourlab.rendering.error_pictures import error_charts, polar_charts
+from contourlab.rendering.lead import MOST_LINES, program_lines, sentence
+from contourlab.rendering.learning_pictures import trial_charts
+from contourlab.rendering.page_tables import circle_tables, limit_tables, origin_tables, reversal_table
+from contourlab.rendering.path_picture import path_charts
+from contourlab.rendering.plotly_view import figure_of
+from contourlab.rendering.samples import share
+from contourlab.rendering.switching import strip_charts, switch_tables
+from contourlab.result.atomic import write_text_atomic
+
+MOST_POINTS = 4000
+"""Most points of a curve: two for every pixel of a wide screen."""
+
+TOTAL_POINTS = 100_000
+"""Most points of all curves together; with plotly.js, 2 MB compressed, they keep a page below 3 MB."""
+
+MOST_TEXT = 100_000
+"""Longest scenario or program in full [characters]."""
+TEMPLATES = Path(__file__).parent / "templates"
+
+
+def write_html(data: ReportData, file: str | Path) -> Path:
+    """Write the report as one HTML file.
+
+    Parameters
+    ----------
+    data : ReportData
+    file : str or Path
+        Replaced completely or not at all.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    OutputError
+        If it cannot be written.
+    ResultError
+        If a result has not been judged.
+
+    Notes
+    -----
+    Time is linear in the number of samples; `MOST_POINTS` and `TOTAL_POINTS` bound the size of the file.
+    """
+    target = Path(file)
+    write_text_atomic(target, render_html(data))
+    return target
+
+
+def render_html(data: ReportData) -> str:
+    """Return the text of the report; the same data give the same text."""
+    points = _points(data)
+    groups = _figures(data, points)
+    figures = {figure["id"]: figure.pop("spec") for group in groups.values() for figure in group}
+    library, digest = _plotly()
+    return str(
+        page_template("report.html.j2").render(
+            data=data,
+            sentence=sentence(data),
+            comparison=compare(data),
+            groups=groups,
+            circle_tables=circle_tables(data),
+            limit_tables=limit_tables(data),
+            reversals=reversal_table(data),
+            switch_tables=switch_tables(data),
+            origins=origin_tables(data),
+            program=_program(data),
+            scenario=_clipped(data.provenance.scenario),
+            facts=_facts(data, points),
+            figures=_compressed(json.dumps(figures, allow_nan=False, separators=(",", ":"))),
+            library=library,
+            script=template_file("report.js"),
+            style=template_file("report.css"),
+            hashes=[digest, _digest(template_file("report.js"))],
+        )
+    )
+
+
+def _points(data: ReportData) -> int:
+    """Return the points of each curve: all possible curves share the total."""
+    n_scheme, n_axis = len(data.schemes), len(data.axes)
+    n_view = 5 if n_axis > 2 else 3
+    n_circle = sum(len(scheme.circles) for scheme in data.schemes)
+    # A magnified run counts as three curves.
+    n_loop = FINER * sum(len(scheme.gaps) for scheme in data.schemes)
+    n_curve = n_scheme * (2 + 4 * n_axis + 3 * n_view) + n_circle + 4 * n_axis + 8 * n_view + n_loop
+    return max(16, share(TOTAL_POINTS, n_curve, MOST_POINTS))
+
+
+def _figures(data: ReportData, points: int) -> dict[str, list[dict[str, Any]]]:
+    """Return the figures by section."""
+    charts: dict[str, Iterable[Chart | PolarChart | PathChart | SpaceChart]] = {
+        "path": path_charts(data, points),
+        "circles": polar_charts(data, points),
+        "errors": error_charts(data, points),
+        "axes": (*feed_charts(data.feed), *axis_charts(data, points)),
+        "backlash": hysteresis_charts(data, points),
+        "switches": strip_charts(data),
+        "trials": trial_charts(data),
+        "bode": bode_charts(data, points),
+    }
+    return {section: [_entry(chart) for chart in members] for section, members in charts.items()}
+
+
+def _entry(chart: Chart | PolarChart | PathChart | SpaceChart) -> dict[str, Any]:
+    """Return a figure for the template."""
+    spec = figure_of(chart)
+    text = {"id": chart.key, "title": chart.title, "caption": chart.caption, "view": getattr(chart, "view", "")}
+    return {**text, "spec": spec, "height": spec["layout"]["height"]}
+
+
+def _compressed(text: str) -> str:
+    """Return text compressed, in base64: a third of the size, and inert in a script element."""
+    return base64.b64encode(gzip.compress(text.encode(), 6, mtime=0)).decode("ascii")
+
+
+def _program(data: ReportData) -> dict[str, Any] | None:
+    """Return the part program with the errors of its lines."""
+    if not data.program:
+        return None
+    digest = hashlib.sha256("\n".join(data.program).encode("utf-8", "replace")).hexdigest()
+    rows = program_lines(data)
+    return {"rows": rows, "cut": len(rows) >= MOST_LINES, "count": len(data.program), "digest": digest}
+
+
+def _clipped(text: str) -> dict[str, Any]:
+    """Return a text, or the beginning and digest of a long one."""
+    if len(text) <= MOST_TEXT:
+        return {"text": text, "note": ""}
+    digest = hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()
+    note = f"The first {MOST_TEXT} of {len(text)} characters. SHA-256 of the whole text: {digest}."
+    return {"text": text[:MOST_TEXT], "note": note}
+
+
+def _facts(data: ReportData, points: int) -> list[tuple[str, str]]:
+    """Return the facts at the end of the page."""
+    first, source = data.schemes[0].result, data.provenance
+    samples = max(int(scheme.result.n_sample) for scheme in data.schemes)
+    period = float(first.servo_period)
+    facts: Iterable[tuple[str, str]] = (
+        ("contourlab", source.version),
+        ("Command", source.command),
+        ("Platform", source.platform),
+        ("Seed", "" if source.seed is None else str(source.seed)),
+        ("Axes", ", ".join(data.axes)),
+        ("Servo period", figure(period, "ms", 6)),
+        ("Samples", f"{samples:,}".replace(",", " ") + f" in {figure(samples * period, 's', 4)}"),
+        ("Path length", figure(float(data.planned.length), "mm", 6)),
+        ("Curves", f"at most {points} points each; thinning keeps minima and maxima"),
+    )
+    return [(name, text) for name, text in facts if text]
+
+
+@cache
+def template_file(name: str) -> str:
+    """Return a file of the template folder."""
+    return (TEMPLATES / name).read_text(encoding="utf-8")
+
+
+@cache
+def _plotly() -> tuple[str, str]:
+    """Return plotly.js, compressed and in base64, and its hash."""
+    from plotly.offline import get_plotlyjs
+
+    text = str(get_plotlyjs())
+    return _compressed(text), _digest(text)
+
+
+def _digest(script: str) -> str:
+    """Return the hash of a script, with which the page permits it and no other."""
+    return "sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode("ascii")
+
+
+@cache
+def page_template(name: str) -> Any:
+    """Return a template, which escapes all text unless marked safe."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    loader = FileSystemLoader(TEMPLATES)
+    options: dict[str, Any] = {"undefined": StrictUndefined, "trim_blocks": True, "lstrip_blocks": True}
+    environment = Environment(loader=loader, autoescape=True, **options)
+    environment.filters |= {"number": number, "figure": figure}
+    return environment.get_template(name)

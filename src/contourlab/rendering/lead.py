@@ -1,0 +1,106 @@
+"""What a report says first: one sentence that answers the question, and the error of each program line."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from contourlab.arrays import Array, Index
+from contourlab.figures import NONE, figure, number
+from contourlab.rendering.data import ReportData, SchemeReport
+from contourlab.rendering.judgement import Verdict
+from contourlab.rendering.samples import signal
+
+MOST_LINES, LETTERS = 500, 200
+"""Most lines of a program on a page, and letters of a line."""
+
+
+def sentence(data: ReportData) -> str:
+    """Return the answer in one or two sentences: does the tool keep the tolerance, where not, why, and what helps."""
+    schemes = data.schemes
+    best = min(schemes, key=lambda scheme: (not _kept(data, scheme), scheme.metrics.part_error.max))
+    if len(schemes) == 1:
+        return _alone(data, best)
+    size = figure(best.metrics.part_error.max, "um")
+    if data.tolerance is None:
+        return f"Of {len(schemes)} runs, {best.name} keeps closest to the path: {size} at most."
+    kept = sum(_kept(data, scheme) for scheme in schemes)
+    count = f"{kept} of {len(schemes)} runs {'stays' if kept == 1 else 'stay'}" if kept else f"None of {len(schemes)} runs stays"
+    return f"{count} within {figure(data.tolerance, 'um', 6)}. Best: {best.name}, {size}."
+
+
+def _kept(data: ReportData, scheme: SchemeReport) -> bool:
+    """Return whether a run finished within the tolerance."""
+    if scheme.verdict is not None:
+        return scheme.result.status.ok and scheme.verdict.passed
+    return scheme.result.status.ok and (data.tolerance is None or scheme.metrics.part_error.max <= data.tolerance)
+
+
+def _alone(data: ReportData, scheme: SchemeReport) -> str:
+    size, verdict = figure(scheme.metrics.part_error.max, "um"), scheme.verdict
+    if not scheme.result.status.ok:
+        return f"The run did not finish: {scheme.result.status.reason}."
+    if verdict is None:
+        return f"The tool leaves the path by {size} at most."
+    allowed = figure(verdict.tolerance, "um", 6)
+    if verdict.passed:
+        return f"The tool leaves the path by {size} at most; {allowed} are allowed."
+    where = f" at line {verdict.worst.line}" if verdict.worst.line else ""
+    skipped = f", and skips {figure(verdict.left_out, 'mm')} of it" if verdict.left_out else ""
+    return f"The tool leaves the path by {size}{where}{skipped}; {allowed} are allowed.{_reason(verdict)}"
+
+
+def _reason(verdict: Verdict) -> str:
+    cause = f" Main cause: {verdict.causes[0].name}." if verdict.causes else ""
+    best = next((finding for finding in verdict.findings if finding.code == "CL203"), None)
+    return cause + ("" if best is None else f" Best change: {best.values['change']}, to {figure(best.values['after'], 'um')}.")
+
+
+def lines_at(data: ReportData, along: Array) -> Index:
+    """Return the program line at arc lengths (n,) [m] of the programmed path: that of the nearest judged sample; 0 for none."""
+    scheme = data.schemes[0]
+    if scheme.lines is None:
+        return np.zeros(along.size, dtype=np.int64)
+    judged = scheme.metrics.judged.samples
+    foot = signal(scheme.result, "foot_arc_length")[judged]
+    foot = np.mod(foot, data.asked.length) if data.asked.closed else foot
+    order = np.argsort(foot, kind="stable")
+    after = np.clip(np.searchsorted(foot[order], along), 1, foot.size - 1) if foot.size > 1 else np.zeros(along.size, dtype=int)
+    nearer = after - (along - foot[order][after - 1] < foot[order][after] - along)
+    return np.asarray(scheme.lines[judged][order][nearer], dtype=np.int64)
+
+
+@dataclass(frozen=True)
+class LineRow:
+    """A line of the program: number, text, and of each run the largest part error [um] and whether it exceeds the tolerance."""
+
+    number: int
+    text: str
+    errors: tuple[tuple[str, bool], ...]
+
+
+def program_lines(data: ReportData) -> tuple[LineRow, ...]:
+    """Return the judged lines of the program with their errors; of very many those with the largest errors."""
+    columns = [_largest(scheme) for scheme in data.schemes]
+    worst = {int(s.verdict.worst.line) for s in data.schemes if s.verdict is not None} - {0}
+    together = {line: max(column.get(line, 0.0) for column in columns) for column in columns for line in column}
+    shown = worst | set(sorted(together, key=lambda line: -together[line])[:MOST_LINES])
+    limit = np.inf if data.tolerance is None else data.tolerance
+
+    def cell(error: float | None) -> tuple[str, bool]:
+        return (NONE, False) if error is None else (number(1e6 * error), error > limit)
+
+    inside = [n for n in sorted(shown) if n <= len(data.program)]
+    return tuple(LineRow(n, data.program[n - 1][:LETTERS], tuple(cell(column.get(n)) for column in columns)) for n in inside)
+
+
+def _largest(scheme: SchemeReport) -> dict[int, float]:
+    """Return the largest part error [m] of each line with judged samples."""
+    if scheme.lines is None:
+        return {}
+    judged = scheme.metrics.judged.samples
+    lines, where = np.unique(scheme.lines[judged], return_inverse=True)
+    largest = np.zeros(lines.size)
+    np.maximum.at(largest, where, np.abs(signal(scheme.result, "part_error")[judged]))
+    return {int(line): float(size) for line, size in zip(lines, largest, strict=True) if line > 0}

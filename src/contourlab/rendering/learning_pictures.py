@@ -1,0 +1,93 @@
+"""Learning in pictures: the error of each trial, and the factor of a trial at each frequency."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from contourlab.analysis.learning.learning_analysis import LearningAnalysis
+from contourlab.arrays import Array
+from contourlab.figures import figure
+from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick
+from contourlab.rendering.data import ReportData
+from contourlab.rendering.run_data import TrialCourse
+from contourlab.rendering.style import scheme_style
+
+
+def trial_charts(data: ReportData) -> tuple[Chart, ...]:
+    """Return the errors of each trial, with schemes that do not learn as levels, and the predictions; nothing if none learns."""
+    learning = [(i, scheme) for i, scheme in enumerate(data.schemes) if scheme.trials is not None]
+    if not learning:
+        return ()
+    last = max(len(scheme.trials.contour_rms) for _, scheme in learning if scheme.trials) - 1
+    contour, tracking, ends = [], [], []
+    for i, scheme in enumerate(data.schemes):
+        colour, dash = scheme_style(i, len(data.schemes))
+        course = scheme.trials
+        if course is None:
+            level = np.full(2, scheme.metrics.contour_error.rms * 1e6)
+            contour.append(Curve(np.array([0.0, max(last, 1)]), level, scheme.name, colour, "dot"))
+            continue
+        trial = np.arange(len(course.contour_rms), dtype=float)
+        contour.append(Curve(trial, _drawn(course.contour_rms), scheme.name, colour, dash))
+        whole = np.sqrt(np.square(course.tracking_rms).sum(axis=1))
+        tracking.append(Curve(trial, _drawn(whole), scheme.name, colour, dash))
+        first, best = course.contour_rms[0], course.contour_rms[course.best]
+        ends.append(f"{scheme.name}: {figure(first, 'um')} to {figure(best, 'um')}; {course.in_words}")
+    panels = (
+        Panel("trial", "contour rms [um]", tuple(contour), log_y=True),
+        Panel("trial", "tracking rms [um]", tuple(tracking), log_y=True),
+    )
+    caption = f"Error of each trial. Trial 0 is the first run, before any learning. {'. '.join(ends)}. Dotted: schemes that do not learn."
+    foretold = {scheme.name: scheme.foretold for scheme in data.schemes if scheme.foretold is not None}
+    return (Chart("trials", "Error of each trial", caption, panels), *(learning_charts(foretold) if foretold else ()))
+
+
+def trial_rows(course: TrialCourse) -> list[tuple[int, float, float]]:
+    """Return trial, contour rms [m] and tracking rms [m] of some trials: the first ones, some between, the best, the last.
+
+    >>> [row[0] for row in trial_rows(TrialCourse(np.ones(31), np.ones((31, 2)), 17, "converged"))]
+    [0, 1, 2, 3, 4, 5, 10, 15, 17, 20, 25, 30]
+    """
+    last = len(course.contour_rms) - 1
+    step = max(5, -(-last // 10))
+    shown = sorted({*range(min(last, 5) + 1), *range(0, last + 1, step), course.best, last})
+    whole = np.sqrt(np.square(course.tracking_rms).sum(axis=1))
+    return [(i, float(course.contour_rms[i]), float(whole[i])) for i in shown]
+
+
+def _drawn(rms: Array) -> Array:
+    """Return an error in um for a logarithmic axis: nan instead of 0."""
+    return np.asarray(np.where(rms > 0.0, rms * 1e6, np.nan))
+
+
+def learning_charts(analyses: Mapping[str, LearningAnalysis]) -> tuple[Chart, ...]:
+    """Return the factor of a trial over frequency, and where it exceeds 1; `analyses` by scheme."""
+    count = len(analyses)
+    curves, excess, ticks = [], [], []
+    for i, (name, analysis) in enumerate(analyses.items()):
+        look, hertz = (name, *scheme_style(i, count)), analysis.response.frequency / (2.0 * np.pi)
+        curves.append(Curve(hertz, analysis.response.radius, *look))
+        excess.append(Curve(hertz, 100.0 * np.maximum(analysis.response.radius - 1.0, 0.0), *look))
+        if np.isfinite(analysis.zero):
+            ticks.append(Tick(analysis.zero / (2.0 * np.pi), f"first zero of the moving average, {name}", "first zero"))
+    top = 1.1 * max(1.0, min(2.0, max(float(curve.y.max()) for curve in curves)))
+    one = (Level(1.0, "1: no change"),)
+    factor = Panel("frequency [Hz]", "error factor per trial", tuple(curves), one, log_x=True, y_range=(0.0, top))
+    beyond = Panel("frequency [Hz]", "growth per trial [%]", tuple(excess), ticks=tuple(ticks), log_x=True)
+    caption = "Factor by which one trial multiplies the error at each frequency, for the worst direction of the path."
+    caption += " Dots mark the first zero of the moving average." if ticks else ""
+    return (Chart("learning-factor", "Convergence of learning", caption, (factor, beyond)),)
+
+
+def singular_value_chart(values: Mapping[str, np.ndarray]) -> Chart:
+    """Return the singular values (n,) of the operator from trial to trial in descending order, by scheme."""
+    count = len(values)
+    curves = tuple(
+        Curve(np.arange(1.0, len(found) + 1.0), np.sort(np.asarray(found, dtype=float))[::-1], name, *scheme_style(i, count))
+        for i, (name, found) in enumerate(values.items())
+    )
+    panel = Panel("number", "singular value", curves, (Level(1.0, "1: no change"),))
+    caption = "Factor by which one trial multiplies each error pattern. If all are below 1, every trial is better than the last."
+    return Chart("learning-singular-values", "Singular values from trial to trial", caption, (panel,))

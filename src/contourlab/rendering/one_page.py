@@ -1,0 +1,75 @@
+"""The report on one printed page: the sentence, a line for each run, the magnified path, the error over time, the next command."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from textwrap import wrap
+from typing import TYPE_CHECKING, Any
+
+from contourlab.figures import figure, number
+from contourlab.rendering.charts import PathChart
+from contourlab.rendering.data import ReportData
+from contourlab.rendering.error_pictures import error_charts
+from contourlab.rendering.lead import sentence
+from contourlab.rendering.matplotlib_view import LOOKS, draw_panel, draw_path, escaped
+from contourlab.rendering.path_picture import path_charts
+from contourlab.rendering.plots import POINTS, TIMELESS
+from contourlab.rendering.style import INK, MUTED, scheme_style
+from contourlab.result import write_bytes_atomic
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+A4 = (8.27, 11.69)
+"""Size of the page [in]."""
+LETTERS, MOST_RUNS = 92, 12
+"""Letters in a line, and runs in the table."""
+
+
+def write_page(data: ReportData, file: str | Path) -> Path:
+    """Write the report as a PDF of one page; parameters and errors as in `contourlab.rendering.html.write_html`."""
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    runs = min(len(data.schemes), MOST_RUNS)
+    with matplotlib.rc_context(fname=LOOKS):
+        page = Figure(figsize=A4, layout="constrained")
+        page.get_layout_engine().set(rect=(0.06, 0.04, 0.88, 0.92))  # type: ignore[union-attr,call-arg]
+        text, picture, course = page.subplots(3, 1, height_ratios=(1.0 + 0.16 * runs, 4.4, 1.7))
+        _words(text, data)
+        chart = next((chart for chart in path_charts(data, POINTS) if isinstance(chart, PathChart)), None)
+        if chart is None:
+            picture.set_visible(False)
+        else:
+            draw_path(picture, chart)
+            picture.legend(loc="upper left", bbox_to_anchor=(0.0, -0.09), ncols=3, fontsize=7)
+        errors = error_charts(data, POINTS)[0]
+        draw_panel(course, errors.panels[0])
+        course.set_xlabel(errors.panels[0].x_label)
+        buffer = io.BytesIO()
+        page.savefig(buffer, format="pdf", metadata=TIMELESS["pdf"])
+    target = Path(file)
+    write_bytes_atomic(target, buffer.getvalue())
+    return target
+
+
+def _words(place: Axes, data: ReportData) -> None:
+    """Write title, sentence, the table of runs and the next command."""
+    place.set_axis_off()
+    lines: list[tuple[str, dict[str, Any]]] = [(data.title, {"size": 15, "weight": "bold"})]
+    lines += [(line, {"size": 10.5}) for line in wrap(sentence(data), LETTERS)]
+    for i, scheme in enumerate(data.schemes[:MOST_RUNS]):
+        verdict, size = scheme.verdict, scheme.metrics.part_error
+        answer = "" if verdict is None else "PASS  " if verdict.passed else "FAIL  "
+        where = f", at line {verdict.worst.line}" if verdict is not None and verdict.worst.line else ""
+        words = f"{answer}{scheme.name}: largest part error {figure(size.max, 'um')}{where}, rms {number(1e6 * size.rms)} um"
+        lines.append((words, {"size": 8.5, "color": scheme_style(i, len(data.schemes))[0]}))
+    typed = [f"Next: {command}" for _, command in data.next_steps[:1]]
+    lines += [(line, {"size": 7.5, "color": MUTED, "family": "monospace"}) for text in typed for line in wrap(text, LETTERS)]
+    lines.append((f"contourlab {data.provenance.version}: {data.provenance.command}", {"size": 7.5, "color": MUTED}))
+    height = sum(look["size"] for _, look in lines)
+    at = 1.0
+    for text, look in lines:
+        place.text(0.0, at, escaped(text), transform=place.transAxes, va="top", **{"color": INK, **look})
+        at -= look["size"] / height

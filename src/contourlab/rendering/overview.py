@@ -1,0 +1,59 @@
+"""One page that leads to several reports: a sentence, a badge for each run, and the magnified path of each report."""
+
+from __future__ import annotations
+
+import base64
+import io
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from contourlab.rendering.charts import PathChart
+from contourlab.rendering.data import ReportData
+from contourlab.rendering.html import page_template, template_file
+from contourlab.rendering.lead import sentence
+from contourlab.rendering.path_picture import path_charts
+from contourlab.rendering.plots import POINTS, TIMELESS
+from contourlab.rendering.style import scheme_style
+from contourlab.result import write_text_atomic
+
+
+def write_overview(file: str | Path, answer: str, reports: Mapping[str, ReportData], next_step: str) -> Path:
+    """Write the page.
+
+    Parameters
+    ----------
+    file : str or Path
+    answer : str
+        The sentence on top.
+    reports : mapping of str to ReportData
+        Address of each report, relative to the page, and its data; every run has a verdict.
+    next_step : str
+        The command to type next.
+
+    Raises
+    ------
+    OutputError
+        If it cannot be written.
+    """
+    parts = [_part(address, data) for address, data in reports.items()]
+    text = page_template("demo.html.j2").render(sentence=answer, parts=parts, next=next_step, style=template_file("report.css"))
+    write_text_atomic(Path(file), str(text))
+    return Path(file)
+
+
+def _part(address: str, data: ReportData) -> dict[str, Any]:
+    colours = [scheme_style(i, len(data.schemes))[0] for i in range(len(data.schemes))]
+    return {"page": address, "data": data, "sentence": sentence(data), "colours": colours, "picture": _picture(path_charts(data, POINTS))}
+
+
+def _picture(charts: Sequence[Any]) -> str:
+    """Return the first view of the path as SVG in base64."""
+    import matplotlib
+
+    from contourlab.rendering.matplotlib_view import LOOKS, drawing
+
+    with matplotlib.rc_context(fname=LOOKS):
+        buffer = io.BytesIO()
+        drawing(next(chart for chart in charts if isinstance(chart, PathChart))).savefig(buffer, format="svg", metadata=TIMELESS["svg"])
+    return base64.b64encode(buffer.getvalue()).decode("ascii")

@@ -1,0 +1,219 @@
+"""Tables of the page: circles, limits, reversals, and how far to trust the figures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from contourlab.feed.verify import LimitReport, Worst
+from contourlab.figures import NONE, figure, number, shown_unit
+from contourlab.metrics import ReversalFigures, reversal_figures
+from contourlab.rendering.data import ReportData
+from contourlab.rendering.judgement import Number
+from contourlab.rendering.table import Column, Table
+
+LIMIT_TITLE = "Planned motion and axis limits"
+LIMIT_ROWS = (
+    ("velocity", "velocity", "m/s"),
+    ("acceleration", "acceleration", "m/s^2"),
+    ("jerk", "jerk", "m/s^3"),
+    ("curvature step", "curvature_step", "m/s^2"),
+    ("kink", "kink", "m/s"),
+)
+Key = tuple[str, int, float | None]
+
+
+@dataclass(frozen=True)
+class CircleTable:
+    """ISO 230-4 figures of one circle [um]: a row per figure, a column per run; `heads` holds each scheme with its directions."""
+
+    name: str
+    heads: tuple[tuple[str, tuple[str, ...]], ...]
+    rows: tuple[tuple[str, tuple[str, ...]], ...]
+
+
+def circle_tables(data: ReportData) -> tuple[CircleTable, ...]:
+    """Return the ISO 230-4 figures, one table per circle."""
+    tables: dict[str, dict[tuple[str, str], dict[str, float]]] = {}
+    for scheme in data.schemes:
+        for circle in scheme.circles:
+            way = "cw" if circle.clockwise else "ccw"
+            tables.setdefault(circle.name, {})[scheme.name, way] = dict(circle.figures())
+        for name, both in scheme.bidirectional.items():
+            tables.setdefault(name, {})[scheme.name, "both"] = {
+                "bi-directional circular deviation G(b)": both.circular_deviation,
+                "mean bi-directional radial deviation D": both.mean_radial,
+                "hysteresis H": both.hysteresis,
+            }
+    return tuple(_circle_table(name, runs) for name, runs in tables.items())
+
+
+def _circle_table(name: str, runs: dict[tuple[str, str], dict[str, float]]) -> CircleTable:
+    """Return one table; a missing figure is a dash."""
+    labels = dict.fromkeys(label for figures in runs.values() for label in figures)
+    rows = tuple((label, tuple(number(1e6 * figures.get(label, math.nan)) for figures in runs.values())) for label in labels)
+    heads = tuple((scheme, tuple(way for of, way in runs if of == scheme)) for scheme in dict.fromkeys(of for of, _ in runs))
+    return CircleTable(name, heads, rows)
+
+
+@dataclass(frozen=True)
+class LimitTable:
+    """A planned motion: a row per kind of limit with worst axis, value, limit, share of it, time, line; and what the jerk leaves out."""
+
+    title: str
+    rows: tuple[tuple[str, tuple[str, ...]], ...]
+    note: str = ""
+
+
+def nearest(entries: Sequence[Worst]) -> Worst | None:
+    """Return the entry of the axis nearest to its limit or furthest beyond it (without limits: with the largest value), or None."""
+    seen = [entry for entry in entries if entry.sample >= 0]
+    return max(seen, key=lambda entry: (entry.ratio, entry.value), default=None)
+
+
+def limit_tables(data: ReportData) -> tuple[LimitTable, ...]:
+    """Return a table for each motion planned within limits; schemes with equal figures share it."""
+    motions: list[tuple[LimitReport, float, list[str]]] = []
+    for scheme in data.schemes:
+        if scheme.limits is None:
+            continue
+        names = next((names for report, _, names in motions if report == scheme.limits), None)
+        if names is None:
+            motions.append((scheme.limits, float(scheme.result.servo_period), [scheme.name]))
+        else:
+            names.append(scheme.name)
+    count = len(data.schemes)
+    return tuple(_limit_table(report, period, names if len(names) < count else [], data.axes) for report, period, names in motions)
+
+
+def _limit_table(report: LimitReport, period: float, names: Sequence[str], axes: Sequence[str]) -> LimitTable:
+    title = f"{LIMIT_TITLE}: {', '.join(names)}" if names else LIMIT_TITLE
+    note = _peaks_note(report, period)
+    rows = tuple((label, _limit_cells(nearest(getattr(report, kind)), unit, axes)) for label, kind, unit in LIMIT_ROWS)
+    names_shown = {"jerk": "jerk between curvature steps"} if note else {}
+    return LimitTable(title, tuple((names_shown.get(label, label), cells) for label, cells in rows), note)
+
+
+def _peaks_note(report: LimitReport, period: float) -> str:
+    """Describe the curvature steps that samples show as a jerk above the limit; empty without any."""
+    peaks = [report.jerk_peaks(axis, period) for axis in range(len(report.jerk))]
+    count = len({int(sample) for steps in peaks for sample in steps.sample})
+    if not count:
+        return ""
+    largest = max(float(steps.size.max(initial=0.0)) for steps in peaks)
+    return (
+        f"Curvature steps whose jerk exceeds the limit: {count}. The largest, {figure(largest, 'm/s^2')}, is a jerk of"
+        f" {figure(largest / period, 'm/s^3')} over one servo period of {figure(period, 'ms')}."
+        " Where the curvature jumps, no jerk limit can hold without a stop; curvature_step limits the step."
+    )
+
+
+def _limit_cells(worst: Worst | None, unit: str, axes: Sequence[str]) -> tuple[str, ...]:
+    """Return the cells of one row; dashes if there is no such limit."""
+    if worst is None:
+        return (NONE,) * 6
+    shown = shown_unit(unit)[1]
+    bounded = math.isfinite(worst.limit)
+    return (
+        axes[worst.axis],
+        figure(worst.value, shown, 4),
+        figure(worst.limit, shown, 4) if bounded else "none",
+        f"{100.0 * worst.ratio:.1f} %" if bounded else NONE,
+        figure(worst.time, "s", 5),
+        str(worst.source_line) if worst.source_line else NONE,
+    )
+
+
+@dataclass(frozen=True)
+class ReversalTable:
+    """A row for each kind of reversal.
+
+    Parameters
+    ----------
+    heads : tuple of str
+        Names of the schemes.
+    rows : tuple
+        Kind, number, and for each scheme mean and largest spike [um] and mean duration [ms].
+    """
+
+    heads: tuple[str, ...]
+    rows: tuple[tuple[str, str, tuple[tuple[str, str, str], ...]], ...]
+
+
+def reversal_table(data: ReportData, *, places: bool = True) -> ReversalTable | None:
+    """Return the reversal spikes by axis and direction, with `places` also by quadrant of arcs; None without reversals."""
+    columns = [{_key(f): f for f in reversal_figures(list(scheme.spikes), places=places)} for scheme in data.schemes]
+    keys = sorted({key for column in columns for key in column}, key=lambda key: _order(key, data.axes))
+    if not keys:
+        return None
+    mixed = any(key[2] is not None for key in keys) and any(key[2] is None for key in keys)
+    rows = []
+    for key in keys:
+        there = [column[key] for column in columns if key in column]
+        counts = sorted({f.count for f in there})
+        many = str(counts[0]) if len(counts) == 1 else f"{counts[0]} to {counts[-1]}"
+        rows.append((_kind(key, mixed and places), many, tuple(_reversal_cells(column.get(key)) for column in columns)))
+    return ReversalTable(tuple(scheme.name for scheme in data.schemes), tuple(rows))
+
+
+def reversal_text(data: ReportData) -> str:
+    """Return mean and largest spike by axis and direction for the terminal; empty without reversals."""
+    found = reversal_table(data, places=False)
+    if found is None:
+        return ""
+    heads = [Column("axis, direction (count)", left=True), *(Column(head) for head in found.heads)]
+    table = Table(heads, "Reversal spikes, mean / largest [um]")
+    for where, many, cells in found.rows:
+        table.add(f"{where} ({many})", *(f"{mean} / {top}" for mean, top, _ in cells))
+    return table.text()
+
+
+def _key(figures: ReversalFigures) -> Key:
+    return figures.axis, figures.direction, None if math.isnan(figures.angle) else figures.angle
+
+
+def _order(key: Key, axes: tuple[str, ...]) -> tuple[bool, float, int, int]:
+    """Order by quadrant, then by axis and direction."""
+    axis, direction, angle = key
+    return angle is None, angle or 0.0, axes.index(axis), -direction
+
+
+def _kind(key: Key, mixed: bool) -> str:
+    axis, direction, angle = key
+    if angle is not None:
+        return f"{axis} at {math.degrees(angle):.0f} deg" + (" on arcs" if mixed else "")
+    return f"{axis}, {'- to +' if direction > 0 else '+ to -'}" + (", not on arcs" if mixed else "")
+
+
+def _reversal_cells(figures: ReversalFigures | None) -> tuple[str, str, str]:
+    if figures is None:
+        return NONE, NONE, NONE
+    return number(figures.mean * 1e6), number(figures.largest * 1e6), number(figures.duration * 1e3)
+
+
+@dataclass(frozen=True)
+class OriginTable:
+    """Sources of one scheme's parameters: all of the first scheme, then those that differ from earlier schemes."""
+
+    title: str
+    rows: tuple[Number, ...]
+    not_stated: tuple[str, ...]
+
+
+def origin_tables(data: ReportData) -> tuple[OriginTable, ...]:
+    """Return the sources of the parameters; empty if no interval was requested."""
+    tables: list[OriginTable] = []
+    seen: set[Number] = set()
+    blank: set[str] = set()
+    for scheme in data.schemes:
+        if scheme.trust is None or scheme.trust.interval is None:
+            continue
+        rows = tuple(number for number in scheme.trust.provenance if number not in seen)
+        names = tuple(name for name in scheme.trust.not_stated if name not in blank)
+        seen |= set(rows)
+        blank |= set(names)
+        if rows or names:
+            title = "Parameters with a stated source" if not tables else f"{scheme.name}: parameters that differ from the schemes above"
+            tables.append(OriginTable(title, rows, names))
+    return tuple(tables)

@@ -1,0 +1,198 @@
+"""The path with the errors of each run drawn along its normal, magnified."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+
+from contourlab.arrays import Array, Index
+from contourlab.figures import figure
+from contourlab.geometry import Path
+from contourlab.rendering.charts import Curve, Magnified, PathChart, SpaceChart
+from contourlab.rendering.comparison import judged_words
+from contourlab.rendering.data import ReportData, SchemeReport
+from contourlab.rendering.lead import lines_at
+from contourlab.rendering.samples import keep_changes, largest_magnitude, signal
+from contourlab.rendering.style import BAND, INK, REFERENCE, magnification, scheme_style
+from contourlab.thinning import keep_extremes
+
+MM, UM = 1e3, 1e6
+FLAT = 1e-3
+"""An axis with an extent below this share of the largest gets no view."""
+
+
+class _Drawn(NamedTuple):
+    """The drawn points of a run: foot points and errors (n, n_axis) [m], size of the part error and program line (n,)."""
+
+    foot: Array
+    error: Array
+    size: Array
+    lines: Index
+
+
+def path_charts(data: ReportData, points: int) -> tuple[PathChart | SpaceChart, ...]:
+    """Return one chart per view of the path: XY, in space also XZ and YZ, and 3-D; none for a single axis.
+
+    A run has at most `points` points.
+    """
+    if len(data.axes) == 1:
+        return ()
+    s = _places(data.asked, points)
+    asked = data.asked.position(s)
+    runs = [_run(data, scheme, points) for scheme in data.schemes]
+    views = _views(asked)
+    size = float(np.max(np.ptp(asked, axis=0)))
+    calm = [largest_magnitude(run.error) for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
+    scale = magnification(size, max(calm, default=0.0))
+    flat = tuple(_chart(data, pair, s, asked, runs, scale, i) for i, pair in enumerate(views))
+    return *flat, _space(data, asked, lines_at(data, s), runs, scale)
+
+
+def _views(planned: Array) -> list[tuple[int, int]]:
+    """Return the pairs of axes to show; a flat path has one view."""
+    extent = np.ptp(planned, axis=0)
+    pairs = list(combinations(range(extent.size), 2))
+    good = [pair for pair in pairs if min(extent[list(pair)]) > FLAT * max(extent)]
+    # A straight line along one axis appears in the first plane that contains it.
+    return good or [next((pair for pair in pairs if int(np.argmax(extent)) in pair), (0, 0))]
+
+
+def _places(path: Path, points: int) -> Array:
+    """Return arc lengths for drawing a path: evenly spread, and both sides of each corner."""
+    even = np.linspace(0.0, path.length, points)
+    corners = np.asarray(path.corners, dtype=np.float64).ravel()
+    junctions = np.asarray(path.breaks, dtype=np.float64).ravel()
+    if junctions.size > points:  # many short moves: draw the outermost junctions
+        junctions = junctions[keep_extremes(path.position(junctions), max(points, 8 * path.n_axis))]
+        corners = corners[:0]
+    hair = 1e-9 * path.length
+    s = np.unique(np.concatenate([even, junctions, corners - hair, corners + hair]))
+    return np.asarray(s[(s >= 0.0) & (s <= path.length)], dtype=np.float64)
+
+
+def _run(data: ReportData, scheme: SchemeReport, points: int) -> _Drawn:
+    """Return the points of a run, in the window of its figures: many where the error changes.
+
+    With many laps drawn, each would have too few points, and lines between them would cut corners.
+    """
+    result, judged = scheme.result, scheme.metrics.judged.samples
+    size, along = np.abs(signal(result, "part_error")[judged]), signal(result, "foot_arc_length")[judged]
+    good = np.flatnonzero(np.isfinite(size) & np.isfinite(along))
+    kept = good[keep_changes(size[good], points)] if good.size else good
+    foot = np.asarray(data.asked.position(along[kept]), dtype=np.float64)
+    lines = np.zeros(kept.size, dtype=np.int64) if scheme.lines is None else scheme.lines[judged[kept]]
+    return _Drawn(foot, signal(result, "tool_position")[judged[kept]] - foot, size[kept], lines)
+
+
+def _space(data: ReportData, asked: Array, asked_at: Index, runs: list[_Drawn], scale: float) -> SpaceChart:
+    """Return the view in space; of a flat path one with the error as its height."""
+    extent = np.ptp(asked, axis=0)
+    wide = np.argsort(-extent, kind="stable")
+    # More than three axes: those that move most.
+    high = extent.size > 2 and extent[wide[2]] > FLAT * extent[wide[0]]
+    shown = sorted(int(i) for i in wide[: 3 if high else 2])
+    labels = [f"{data.axes[i]} [mm]" for i in shown] + ([] if high else ["error, magnified"])
+
+    def column(points: Array, height: Array | float = 0.0) -> Array:
+        flat = points[:, shown]
+        return flat if high else np.column_stack([flat, np.broadcast_to(height, flat.shape[:1])])
+
+    drawn = []
+    for i, (scheme, run) in enumerate(zip(data.schemes, runs, strict=True)):
+        error = column(run.error) if high else column(0.0 * run.error, run.size)
+        style = scheme_style(i, len(data.schemes))
+        drawn.append(Magnified(column(run.foot) * MM, error * UM, scheme.name, *style, run.lines))
+    caption = "The colour is the size of the error. " + ("The error is magnified." if high else "The height is the error, magnified.")
+    return SpaceChart(
+        "path-space",
+        "3-D",
+        "Path in space",
+        f"{caption} Shown: {judged_words(data.schemes[0])}. Drag to turn, click to find the line of the program.",
+        (labels[0], labels[1], labels[2]),
+        column(asked) * MM,
+        tuple(drawn),
+        tuple(run.size * UM for run in runs),
+        scale,
+        asked_at,
+    )
+
+
+def _chart(
+    data: ReportData,
+    pair: tuple[int, int],
+    s: Array,
+    asked: Array,
+    runs: list[_Drawn],
+    scale: float,
+    index: int,
+) -> PathChart:
+    """Return one view."""
+    columns = list(pair)
+    names = [data.axes[i] for i in pair]
+    view = "".join(names).upper() if "".join(names).isalpha() else " and ".join(names)
+    count = len(data.schemes)
+    magnified = tuple(
+        Magnified(run.foot[:, columns] * MM, run.error[:, columns] * UM, scheme.name, *scheme_style(i, count), run.lines)
+        for i, (run, scheme) in enumerate(zip(runs, data.schemes, strict=True))
+    )
+    lines = [_outline(asked[:, columns], "programmed path", INK, "solid")]
+    if data.is_blended:
+        planned = data.planned.position(_places(data.planned, s.size))
+        lines.append(_outline(planned[:, columns], "planned path", REFERENCE, "dash"))
+    labels = (f"{data.axes[pair[0]]} [mm]", f"{data.axes[pair[1]]} [mm]")
+    return PathChart(
+        f"path-{index}",
+        view,
+        "Path with magnified error",
+        _caption(data),
+        labels,
+        tuple(lines),
+        magnified,
+        _tolerance(data, asked, s, columns, scale),
+        _worst(data, columns),
+        scale,
+        lines_at(data, s),
+    )
+
+
+def _caption(data: ReportData) -> str:
+    """Describe how the errors are drawn, and which part of the run."""
+    how = "The path is to scale. The error of each run is magnified and drawn from the nearest point of the path."
+    return f"{how} Shown: {judged_words(data.schemes[0])}."
+
+
+def _outline(points: Array, name: str, colour: str, dash: str) -> Curve:
+    """Return a path as a thin line."""
+    return Curve(points[:, 0] * MM, points[:, 1] * MM, name, colour, dash, 1.0)
+
+
+def _tolerance(data: ReportData, asked: Array, s: Array, columns: list[int], scale: float) -> tuple[Magnified, ...]:
+    """Return the edges of the tolerance of a plane path, unless they are far from it."""
+    if data.tolerance is None or min(columns) == max(columns):
+        return ()
+    size = float(np.max(np.ptp(asked, axis=0)))
+    off_plane = np.delete(asked, columns, axis=1)
+    if data.tolerance * scale > 0.3 * size or (off_plane.size and largest_magnitude(np.ptp(off_plane, axis=0)) > FLAT * size):
+        return ()
+    tangent = data.asked.tangent(s)[:, columns]
+    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]]) * data.tolerance * UM
+    name = f"tolerance ±{figure(data.tolerance, 'um', 6)}"
+    foot = asked[:, columns] * MM
+    return tuple(Magnified(foot, side * normal, name, BAND, "dot") for side in (1.0, -1.0))
+
+
+def _worst(data: ReportData, columns: list[int]) -> tuple[Magnified, ...]:
+    """Return the worst error of every run that was judged."""
+    places = []
+    for index, scheme in enumerate(data.schemes):
+        sample = -1 if scheme.verdict is None else scheme.verdict.worst.sample
+        if scheme.verdict is not None and 0 <= sample < scheme.result.n_sample:
+            along = signal(scheme.result, "foot_arc_length")[sample : sample + 1]
+            foot = np.asarray(data.asked.position(along), dtype=np.float64)
+            error = signal(scheme.result, "tool_position")[sample] - foot
+            colour, _ = scheme_style(index, len(data.schemes))
+            name = f"{scheme.name}: worst {figure(scheme.verdict.worst.value, 'um')}"
+            places.append(Magnified(foot[:, columns] * MM, error[:, columns] * UM, name, colour))
+    return tuple(places)

@@ -1,0 +1,101 @@
+"""The pictures of a report as single files, for papers and slides."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from contourlab.errors import ParameterError
+from contourlab.rendering.axis_pictures import axis_charts, bode_charts, feed_charts, hysteresis_charts
+from contourlab.rendering.charts import Bars, Chart, Matrix, Multiples, PathChart, PolarChart
+from contourlab.rendering.data import ReportData
+from contourlab.rendering.error_pictures import error_charts, polar_charts
+from contourlab.rendering.learning_pictures import trial_charts
+from contourlab.rendering.path_picture import path_charts
+from contourlab.rendering.switching import strip_charts
+from contourlab.result.atomic import write_bytes_atomic
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+FORMATS = ("png", "svg", "pdf")
+POINTS = 8000
+"""Points of a curve: four for every dot across a printed page."""
+
+# Without dates the same data give the same bytes.
+TIMELESS: dict[str, dict[str, None]] = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}
+
+
+def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
+    """Write each picture of a report as a file.
+
+    Parameters
+    ----------
+    data : ReportData
+    folder : str or Path
+        Created if missing.
+    formats : sequence of str
+        Any of ``"png"`` (200 dpi), ``"svg"``, ``"pdf"``.
+
+    Returns
+    -------
+    tuple of Path
+        The files: ``path-0``, ``circle-0``, ``error-time``, ``error-arc``, ``axis-0``, ``bode-0`` and so on; ``backlash-0`` for an axis
+        with backlash, ``active-time`` and ``active-arc`` for schemes with a supervisor.
+
+    Raises
+    ------
+    ParameterError
+        If a format is unknown.
+    OutputError
+        If a file cannot be written.
+    ResultError
+        If a result has not been judged.
+    """
+    return write_charts(_charts(data), folder, formats)
+
+
+def _charts(data: ReportData) -> Iterator[Chart | PolarChart | PathChart]:
+    """Yield all charts, one at a time."""
+    yield from (chart for chart in path_charts(data, POINTS) if isinstance(chart, PathChart))
+    yield from polar_charts(data, POINTS)
+    for make in (error_charts, axis_charts, hysteresis_charts, bode_charts):
+        yield from make(data, POINTS)
+    yield from (*trial_charts(data), *feed_charts(data.feed), *strip_charts(data))
+
+
+def write_charts(
+    charts: Iterable[Chart | PolarChart | PathChart | Bars | Matrix | Multiples], folder: str | Path, formats: Sequence[str] = ("png",)
+) -> tuple[Path, ...]:
+    """Write charts, each as a file named by its key; other parameters and errors as in `write_plots`."""
+    from contourlab.rendering.matplotlib_view import drawing
+
+    return _written(((chart.key, drawing(chart)) for chart in charts), folder, formats)
+
+
+def write_figures(drawings: Mapping[str, Callable[[], Figure]], folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
+    """Write drawings that are not charts, each as a file named by its key; other parameters and errors as in `write_plots`."""
+    return _written(((key, draw()) for key, draw in drawings.items()), folder, formats)
+
+
+def _written(drawings: Iterable[tuple[str, Figure]], folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
+    """Write each drawing in each format; only one drawing is in memory at a time."""
+    import matplotlib
+
+    from contourlab.rendering.matplotlib_view import LOOKS
+
+    for name in formats:
+        if name not in FORMATS:
+            raise ParameterError("formats", name, f"of {', '.join(FORMATS)}")
+    with matplotlib.rc_context(fname=LOOKS):
+        return tuple(_write(figure, Path(folder) / f"{key}.{name}", name) for key, figure in drawings for name in formats)
+
+
+def _write(figure: Figure, file: Path, name: str) -> Path:
+    """Write one picture in one format, complete or not at all."""
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format=name, metadata=TIMELESS[name])
+    write_bytes_atomic(file, buffer.getvalue())
+    return file

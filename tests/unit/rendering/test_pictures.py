@@ -1,0 +1,197 @@
+"""Pictures show the measured values."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import synthetic
+
+from contourlab.errors import ResultError
+from contourlab.feed import uniform
+from contourlab.geometry import Line, Path, contour
+from contourlab.rendering.axis_pictures import axis_charts, bode_charts
+from contourlab.rendering.comparison import compare
+from contourlab.rendering.error_pictures import error_charts, polar_charts
+from contourlab.rendering.page_tables import circle_tables
+from contourlab.rendering.path_picture import path_charts
+from contourlab.result import Status
+
+POINTS = 2000
+
+
+def test_magnified_error_is_the_radial_deviation(circle):
+    chart = path_charts(circle, POINTS)[0]
+    for scheme, run in zip(circle.schemes, chart.runs, strict=True):
+        out = np.linalg.norm(run.foot, axis=1)
+        np.testing.assert_allclose(out, synthetic.RADIUS * 1e3, rtol=1e-9)
+        drawn = np.linalg.norm(run.drawn(500.0), axis=1) - out
+        size = np.abs(drawn) * 1e3 / 500.0
+        counted = scheme.result["part_error"][scheme.metrics.judged.samples]
+        assert size.max() == pytest.approx(np.abs(counted).max() * 1e6, rel=1e-9)
+        inside = np.einsum("ij,ij->i", run.foot, run.error) < 0.0
+        np.testing.assert_array_equal(inside, drawn < 0.0)
+
+
+def test_laps_that_do_not_count_are_not_drawn(square):
+    run = path_charts(square, POINTS)[0].runs[0]
+    assert len(run.foot) == square.schemes[0].metrics.judged.samples.size < square.schemes[0].result.n_sample
+
+
+def test_largest_drawn_error_covers_about_a_tenth(circle):
+    chart = path_charts(circle, POINTS)[0]
+    largest = np.abs(circle.schemes[0].result["part_error"]).max()
+    assert 0.04 * 0.04 < chart.magnification * largest <= 0.1 * 0.04
+
+
+def test_tolerance_is_drawn_on_both_sides_of_the_path(circle):
+    chart = path_charts(circle, POINTS)[0]
+    radii = sorted(float(np.linalg.norm(edge.drawn(1.0), axis=1).mean()) for edge in chart.tolerance)
+    np.testing.assert_allclose(radii, [20.0 - 5e-3, 20.0 + 5e-3], rtol=1e-9)
+
+
+def test_worst_ring_is_on_the_worst_sample(circle):
+    chart = path_charts(circle, POINTS)[0]
+    for scheme, ring in zip(circle.schemes, chart.worst, strict=True):
+        np.testing.assert_allclose(ring.drawn(1.0)[0], np.array(scheme.verdict.worst.position) * 1e3, rtol=1e-12)
+
+
+def test_a_diverged_run_does_not_set_the_magnification(circle):
+    before = path_charts(circle, POINTS)[0].magnification
+    far = replace(circle.schemes[0], result=replace(circle.schemes[0].result, status=Status(False, 7, "x", "ran away")))
+    assert path_charts(replace(circle, schemes=(far, circle.schemes[1])), POINTS)[0].magnification > before
+
+
+def test_corners_are_drawn_sharp(square):
+    line = path_charts(square, 50)[0].lines[0]
+    for corner in square.planned.position(square.planned.corners) * 1e3:
+        assert np.min(np.hypot(line.x - corner[0], line.y - corner[1])) < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("end", "views"), [((0.02, 0.01, 0.0), ["XY"]), ((0.02, 0.01, 0.03), ["XY", "XZ", "YZ"]), ((0.0, 0.0, 0.02), ["XZ"])]
+)
+def test_views_follow_the_extent_of_the_path(single, end, views):
+    path = Path([Line((0.0, 0.0, 0.0), end), Line(end, (0.0, 0.0, 0.0))], closed=True)
+    data = synthetic.around(single, path, uniform(path, 0.5, 1, 1e-3))
+    assert [chart.view for chart in path_charts(data, POINTS)] == [*views, "3-D"]
+
+
+def test_error_over_time_holds_the_worst_value_at_its_time(circle):
+    chart = error_charts(circle, 200)[0]
+    for scheme, curve in zip(circle.schemes, chart.panels[0].curves, strict=True):
+        error = scheme.result["contour_error"] * 1e6
+        worst = int(np.argmax(np.abs(error)))
+        at = int(np.argmax(np.abs(curve.y)))
+        assert curve.x[at] == worst * 1e-3 and curve.y[at] == error[worst]
+
+
+def test_time_starts_where_a_window_of_a_run_starts(single):
+    cut = synthetic.with_result(single, single.schemes[0].result.window(500, 900))
+    assert error_charts(cut, 100)[0].panels[0].curves[0].x[0] == pytest.approx(0.5)
+
+
+def test_reversals_and_corners_are_marked(circle, square):
+    ticks = error_charts(circle, POINTS)[0].panels[0].ticks
+    assert [round(tick.x, 2) for tick in ticks if tick.kind == "reversal"] == [2.0, 2.5, 3.0, 3.5]
+    over_time, over_arc = error_charts(square, POINTS)
+    times = [tick.x for tick in over_time.panels[0].ticks if tick.kind == "corner"]
+    np.testing.assert_allclose(np.diff(times), 0.5, atol=2e-3)
+    places = [tick.x for tick in over_arc.panels[0].ticks if tick.kind == "corner"]
+    np.testing.assert_allclose(np.diff(places), 20.0)
+
+
+def test_a_wide_tolerance_does_not_flatten_the_error(circle):
+    panel = error_charts(replace(circle, tolerance=1e-3), POINTS)[0].panels[0]
+    assert panel.y_range is not None and panel.y_range[1] < 20.0
+    assert panel.band == (-1000.0, 1000.0)
+
+
+def test_polar_plot_shows_the_deviation_in_micrometres(circle):
+    chart = polar_charts(circle, 8000)[0]
+    for scheme, curve in zip(circle.schemes, chart.curves, strict=True):
+        np.testing.assert_allclose(curve.y, scheme.circles[0].deviation * 1e6)
+        assert np.all(np.diff(curve.x) > 0.0)
+        assert chart.reach[0] < curve.y.min() and curve.y.max() <= chart.reach[1]
+
+
+def test_rings_are_labelled_with_their_own_value(circle):
+    for value, text in polar_charts(circle, POINTS)[0].rings():
+        if text:
+            assert float(text.removesuffix(" um")) == pytest.approx(value)
+
+
+def test_circle_table_prints_the_figures(circle):
+    table = circle_tables(circle)[0]
+    first = dict(table.rows)["circular deviation G, minimum zone"][0]
+    assert float(first) == pytest.approx(circle.schemes[0].circles[0].circular_deviation * 1e6, rel=6e-3)
+
+
+def test_axis_signals_are_in_print_units(circle):
+    panels = {panel.y_label: panel for panel in axis_charts(circle, 8000)[0].panels}
+    result = circle.schemes[0].result
+    reference = next(c for c in panels["velocity [mm/min]"].curves if c.name == "reference")
+    np.testing.assert_allclose(reference.y, result["reference_velocity"][:, 0] * 60e3)
+    tracking = panels["tracking error [um]"].curves[0]
+    np.testing.assert_allclose(tracking.y, result["tracking_error"][:, 0] * 1e6)
+    jerk = panels["jerk [m/s^3]"].curves[0].y
+    assert np.abs(jerk).max() == pytest.approx(synthetic.RADIUS * (2 * np.pi * synthetic.FREQUENCY) ** 3, rel=1e-3)
+    assert {level.value for level in next(panels[label] for label in panels if label.startswith("command [%")).levels} == {100.0, -100.0}
+
+
+def test_a_distant_limit_is_written_and_not_drawn(circle):
+    jerk = next(panel for panel in axis_charts(circle, POINTS)[0].panels if panel.y_label.startswith("jerk"))
+    assert jerk.far and jerk.y_range is not None and jerk.y_range[1] < 20.0
+
+
+def test_a_peak_far_beyond_its_limit_is_written(circle):
+    scheme = circle.schemes[0]
+    tight = replace(scheme.bounds, jerk=np.full(2, 0.05))
+    chart = axis_charts(replace(circle, schemes=(replace(scheme, bounds=tight),)), POINTS)[0]
+    assert "Jerk" in chart.caption and "outside" in chart.caption
+
+
+def test_bode_plot_is_the_response(circle):
+    magnitude, phase = bode_charts(circle, POINTS)[0].panels
+    answer = circle.schemes[0].bode["x"]
+    np.testing.assert_allclose(10 ** (magnitude.curves[0].y / 20), np.abs(answer.response))
+    np.testing.assert_allclose(np.exp(1j * np.radians(phase.curves[0].y)), answer.response / np.abs(answer.response))
+
+
+def test_a_vanishing_response_does_not_hide_the_rest(circle):
+    scheme = circle.schemes[0]
+    answer = scheme.bode["x"]
+    response = answer.response.copy()
+    response[-1], response[-2] = 0.0, 1e-16
+    deep = replace(circle, schemes=(replace(scheme, bode={"x": replace(answer, response=response)}),))
+    assert bode_charts(circle, POINTS)[0].panels[0].y_range is None
+    low, high = bode_charts(deep, POINTS)[0].panels[0].y_range
+    assert 0.0 < high < 20.0 and low == pytest.approx(-120.0, abs=20.0)
+
+
+def test_a_blended_path_is_compared_with_the_programmed_one(single):
+    reference = replace(uniform(contour("circle", radius=0.02), 0.5, 1, 1e-3), programmed=contour("circle", radius=0.02001))
+    data = synthetic.around(single, reference.path, reference, offset=0.0)
+    assert data.is_blended
+    chart = path_charts(data, POINTS)[0]
+    assert [line.name for line in chart.lines] == ["programmed path", "planned path"]
+    np.testing.assert_allclose(np.linalg.norm(chart.runs[0].error, axis=1), 10.0, rtol=1e-6)
+    panel = error_charts(data, POINTS)[0].panels[0]
+    assert panel.y_label == "part error [um]"
+    np.testing.assert_allclose(np.abs(panel.curves[0].y), 10.0, rtol=1e-6)
+    rows = {row.label: row.cells[0].text for row in compare(data).rows}
+    assert rows["part error, largest"] == rows["planning deviation, largest"] == "10"
+
+
+def test_a_run_without_extras_has_fewer_pictures(square):
+    assert polar_charts(square, POINTS) == () and bode_charts(square, POINTS) == ()
+    labels = [panel.y_label for panel in axis_charts(square, POINTS)[0].panels]
+    assert labels == ["tracking error [um]", "velocity [mm/min]", "acceleration [m/s^2]", "jerk [m/s^3]"]
+
+
+def test_an_unjudged_run_is_refused(single):
+    result = single.schemes[0].result
+    bare = replace(result, signals={k: v for k, v in result.signals.items() if k != "contour_error"})
+    with pytest.raises(ResultError, match="contour_error"):
+        error_charts(synthetic.with_result(single, bare), POINTS)

@@ -1,0 +1,52 @@
+"""The one table renderer: it fits the page and keeps names whole."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from contourlab.rendering.table import Column, Table
+
+NAME = "controller.axes.x.controller.position_gain"
+CELLS = st.text("abcdefghij.0123456789", min_size=1, max_size=12)
+
+
+def wide() -> Table:
+    table = Table([Column("step", left=True), Column("parameter", left=True), *(Column(f"variant {i} [um]") for i in range(9))], keys=2)
+    table.add("1", NAME, *["12.34"] * 9)
+    return table
+
+
+@pytest.mark.parametrize("width", [60, 80, 100, 200])
+def test_a_wide_table_becomes_panels_that_fit_and_repeat_the_names(width: int) -> None:
+    panels = wide().text(width).split("\n\n")
+    assert all(len(line) <= width for panel in panels for line in panel.splitlines())
+    assert all(NAME in panel for panel in panels)
+    assert sum(panel.count("12.34") for panel in panels) == 9
+
+
+def test_prose_wraps_and_names_do_not() -> None:
+    table = Table([Column("parameter", left=True), Column("remark", prose=True)])
+    table.add(NAME, "words " * 20)
+    lines = table.text(72).splitlines()
+    assert NAME in lines[2]
+    assert len(lines) > 3
+    assert max(map(len, lines)) <= 72
+
+
+PROSE = st.lists(CELLS, max_size=8).map(" ".join)
+
+
+@given(st.lists(st.tuples(CELLS, CELLS, PROSE, PROSE), min_size=1, max_size=5), st.integers(20, 120))
+def test_every_word_is_printed_whole(rows: list[tuple[str, str, str, str]], width: int) -> None:
+    table = Table([Column("a", left=True), Column("b"), Column("c", prose=True), Column("d", prose=True)])
+    for row in rows:
+        table.add(*row)
+    printed = table.text(width).split()
+    assert all(word in printed for row in rows for cell in row for word in cell.split())
+
+
+def test_a_row_with_too_few_cells_is_refused() -> None:
+    with pytest.raises(ValueError):
+        wide().add("1")

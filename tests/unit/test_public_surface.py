@@ -1,0 +1,205 @@
+"""The public surface: names, signatures and docstrings.
+
+``python tests/unit/test_public_surface.py`` rewrites `SURFACE` after an intended change; review its diff.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import inspect
+import re
+import sys
+import textwrap
+from collections.abc import Iterator
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import pytest
+from numpydoc.docscrape import NumpyDocString, get_doc_object
+from numpydoc.validate import validate
+
+import contourlab
+from contourlab import errors
+
+SURFACE = Path(__file__).with_name("public_surface.txt")
+NAMES = [name for name in contourlab.__all__ if not name.startswith("__")]
+HANDED = [
+    "analysis.learning.learning_analysis.LearningAnalysis",
+    "analysis.linear.contour_transfer.ContourMargins",
+    "analysis.linear.contour_transfer.InternalStability",
+    "features.learn.run.LearningRun",
+    "features.learn.trial.TrialFigures",
+    "features.link.cost.LinkLimit",
+    "feed.verify.LimitReport",
+    "feed.verify.Worst",
+    "geometry.foot_point.FootPoint",
+    "geometry.view.PathView",
+    "loop.axis_parts.Limits",
+    "metrics.circle_backlash.CircleBacklash",
+    "metrics.circles.CircleFigures",
+    "metrics.figures.AxisFigures",
+    "metrics.figures.ErrorFigures",
+    "metrics.figures.MoveFigures",
+    "metrics.figures.Place",
+    "metrics.lost_motion.LostMotion",
+    "metrics.reversals.Spike",
+    "rendering.judgement.Verdict",
+    "scenario.case.Case",
+]
+"""Classes that public functions take or return, or that public classes hold, and that few people need to name."""
+FORM = {"GL05", "GL06", "GL07", "GL08", "SS01", "SS02", "SS03", "SS04", "SS06", "PR02", "PR03", "PR05", "PR06"}
+"""What numpydoc checks of every docstring: https://numpydoc.readthedocs.io lists the codes."""
+COMPLETE = FORM | {"PR01", "PR04", "RT01"}
+"""And of a function: every parameter, its type, and what it returns."""
+NUMBER, ARRAY = re.compile(r"(float|ArrayLike|Array)( \| None)?"), re.compile(r"(ArrayLike|Array)( \| None)?")
+WITHOUT_UNIT = {
+    "alignment", "curvature_step", "divergence", "feedrate_ripple", "gain", "growth_margin", "improvement", "lap", "modulus", "scale",
+    "scale_mismatch", "strength", "unsure",
+}
+"""Numbers that are ratios, factors or counts."""
+
+
+def thing(name: str) -> Any:
+    """Return a public object by its name, a class of `HANDED` by its module."""
+    if "." not in name:
+        return getattr(contourlab, name)
+    module, _, kind = name.rpartition(".")
+    return getattr(importlib.import_module(f"contourlab.{module}"), kind)
+
+
+def function_of(member: Any) -> Any:
+    """Return the function of a method or property, or None."""
+    member = getattr(member, "fget", None) or getattr(member, "func", None) or getattr(member, "__func__", member)
+    return member if inspect.isfunction(member) else None
+
+
+def members(kind: type) -> Iterator[tuple[str, Any]]:
+    """Yield the public methods and properties of a class itself."""
+    for name, member in vars(kind).items():
+        if not name.startswith("_") and function_of(member) is not None:
+            yield name, member
+
+
+def faults_of(target: Any, codes: set[str]) -> list[str]:
+    return [f"{code} {text}" for code, text in validate(get_doc_object(target))["errors"] if code in codes]
+
+
+def documented(target: Any) -> dict[str, str]:
+    """Return the type and text of each parameter and attribute in the docstring."""
+    doc = NumpyDocString(inspect.getdoc(target) or "")
+    listed = [*doc["Parameters"], *doc["Attributes"]]
+    return {name.strip(" *"): f"{entry.type} {' '.join(entry.desc)}" for entry in listed for name in entry.name.split(",")}
+
+
+def parameters(target: Any) -> dict[str, inspect.Parameter]:
+    """Return the parameters of a function or of a class; a component declares and documents its own with `param`."""
+    if inspect.isclass(target) and issubclass(target, (Exception, contourlab.Component)):
+        return {}
+    return dict(inspect.signature(target).parameters)
+
+
+def raised(function: Any) -> set[str]:
+    """Return the errors of contourlab that a function itself raises."""
+    if function.__code__.co_filename == "<string>":  # written by dataclass
+        return set()
+    tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
+    calls = (node.exc for node in ast.walk(tree) if isinstance(node, ast.Raise))
+    return {call.func.id for call in calls if isinstance(call, ast.Call) and isinstance(call.func, ast.Name)} & set(errors.__all__)
+
+
+def allowed(function: Any) -> set[str]:
+    """Return the errors that a docstring covers, those derived from them too."""
+    named = [entry.type or entry.name for entry in NumpyDocString(inspect.getdoc(function) or "")["Raises"]]
+    kinds = tuple(getattr(errors, name) for name in named if name in errors.__all__)
+    return {name for name in errors.__all__ if issubclass(getattr(errors, name), kinds)}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_name_is_at_home_where_it_is_looked_up(name: str):
+    home = importlib.import_module(contourlab._WHERE[name])
+    assert getattr(home, name) is thing(name)
+
+
+@pytest.mark.parametrize("name", [*NAMES, *HANDED])
+def test_a_docstring_has_numpys_form_and_is_complete(name: str):
+    target = thing(name)
+    if inspect.isfunction(target):
+        assert not faults_of(target, COMPLETE)
+        return
+    assert not faults_of(target, FORM)
+    assert not set(parameters(target)) - set(documented(target))
+    for member, value in members(target):
+        assert not [f"{member}: {fault}" for fault in faults_of(function_of(value), FORM)]
+
+
+@pytest.mark.parametrize("name", [*NAMES, *HANDED])
+def test_a_physical_quantity_has_a_unit_and_an_array_a_shape(name: str):
+    target = thing(name)
+    entries = documented(target)
+    for parameter in parameters(target).values():
+        kind, text = str(parameter.annotation), entries.get(parameter.name, "")
+        if ARRAY.fullmatch(kind):
+            assert "(n" in text or "(2,)" in text or "(3,)" in text, parameter.name
+        if NUMBER.fullmatch(kind) and parameter.name not in WITHOUT_UNIT:
+            assert re.search(r"\[[^\]]+\]", text), parameter.name
+
+
+@pytest.mark.parametrize("name", [*NAMES, *HANDED])
+def test_a_docstring_names_the_errors(name: str):
+    target = thing(name)
+    functions = [target] if inspect.isfunction(target) else [function_of(member) for _, member in members(target)]
+    for function in functions:
+        assert raised(function) <= allowed(function), function.__qualname__
+    if inspect.isclass(target):
+        hooks = [vars(target)[hook] for hook in ("__init__", "__post_init__") if inspect.isfunction(vars(target).get(hook))]
+        assert {error for hook in hooks for error in raised(hook)} <= allowed(target)
+
+
+def signature(target: Any) -> str:
+    """Return the parameters, and the type that comes back."""
+    parts, star = [], False
+    for parameter in parameters(target).values():
+        if parameter.kind is inspect.Parameter.KEYWORD_ONLY and not star:
+            parts.append("*")
+        star |= parameter.kind in (inspect.Parameter.KEYWORD_ONLY, inspect.Parameter.VAR_POSITIONAL)
+        prefix = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Parameter.VAR_KEYWORD: "**"}.get(parameter.kind, "")
+        kind = "" if parameter.annotation is inspect.Parameter.empty else f": {parameter.annotation}"
+        default = getattr(parameter.default, "__name__", repr(parameter.default))
+        parts.append(f"{prefix}{parameter.name}{kind}" + ("" if parameter.default is inspect.Parameter.empty else f" = {default}"))
+    result = "" if inspect.isclass(target) else f" -> {inspect.signature(target).return_annotation}"
+    return f"({', '.join(parts)}){result}"
+
+
+def surface() -> str:
+    """Return every public name with its signature."""
+    lines = []
+    for name in NAMES:
+        target = thing(name)
+        lines.append(f"{'class ' if inspect.isclass(target) else ''}{name}{signature(target)}")
+        for member, value in sorted(members(target)) if inspect.isclass(target) else ():
+            is_value = isinstance(value, property | cached_property)
+            lines.append(f"    {name}.{member}{'' if is_value else signature(function_of(value))}")
+    return "\n".join(lines) + "\n"
+
+
+def test_the_surface_is_as_agreed():
+    assert surface().splitlines() == SURFACE.read_text(encoding="utf-8").splitlines(), "if it should change: python tests/unit/test_public_surface.py"
+
+
+def test_every_type_of_a_public_function_is_documented():
+    named = {kind.rpartition(".")[2] for kind in HANDED} | set(NAMES)
+    for name in NAMES:
+        target = thing(name)
+        if inspect.isfunction(target):
+            module = sys.modules[target.__module__]
+            for word in re.findall(r"[A-Z]\w+", signature(target)):
+                kind = getattr(module, word, None)
+                ours = inspect.isclass(kind) and kind.__module__.startswith("contourlab.")
+                if ours and not issubclass(kind, (Exception, contourlab.Component)):
+                    assert word in named, f"{name}: {word}"
+
+
+if __name__ == "__main__":
+    SURFACE.write_text(surface(), encoding="utf-8")
