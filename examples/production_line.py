@@ -25,7 +25,8 @@ random = np.random.default_rng(seed=1)
 workpiece = random.uniform(0.0, 60.0, N)  # kg
 variants = {}
 for axis in "xy":
-    friction, factor = machine.axis(axis).friction, random.normal(1.0, 0.25, N).clip(0.2)
+    friction = machine.axis(axis).friction
+    factor = random.normal(1.0, 0.25, N).clip(0.2)
     variants[f"axes.{axis}.friction.coulomb"] = factor * friction.coulomb
     variants[f"axes.{axis}.friction.breakaway"] = factor * friction.breakaway
     variants[f"axes.{axis}.plant.mass"] = machine.axis(axis).plant.mass + workpiece
@@ -34,16 +35,21 @@ for axis in "xy":
 # Cross-coupling corrects the contour error that the observers leave.
 
 observer = scenario.case("with disturbance observer").controller
-coupled = replace(scenario.controller, coupling=cl.component("coupling", "cross-coupled")(gain=3e4))  # A/m
+coupling = cl.component("coupling", "cross-coupled")(gain=3e4)  # A/m
+coupled = replace(scenario.controller, coupling=coupling)
+controllers = {"observer": observer, "observer and cross-coupling": coupled}
 program = cl.parse_program("G17 G21 G90 G94\nG0 X26 Y0\nG3 I-26 J0 F2400\nM2\n")
-reference = cl.plan(cl.route_from_program(program), machine.planner_limits(), machine.servo_period)
+route = cl.route_from_program(program)
+reference = cl.plan(route, machine.planner_limits(), machine.servo_period)
 
 figure, graph = plt.subplots(figsize=(8, 4.5), layout="constrained")
 within = {}
-for name, controller in {"observer": observer, "observer and cross-coupling": coupled}.items():
-    largest = cl.simulate_batch(machine, controller, reference, variants).figures["contour_error_max"]
+for name, controller in controllers.items():
+    batch = cl.simulate_batch(machine, controller, reference, variants)
+    largest = batch.figures["contour_error_max"]
     within[name] = np.mean(largest <= TOLERANCE)
-    graph.hist(1e6 * largest, bins=np.arange(0, 42), alpha=0.7, label=f"{name}: {within[name]:.0%} within")
+    label = f"{name}: {within[name]:.0%} within"
+    graph.hist(1e6 * largest, bins=np.arange(0, 42), alpha=0.7, label=label)
 graph.axvline(1e6 * TOLERANCE, color="black", linestyle="--", label="tolerance")
 graph.set(xlabel="largest contour error [um]", ylabel="machines")
 graph.legend(framealpha=1)

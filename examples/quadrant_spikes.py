@@ -32,7 +32,8 @@ M2
 """
 case = cl.load_scenario("builtin:backlash/part").case("PI cascade")
 machine, controller = case.machine, case.controller
-reference = cl.plan(cl.route_from_program(cl.parse_program(PROGRAM)), machine.planner_limits(), machine.servo_period)
+route = cl.route_from_program(cl.parse_program(PROGRAM))
+reference = cl.plan(route, machine.planner_limits(), machine.servo_period)
 
 
 def circles(controller):
@@ -43,7 +44,7 @@ def circles(controller):
 
 before = circles(controller)
 found = cl.backlash_of_runs(before)
-for axis, gap, sigma in zip(found.axes, found.backlash, found.deviation, strict=True):
+for axis, gap, sigma in zip("xy", found.backlash, found.deviation, strict=True):
     print(f"{axis}: {1e6 * gap:.1f} um ± {1e6 * sigma:.1f} um")
 
 # %%
@@ -52,15 +53,18 @@ for axis, gap, sigma in zip(found.axes, found.backlash, found.deviation, strict=
 
 offset = cl.component("compensation", "backlash-offset")
 axes = dict(controller.axes)
-for axis, gap in zip(found.axes, found.backlash, strict=True):
-    shift = offset(backlash_gap=gap, backlash_velocity=0.02, backlash_acceleration=1.5)
-    axes[axis] = replace(axes[axis], compensation=shift)
+for axis, gap in zip("xy", found.backlash, strict=True):
+    axes[axis] = replace(axes[axis], compensation=offset(backlash_gap=gap))
 after = circles(replace(controller, axes=axes))
 
-figure, ring = plt.subplots(figsize=(7, 7.5), layout="constrained", subplot_kw={"projection": "polar"})
-for name, (turn, _) in {"without compensation": before, "with compensation": after}.items():
-    ring.plot(turn.angle, 1e6 * turn.deviation, linewidth=1.2, label=f"{name}: G = {1e6 * turn.circular_deviation:.0f} um")
-ring.plot(np.linspace(0, 2 * np.pi, 200), np.zeros(200), color="black", linewidth=0.8, label="nominal")
+figure = plt.figure(figsize=(7, 7.5), layout="constrained")
+ring = figure.add_subplot(projection="polar")
+tests = {"without compensation": before, "with compensation": after}
+for name, (turn, _) in tests.items():
+    label = f"{name}: G = {1e6 * turn.circular_deviation:.0f} um"
+    ring.plot(turn.angle, 1e6 * turn.deviation, linewidth=1.2, label=label)
+turn = np.linspace(0, 2 * np.pi, 200)
+ring.plot(turn, 0 * turn, color="black", linewidth=0.8, label="nominal")
 ring.set_rlim(-150, 80)
 ring.set_title("Radial deviation [um], counter-clockwise turn")
 figure.legend(loc="outside lower center")

@@ -17,37 +17,39 @@ import contourlab as cl
 
 case = cl.load_scenario("builtin:demo-part").case("position loop")
 reference = case.reference()
+loop = case.machine, case.controller, reference
 law = cl.component("learning", "zero-phase")(gain=0.5, half_width=11, lead=8e-3)
-run = cl.learn(case.machine, case.controller, reference, law, trials=15)
+run = cl.learn(*loop, law, trials=15)
 print(f"{run.status}; best trial {run.best}")
 
 # %%
 # ``run.table`` holds what was learned, and can be saved. A simulation takes it, as the control does
 # for every further part.
 
-runs = {
-    "trial 0": cl.simulate(case.machine, case.controller, reference),
-    f"trial {run.best}": cl.simulate(case.machine, case.controller, reference, learned=run.table.learned),
-}
+first = cl.simulate(*loop)
+learned = cl.simulate(*loop, learned=run.table.learned)
 
 # %%
 # Left: the error falls to less than a tenth. Right: around the circle of the part, what is left are
-# peaks at the reversals, where sliding friction jumps faster than the filter of the law lets
-# through.
+# small peaks at the reversals: friction jumps there, faster than the filter of the law passes.
 
-figure, (by_trial, in_time) = plt.subplots(1, 2, figsize=(10, 4.2), layout="constrained")
-by_trial.semilogy([1e6 * trial.contour_max for trial in run.trials], "o-", label="largest")
-by_trial.semilogy([1e6 * trial.contour_rms for trial in run.trials], "s-", label="rms")
-by_trial.set(xlabel="trial", ylabel="contour error [um]", title="Cutting moves of the part")
+figure = plt.figure(figsize=(10, 4.2), layout="constrained")
+by_trial, in_time = figure.subplots(1, 2)
+largest = [1e6 * trial.contour_max for trial in run.trials]
+rms = [1e6 * trial.contour_rms for trial in run.trials]
+by_trial.semilogy(largest, "o-", label="largest")
+by_trial.semilogy(rms, "s-", label="rms")
+by_trial.set(xlabel="trial", ylabel="contour error [um]", title="Cutting moves")
 by_trial.yaxis.set_major_formatter("{x:g}")
 by_trial.legend()
 
 contour_error = {}
-for name, result in runs.items():
+for name, result in {"trial 0": first, f"trial {run.best}": learned}.items():
     judged = cl.judge(result, reference)
     contour_error[name] = cl.summarise(judged, reference).contour_error
     circle = cl.circles_of(judged, reference)[0]
-    in_time.plot(judged.time[circle.samples], 1e6 * circle.deviation, linewidth=1, label=name)
-in_time.set(xlabel="time [s]", ylabel="radial deviation [um]", title="Circle of the part")
+    time = judged.time[circle.samples]
+    in_time.plot(time, 1e6 * circle.deviation, linewidth=1, label=name)
+in_time.set(xlabel="time [s]", ylabel="radial deviation [um]", title="Circle")
 in_time.legend()
 plt.show()

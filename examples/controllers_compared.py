@@ -21,10 +21,11 @@ import contourlab as cl
 scenario = cl.load_scenario("builtin:demo-part")
 machine = scenario.machine
 controllers = {case.name: case.controller for case in scenario.cases()}
-coupled = replace(scenario.controller, coupling=cl.component("coupling", "cross-coupled")(gain=3e4))  # A/m
+coupling = cl.component("coupling", "cross-coupled")(gain=3e4)  # A/m
+coupled = replace(scenario.controller, coupling=coupling)
 controllers["with observer and cross-coupling"] = coupled
-margins = {name: cl.contour_margins(machine, item).modulus for name, item in controllers.items() if item.coupling}
-print({name: round(margin, 2) for name, margin in margins.items()})
+for controller in (scenario.controller, coupled):
+    print(f"modulus margin {cl.contour_margins(machine, controller).modulus:.2f}")
 
 # %%
 # The motion is a part program: a run-in, one turn of 26 mm radius at 40 mm/s, and a run-out. The
@@ -38,17 +39,21 @@ I-26
 X0 Y26 I-26
 M2
 """
-reference = cl.plan(cl.route_from_program(cl.parse_program(PROGRAM)), machine.planner_limits(), machine.servo_period)
+route = cl.route_from_program(cl.parse_program(PROGRAM))
+reference = cl.plan(route, machine.planner_limits(), machine.servo_period)
 
-figure, ring = plt.subplots(figsize=(7, 7.5), layout="constrained", subplot_kw={"projection": "polar"})
+figure = plt.figure(figsize=(7, 7.5), layout="constrained")
+ring = figure.add_subplot(projection="polar")
 deviation = {}
 for name, controller in controllers.items():
     result = cl.judge(cl.simulate(machine, controller, reference), reference)
     circle = cl.circles_of(result, reference)[0]
-    deviation[name] = circle.circular_deviation
-    ring.plot(circle.angle, 1e6 * circle.deviation, linewidth=1.2, label=f"{name}: G = {1e6 * circle.circular_deviation:.0f} um")
+    deviation[name] = 1e6 * circle.circular_deviation
+    label = f"{name}: G = {deviation[name]:.0f} um"
+    ring.plot(circle.angle, 1e6 * circle.deviation, linewidth=1.2, label=label)
 
-ring.plot(np.linspace(0, 2 * np.pi, 200), np.zeros(200), color="black", linewidth=0.8, label="nominal")
+turn = np.linspace(0, 2 * np.pi, 200)
+ring.plot(turn, 0 * turn, color="black", linewidth=0.8, label="nominal")
 ring.set_rlim(-80, 40)
 ring.set_rgrids([-40, -20, 0, 20, 40], angle=67.5)
 ring.set_title("Radial deviation [um]")
