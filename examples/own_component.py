@@ -17,7 +17,7 @@ import contourlab as cl
 # A component declares parameters, states and ports, and computes one tick from plain numbers. It is
 # compiled with the rest of the loop.
 
-INPUTS = ("reference", "reference_velocity", "reference_acceleration", "position", "velocity")
+ASKED = ("reference", "reference_velocity", "reference_acceleration")
 
 
 class FlippingIntegral(cl.Component):
@@ -27,10 +27,10 @@ class FlippingIntegral(cl.Component):
     kind = "flipping-integral"
     reference = "friction changes its sign with the velocity"
     states = (cl.Port("integral"), cl.Port("direction"))
-    inputs = tuple(cl.Port(name) for name in INPUTS)
+    inputs = tuple(cl.Port(name) for name in (*ASKED, "position", "velocity"))
     outputs = (cl.Port("command"),)
-    example = {"velocity_gain": 100.0, "position_gain": 4000.0, "integral_gain": 12.0}
-    example |= {"model_gain": 0.9, "model_damping": 30.0}
+    example = {"velocity_gain": 100.0, "position_gain": 4000.0}
+    example |= {"integral_gain": 12.0, "model_gain": 0.9, "model_damping": 30.0}
 
     velocity_gain: float = cl.param(unit="{command}*s/m", minimum=0.0, doc="K_V")
     position_gain: float = cl.param(unit="{command}/m", minimum=0.0, doc="K_P")
@@ -63,9 +63,11 @@ route = cl.route_from_program(program)
 reference = cl.plan(route, machine.planner_limits(), machine.servo_period)
 axes = {}
 for name, axis in case.controller.axes.items():
-    gains = {key: getattr(axis.controller, key) for key in FlippingIntegral.example}
+    shipped = axis.controller
+    gains = {key: getattr(shipped, key) for key in FlippingIntegral.example}
     axes[name] = replace(axis, controller=FlippingIntegral(**gains))
-controllers = {"shipped": case.controller, "own": replace(case.controller, axes=axes)}
+own = replace(case.controller, axes=axes)
+controllers = {"shipped": case.controller, "own": own}
 
 # %%
 # A controller is only as good as the model that it was tried on. Friction that jumps at the
@@ -73,11 +75,12 @@ controllers = {"shipped": case.controller, "own": replace(case.controller, axes=
 # sign changes too early.
 
 lugre = cl.component("friction", "lugre")
-soft = lugre(coulomb=103.0, breakaway=130.0, stiffness=5e6, bristle_damping=3e3)  # SI
+soft = lugre(coulomb=103.0, breakaway=130.0, stiffness=5e6, bristle_damping=3e3)
 springy = tuple(replace(axis, friction=soft, substeps=4) for axis in machine.axes)
 machines = {"Coulomb": machine, "LuGre, 5 N/um": replace(machine, axes=springy)}
 
-figure, graphs = plt.subplots(1, 2, figsize=(10, 4.2), sharey=True, layout="constrained")
+figure = plt.figure(figsize=(10, 4.2), layout="constrained")
+graphs = figure.subplots(1, 2, sharey=True)
 deviation = {}
 for graph, (friction, tried) in zip(graphs, machines.items(), strict=True):
     for name, controller in controllers.items():
@@ -86,7 +89,8 @@ for graph, (friction, tried) in zip(graphs, machines.items(), strict=True):
         deviation[friction, name] = size = 1e6 * turn.circular_deviation
         angle, label = np.degrees(np.unwrap(turn.angle)), f"{name}: G = {size:.0f} um"
         graph.plot(angle, 1e6 * turn.deviation, linewidth=1, label=label)
-    graph.set(title=f"{friction} friction", xlabel="angle [degrees]", xticks=range(0, 361, 90))
+    graph.set(title=f"{friction} friction", xlabel="angle [degrees]")
+    graph.set_xticks(range(0, 361, 90))
     graph.legend()
 graphs[0].set_ylabel("radial deviation [um]")
 plt.show()
