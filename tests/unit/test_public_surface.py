@@ -185,7 +185,8 @@ def surface() -> str:
 
 
 def test_the_surface_is_as_agreed():
-    assert surface().splitlines() == SURFACE.read_text(encoding="utf-8").splitlines(), "if it should change: python tests/unit/test_public_surface.py"
+    agreed = SURFACE.read_text(encoding="utf-8").splitlines()
+    assert surface().splitlines() == agreed, "if it should change: python tests/unit/test_public_surface.py"
 
 
 def test_every_type_of_a_public_function_is_documented():
