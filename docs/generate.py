@@ -74,7 +74,7 @@ def _plain(text: str) -> str:
     return " ".join(text.replace("|", "\\|").replace("``", "`").replace("<", "&lt;").replace("_", "\\_").replace("*", "\\*").split())
 
 
-PAGES = {HERE / "findings.md": findings_page, HERE / "json.md": json_page}
+PAGES = {HERE / "reference" / "findings.md": findings_page, HERE / "reference" / "json.md": json_page}
 
 if __name__ == "__main__":
     for file, page in PAGES.items():
