@@ -1,16 +1,26 @@
-"""Write the generated pages findings.md and json.md. ``make check`` fails if one is out of date."""
+"""Write the pages that are made from the code, when the site is built. They are not committed."""
 
 from __future__ import annotations
 
+import os.path
 import re
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
+import typer
+from api import api_page
+
 from contourlab.app.json_schema import json_schema
 from contourlab.cli.commands.schema import results
+from contourlab.cli.main import app
+from contourlab.components.contract import Component
+from contourlab.components.registry import components
+from contourlab.features.components.description import describe, parameter_cells
 from contourlab.findings import catalogue
 
-HERE = Path(__file__).parent
+HERE = Path(__file__).resolve().parent
+LINK = re.compile(r"(\]\()([^)\s#:]+)(?=[)#])")
 FINDINGS = """\
 # Findings
 
@@ -24,6 +34,18 @@ JSON = """\
 
 Numbers are in SI units (m, s, rad); `null` means a non-finite number, or no value. Later versions may add keys.
 """
+COMPONENTS = """\
+# Components
+
+The parts of a machine and its controllers. In a file a table names the `kind` and its parameters: `friction = {kind = "coulomb", coulomb = "20 N"}`
+([scenario files](scenario-files.md)). *command* and *force* stand for the plant's own units. `contourlab components NAME` prints an entry of this page.
+"""
+COMMANDS = """\
+# Commands
+
+`contourlab COMMAND --help` prints an entry of this page. Exit codes: 0 done, 1 verdict failed, 2 bad input, 3 the loop diverged, 70 a fault in contourlab, 130 interrupted.
+"""
+BAR = "\\"
 
 
 def findings_page() -> str:
@@ -74,8 +96,90 @@ def _plain(text: str) -> str:
     return " ".join(text.replace("|", "\\|").replace("``", "`").replace("<", "&lt;").replace("_", "\\_").replace("*", "\\*").split())
 
 
-PAGES = {HERE / "reference" / "findings.md": findings_page, HERE / "reference" / "json.md": json_page}
+def components_page() -> str:
+    """Return the page of all components by family, with their parameters."""
+    parts = [COMPONENTS]
+    for family, kinds in groupby(components(), key=lambda kind: kind.family):
+        parts.append(f"## {family}\n")
+        parts += [_component(kind) for kind in kinds]
+    return "\n".join(parts)
+
+
+def _component(kind: type[Component]) -> str:
+    about = describe(kind)
+    lines = [f"### {kind.kind}\n\n{_plain(about.doc)}\n"]
+    if about.reference:
+        lines.append(f"Source: {_plain(about.reference)}.\n")
+    for head, parameters in (("parameter", about.parameters), ("`gains`", about.gains)):
+        if parameters:
+            rows = [["`" + parameter.name + "`", *map(_plain, parameter_cells(parameter))] for parameter in parameters]
+            lines.append(_table([head, "unit", "bounds", "default", "meaning", "source"], rows))
+    return "\n".join(lines)
+
+
+def commands_page() -> str:
+    """Return the page of all commands, grouped as ``contourlab --help`` groups them."""
+    command: Any = typer.main.get_command(app)
+    parts, panels = [COMMANDS], {}
+    for name, sub in command.commands.items():
+        panels.setdefault(sub.rich_help_panel, []).append((name, sub))
+    for panel, members in panels.items():
+        parts.append(f"## {panel}\n")
+        parts += [_command(name, sub) for name, sub in members]
+    return "\n".join(parts)
+
+
+def _command(name: str, command: Any) -> str:
+    context = typer.Context(command, info_name=f"contourlab {name}")
+    usage = command.get_usage(context).removeprefix("Usage: ")
+    lines = [f"### {name}\n\n{_plain(command.help)}\n\n```text\n{' '.join(usage.split())}\n```\n"]
+    records = [record for parameter in command.params if (record := parameter.get_help_record(context))]
+    if records:
+        rows = [[f"`{names.replace('|', BAR)}`", _plain(text.replace(BAR + "[", "["))] for names, text in records]
+        lines.append(_table(["option", "meaning"], rows))
+    lines += [_command(f"{name} {sub}", member).replace("### ", "#### ", 1) for sub, member in getattr(command, "commands", {}).items()]
+    return "\n".join(lines)
+
+
+def _table(head: list[str], rows: list[list[str]]) -> str:
+    """Return a Markdown table without its empty columns."""
+    kept = [n for n in range(len(head)) if any(row[n] for row in rows)]
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join(f"| {' | '.join(line[n] for n in kept)} |" for line in lines) + "\n"
+
+
+def relinked(text: str, file: Path, page: Path) -> str:
+    """Return the text of a file as that of a page elsewhere, with its relative links changed, and those to copied files."""
+
+    def link(found: re.Match[str]) -> str:
+        goal = (file.parent / found[2]).resolve()
+        return found[1] + os.path.relpath(COPIED.get(goal, goal), page.parent)
+
+    return LINK.sub(link, text)
+
+
+COPIED = {
+    HERE.parent / name: HERE / "development" / page
+    for name, page in {"CONTRIBUTING.md": "contributing.md", "CHANGELOG.md": "changelog.md", "benchmarks/README.md": "benchmarks.md"}.items()
+}
+"""Files outside of this folder that are pages of the site."""
+PAGES = {
+    HERE / "reference" / "findings.md": findings_page,
+    HERE / "reference" / "json.md": json_page,
+    HERE / "reference" / "components.md": components_page,
+    HERE / "reference" / "commands.md": commands_page,
+    HERE / "reference" / "api.md": api_page,
+    **{page: lambda file=file, page=page: relinked(file.read_text("utf-8"), file, page) for file, page in COPIED.items()},
+}
+
+
+def write() -> None:
+    """Write the pages that changed."""
+    for file, page in PAGES.items():
+        text = page()
+        if not file.exists() or file.read_text("utf-8") != text:
+            file.write_text(text, encoding="utf-8")
+
 
 if __name__ == "__main__":
-    for file, page in PAGES.items():
-        file.write_text(page(), encoding="utf-8")
+    write()
