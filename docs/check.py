@@ -78,7 +78,7 @@ def unknown_modules(text: str) -> Iterator[str]:
 
 
 def undocumented() -> Iterator[str]:
-    """Yield public functions, classes and modules without a docstring."""
+    """Yield public functions, classes, their members and modules without a docstring."""
     for info in pkgutil.walk_packages(contourlab.__path__, "contourlab."):
         module = importlib.import_module(info.name)
         if not module.__doc__ and Path(module.__file__ or "").stat().st_size:
@@ -89,6 +89,9 @@ def undocumented() -> Iterator[str]:
                 yield f"{info.name}: __all__ names {name}, which does not exist"
             elif (inspect.isroutine(thing) or inspect.isclass(thing)) and thing.__module__ == info.name and not inspect.getdoc(thing):
                 yield f"{info.name}.{name}: no docstring"
+    for kind in filter(inspect.isclass, (getattr(contourlab, name) for name in contourlab.__all__)):
+        members = inspect.getmembers(kind, lambda thing: inspect.isroutine(thing) or isinstance(thing, property))
+        yield from (f"{kind.__name__}.{name}: no docstring" for name, thing in members if name[0] != "_" and not inspect.getdoc(thing))
 
 
 def faults() -> Iterator[str]:

@@ -27,7 +27,9 @@ myst_heading_anchors = 4
 myst_enable_extensions = ["colon_fence"]
 
 autosummary_generate = True
+default_role = "code"  # names in docstrings
 autodoc_typehints = "none"  # the docstrings give types, with shapes and units
+numpydoc_validation_checks = {"PR02"}  # a docstring names no parameter that does not exist
 numpydoc_show_class_members = False  # the template lists them
 
 sphinx_gallery_conf = {

@@ -135,7 +135,7 @@ def _command(name: str, command: Any) -> str:
     lines = [f"### {name}\n\n{_plain(command.help)}\n\n```text\n{' '.join(usage.split())}\n```\n"]
     records = [record for parameter in command.params if (record := parameter.get_help_record(context))]
     if records:
-        rows = [[f"`{names.replace('|', BAR)}`", _plain(text.replace(BAR + "[", "["))] for names, text in records]
+        rows = [[f"`{names.replace('|', BAR + '|')}`", _plain(text.replace(BAR + "[", "["))] for names, text in records]
         lines.append(_table(["option", "meaning"], rows))
     lines += [_command(f"{name} {sub}", member).replace("### ", "#### ", 1) for sub, member in getattr(command, "commands", {}).items()]
     return "\n".join(lines)

@@ -88,7 +88,8 @@ def test_the_scenario_of_the_readme_and_its_python(folder: Path) -> None:
 def test_every_contour_is_in_the_manual_with_its_parameters() -> None:
     from contourlab.geometry import contour_names, contour_parameters
 
-    rows = dict(re.findall(r"^\| `([a-z-]+)` \| (.*) \|$", (ROOT / "docs/reference/scenario-files.md").read_text(encoding="utf-8"), re.MULTILINE))
+    text = (ROOT / "docs/reference/scenario-files.md").read_text(encoding="utf-8")
+    rows = dict(re.findall(r"^\| `([a-z-]+)` \| (.*) \|$", text, re.MULTILINE))
     for name in contour_names():
         assert set(re.findall(r"`([a-z_]+)`", rows[name])) == set(contour_parameters(name)), name
 

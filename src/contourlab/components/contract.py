@@ -78,8 +78,10 @@ class LinearModel:
 class Component(Traced):
     """Base of all components; the module docstring has an example.
 
-    Class attributes that a component sets
-    --------------------------------------
+    A component sets these as class attributes.
+
+    Attributes
+    ----------
     family, kind : str
         Its slot, and its name in files.
     states, inputs, outputs : tuple of Port

@@ -146,12 +146,44 @@ def param(
     doc: str,
     source: str = "",
 ) -> Any:
-    """Declare a number or a list of numbers; see `Parameter`. Bounds and default are in `unit`, which is SI."""
+    """Declare a number or a list of numbers as a parameter of a component.
+
+    Parameters
+    ----------
+    default : float or tuple of float, optional
+        In `unit`; without it a value is required.
+    unit : str
+        SI unit; empty for a plain number. ``{command}`` and ``{force}`` become the units of the plant.
+    minimum, maximum : float
+        Bounds in `unit`.
+    exclusive : bool
+        Whether the minimum itself is excluded.
+    whole : bool
+        Whether only whole numbers are allowed.
+    structural : bool
+        Whether it changes the structure of the step; then it cannot differ between the variants of a batch.
+    vector : bool
+        Whether it is a list of numbers, each in range; then it is structural.
+    display : str
+        The unit that people write; by default `unit`.
+    doc, source : str
+        Meaning, and where the value comes from.
+    """
     return Parameter("", unit, default, minimum, maximum, exclusive, (), whole, structural or vector, vector, display or unit, doc, source)
 
 
 def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, source: str = "") -> Any:
-    """Declare a choice of words; it is structural."""
+    """Declare a choice of words as a structural parameter of a component.
+
+    Parameters
+    ----------
+    default : str or None
+        With None a value is required.
+    choices : tuple of str
+        Allowed words.
+    doc, source : str
+        Meaning, and where the value comes from.
+    """
     return Parameter("", "", default, -math.inf, math.inf, False, choices, False, True, False, "", doc, source)
 
 

@@ -24,15 +24,38 @@ from contourlab.loop.axis_parts import AxisError, Division, Limits
 class Axis:
     """One axis: plant, friction, drive and sensors.
 
-    `stage_mass` [kg] is the mass of the whole module, moved mass included, as carried by the axis `mounted_on`. `alignment` is the cosine
-    of the angle between the two directions of motion, 0 for crossed axes. If it is not 0, each axis feels the other's acceleration, one
-    tick late: the moved mass of the upper axis times that acceleration and the cosine. Positions stay along each axis' own guide.
-
-    `sensor` measures the load, as a linear scale does. If the motor can differ in position, `motor_sensor` is the motor's encoder, in load
-    units, and `motor_friction` acts on the motor side.
-
-    `origins` has the source of `stage_mass`; components, limits and error have their own. `correlations` holds pairs of values fitted
-    together: their names, such as ``plant.mass`` and ``friction.coulomb``, and the coefficient.
+    Parameters
+    ----------
+    name : str
+    plant : Component
+        Command and load to motion, such as ``mass-damper``.
+    friction : Component
+        Acts on the load.
+    drive : Component
+        Limit and delay of the command.
+    sensor : Component
+        Measures the load, as a linear scale does.
+    disturbance : Component, optional
+        A force on the load.
+    error : AxisError
+        What the encoder cannot see.
+    limits : Limits
+    mounted_on : str
+        The axis that carries this one; empty if none does.
+    alignment : float
+        Cosine of the angle between the directions of these two, 0 for crossed axes. If it is not 0, each axis feels the other's
+        acceleration, one tick late: the moved mass of the upper axis times that acceleration and the cosine. Positions stay along each
+        axis' own guide.
+    stage_mass : float [kg]
+        Mass of the whole module, moved mass included, as the axis below carries it.
+    substeps : int
+        Integration steps per servo period.
+    motor_friction, motor_sensor : Component
+        Friction of the motor and its encoder, in load units, if the motor can differ in position from the load.
+    origins : mapping of str to Origin
+        Source of `stage_mass`; components, limits and error have their own.
+    correlations : tuple of (str, str, float)
+        Of values fitted together: their names, such as ``plant.mass`` and ``friction.coulomb``, and the coefficient.
     """
 
     name: str
@@ -197,15 +220,30 @@ SIDES = ("load", "motor")
 
 @dataclass(frozen=True)
 class AxisController:
-    """Components of an axis' controller; `local` names the parameters that move with the axis when it is swapped.
+    """Components of an axis' controller.
 
-    `feedback` and `velocity_feedback` select the side of a drive with backlash on which position and velocity are measured. Under a
-    `supervisor` the `controller` is number 0; those of `others`, each with its name, are 1, 2 ...
-
-    The command passes through `filters`, each with its name, in their order, on its way to the drive.
-
-    With a `link` a part of it is in the axis and the rest in the base. The base is the same for all axes, so `local` may only name
-    parameters of the part in the axis.
+    Parameters
+    ----------
+    controller : Component
+        The control law; number 0 under a supervisor.
+    velocity : Component
+        How the velocity is obtained from the position.
+    observer, predictor, feedforward, compensation : Component, optional
+        Disturbance observer, Smith predictor, feedforward, compensation of friction and backlash.
+    local : tuple of str
+        Parameters that move with the axis when it is swapped; with a `link` only those of the part in the axis.
+    gap_observer : Component, optional
+        Observes backlash from the motor.
+    supervisor : Component, optional
+        Chooses the active controller at each tick.
+    others : tuple of (str, Component)
+        Controllers number 1, 2 ... under the supervisor, by name.
+    filters : tuple of (str, Component)
+        Filters of the command on its way to the drive, by name and in their order.
+    feedback, velocity_feedback : {"load", "motor"}
+        Side of a drive with backlash on which position and velocity are measured.
+    link : Division, optional
+        Divides the controller into a part in the axis and a part in the base, which is the same for all axes.
     """
 
     controller: Component = field(default_factory=PositionController)

@@ -14,7 +14,15 @@ DIMENSIONS = (("sample",), ("sample", "axis"))
 
 @dataclass(frozen=True)
 class Signal:
-    """One signal: data (n_sample,) or (n_sample, n_axis), its dimensions' names, its unit (SI)."""
+    """One signal of a run, read-only.
+
+    Parameters
+    ----------
+    data : ndarray (n_sample,) or (n_sample, n_axis)
+    dims : ("sample",) or ("sample", "axis")
+    unit : str
+        SI unit.
+    """
 
     data: Array
     dims: tuple[str, ...]
@@ -31,7 +39,17 @@ class Signal:
 
 @dataclass(frozen=True)
 class Status:
-    """How a run ended; after a failure also sample, axis and reason."""
+    """How a run ended.
+
+    Parameters
+    ----------
+    ok : bool
+        Whether it came to its end.
+    sample : int
+        Where it failed; -1 if it did not.
+    axis, reason : str
+        Which axis failed, and why.
+    """
 
     ok: bool = True
     sample: int = -1
