@@ -15,7 +15,19 @@ GROUPS = {
     ),
     "Path and motion": (
         "The path, and the plan along it.",
-        ("Path", "contour", "contour_names", "route_from_path", "route_from_program", "blended", "AxisLimits", "plan", "uniform", "Reference", "limit_report"),
+        (
+            "Path",
+            "contour",
+            "contour_names",
+            "route_from_path",
+            "route_from_program",
+            "blended",
+            "AxisLimits",
+            "plan",
+            "uniform",
+            "Reference",
+            "limit_report",
+        ),
     ),
     "Simulate": (
         "One run, many variants at once, or a run larger than memory.",
@@ -57,8 +69,8 @@ GROUPS = {
 API = """\
 # Python
 
-`import contourlab as cl` gives the names of this page; what is not on it may change without notice. All values are in SI units (m, s, N, rad); arrays of signals are
-`(n_sample, n_axis)`. [Examples](../examples/index) show them at work.
+`import contourlab as cl` gives the names of this page; what is not on it may change without notice. All values are in SI units
+(m, s, N, rad); arrays of signals are `(n_sample, n_axis)`. [Examples](../examples/index) show them at work.
 """
 
 
@@ -73,9 +85,11 @@ def api_page() -> str:
     listed = sorted(name for _, names in GROUPS.values() for name in names)
     public = sorted(name for name in contourlab.__all__ if name != "__version__")
     if listed != public:
-        raise ValueError(f"docs/api.py: each name of contourlab.__all__ belongs in one group: {sorted(set(listed) ^ set(public)) or listed}")
+        odd = sorted(set(listed) ^ set(public)) or sorted({name for name in listed if listed.count(name) > 1})
+        raise ValueError(f"docs/api.py: each name of contourlab.__all__ belongs in one group: {', '.join(odd)}")
     parts = [API, "```{eval-rst}\n.. currentmodule:: contourlab\n```\n"]
     for head, (text, names) in GROUPS.items():
         rows = "\n".join(f"   {name}" for name in names)
-        parts.append(f"## {head}\n\n{text}\n\n```{{eval-rst}}\n.. autosummary::\n   :toctree: api\n   :nosignatures:\n\n{rows}\n```\n")
+        table = f".. autosummary::\n   :toctree: api\n   :nosignatures:\n\n{rows}"
+        parts.append(f"## {head}\n\n{text}\n\n```{{eval-rst}}\n{table}\n```\n")
     return "\n".join(parts)

@@ -1,4 +1,4 @@
-"""Check the documents against the code: commands, modules, docstrings, links of the README. Sphinx checks the other links. Run by ``make docs``."""
+"""Check documents against the code: commands, modules, docstrings, links of the README. Sphinx checks the rest; run by ``make docs``."""
 
 from __future__ import annotations
 

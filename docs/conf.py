@@ -27,6 +27,7 @@ myst_heading_anchors = 4
 myst_enable_extensions = ["colon_fence"]
 
 autosummary_generate = True
+smartquotes = False  # quotes belong to code
 default_role = "code"  # names in docstrings
 autodoc_typehints = "none"  # the docstrings give types, with shapes and units
 numpydoc_validation_checks = {"PR02"}  # a docstring names no parameter that does not exist
@@ -40,6 +41,7 @@ sphinx_gallery_conf = {
     "download_all_examples": False,
     "show_memory": False,
     "min_reported_time": 1000,
+    "show_signature": False,
     "within_subsection_order": "FileNameSortKey",
 }
 

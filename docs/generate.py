@@ -37,13 +37,15 @@ Numbers are in SI units (m, s, rad); `null` means a non-finite number, or no val
 COMPONENTS = """\
 # Components
 
-The parts of a machine and its controllers. In a file a table names the `kind` and its parameters: `friction = {kind = "coulomb", coulomb = "20 N"}`
-([scenario files](scenario-files.md)). *command* and *force* stand for the plant's own units. `contourlab components NAME` prints an entry of this page.
+The parts of a machine and its controllers. In a file a table names the `kind` and its parameters:
+`friction = {kind = "coulomb", coulomb = "20 N"}` ([scenario files](scenario-files.md)). *command* and *force* stand for the plant's own
+units. `contourlab components NAME` prints an entry of this page.
 """
 COMMANDS = """\
 # Commands
 
-`contourlab COMMAND --help` prints an entry of this page. Exit codes: 0 done, 1 verdict failed, 2 bad input, 3 the loop diverged, 70 a fault in contourlab, 130 interrupted.
+`contourlab COMMAND --help` prints an entry of this page. Exit codes: 0 done, 1 verdict failed, 2 bad input, 3 the loop diverged, 70 a
+fault in contourlab, 130 interrupted.
 """
 BAR = "\\"
 
@@ -137,8 +139,8 @@ def _command(name: str, command: Any) -> str:
     if records:
         rows = [[f"`{names.replace('|', BAR + '|')}`", _plain(text.replace(BAR + "[", "["))] for names, text in records]
         lines.append(_table(["option", "meaning"], rows))
-    lines += [_command(f"{name} {sub}", member).replace("### ", "#### ", 1) for sub, member in getattr(command, "commands", {}).items()]
-    return "\n".join(lines)
+    members = getattr(command, "commands", {}).items()
+    return "\n".join([*lines, *(_command(f"{name} {sub}", member).replace("### ", "#### ", 1) for sub, member in members)])
 
 
 def _table(head: list[str], rows: list[list[str]]) -> str:
@@ -160,7 +162,7 @@ def relinked(text: str, file: Path, page: Path) -> str:
 
 COPIED = {
     HERE.parent / name: HERE / "development" / page
-    for name, page in {"CONTRIBUTING.md": "contributing.md", "CHANGELOG.md": "changelog.md", "benchmarks/README.md": "benchmarks.md"}.items()
+    for name, page in (("CONTRIBUTING.md", "contributing.md"), ("CHANGELOG.md", "changelog.md"), ("benchmarks/README.md", "benchmarks.md"))
 }
 """Files outside of this folder that are pages of the site."""
 PAGES = {
