@@ -80,6 +80,7 @@ doctests: $(STAMP)
 docs: $(SITE)
 	$(BIN)/python docs/check.py
 	$(BIN)/python -m sphinx -E -W --keep-going --nitpicky --quiet docs docs/_build/html
+	$(BIN)/python docs/check_site.py
 
 fuzz: $(STAMP)
 	$(BIN)/python tools/fuzz.py --minutes $(MINUTES) $(ARGS)
@@ -98,6 +99,6 @@ backlash: $(STAMP)
 
 clean:
 	rm -rf $(VENV) results benchmarks/out build dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis
-	cd docs && rm -rf _build examples sg_execution_times.rst reference/api $(addsuffix .md,$(addprefix reference/,api commands components findings json) \
+	cd docs && rm -rf _build examples reference/api $(addsuffix .md,$(addprefix reference/,api commands components findings json) \
 	  $(addprefix development/,benchmarks changelog contributing))
 	find src tests benchmarks docs -name __pycache__ -type d -prune -exec rm -rf {} +

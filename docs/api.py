@@ -70,7 +70,7 @@ API = """\
 # Python
 
 `import contourlab as cl` gives the names of this page; what is not on it may change without notice. All values are in SI units
-(m, s, N, rad); arrays of signals are `(n_sample, n_axis)`. [Examples](../examples/index) show them at work.
+(m, s, N, rad); arrays of signals are `(n_sample, n_axis)`. [Examples](../examples/index.rst) show them at work.
 """
 
 

@@ -40,6 +40,7 @@ sphinx_gallery_conf = {
     "abort_on_example_error": True,
     "download_all_examples": False,
     "show_memory": False,
+    "write_computation_times": False,  # its pages load scripts from elsewhere
     "min_reported_time": 1000,
     "show_signature": False,
     "within_subsection_order": "FileNameSortKey",

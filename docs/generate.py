@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os.path
 import re
+import shutil
 from itertools import groupby
 from pathlib import Path
 from typing import Any
@@ -176,9 +177,13 @@ PAGES = {
 
 
 def write() -> None:
-    """Write the pages that changed."""
-    for file, page in PAGES.items():
-        text = page()
+    """Write the pages that changed, and remove those whose source is gone."""
+    shutil.rmtree(HERE / "reference" / "api", ignore_errors=True)
+    for page in (HERE / "examples").glob("*.rst"):
+        if page.stem != "index" and not (HERE.parent / "examples" / f"{page.stem}.py").exists():
+            page.unlink()
+    for file, content in PAGES.items():
+        text = content()
         if not file.exists() or file.read_text("utf-8") != text:
             file.write_text(text, encoding="utf-8")
 
