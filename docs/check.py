@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import generate
 import typer
 
 import contourlab
@@ -107,6 +108,7 @@ def faults() -> Iterator[str]:
 
 def main() -> int:
     """Print all faults; return 1 if there are any."""
+    generate.write()
     found = list(faults())
     print(*found, f"documents: {len(documents())} read, {len(found)} faults", sep="\n")
     return 1 if found else 0

@@ -85,6 +85,20 @@ def test_the_scenario_of_the_readme_and_its_python(folder: Path) -> None:
     assert (batch.figures["contour_error_rms"] > 0.0).all()
 
 
+@pytest.mark.parametrize("guide", ["axis-control", "learning", "network-link"])
+def test_the_scenarios_and_the_python_of_a_guide_run(guide: str, folder: Path) -> None:
+    page = f"docs/how-to/{guide}.md"
+    named = {name[1]: text for text in blocks(page, "toml") if (name := re.match(r"# (\S+\.toml)\n", text))}
+    for name, text in named.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    scenarios = {name: cl.load_scenario(name) for name, text in named.items() if "[feed]" in text}
+    assert all(scenario.base.reference().n_sample for scenario in scenarios.values())
+    case = next(iter(scenarios.values())).base
+    scope: dict[str, Any] = {"machine": case.machine, "controller": case.controller, "reference": case.reference()}
+    (text,) = blocks(page, "python")
+    exec(compile(text, page, "exec"), scope)
+
+
 def test_every_contour_is_in_the_manual_with_its_parameters() -> None:
     from contourlab.geometry import contour_names, contour_parameters
 
