@@ -11,16 +11,18 @@ MINUTES ?= 10
 BIN := $(VENV)/bin
 RUNTIME := $(VENV)/.runtime
 STAMP := $(VENV)/.installed
+SITE := $(VENV)/.site
 PIP := $(BIN)/python -m pip install --disable-pip-version-check -c constraints.txt
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo programs learning backlash test check lint types imports docs bench fuzz clean
+.PHONY: help install demo programs learning backlash test check lint types imports doctests docs bench fuzz clean
 
 help:
 	@echo "make demo     run the demonstration; results in results/demo"
 	@echo "make test     run the tests; make test ARGS=\"--slow\" runs the slow ones too"
 	@echo "              (in WORKERS=2 processes; WORKERS=0 for one that a debugger can enter)"
-	@echo "make check    ruff, mypy --strict, import contracts, documents"
+	@echo "make check    ruff, mypy --strict, import contracts, examples in docstrings, documents"
+	@echo "make docs     check the documents, run the examples, build the site: docs/_build/html/index.html"
 	@echo "make fuzz     try damaged input files on the commands; make fuzz MINUTES=10"
 	@echo "make bench    measure the speed of the engine on this machine"
 	@echo "make programs run every part program of a folder; make programs PROGRAMS=my/folder"
@@ -47,6 +49,11 @@ $(STAMP): $(RUNTIME)
 	@$(PIP) -e ".[dev]"
 	@touch $@
 
+$(SITE): $(RUNTIME)
+	@echo "installing the tools of the site into $(VENV) (half a minute, once)"
+	@$(PIP) -e ".[docs]"
+	@touch $@
+
 install: $(STAMP)
 
 demo: $(RUNTIME)
@@ -55,7 +62,7 @@ demo: $(RUNTIME)
 test: $(STAMP)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(ARGS)
 
-check: lint types imports docs
+check: lint types imports doctests docs
 
 lint: $(STAMP)
 	$(BIN)/ruff check .
@@ -66,9 +73,14 @@ types: $(STAMP)
 imports: $(STAMP)
 	$(BIN)/lint-imports
 
-docs: $(STAMP)
-	$(BIN)/python docs/check.py
+doctests: $(STAMP)
 	$(BIN)/python -m pytest --doctest-modules src/contourlab --quiet
+
+# -E reads every page again, so that a second run repeats the warnings of the first.
+docs: $(SITE)
+	$(BIN)/python docs/check.py
+	$(BIN)/python -m sphinx -E -W --keep-going --nitpicky --quiet docs docs/_build/html
+	$(BIN)/python docs/check_site.py
 
 fuzz: $(STAMP)
 	$(BIN)/python tools/fuzz.py --minutes $(MINUTES) $(ARGS)
@@ -87,4 +99,6 @@ backlash: $(STAMP)
 
 clean:
 	rm -rf $(VENV) results benchmarks/out build dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis
+	cd docs && rm -rf _build examples reference/api $(addsuffix .md,$(addprefix reference/,api commands components findings json) \
+	  $(addprefix development/,benchmarks changelog contributing))
 	find src tests benchmarks docs -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,4 +1,4 @@
-"""Check the documents against the code: links, anchors, commands, modules and docstrings. Run by ``make check``."""
+"""Check documents against the code: commands, modules, docstrings, links of the README. Sphinx checks the rest; run by ``make docs``."""
 
 from __future__ import annotations
 
@@ -12,16 +12,15 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import generate
 import typer
-from generate import PAGES
 
 import contourlab
 from contourlab.cli.main import app
 
 ROOT = Path(__file__).resolve().parents[1]
 FENCE = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```", re.MULTILINE | re.DOTALL)
-LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
-HEADING = re.compile(r"^#+\s+(.*)$", re.MULTILINE)
+LINK = re.compile(r"\]\(([^)\s#:]+)[)#]")
 MODULE = re.compile(r"`(contourlab(?:\.[a-z_0-9]+)+)`")
 SHELL = {"sh", "bash", "console", "shell"}
 
@@ -30,25 +29,6 @@ def documents() -> list[Path]:
     """Return every Markdown file that belongs to the project."""
     folders = (ROOT.glob("*.md"), *((ROOT / name).rglob("*.md") for name in ("docs", "benchmarks", "src", "tests")))
     return sorted(file for found in folders for file in found)
-
-
-def anchor(heading: str) -> str:
-    """Return the anchor that a heading gets on the web."""
-    kept = re.sub(r"[^\w\- ]", "", heading.strip().lower())
-    return kept.replace(" ", "-")
-
-
-def broken_links(file: Path, text: str) -> Iterator[str]:
-    """Yield links to files and headings that do not exist."""
-    for target in LINK.findall(FENCE.sub("", text)):
-        if re.match(r"[a-z]+:", target):
-            continue
-        name, _, part = target.partition("#")
-        goal = (file.parent / name).resolve() if name else file
-        if not goal.exists():
-            yield f"link to {target}: no such file"
-        elif part and goal.suffix == ".md" and part not in {anchor(h) for h in HEADING.findall(goal.read_text(encoding="utf-8"))}:
-            yield f"link to {target}: no such heading"
 
 
 def command_lines(text: str) -> Iterator[list[str]]:
@@ -99,7 +79,7 @@ def unknown_modules(text: str) -> Iterator[str]:
 
 
 def undocumented() -> Iterator[str]:
-    """Yield public functions, classes and modules without a docstring."""
+    """Yield public functions, classes, their members and modules without a docstring."""
     for info in pkgutil.walk_packages(contourlab.__path__, "contourlab."):
         module = importlib.import_module(info.name)
         if not module.__doc__ and Path(module.__file__ or "").stat().st_size:
@@ -110,23 +90,27 @@ def undocumented() -> Iterator[str]:
                 yield f"{info.name}: __all__ names {name}, which does not exist"
             elif (inspect.isroutine(thing) or inspect.isclass(thing)) and thing.__module__ == info.name and not inspect.getdoc(thing):
                 yield f"{info.name}.{name}: no docstring"
+    for kind in filter(inspect.isclass, (getattr(contourlab, name) for name in contourlab.__all__)):
+        members = inspect.getmembers(kind, lambda thing: inspect.isroutine(thing) or isinstance(thing, property))
+        yield from (f"{kind.__name__}.{name}: no docstring" for name, thing in members if name[0] != "_" and not inspect.getdoc(thing))
 
 
 def faults() -> Iterator[str]:
     """Yield all faults, with their place."""
     for file in documents():
         text = file.read_text(encoding="utf-8")
-        found = [*broken_links(file, text), *unknown_modules(text)]
-        found += [fault for words in command_lines(text) for fault in unknown_words(words)]
+        found = [*unknown_modules(text), *(fault for words in command_lines(text) for fault in unknown_words(words))]
+        if file.parent == ROOT:  # not all of these are pages of the site
+            found += [f"link to {name}: no such file" for name in LINK.findall(text) if not (ROOT / name).exists()]
         yield from (f"{file.relative_to(ROOT)}: {fault}" for fault in found)
-    stale = (file for file, page in PAGES.items() if file.read_text("utf-8") != page())
-    yield from (f"{file.relative_to(ROOT)}: out of date; run docs/generate.py" for file in stale)
     yield from undocumented()
 
 
 def main() -> int:
     """Print all faults; return 1 if there are any."""
-    found = list(faults())
+    stale = generate.PORTS.read_text("utf-8") != generate.ports_page()
+    generate.write()
+    found = [*faults(), *([f"{generate.PORTS.relative_to(ROOT)}: was out of date: commit it"] if stale else [])]
     print(*found, f"documents: {len(documents())} read, {len(found)} faults", sep="\n")
     return 1 if found else 0
 

@@ -1,19 +1,29 @@
-"""Write the generated pages components.md, findings.md and json.md. ``make check`` fails if one is out of date."""
+"""Write the pages that are made from the code, when the site is built."""
 
 from __future__ import annotations
 
-import inspect
+import os.path
 import re
+import shutil
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
-from contourlab import primitives
+import typer
+from api import api_page
+from markup import plain
+from ports import ports_page
+
 from contourlab.app.json_schema import json_schema
 from contourlab.cli.commands.schema import results
-from contourlab.components.families import FAMILY, PORTS, Family, Form, size_of
+from contourlab.cli.main import app
+from contourlab.components.contract import Component
+from contourlab.components.registry import components
+from contourlab.features.components.description import describe, parameter_cells
 from contourlab.findings import catalogue
 
-HERE = Path(__file__).parent
+HERE = Path(__file__).resolve().parent
+LINK = re.compile(r"(\]\()([^)\s#:]+)(?=[)#])")
 FINDINGS = """\
 # Findings
 
@@ -28,83 +38,19 @@ JSON = """\
 Numbers are in SI units (m, s, rad); `null` means a non-finite number, or no value. Later versions may add keys.
 """
 COMPONENTS = """\
-# Ports and methods of components
+# Components
 
-What a component must declare and define, family by family. The loader of plug-ins and `contourlab.check_component` check a class against
-the same table. [CONTRIBUTING](../CONTRIBUTING.md#add-a-component-in-ten-minutes) shows how to write one.
-
-## What a step may use
-
-`if`, `for`, `while`, tuples, functions of your own, and the functions below, from `contourlab.primitives`. `range`, `len`, `zip`,
-`enumerate`, `reversed`, `tuple` and `float` shape tuples and loops. Everything else is refused with file and line: `max` and `math.exp`,
-lists, `**`, `%`, `//`, `try`, `print`, and whatever keeps something outside the states. So plain Python and machine code compute the same.
-
-| function | returns |
-|---|---|
+The parts of a machine and its controllers. In a file a table names the `kind` and its parameters:
+`friction = {kind = "coulomb", coulomb = "20 N"}` ([scenario files](scenario-files.md)). *command* and *force* stand for the plant's own
+units. `contourlab components NAME` prints an entry of this page.
 """
-ARGUMENTS = """
-## Methods
+COMMANDS = """\
+# Commands
 
-Methods without `self` are static: `@staticmethod`. `step(par, x, inp, clock)` returns `x_next, out`, tuples in the order of `states` and
-`outputs`. Its arguments are named tuples: `par` holds the parameters that are numbers and the constants of `derive`, `x` the states, `inp`
-the inputs; `clock` has the tick `k`, the time `t` and the period `dt`. `derive` gets numbers or arrays, one number for each variant of a
-batch: use the functions of numpy there.
-
-A component needs what its family lists; further outputs are allowed. Ports marked * have a number for each axis: `Port("tangent", -1)`.
-The [table of ports](#ports) has units and meanings.
+`contourlab COMMAND --help` prints an entry of this page. Exit codes: 0 done, 1 verdict failed, 2 bad input, 3 the loop diverged, 70 a
+fault in contourlab, 130 interrupted.
 """
-PORT_TABLE = """\
-## Ports
-
-*command* and *force* are the units of the plant, such as A and N; a parameter writes them `{command}` and `{force}`.
-
-| port | unit | meaning |
-|---|---|---|
-"""
-
-
-def components_page() -> str:
-    """Return the page of all families: ports and methods."""
-    rows = []
-    for name in primitives.__all__:
-        function = getattr(primitives, name)
-        if inspect.isfunction(function):
-            call = f"{name}({', '.join(inspect.signature(function).parameters)})"
-            summary = (inspect.getdoc(function) or "").splitlines()[0].removeprefix("Return ").rstrip(".")
-            rows.append(f"| `{call}` | {_plain(summary)} |")
-    parts = [COMPONENTS + "\n".join(rows), ARGUMENTS]
-    parts += [_family(name, family) for name, family in FAMILY.items()]
-    ports = [f"| `{name}` | {unit or '1'} | {meaning} |" for name, (unit, meaning) in PORTS.items()]
-    return "\n".join([*parts, PORT_TABLE + "\n".join(ports)]) + "\n"
-
-
-def _family(name: str, family: Family) -> str:
-    """Return the section of a family."""
-    lines = [f"## {name}\n", f"{family.doc[0].upper()}{family.doc[1:]}. Slot: `{family.slot}`.\n"]
-    inputs, outputs = "Inputs, any of" if family.chooses else "Inputs", "Outputs, one or both of" if family.either else "Outputs"
-    for what, ports in ((inputs, family.inputs), (outputs, family.outputs)):
-        if ports:
-            lines.append(f"- {what}: {', '.join(_port(name, port) for port in ports)}")
-    if len(family.forms) > 1:
-        lines.append(f"- One of these {'laws' if family.forms[0].law else 'base classes'}:")
-    indent = "  " if len(family.forms) > 1 else ""
-    lines += [f"{indent}- {_needs(form)}" for form in family.forms]
-    return "\n".join([*lines, ""])
-
-
-def _port(family: str, name: str) -> str:
-    return f"`{name}`{'*' if size_of(family, name) else ''}"
-
-
-def _needs(form: Form) -> str:
-    """Return what a class of a form must have, in words."""
-    base = f"`{form.base}`" if form.base else f'`law = "{form.law}"`' if form.law else ""
-    methods = [f"`{method.call}`" + (f": {method.doc}" if method.name != "step" else "") for method in form.methods]
-    states = [f"state `{name}`" for name in form.states]
-    constants = [f"`{name}`{f' or a method `{other}(par)`' if other else ''}" for name, other in form.constants.items()]
-    held = [f"in `par`: {', '.join(constants)}"] if constants else []
-    attributes = [f"`{name}`, such as `{value}`" for name, value in form.attributes.items()]
-    return "; ".join(filter(None, [base, *methods, *states, *held, *attributes]))
+BAR = "\\"
 
 
 def findings_page() -> str:
@@ -124,8 +70,8 @@ def json_page() -> str:
         objects |= schema["$defs"]
         parts[1] += f"\n| `{command}` | {_form(schema)} |"
     for name, schema in sorted(objects.items()):
-        rows = [f"| `{key}` | {_form(value)} | {_plain(value.get('description', ''))} |" for key, value in schema["properties"].items()]
-        parts.append("\n".join([f"\n## {name}\n\n{_plain(schema['description'])}\n", "| key | value | meaning |\n|---|---|---|", *rows]))
+        rows = [f"| `{key}` | {_form(value)} | {plain(value.get('description', ''))} |" for key, value in schema["properties"].items()]
+        parts.append("\n".join([f"\n## {name}\n\n{plain(schema['description'])}\n", "| key | value | meaning |\n|---|---|---|", *rows]))
     return "\n".join(parts) + "\n"
 
 
@@ -150,13 +96,97 @@ def _form(schema: dict[str, Any]) -> str:
     return kinds if isinstance(kinds, str) else " or ".join(kinds)
 
 
-def _plain(text: str) -> str:
-    """Escape characters that Markdown takes for markup."""
-    return " ".join(text.replace("|", "\\|").replace("``", "`").replace("<", "&lt;").replace("_", "\\_").replace("*", "\\*").split())
+def components_page() -> str:
+    """Return the page of all components by family, with their parameters."""
+    parts = [COMPONENTS]
+    for family, kinds in groupby(components(), key=lambda kind: kind.family):
+        parts.append(f"## {family}\n")
+        parts += [_component(kind) for kind in kinds]
+    return "\n".join(parts)
 
 
-PAGES = {HERE / "components.md": components_page, HERE / "findings.md": findings_page, HERE / "json.md": json_page}
+def _component(kind: type[Component]) -> str:
+    about = describe(kind)
+    lines = [f"### {kind.kind}\n\n{plain(about.doc)}\n"]
+    if about.reference:
+        lines.append(f"Source: {plain(about.reference)}.\n")
+    for head, parameters in (("parameter", about.parameters), ("`gains`", about.gains)):
+        if parameters:
+            rows = [["`" + parameter.name + "`", *map(plain, parameter_cells(parameter))] for parameter in parameters]
+            lines.append(_table([head, "unit", "bounds", "default", "meaning", "source"], rows))
+    return "\n".join(lines)
+
+
+def commands_page() -> str:
+    """Return the page of all commands, grouped as ``contourlab --help`` groups them."""
+    command: Any = typer.main.get_command(app)
+    parts, panels = [COMMANDS], {}
+    for name, sub in command.commands.items():
+        panels.setdefault(sub.rich_help_panel, []).append((name, sub))
+    for panel, members in panels.items():
+        parts.append(f"## {panel}\n")
+        parts += [_command(name, sub) for name, sub in members]
+    return "\n".join(parts)
+
+
+def _command(name: str, command: Any) -> str:
+    context = typer.Context(command, info_name=f"contourlab {name}")
+    usage = command.get_usage(context).removeprefix("Usage: ")
+    lines = [f"### {name}\n\n{plain(command.help)}\n\n```text\n{' '.join(usage.split())}\n```\n"]
+    records = [record for parameter in command.params if (record := parameter.get_help_record(context))]
+    if records:
+        rows = [[f"`{names.replace('|', BAR + '|')}`", plain(text.replace(BAR + "[", "["))] for names, text in records]
+        lines.append(_table(["option", "meaning"], rows))
+    members = getattr(command, "commands", {}).items()
+    return "\n".join([*lines, *(_command(f"{name} {sub}", member).replace("### ", "#### ", 1) for sub, member in members)])
+
+
+def _table(head: list[str], rows: list[list[str]]) -> str:
+    """Return a Markdown table without its empty columns."""
+    kept = [n for n in range(len(head)) if any(row[n] for row in rows)]
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join(f"| {' | '.join(line[n] for n in kept)} |" for line in lines) + "\n"
+
+
+def relinked(text: str, file: Path, page: Path) -> str:
+    """Return the text of a file as that of a page elsewhere, with its relative links changed, and those to copied files."""
+
+    def link(found: re.Match[str]) -> str:
+        goal = (file.parent / found[2]).resolve()
+        return found[1] + os.path.relpath(COPIED.get(goal, goal), page.parent)
+
+    return LINK.sub(link, text)
+
+
+COPIED = {
+    HERE.parent / name: HERE / "development" / page
+    for name, page in (("CONTRIBUTING.md", "contributing.md"), ("CHANGELOG.md", "changelog.md"), ("benchmarks/README.md", "benchmarks.md"))
+}
+"""Files outside of this folder that are pages of the site."""
+PORTS = HERE / "reference" / "ports.md"
+"""The one generated page that is committed, because CONTRIBUTING sends readers of the repository there."""
+PAGES = {
+    HERE / "reference" / "findings.md": findings_page,
+    HERE / "reference" / "json.md": json_page,
+    HERE / "reference" / "components.md": components_page,
+    PORTS: ports_page,
+    HERE / "reference" / "commands.md": commands_page,
+    HERE / "reference" / "api.md": api_page,
+    **{page: lambda file=file, page=page: relinked(file.read_text("utf-8"), file, page) for file, page in COPIED.items()},
+}
+
+
+def write() -> None:
+    """Write the pages that changed, and remove those whose source is gone."""
+    shutil.rmtree(HERE / "reference" / "api", ignore_errors=True)
+    for page in (HERE / "examples").glob("*.rst"):
+        if page.stem != "index" and not (HERE.parent / "examples" / f"{page.stem}.py").exists():
+            page.unlink()
+    for file, content in PAGES.items():
+        text = content()
+        if not file.exists() or file.read_text("utf-8") != text:
+            file.write_text(text, encoding="utf-8")
+
 
 if __name__ == "__main__":
-    for file, page in PAGES.items():
-        file.write_text(page(), encoding="utf-8")
+    write()

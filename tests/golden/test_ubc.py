@@ -56,7 +56,7 @@ def test_its_contour_errors_are_those_measured(table: Table) -> None:
 
 
 def test_the_library_keeps_its_documented_figures(table: Table) -> None:
-    """As documented in docs/refinement.md; a change of the engine or the files shows here."""
+    """As documented in docs/how-to/refinement.md; a change of the engine or the files shows here."""
     kept = {("lead-lag", "x"): 98.70, ("lead-lag", "y"): 98.29, ("pole-placement", "x"): 99.998, ("pole-placement", "y"): 99.995}
     for (run, axis), value in kept.items():
         assert table["variance explained", f"{run}, {axis}"].here == pytest.approx(value, abs=0.02)
@@ -74,7 +74,7 @@ def test_the_machine_also_explains_unseen_runs(folder: Path) -> None:
 
 
 LATER = {"rms": (-3.6, 23.7, -8.9, -3.4, 29.5), "maximum": (-12.0, 30.0, -5.0)}
-"""Simulated against measured [percent] for runs that no fit has seen, as documented in docs/refinement.md."""
+"""Simulated against measured [percent] for runs that no fit has seen, as documented in docs/how-to/refinement.md."""
 
 
 @pytest.mark.slow

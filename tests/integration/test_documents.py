@@ -32,7 +32,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def test_the_files_of_the_manual_make_a_scenario(folder: Path) -> None:
-    scenario, machine, axis, controller, _, _, program, _ = blocks("docs/scenario-files.md", "toml")
+    scenario, machine, axis, controller, _, _, program, _ = blocks("docs/reference/scenario-files.md", "toml")
     for name, text in (("scenario", scenario), ("machine", machine), ("axis1", axis), ("controller", controller)):
         (folder / f"{name}.toml").write_text(text, encoding="utf-8")
     found = cl.load_scenario("scenario.toml")
@@ -46,7 +46,7 @@ def test_the_files_of_the_manual_make_a_scenario(folder: Path) -> None:
 
 
 def test_further_slots_of_the_manual_and_its_learning() -> None:
-    further, learning = blocks("docs/scenario-files.md", "toml")[4:6]
+    further, learning = blocks("docs/reference/scenario-files.md", "toml")[4:6]
     motor = '{kind = "second-order-integrator", dc_gain = "40 mm/s/V", damping_ratio = 1.1, natural_frequency = "150 rad/s"}'
     machine = f'[machine]\nname = "stage"\nservo_period = "1 ms"\naxes = ["x", "y"]\n[axes."*"]\nplant = {motor}\n'
     drive = '[axes.y.drive]\nkind = "delayed-saturation"\ndelay = "2 ms"\n'
@@ -69,7 +69,7 @@ def test_the_drawing_of_the_manual_makes_a_scenario(folder: Path) -> None:
     drawing.modelspace().add_text("part 7", dxfattribs={"layer": "cut"})
     drawing.modelspace().add_circle((0, 0), 30, dxfattribs={"layer": "blank"})
     drawing.saveas(folder / "part.dxf")
-    (folder / "scenario.toml").write_text(blocks("docs/scenario-files.md", "toml")[-1], encoding="utf-8")
+    (folder / "scenario.toml").write_text(blocks("docs/reference/scenario-files.md", "toml")[-1], encoding="utf-8")
     reference = cl.load_scenario("scenario.toml").base.reference()
     assert reference.path.length == pytest.approx(0.02 * np.pi)
     assert reference.duration == pytest.approx(2.0)
@@ -85,10 +85,25 @@ def test_the_scenario_of_the_readme_and_its_python(folder: Path) -> None:
     assert (batch.figures["contour_error_rms"] > 0.0).all()
 
 
+@pytest.mark.parametrize("guide", ["axis-control", "learning", "network-link"])
+def test_the_scenarios_and_the_python_of_a_guide_run(guide: str, folder: Path) -> None:
+    page = f"docs/how-to/{guide}.md"
+    named = {name[1]: text for text in blocks(page, "toml") if (name := re.match(r"# (\S+\.toml)\n", text))}
+    for name, text in named.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    scenarios = {name: cl.load_scenario(name) for name, text in named.items() if "[feed]" in text}
+    assert all(scenario.base.reference().n_sample for scenario in scenarios.values())
+    case = next(iter(scenarios.values())).base
+    scope: dict[str, Any] = {"machine": case.machine, "controller": case.controller, "reference": case.reference()}
+    (text,) = blocks(page, "python")
+    exec(compile(text, page, "exec"), scope)
+
+
 def test_every_contour_is_in_the_manual_with_its_parameters() -> None:
     from contourlab.geometry import contour_names, contour_parameters
 
-    rows = dict(re.findall(r"^\| `([a-z-]+)` \| (.*) \|$", (ROOT / "docs/scenario-files.md").read_text(encoding="utf-8"), re.MULTILINE))
+    text = (ROOT / "docs/reference/scenario-files.md").read_text(encoding="utf-8")
+    rows = dict(re.findall(r"^\| `([a-z-]+)` \| (.*) \|$", text, re.MULTILINE))
     for name in contour_names():
         assert set(re.findall(r"`([a-z_]+)`", rows[name])) == set(contour_parameters(name)), name
 
@@ -96,13 +111,13 @@ def test_every_contour_is_in_the_manual_with_its_parameters() -> None:
 def test_the_tutorial_reproduces_its_printed_figures(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     from contourlab.cli.main import main
 
-    answers, compare, *_ = blocks("docs/tutorial.md", "toml")
-    (python,) = blocks("docs/tutorial.md", "python")
-    text = (ROOT / "docs/tutorial.md").read_text(encoding="utf-8")
+    answers, compare, *_ = blocks("docs/tutorials/first-hour.md", "toml")
+    (python,) = blocks("docs/tutorials/first-hour.md", "python")
+    text = (ROOT / "docs/tutorials/first-hour.md").read_text(encoding="utf-8")
     (part,) = re.findall(r"^```\n; part.ngc\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
     for name, content in (("answers.toml", answers), ("compare.toml", compare), ("part.ngc", "; part.ngc\n" + part)):
         (folder / name).write_text(content, encoding="utf-8")
-    commands = [line.split() for block in blocks("docs/tutorial.md", "sh") for line in block.splitlines()]
+    commands = [line.split() for block in blocks("docs/tutorials/first-hour.md", "sh") for line in block.splitlines()]
     assert main(commands[0][1:]) == 0
     assert "47.37 kg (70%)" in capsys.readouterr().out
     assert main([*commands[1][1:6], "20 um", "--out", "first"]) == 1
@@ -121,12 +136,12 @@ def test_the_tutorial_reproduces_its_printed_figures(folder: Path, capsys: pytes
 def test_the_tutorial_learns_as_described(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     from contourlab.cli.main import main
 
-    answers, _, learn, _ = blocks("docs/tutorial.md", "toml")
-    text = (ROOT / "docs/tutorial.md").read_text(encoding="utf-8")
+    answers, _, learn, _ = blocks("docs/tutorials/first-hour.md", "toml")
+    text = (ROOT / "docs/tutorials/first-hour.md").read_text(encoding="utf-8")
     (part,) = re.findall(r"^```\n; part.ngc\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
     for name, content in (("answers.toml", answers), ("learn.toml", learn), ("part.ngc", "; part.ngc\n" + part)):
         (folder / name).write_text(content, encoding="utf-8")
-    commands = [line.partition("#")[0].split() for block in blocks("docs/tutorial.md", "sh") for line in block.splitlines()]
+    commands = [line.partition("#")[0].split() for block in blocks("docs/tutorials/first-hour.md", "sh") for line in block.splitlines()]
     main(commands[0][1:])
     analyse, compare = (command[1:] for command in commands if command[1] in ("analyse", "compare"))
     capsys.readouterr()

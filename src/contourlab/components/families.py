@@ -1,6 +1,6 @@
 """What each family of components must have: ports, methods, base class.
 
-Loader, conformance test and `docs/components.md` use this table.
+Loader, conformance test and `docs/reference/ports.md` use this table.
 """
 
 from __future__ import annotations

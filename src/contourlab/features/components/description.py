@@ -105,8 +105,13 @@ def _parameter_table(head: str, parameters: Mapping[str, Parameter]) -> Table:
     names = (Column(name, left=True) for name in (head, "unit", "bounds", "default"))
     table = Table([*names, Column("meaning", prose=True), Column("source", prose=True)])
     for name, parameter in parameters.items():
-        table.add(name, _unit(parameter), _range(parameter), _default(parameter), parameter.doc, parameter.source)
+        table.add(name, *parameter_cells(parameter))
     return table
+
+
+def parameter_cells(parameter: Parameter) -> tuple[str, str, str, str, str]:
+    """Return unit, bounds, default, meaning and source of a parameter as in files."""
+    return _unit(parameter), _range(parameter), _default(parameter), parameter.doc, parameter.source
 
 
 def _unit(parameter: Parameter) -> str:

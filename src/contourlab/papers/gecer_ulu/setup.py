@@ -1,6 +1,6 @@
 """Setup of Gecer Ulu, Ulu & Cakmakci: tables, machines, controllers, contour, and runs over trials.
 
-The shipped files ``gecer-ulu/*.toml`` and docs/gecer-ulu.md explain what the paper leaves open and how we read it.
+The shipped files ``gecer-ulu/*.toml`` and docs/explanation/gecer-ulu.md explain what the paper leaves open and how we read it.
 """
 
 from __future__ import annotations
