@@ -116,8 +116,8 @@ def load_plugin(file: str | Path) -> list[type[Component]]:
     Raises
     ------
     ComponentError
-        If the file cannot be imported, defines no component or one without the ports and methods of its family (`docs/reference/ports.md`), or
-        uses a name that is taken; then nothing is registered. The message names file, line and class.
+        If the file cannot be imported, defines no component or one without the ports and methods of its family
+        (`docs/reference/ports.md`), or uses a name that is taken; then nothing is registered. The message names file, line and class.
     """
     path = Path(file).resolve()
     name = str(path)  # so that whatever shows the module shows the file
