@@ -14,13 +14,14 @@ STAMP := $(VENV)/.installed
 PIP := $(BIN)/python -m pip install --disable-pip-version-check -c constraints.txt
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo programs learning backlash test check lint types imports docs bench fuzz clean
+.PHONY: help install demo programs learning backlash test check lint types imports docs package bench fuzz clean
 
 help:
 	@echo "make demo     run the demonstration; results in results/demo"
 	@echo "make test     run the tests; make test ARGS=\"--slow\" runs the slow ones too"
 	@echo "              (in WORKERS=2 processes; WORKERS=0 for one that a debugger can enter)"
 	@echo "make check    ruff, mypy --strict, import contracts, documents"
+	@echo "make package  build wheel and source archive in dist; try the wheel in an environment of its own"
 	@echo "make fuzz     try damaged input files on the commands; make fuzz MINUTES=10"
 	@echo "make bench    measure the speed of the engine on this machine"
 	@echo "make programs run every part program of a folder; make programs PROGRAMS=my/folder"
@@ -69,6 +70,9 @@ imports: $(STAMP)
 docs: $(STAMP)
 	$(BIN)/python docs/check.py
 	$(BIN)/python -m pytest --doctest-modules src/contourlab --quiet
+
+package: $(STAMP)
+	$(BIN)/python tools/package.py
 
 fuzz: $(STAMP)
 	$(BIN)/python tools/fuzz.py --minutes $(MINUTES) $(ARGS)
