@@ -15,7 +15,7 @@ SITE := $(VENV)/.site
 PIP := $(BIN)/python -m pip install --disable-pip-version-check -c constraints.txt
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo programs learning backlash test check lint types imports doctests docs bench fuzz clean
+.PHONY: help install demo programs learning backlash test check lint types imports doctests docs package bench fuzz clean
 
 help:
 	@echo "make demo     run the demonstration; results in results/demo"
@@ -23,6 +23,7 @@ help:
 	@echo "              (in WORKERS=2 processes; WORKERS=0 for one that a debugger can enter)"
 	@echo "make check    ruff, mypy --strict, import contracts, examples in docstrings, documents"
 	@echo "make docs     check the documents, run the examples, build the site: docs/_build/html/index.html"
+	@echo "make package  build wheel and source archive in dist; try the wheel in an environment of its own"
 	@echo "make fuzz     try damaged input files on the commands; make fuzz MINUTES=10"
 	@echo "make bench    measure the speed of the engine on this machine"
 	@echo "make programs run every part program of a folder; make programs PROGRAMS=my/folder"
@@ -81,6 +82,9 @@ docs: $(SITE)
 	$(BIN)/python docs/check.py
 	$(BIN)/python -m sphinx -E -W --keep-going --nitpicky --quiet docs docs/_build/html
 	$(BIN)/python docs/check_site.py
+
+package: $(STAMP)
+	$(BIN)/python tools/package.py
 
 fuzz: $(STAMP)
 	$(BIN)/python tools/fuzz.py --minutes $(MINUTES) $(ARGS)

@@ -166,8 +166,9 @@ def tried(kind: Kind, text: bytes) -> str:
         code = main([kind.file if word == "FILE" else word for word in kind.words])
     if code not in CODES:
         return f"exit code {code}: {err.getvalue().strip()[-300:]}"
-    if resource.getrusage(resource.RUSAGE_SELF).ru_maxrss > BYTES >> 10:
-        return f"{resource.getrusage(resource.RUSAGE_SELF).ru_maxrss >> 10} MB of memory"
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024)  # bytes on macOS, else kB
+    if peak > BYTES:
+        return f"{peak >> 20} MB of memory"
     return ""
 
 

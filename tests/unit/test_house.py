@@ -63,7 +63,7 @@ def test_rooms_import_in_their_order():
 def test_the_version_is_the_same_everywhere():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
     citation = re.search(r"^version: (.+)$", (ROOT / "CITATION.cff").read_text(encoding="utf-8"), re.MULTILINE)
-    newest = re.search(r"^## (\S+)", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
+    newest = re.search(r"^## \[(\d\S*)\]", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
     assert citation is not None
     assert newest is not None
     assert {contourlab.__version__, importlib.metadata.version("contourlab"), citation[1], newest[1]} == {project}
@@ -91,6 +91,9 @@ def test_every_dependency_is_pinned():
     wanted = [*project["dependencies"], *(one for extra in project["optional-dependencies"].values() for one in extra)]
     names = {re.sub(r"[-_.]+", "-", re.split(r"[^\w.-]", requirement)[0]).lower() for requirement in wanted}
     assert names - {"contourlab"} <= pinned
+    # The hooks before a commit use the same ruff.
+    hooks = (ROOT / ".pre-commit-config.yaml").read_text(encoding="utf-8")
+    assert re.findall(r"ruff==[\d.]+", hooks) == [line for line in lines if line.startswith("ruff==")]
 
 
 @pytest.mark.parametrize("module", EXTRAS)

@@ -270,7 +270,7 @@ def _temporary(folder: Path, option: str) -> Iterator[Path]:
 def _held_stage(folder: Path) -> tuple[Path, BinaryIO]:
     """Return a new temporary folder and its marking file, locked if the file system has locks."""
     while True:
-        stage = Path(tempfile.mkdtemp(dir=folder, prefix=_STAGE))
+        stage = folder / Path(tempfile.mkdtemp(dir=folder, prefix=_STAGE)).name  # absolute from Python 3.12 on; messages name it as typed
         with suppress(FileNotFoundError, BlockingIOError):  # another process removes it before it is locked
             stream = (stage / _HELD).open("wb")
             try:

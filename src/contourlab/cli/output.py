@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import os
-import shlex
 import sys
 from typing import TYPE_CHECKING, Any, Protocol
 
+from contourlab.app.command_line import as_typed
 from contourlab.app.json_values import json_values
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def suggest(as_json: bool, *words: object) -> None:
             typed.pop()
         else:
             typed.append(str(word))
-    say(f"\nnext: {shlex.join(['contourlab', *typed])}")
+    say(f"\nnext: {as_typed(['contourlab', *typed])}")
 
 
 def suggest_again(as_json: bool, *more: str, without: str = "") -> None:

@@ -231,4 +231,3 @@ class Spiral(Parametric):
             -3.0 * growth * turn - rho * left,
         )
         return np.array(rows[: order + 1])
-

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import astuple
 
 import numpy as np
 import pytest
@@ -87,7 +88,7 @@ def test_window_and_longest() -> None:
 def test_times_of_a_window_are_those_of_the_run() -> None:
     result = planted(0.0, (5e-6, 4e-6, 3e-6, 2e-6), 0.04, 0.03)
     whole, part = reversal_spikes(result), reversal_spikes(result.window(600, 2000))
-    assert part == whole[1:]
+    assert [astuple(spike) for spike in part] == [astuple(spike) for spike in whole[1:]]  # from Python 3.13 on nan makes spikes unequal
 
 
 def test_standstill_in_between_is_one_reversal() -> None:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import shlex
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from contourlab.app.command_line import as_typed
 from contourlab.cli.options import (
     Json,
     Judge,
@@ -52,7 +52,7 @@ def compare(
             if value is not None:
                 raise typer.BadParameter("applies to a scenario only: omit it when you compare runs from files", param_hint=option)
         runs = [str(file), *others]
-        outcome = compare_runs(runs, out, plots=tuple(plots or ()), command=shlex.join(["contourlab", "compare", *runs]))
+        outcome = compare_runs(runs, out, plots=tuple(plots or ()), command=as_typed(["contourlab", "compare", *runs]))
         return conclude(outcome, as_json)
     from contourlab.features.run.schemes import compare_schemes
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import shlex
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from contourlab.app.command_line import as_typed
 from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, Plots, SamplePeriod, listed
 from contourlab.cli.output import conclude
 
@@ -51,5 +51,5 @@ def measure(
     words += [word for text in column or () for word in ("--column", text)]
     choice = LogChoice(log, tuple(column or ()), columns, format, period, listed(axes))
     asked = {"reference": reference, "shift": shift, "tolerance": tolerance}
-    outcome = measure_log(choice, out, **asked, plots=tuple(plots or ()), command=shlex.join(words))
+    outcome = measure_log(choice, out, **asked, plots=tuple(plots or ()), command=as_typed(words))
     return conclude(outcome, as_json)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import shlex
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from contourlab.app.command_line import as_typed
 from contourlab.cli.output import say
 from contourlab.errors import ParameterError, ScenarioError
 
@@ -60,9 +60,9 @@ def machine(
     written = write_machine(made, out, force=force, inputs=() if answers is None else (answers,))
     say("\n".join([made.summary(), *(f"wrote {target}" for target in written)]))
     if "scenario.toml" in made.files():
-        say(f"next: contourlab run {shlex.quote(str(out))}")
+        say(f"next: contourlab run {as_typed([str(out)])}")
     what = "your part" if "scenario.toml" in made.files() else "next"
-    say(f'{what}: contourlab run part.ngc --machine {shlex.quote(str(out))} --tolerance "{show(made.tolerance, "um")}"')
+    say(f'{what}: contourlab run part.ngc --machine {as_typed([str(out)])} --tolerance "{show(made.tolerance, "um")}"')
     return 0
 
 

@@ -352,5 +352,3 @@ def _same(a: Any, b: Any) -> bool:
 
 def _is_light(block: Block) -> bool:
     return all(op.kind not in _GUARDED and op.type for op in block.ops) and sum(_COSTS.get(op.kind, 1) for op in block.ops) <= LIGHT
-
-

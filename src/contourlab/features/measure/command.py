@@ -15,6 +15,7 @@ from typing import Any, Literal
 import numpy as np
 
 from contourlab import __version__
+from contourlab.app.command_line import as_typed
 from contourlab.app.json_values import json_values
 from contourlab.app.results import staged
 from contourlab.arrays import Array
@@ -193,13 +194,13 @@ def _next_step(runs: Sequence[_Run], limit: float | None, command: str) -> tuple
     typed = shlex.split(command) if len(runs) == 1 else ["contourlab", "measure", str(worst.log.record.file)]
     if limit is None:
         twice = 2e6 * worst.measured.metrics.contour_error.max
-        return "Judge it against a tolerance:", shlex.join([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"])
+        return "Judge it against a tolerance:", as_typed([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"])
     errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.measured.metrics.tracking_error]
     axis = worst.measured.result.axes[errors.index(max(errors))]
     model = "rigid" if "force" in worst.log.result else "first-order"
     columns = [word for name, value in pairwise(typed) if name in _OF_COLUMNS for word in (name, value)]
     words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *columns]
-    return "Identify the axis that strays most:", shlex.join(words)
+    return "Identify the axis that strays most:", as_typed(words)
 
 
 def _scheme(run: _Run) -> MeasuredScheme:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from contourlab.app.command_line import as_typed
 from contourlab.app.results import staged
 from contourlab.app.stages import shown
 from contourlab.components.friction.laws import NoFriction
@@ -79,7 +79,7 @@ class RunOptions:
             words += [] if value is None else [option] if isinstance(value, bool) else [option, str(value)]
         if self.interval is not None:
             words.append("--interval" if self.interval else "--no-interval")
-        return shlex.join(words)
+        return as_typed(words)
 
 
 def run_scenario(

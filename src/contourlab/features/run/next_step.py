@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
 
+from contourlab.app.command_line import as_typed
 from contourlab.features.run.outcome import Outcome
 
 
@@ -67,4 +68,4 @@ def _without(options: Sequence[str], name: str) -> list[str]:
 
 
 def _typed(command: str, file: str, options: Sequence[str]) -> str:
-    return shlex.join(["contourlab", command, file, *options])
+    return as_typed(["contourlab", command, file, *options])

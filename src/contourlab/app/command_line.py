@@ -1,0 +1,25 @@
+"""Commands as a person types them."""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Iterable
+
+_SPECIAL = set('"$`!') | (set() if os.name == "nt" else {"\\"})
+
+
+def as_typed(words: Iterable[str]) -> str:
+    """Join the words of a command for any shell; `shlex.split` takes them apart again.
+
+    Double quotes where they do: the Windows prompt knows no others.
+
+    >>> print(as_typed(["contourlab", "run", "my part.ngc", "--tolerance", "20 um", "--scheme", "$5"]))
+    contourlab run "my part.ngc" --tolerance "20 um" --scheme '$5'
+    """
+    return " ".join(_quoted(word) for word in words)
+
+
+def _quoted(word: str) -> str:
+    quoted = shlex.quote(word)
+    return quoted if quoted == word or _SPECIAL & set(word) else f'"{word}"'
