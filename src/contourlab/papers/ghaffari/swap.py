@@ -101,7 +101,7 @@ def _verdict() -> Iterator[Row]:
         study = swap_of(Terms(Reading(observer=observer)), BUDGET[observer], LOCAL[observer])
         note = _told(study)
         if observer:
-            reason = f"J* is far below the paper's J; with J_tol at {FLOORS[1]:g} um s, or margins that admit its gains, none is. {note}"
+            reason = f"none with J_tol at {FLOORS[1]:g} um s, the paper's own J, or with margins that admit its gains. {note}"
             yield printed("local parameters needed with observer", CASE, 0.0, _needed(study), "", 0.0, note, reason=reason)
         else:
             yield ours("local parameters needed without observer", CASE, _needed(study), "", note)
