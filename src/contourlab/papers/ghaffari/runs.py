@@ -72,7 +72,8 @@ def _spikes(judged: Result, reference: Reference, case: str, reading: str = "") 
             note = f"axis {spike.axis} reverses there whatever the model; the error peaks a little later"
             yield identity(f"time of the spike at {time:g} s", case, time, spike.peak_time, "s", 0.05, note)
         note = f"axis {spike.axis} reverses; {1e3 * spike.width:.0f} ms wide at half height"
-        yield ours(f"reversal spike at {time:g} s", case, _MICRO * spike.height, "um", note, reading=reading, main=not reading)
+        name = f"reversal spike at {time:g} s{', fitted filters' if reading else ''}"
+        yield ours(name, case, _MICRO * spike.height, "um", note, reading=reading, main=not reading)
 
 
 def readings() -> dict[str, Reading]:
@@ -122,15 +123,16 @@ def _fitted() -> Iterator[Row]:
     """Yield the integrals under the fitted filters, and what these filters predict."""
     words, integrals = "filters fitted to the two printed integrals", {}
     for first in (1, 2):
-        case = f"A3-A{first}, fitted filters"
+        case = f"A3-A{first}, Table III"
         judged, reference, figures = run(first, TABLE_3, FITTED)
         here = integrals[first] = _MICRO * figures.contour_error.integral
         note = "w_d 328, w_z 2041 and velocity filter 606 rad/s: three numbers fitted to two"
         paper, most = PRINTED[first], 0.01 * PRINTED[first]
-        yield printed(f"contour error integral A3-A{first}", case, paper, here, "um s", most, note, kind=INPUT, reading=words, main=False)
+        name = "contour error integral, fitted filters"
+        yield printed(name, case, paper, here, "um s", most, note, kind=INPUT, reading=words, main=False)
         yield from _spikes(judged, reference, case, words)
-    name, paper, note = "difference between configurations", _gap(PRINTED), "follows from the two fitted integrals"
-    yield printed(name, "fitted filters", paper, _gap(integrals), "%", DIGITS, note, kind=INPUT, reading=words, main=False)
+    name, case, note = "difference between configurations, fitted filters", "A3-A2 beyond A3-A1", "follows from the two fitted integrals"
+    yield printed(name, case, _gap(PRINTED), _gap(integrals), "%", DIGITS, note, kind=INPUT, reading=words, main=False)
 
 
 def _raised_feedforward() -> Iterator[Row]:

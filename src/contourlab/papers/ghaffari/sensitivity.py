@@ -113,9 +113,9 @@ def _fitted_minima() -> Iterator[Row]:
         (curve,) = curves(space, runs.judge(FIGURE.key))
         assert curve.minimum is not None
         here, paper = curve.variable.display_value(curve.minimum.value), gains.observer_gain
-        case, words = f"axis {number} in A3-A{WITH[number]}, fitted filters", "filters fitted to the two printed integrals"
+        case, words = f"axis {number} in A3-A{WITH[number]}", "filters fitted to the two printed integrals"
         unit, note = curve.variable.display, "a prediction of these filters"
-        yield printed(f"minimum over {MODEL[0]}", case, paper, here, unit, AGREES * paper, note, reading=words, main=False)
+        yield printed(f"minimum over {MODEL[0]}, fitted filters", case, paper, here, unit, AGREES * paper, note, reading=words, main=False)
 
 
 def _same_curves() -> Iterator[Row]:

@@ -137,8 +137,8 @@ def _other_terms() -> Iterator[Row]:
         else:
             needed, loss, note = _needed(study), study.base.swap_loss, _told(study)
         case = f"{CASE}, {words}"
-        yield printed("local parameters needed with observer", case, 0.0, needed, "", 0.0, note, reading=words, main=False)
-        yield ours("swap loss with observer", case, loss, "", "of 1; no local parameters", reading=words, main=False)
+        yield printed("local parameters needed under other terms", case, 0.0, needed, "", 0.0, note, reading=words, main=False)
+        yield ours("swap loss under other terms", case, loss, "", "of 1; no local parameters", reading=words, main=False)
 
 
 def _same_gains() -> Iterator[Row]:
