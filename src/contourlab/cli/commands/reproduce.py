@@ -33,7 +33,7 @@ reproduce = typer.Typer(no_args_is_help=True, help="Recompute the figures of a p
 
 @reproduce.command()
 def ghaffari(as_json: Json = False, plots: Plots = None, out: Out = RESULTS, whole: All = False) -> int:
-    """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring; Figs 6 and 7."""
+    """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring; Figs 6 to 9."""
     from contourlab.papers.ghaffari import pictures, study
 
     return _compared("ghaffari", lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), (as_json, whole), plots, out)
