@@ -10,6 +10,7 @@ import pytest
 
 from contourlab.cli.main import main
 from contourlab.errors import LogError
+from contourlab.papers.rows import read_bands
 from contourlab.papers.run import run_parts
 from contourlab.papers.ubc.runs import left_out, read_runs
 from contourlab.papers.ubc.study import MEASURED, parts_of
@@ -27,7 +28,7 @@ def folder(shared: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def table(folder: Path) -> Table:
-    rows = run_parts(parts_of(folder, with_unseen=False))
+    rows = run_parts(parts_of(folder, with_unseen=False), read_bands("ubc"))
     found = {(row.name, row.case): row for row in rows}
     assert len(found) == len(rows), "two rows share name and case"
     return found
@@ -66,7 +67,7 @@ def test_the_library_keeps_its_documented_figures(table: Table) -> None:
 
 @pytest.mark.slow
 def test_the_machine_also_explains_unseen_runs(folder: Path) -> None:
-    rows = [row for row in run_parts(parts_of(folder)) if row.name.startswith("unseen")]
+    rows = [row for row in run_parts(parts_of(folder), read_bands("ubc")) if row.name.startswith("unseen")]
     explained = [row.here for row in rows if row.name == "unseen: variance explained"]
     assert len(explained) == 12
     contour = [row for row in rows if row.name == "unseen: contour rms"]

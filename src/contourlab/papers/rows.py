@@ -1,20 +1,23 @@
-"""Rows of a reproduction: a figure from a paper or a log, our figure, and whether they agree."""
+"""Rows of a reproduction: a figure from a paper or a log, our figure, and the band in which ours has to stay."""
 
 from __future__ import annotations
 
+import csv
+import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from importlib.resources import files
 from typing import ClassVar
 
-PRINTED, DERIVED, MEASURED, ASKED, OURS = "printed", "derived", "measured", "asked", "ours"
-KINDS = {
-    PRINTED: ("paper", "printed in the paper agree"),
-    DERIVED: ("paper", "derived from its equations agree"),
-    MEASURED: ("measured", "compared with a measurement agree"),
-    ASKED: ("required", "required as a minimum are reached"),
-}
-"""Sources of the figure to compare with: head of its column, and words of the tally."""
-AGREES, DIFFERS, FAILS = "agrees", "differs", "fails"
+PRINTED, MEASURED, ASKED, OURS = "printed", "measured", "asked", "ours"
+HEADS = {PRINTED: "paper", MEASURED: "measured", ASKED: "required"}
+"""Sources of the figure to compare with, and the heads of its column."""
+COMPUTED, DERIVED, INPUT, IDENTITY = "computed", "derived", "input", "identity"
+AGREES, DIFFERS, OUTSIDE = "agrees", "differs", "outside its band"
+CLOSE = (0.02, 0.05, 0.2)
+"""Relative differences by which computed figures are counted."""
+Band = tuple[float, float]
+Bands = dict[tuple[str, str], Band]
 Part = tuple[str, Callable[[], Iterable["Row"]]]
 """Part of a reproduction: its name and the function that computes its rows."""
 
@@ -37,13 +40,21 @@ class Row:
     note : str
         Explanation of the row; if the figures differ, the reason.
     source : str
-        "printed" in the paper, "derived" from the paper's equations and numbers, "measured" in a log, "asked" as a required minimum, or
-        "ours" (nothing to compare with).
-    verdict : str
-        "agrees"; "differs", with the reason in the note; "fails", without a reason; empty if nothing is compared.
+        "printed" in the paper, "measured" in a log, "asked" as a required minimum, or "ours" (nothing to compare with).
+    kind : str
+        "computed" by our model; "derived" from the paper's equations and numbers; "input", a figure that the model was given or fitted to;
+        "identity", true whatever the model. Only computed figures are evidence.
+    reading : str
+        What the row assumes where the paper is open.
+    main : bool
+        Whether this is the stated reading, not one of the others.
+    at_least : bool
+        Whether the figure to compare with is a lower limit.
+    band : (float, float) or None
+        Where our figure has to stay, in the same unit, whether it agrees or not.
     """
 
-    json_derived: ClassVar = {"pass": "passed"}
+    json_derived: ClassVar = {"pass": "passed", "verdict": "verdict"}
 
     name: str
     case: str
@@ -53,12 +64,46 @@ class Row:
     tolerance: float | None
     note: str
     source: str
-    verdict: str
+    kind: str = COMPUTED
+    reading: str = ""
+    main: bool = True
+    at_least: bool = False
+    band: Band | None = None
+
+    @property
+    def verdict(self) -> str:
+        """Whether the row "agrees", "differs" or is "outside its band"; empty if it is inside and nothing is compared."""
+        if self.band is not None and not _inside(self.here, self.band):
+            return OUTSIDE
+        if self.tolerance is None:
+            return ""
+        return AGREES if self.agrees else DIFFERS
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the figures differ by at most the tolerance."""
+        if self.paper is None or self.tolerance is None or (self.at_least and self.here < self.paper):
+            return False
+        return abs(self.here - self.paper) <= self.tolerance
+
+    @property
+    def off(self) -> float:
+        """Our figure over the other one, minus 1; nan without one. 0 for a limit that is kept, and for agreement with a zero."""
+        if self.paper is None:
+            return math.nan
+        if (self.at_least and self.here >= self.paper) or (self.paper == 0.0 and self.agrees):
+            return 0.0
+        return self.here / self.paper - 1.0 if self.paper else math.inf
 
     @property
     def passed(self) -> bool | None:
-        """True for a row that agrees, false for one that fails, null if agreement is not claimed."""
-        return {AGREES: True, FAILS: False}.get(self.verdict)
+        """True for a row that agrees, false for one outside its band, null if agreement is not claimed."""
+        return {AGREES: True, OUTSIDE: False}.get(self.verdict)
+
+
+def _inside(value: float, band: Band) -> bool:
+    """Tell whether a value is in a band; that of a figure that does not exist, or grows without bound, is nan to nan."""
+    return band[0] <= value <= band[1] or not (math.isfinite(value) or math.isfinite(band[0]))
 
 
 def printed(
@@ -67,39 +112,42 @@ def printed(
     paper: float,
     here: float,
     unit: str,
-    tolerance: float,
+    tolerance: float | None,
     note: str = "",
     *,
     reason: str = "",
     at_least: bool = False,
     source: str = PRINTED,
+    kind: str = COMPUTED,
+    reading: str = "",
+    main: bool = True,
 ) -> Row:
     """Return a row that compares our figure with a figure printed in the paper.
 
     Parameters
     ----------
-    name, case, paper, here, unit, tolerance, note, source
+    name, case, paper, here, unit, tolerance, note, at_least, source, kind, reading, main
         See `Row`.
     reason : str
-        Why the figures differ; without a reason, a difference is a failure.
-    at_least : bool
-        Whether the paper's figure is a lower limit.
+        Why the figures differ; replaces the note if they do.
     """
-    within = abs(here - paper) <= tolerance and not (at_least and here < paper)
-    verdict = AGREES if within else DIFFERS if reason else FAILS
-    note = reason if verdict == DIFFERS else note
-    return Row(name, case, float(paper), float(here), unit, float(tolerance), note, source, verdict)
+    limit = None if tolerance is None else float(tolerance)
+    row = Row(name, case, float(paper), float(here), unit, limit, note, source, kind, reading, main, at_least)
+    return replace(row, note=reason) if reason and limit is not None and not row.agrees else row
 
 
 def derived(name: str, case: str, paper: float, here: float, unit: str, tolerance: float, note: str = "", *, reason: str = "") -> Row:
-    """Return a row that compares our figure with one from the paper's equations; arguments as in `printed`."""
-    return printed(name, case, paper, here, unit, tolerance, note, reason=reason, source=DERIVED)
+    """Return a row that compares our figure with one from the paper's equations and numbers; arguments as in `printed`."""
+    return printed(name, case, paper, here, unit, tolerance, note, reason=reason, kind=DERIVED)
+
+
+def identity(name: str, case: str, paper: float, here: float, unit: str, tolerance: float, note: str = "") -> Row:
+    """Return a row that checks our code against an equation of the paper; arguments as in `printed`."""
+    return printed(name, case, paper, here, unit, tolerance, note, kind=IDENTITY)
 
 
 def measured(name: str, case: str, there: float, here: float, unit: str, tolerance: float | None, note: str = "") -> Row:
     """Return a row that compares our figure with a measured one; without a tolerance nothing is compared."""
-    if tolerance is None:
-        return Row(name, case, float(there), float(here), unit, None, note, MEASURED, "")
     return printed(name, case, there, here, unit, tolerance, note, source=MEASURED)
 
 
@@ -108,24 +156,23 @@ def asked(name: str, case: str, least: float, here: float, unit: str, most: floa
     return printed(name, case, least, here, unit, most - least, note, at_least=True, source=ASKED)
 
 
-def ours(name: str, case: str, here: float, unit: str, note: str = "") -> Row:
-    """Return a row without a figure to compare with."""
-    return Row(name, case, None, float(here), unit, None, note, OURS, "")
+def ours(name: str, case: str, here: float, unit: str, note: str = "", *, reading: str = "", main: bool = True) -> Row:
+    """Return a row without a figure to compare with; arguments as in `Row`."""
+    return Row(name, case, None, float(here), unit, None, note, OURS, COMPUTED, reading, main)
 
 
-def tally(rows: Iterable[Row]) -> str:
-    """Return a text on how many figures agree, by kind of source."""
-    known = [(row.source, row.verdict) for row in rows]
-    parts = []
-    for source, (_, agreement) in KINDS.items():
-        verdicts = [verdict for its, verdict in known if its == source and verdict]
-        if not verdicts:
-            continue
-        counts = [f"{verdicts.count(AGREES)} of {len(verdicts)} figures {agreement}"]
-        if DIFFERS in verdicts:
-            counts.append(f"{verdicts.count(DIFFERS)} differ for the reason given")
-        if FAILS in verdicts:
-            counts.append(f"{verdicts.count(FAILS)} {'fail' if source in (PRINTED, DERIVED) else 'do not'}")
-        parts.append(", ".join(counts))
-    alone = f"{sum(source == OURS for source, _ in known)} have nothing to compare with."
-    return f"{'; '.join(parts)}. {alone}" if parts else alone
+def banded(rows: Iterable[Row], bands: Bands) -> list[Row]:
+    """Return the rows with their bands; a row that has none, as of a log that is not always there, has to agree."""
+    return [replace(row, band=bands.get((row.name, row.case), _agreement(row))) for row in rows]
+
+
+def _agreement(row: Row) -> Band | None:
+    if row.paper is None or row.tolerance is None:
+        return None
+    return row.paper - (0.0 if row.at_least else row.tolerance), row.paper + row.tolerance
+
+
+def read_bands(paper: str) -> Bands:
+    """Return the bands of a paper's rows by name and case, from ``bands.csv`` in its folder; ``tools/bands.py`` writes it."""
+    text = (files("contourlab.papers") / paper / "bands.csv").read_text(encoding="utf-8")
+    return {(line["name"], line["case"]): (float(line["low"]), float(line["high"])) for line in csv.DictReader(text.splitlines())}

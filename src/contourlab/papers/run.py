@@ -3,20 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from itertools import groupby
 from pathlib import Path
 
 from contourlab.app.checkpoint import said_if_interrupted
-from contourlab.papers.rows import KINDS, Part, Row, tally
+from contourlab.papers.rows import CLOSE, COMPUTED, DERIVED, HEADS, IDENTITY, INPUT, OURS, OUTSIDE, Bands, Part, Row, banded
 from contourlab.rendering.table import Column, Table, paragraphs
 
+FAR = CLOSE[-1]
+KINDS = {INPUT: "inputs", DERIVED: "derived", IDENTITY: "identities"}
 
-def run_parts(parts: Iterable[Part], stage: Callable[[str], object] | None = None) -> list[Row]:
+
+def run_parts(parts: Iterable[Part], bands: Bands, stage: Callable[[str], object] | None = None) -> list[Row]:
     """Compute the rows of all parts.
 
     Parameters
     ----------
     parts : iterable of Part
+    bands : mapping of (name, case) to (low, high)
+        Where each figure has to stay, see `contourlab.papers.rows.read_bands`.
     stage : callable, optional
         Called with the name of each part before it runs.
     """
@@ -25,7 +29,7 @@ def run_parts(parts: Iterable[Part], stage: Callable[[str], object] | None = Non
         for name, rows_of in parts:
             if stage is not None:
                 stage(name)
-            rows += rows_of()
+            rows += banded(rows_of(), bands)
     return rows
 
 
@@ -47,34 +51,89 @@ def check_pictures(folder: str | Path, formats: Sequence[str]) -> None:
         pass
 
 
-def text_of(rows: Sequence[Row]) -> str:
-    """Return the rows as tables by name, one line per case, and how many figures agree."""
-    blocks = []
-    for (name, unit), members in groupby(sorted(rows, key=_first_place(rows)), key=lambda row: (row.name, row.unit)):
-        group = list(members)
-        notes = dict.fromkeys(row.note for row in group)
-        title = f"{name} [{unit}]" if unit else name
-        if len(notes) == 1:
-            blocks.append("\n".join([paragraphs([title, *filter(None, notes)]), _table(group).text()]))
-        else:
-            blocks.append("\n".join([title, _table(group, with_notes=True).text()]))
-    return "\n\n".join([*blocks, paragraphs([tally(rows)])])
+def text_of(rows: Sequence[Row], *, whole: bool = False) -> str:
+    """Return one table of the figures that can be compared, and why some differ; with `whole` all rows instead."""
+    blocks = list(_all(rows)) if whole else [_overview(rows), *_why(rows)]
+    return "\n\n".join([*blocks, *_outside(rows), paragraphs([conclusion(rows)])])
 
 
-def _first_place(rows: Sequence[Row]) -> Callable[[Row], int]:
-    """Return a sort key that groups rows of equal name and unit at the first of them."""
-    places: dict[tuple[str, str], int] = {}
+def conclusion(rows: Sequence[Row]) -> str:
+    """Return in one sentence how many of the computed figures are close, and how many rows left their bands."""
+    evidence = [row for row in rows if _is_evidence(row)]
+    counts = [sum(abs(row.off) <= limit for row in evidence) for limit in CLOSE]
+    near = ", ".join(f"{count} within {100 * limit:g} %" for limit, count in zip(CLOSE, counts, strict=True))
+    outside = sum(row.verdict == OUTSIDE for row in rows)
+    held = f"All {len(rows)} rows lie in their bands." if not outside else f"{outside} of {len(rows)} rows lie outside their bands."
+    return f"{len(evidence)} figures computed: {near}, {len(evidence) - counts[-1]} not reached. {held}"
+
+
+def _is_evidence(row: Row) -> bool:
+    """Tell whether a row compares a computed figure, under the stated reading, with another one."""
+    return row.kind == COMPUTED and row.main and row.paper is not None
+
+
+def _groups(rows: Iterable[Row]) -> list[tuple[str, list[Row]]]:
+    """Return rows of equal name and unit together, in the order of the first of them."""
+    known: dict[tuple[str, str], list[Row]] = {}
     for row in rows:
-        places.setdefault((row.name, row.unit), len(places))
-    return lambda row: places[row.name, row.unit]
+        known.setdefault((row.name, row.unit), []).append(row)
+    return [(f"{name} [{unit}]" if unit else name, group) for (name, unit), group in known.items()]
+
+
+def _overview(rows: Sequence[Row]) -> str:
+    """Return the table of computed figures by closeness, one line per name, and the counts of all other kinds."""
+    heads = [*(f"{100 * limit:g} %" for limit in CLOSE), "beyond", "worst [%]"]
+    title = "Computed figures: how many lie within ... of the figure compared with"
+    table = Table([Column("figure", left=True, prose=True), *map(Column, heads)], title)
+    for name, group in _groups(filter(_is_evidence, rows)):
+        steps = [sum(low < abs(row.off) <= high for row in group) for low, high in zip((-1.0, *CLOSE), CLOSE, strict=False)]
+        worst = max(group, key=lambda row: abs(row.off)).off
+        table.add(name, *(str(count or "") for count in (*steps, len(group) - sum(steps))), f"{100.0 * worst:+.2g}")
+    others = [f"{count} {words}" for kind, words in KINDS.items() if (count := sum(row.kind == kind for row in rows))]
+    readings = sum(row.kind == COMPUTED and not row.main for row in rows)
+    others += [f"{readings} under other readings"] if readings else []
+    alone = sum(row.kind == COMPUTED and row.main and row.source == OURS for row in rows)
+    others += [f"{alone} with nothing to compare with"] if alone else []
+    return "\n".join([table.text(), *([paragraphs([f"Not counted: {', '.join(others)}; --all shows them."])] if others else [])])
+
+
+def _why(rows: Sequence[Row]) -> list[str]:
+    """Return the reasons of the computed figures that are not reached, each once."""
+    reasons: dict[str, list[Row]] = {}
+    for row in rows:
+        if _is_evidence(row) and abs(row.off) > FAR:
+            reasons.setdefault(row.note, []).append(row)
+    lines = [f"{', '.join(dict.fromkeys(row.name for row in group))}: {note or 'no reason known'}." for note, group in reasons.items()]
+    return ["\n".join(["Not reached, and why:", paragraphs(lines)])] if lines else []
+
+
+def _outside(rows: Sequence[Row]) -> list[str]:
+    """Return a table of the rows outside their bands."""
+    words = (Column(name, left=True, prose=True) for name in ("figure", "case"))
+    table = Table([*words, Column("here"), Column("low"), Column("high")])
+    for row in rows:
+        if row.verdict == OUTSIDE:
+            limits = ("none", "none") if row.band is None else (f"{limit:.6g}" for limit in row.band)
+            table.add(row.name, row.case, f"{row.here:.6g}", *limits)
+    return ["\n".join(["Outside their bands:", table.text()])] if any(row.verdict == OUTSIDE for row in rows) else []
+
+
+def _all(rows: Sequence[Row]) -> Iterable[str]:
+    """Yield a table of all rows of each name."""
+    for title, group in _groups(rows):
+        notes = dict.fromkeys(row.note for row in group)
+        if len(notes) == 1:
+            yield "\n".join([paragraphs([title, *filter(None, notes)]), _table(group).text()])
+        else:
+            yield "\n".join([title, _table(group, with_notes=True).text()])
 
 
 def _table(rows: Sequence[Row], *, with_notes: bool = False) -> Table:
     compared = any(row.paper is not None for row in rows)
-    origins = dict.fromkeys(KINDS[row.source][0] for row in rows if row.source in KINDS and row.paper is not None)
+    origins = dict.fromkeys(HEADS[row.source] for row in rows if row.paper is not None)
     columns = [Column("case", left=True, prose=True)]
     if compared:
-        columns += [Column(" or ".join(origins)), Column("here"), Column("difference"), Column("source", left=True)]
+        columns += [Column(" or ".join(origins)), Column("here"), Column("difference"), Column("kind", left=True)]
         columns.append(Column("verdict", left=True))
     else:
         columns.append(Column("here"))
@@ -86,9 +145,9 @@ def _table(rows: Sequence[Row], *, with_notes: bool = False) -> Table:
 
 def _figures(row: Row, *, compared: bool) -> list[str]:
     """Return the cells of a row between its case and its note."""
-    paper, here = row.paper, row.here
-    ours = "" if here is None else f"{here:.6g}"
+    here = f"{row.here:.6g}"
     if not compared:
-        return [ours]
-    difference = "" if paper is None or here is None else f"{here - paper:+.3g}"
-    return ["" if paper is None else f"{paper:.6g}", ours, difference, row.source, row.verdict]
+        return [here]
+    if row.paper is None:
+        return ["", here, "", row.kind, row.verdict]
+    return [f"{row.paper:.6g}", here, f"{row.here - row.paper:+.3g}", row.kind, row.verdict]

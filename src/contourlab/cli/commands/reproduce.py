@@ -13,7 +13,16 @@ from contourlab.cli.output import emit_json, say, suggest, wants_progress
 
 Plots = Annotated[list[str] | None, typer.Option(help="Also draw the pictures of the paper or log as png, svg or pdf; repeatable.")]
 Out = Annotated[Path, typer.Option(help="Folder of the pictures; created if missing.")]
+All = Annotated[bool, typer.Option("--all", help="Print every row, not only the table of computed figures.")]
 RESULTS = Path("results")
+NEXT = {
+    "ghaffari": "compare builtin:ghaffari/demo-stage",
+    "gecer_ulu": "compare builtin:gecer-ulu/contour",
+    "shahin": "backlash builtin:backlash/part",
+    "emps": "run builtin:emps/circle",
+    "ubc": "run builtin:ubc/pole-placement",
+}
+"""The command that goes on from each paper."""
 Rows = list[Any]
 Parts = Callable[[Callable[[str], None]], Sequence[tuple[str, Callable[[], Any]]]]
 """Returns the parts of a reproduction; may use a callable that shows progress."""
@@ -23,28 +32,27 @@ reproduce = typer.Typer(no_args_is_help=True, help="Recompute the figures of a p
 
 
 @reproduce.command()
-def ghaffari(as_json: Json = False, plots: Plots = None, out: Out = RESULTS) -> int:
-    """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring; Figs 6 and 7."""
+def ghaffari(as_json: Json = False, plots: Plots = None, out: Out = RESULTS, whole: All = False) -> int:
+    """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring; Figs 6 to 9."""
     from contourlab.papers.ghaffari import pictures, study
 
-    where_next = "compare builtin:ghaffari/demo-stage"
-    return _compared(where_next, lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), as_json, plots, out)
+    return _compared("ghaffari", lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), (as_json, whole), plots, out)
 
 
 @reproduce.command()
-def gecer_ulu(as_json: Json = False, plots: Plots = None, out: Out = RESULTS) -> int:
+def gecer_ulu(as_json: Json = False, plots: Plots = None, out: Out = RESULTS, whole: All = False) -> int:
     """Gecer Ulu, Ulu and Cakmakci: learning based cross-coupled control for precision positioning; Figs 9 and 10."""
     from contourlab.papers.gecer_ulu import pictures, study
 
-    return _compared("compare builtin:gecer-ulu/contour", lambda _: study.PARTS, pictures.draw, as_json, plots, out)
+    return _compared("gecer_ulu", lambda _: study.PARTS, pictures.draw, (as_json, whole), plots, out)
 
 
 @reproduce.command()
-def shahin(as_json: Json = False, plots: Plots = None, out: Out = RESULTS) -> int:
+def shahin(as_json: Json = False, plots: Plots = None, out: Out = RESULTS, whole: All = False) -> int:
     """Shahin, ElMaraghy and ElBeheiry: nonlinearity control of CNC feed drives, backlash and switching controllers; Figs 7 to 13."""
     from contourlab.papers.shahin import pictures, study
 
-    return _compared("backlash builtin:backlash/part", lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), as_json, plots, out)
+    return _compared("shahin", lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), (as_json, whole), plots, out)
 
 
 @reproduce.command()
@@ -54,6 +62,7 @@ def emps(
     as_json: Json = False,
     plots: Plots = None,
     out: Out = RESULTS,
+    whole: All = False,
 ) -> int:
     """Janot, Gautier and Brunot: data set and reference models of the EMPS, a linear axis identified from its log."""
     from contourlab.papers.emps import pictures, study
@@ -61,7 +70,7 @@ def emps(
     def draw(_: Rows, *where: Any) -> Any:
         return pictures.draw(log, *where)
 
-    return _compared("run builtin:emps/circle", lambda _: study.parts_of(log, validation), draw, as_json, plots, out)
+    return _compared("emps", lambda _: study.parts_of(log, validation), draw, (as_json, whole), plots, out)
 
 
 @reproduce.command()
@@ -71,6 +80,7 @@ def ubc(
     as_json: Json = False,
     plots: Plots = None,
     out: Out = RESULTS,
+    whole: All = False,
 ) -> int:
     """XY table of the UBC course MECH 467: two measured line-circle runs and the machine identified from them."""
     from contourlab.papers.ubc import pictures, study
@@ -78,24 +88,26 @@ def ubc(
     def parts(stage: Callable[[str], None]) -> Sequence[Any]:
         return study.parts_of(log_folder, with_unseen=unseen, stage=stage)
 
-    return _compared("run builtin:ubc/pole-placement", parts, lambda _, *where: pictures.draw(log_folder, *where), as_json, plots, out)
+    return _compared("ubc", parts, lambda _, *where: pictures.draw(log_folder, *where), (as_json, whole), plots, out)
 
 
-def _compared(following: str, parts_of: Parts, draw: Draw, as_json: bool, plots: Sequence[str] | None, out: Path) -> int:
-    """Compute the rows, draw and print them, and the following command; return 1 if a row fails."""
+def _compared(paper: str, parts_of: Parts, draw: Draw, form: tuple[bool, bool], plots: Sequence[str] | None, out: Path) -> int:
+    """Compute the rows of a paper, draw and print them, and the following command; return 1 if a row leaves its band."""
     from contourlab.app.stages import shown
+    from contourlab.papers.rows import read_bands
     from contourlab.papers.run import check_pictures, run_parts, text_of
 
+    as_json, whole = form
     if plots:
         check_pictures(out, tuple(plots))  # before work that takes a minute
     with shown(wants_progress(as_json)) as stages:
-        rows = run_parts(parts_of(stages.begin), stages.begin)
+        rows = run_parts(parts_of(stages.begin), read_bands(paper), stages.begin)
         if plots:
             stages.begin("drawing")
             draw(rows, out, tuple(plots))
     if as_json:
         emit_json(rows)
     else:
-        say(text_of(rows))
-    suggest(as_json, *following.split())
+        say(text_of(rows, whole=whole))
+    suggest(as_json, *NEXT[paper].split())
     return 1 if any(row.passed is False for row in rows) else 0

@@ -21,8 +21,8 @@ from contourlab.loop.axis_parts import Limits
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.simulate import jit_enabled
 from contourlab.loop.template import build
-from contourlab.papers.ghaffari.setup import AXES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller
-from contourlab.papers.rows import Row, derived, printed
+from contourlab.papers.ghaffari.setup import AXES, TABLE_3, Gains, Reading, axis, axis_controller
+from contourlab.papers.rows import INPUT, Row, derived, identity, printed
 
 PERIOD = Reading().servo_period
 _PER_MM = 1e3
@@ -96,9 +96,9 @@ def _comparison() -> Iterator[Row]:
     time = [rise_time(column / column[-1]) for column in velocity.T]
     faster, larger = 100.0 * (time[1] / time[0] - 1.0), 100.0 * (steady[0] / steady[1] - 1.0)
     note = "time to 63 % after a command step"
-    yield printed("response of axis 1 faster than axis 2", "open loop", 55.0, faster, "%", 0.5, note)
+    yield derived("response of axis 1 faster than axis 2", "open loop", 55.0, faster, "%", 0.5, note)
     note = "steady velocity after a command step; the paper rounds to tens"
-    yield printed("DC gain of axis 1 larger than axis 2", "open loop", 70.0, larger, "%", 5.0, note)
+    yield derived("DC gain of axis 1 larger than axis 2", "open loop", 70.0, larger, "%", 5.0, note)
 
 
 def rise_time(response: Array) -> float:
@@ -117,7 +117,7 @@ def _stiction() -> Iterator[Row]:
         # The command one tick before the first motion.
         here = 100.0 * float(command[moved[column] - 1])
         note = "slow command ramp, as in Fig 5(a): the command at which the axis first moves"
-        yield printed("stiction", f"axis {number}", percent, here, "% of full scale", 0.05, note)
+        yield printed("stiction", f"axis {number}", percent, here, "% of full scale", 0.05, note, kind=INPUT)
 
 
 def _observer() -> Iterator[Row]:
@@ -127,17 +127,15 @@ def _observer() -> Iterator[Row]:
     wd = Reading().bandwidth
     lengthened = wd * PERIOD / -math.expm1(-wd * PERIOD)
     steady, rising = (TableLoad(time_step=duration, forces=values) for values in ((step, step), (0.0, rate * duration)))
-    for table, name in ((TABLE_2, "Table II"), (TABLE_3, "Table III")):
-        driven = drive_open_loop(np.full(ticks, step), observed=table)[1][-1] / step * _PER_MM
-        loaded = drive_open_loop(still, observed=table, load=steady)[1][-1] / step * _PER_MM
-        slow = drive_open_loop(still, observed=table, load=rising)[1][-1] / rate * _PER_MM
-        for column, (number, gains) in enumerate(table.items()):
-            case, ratio = f"axis {number}, {name}", gains.observer_gain / gains.observer_damping
-            note = "a_hat/b_hat for any plant; velocity 4 s after a command step"
-            yield derived("DC gain u_c to v", case, ratio, float(driven[column]), "mm/s/full_scale", 1e-6 * ratio, note)
-            note = "velocity 4 s after a load step"
-            yield derived("DC gain d to v", case, 0.0, abs(float(loaded[column])), "mm/s/full_scale", 1e-6 * ratio, note)
-            reason = f"with a period of 1 ms, T/(1 - exp(-w_d T)) replaces 1/w_d: {lengthened:.4f} times as much"
-            level, name_here = ratio / wd, "attenuation of disturbance, sampled"
-            here = float(slow[column])
-            yield derived(name_here, case, level, here, "mm/full_scale", 1e-3 * level, reason=reason)
+    driven = drive_open_loop(np.full(ticks, step), observed=TABLE_3)[1][-1] / step * _PER_MM
+    loaded = drive_open_loop(still, observed=TABLE_3, load=steady)[1][-1] / step * _PER_MM
+    slow = drive_open_loop(still, observed=TABLE_3, load=rising)[1][-1] / rate * _PER_MM
+    for column, (number, gains) in enumerate(TABLE_3.items()):
+        case, ratio = f"axis {number}, Table III", gains.observer_gain / gains.observer_damping
+        note = "a_hat/b_hat for any plant; velocity 4 s after a command step"
+        yield identity("DC gain u_c to v", case, ratio, float(driven[column]), "mm/s/full_scale", 1e-6 * ratio, note)
+        note = "velocity 4 s after a load step"
+        yield identity("DC gain d to v", case, 0.0, abs(float(loaded[column])), "mm/s/full_scale", 1e-6 * ratio, note)
+        note = f"a_hat/(b_hat w_d); with a period of 1 ms, T/(1 - exp(-w_d T)) replaces 1/w_d: {lengthened:.4f} times as much"
+        level, name = ratio / wd, "attenuation of disturbance, sampled"
+        yield derived(name, case, level, float(slow[column]), "mm/full_scale", 1e-3 * level, note)

@@ -62,6 +62,9 @@ class Reading:
     coupling: bool = True
 
 
+FITTED = Reading(bandwidth=328.0, filter_bandwidth=2041.0, velocity_bandwidth=606.0)
+"""Filters fitted to the two printed integrals: three numbers to two."""
+
 AXES = {1: Identified(1695.0, 10.1, 0.055), 2: Identified(648.0, 6.5, 0.088), 3: Identified(1116.0, 5.8, 0.077)}
 TABLE_2 = {
     1: Gains(1695.0, 10.1, 0.057, 2.12, 11.82, 873.0, 19.7),
