@@ -61,7 +61,7 @@ class BasisFunctions(LearningLaw):
 
 
 def _fitted(functions: list[Array] | tuple[Array, ...], signals: Array) -> Array:
-    """Return the coefficients (n_function, n_axis) with which functions fit signals (n_sample, n_axis), the smallest at their own scales."""
+    """Return the coefficients (n_function, n_axis) with which functions fit signals (n_sample, n_axis); the smallest if not unique."""
     found = np.zeros((len(functions), signals.shape[1]))
     for j in range(signals.shape[1]):
         columns = np.column_stack([function[:, j] for function in functions])
