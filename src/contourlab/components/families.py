@@ -215,7 +215,12 @@ FAMILY = {
     "velocity": Family("computes the velocity", "controller.axes.NAME.velocity", ("position",), ("velocity",), _STEP),
     "disturbance": Family("pushes the axis", "axes.NAME.disturbance", ("position",), ("force",), _STEP),
     "observer": Family(
-        "estimates the disturbance", "controller.axes.NAME.observer", ("velocity", "applied"), ("disturbance_estimate",), _STEP
+        "estimates the disturbance",
+        "controller.axes.NAME.observer",
+        ("position", "velocity", "applied"),
+        ("disturbance_estimate",),
+        _STEP,
+        chooses=True,
     ),
     "gap_observer": Family(
         "estimates state and size of the gap, its own confidence, and the load, from motor and command",

@@ -22,7 +22,9 @@ def _problem(n_axis: int) -> LearningProblem:
     tangent = columns / np.linalg.norm(columns, axis=1, keepdims=True)
     decay = np.array([0.9 + 0.02 * j for j in range(n_axis)])
     impulse = np.concatenate([np.zeros((1, n_axis)), (1.0 - decay) * decay ** np.arange(300)[:, None]])
-    return LearningProblem(PERIOD, tangent, lambda: impulse)
+    # Slow near zero: a friction function is neither zero nor a sign everywhere.
+    velocity = _wave(n_axis, 2.2, 5e-3)
+    return LearningProblem(PERIOD, tangent, lambda: impulse, lambda: (velocity, np.asarray(np.gradient(velocity, PERIOD, axis=0))))
 
 
 def _wave(n_axis: int, phase: float, scale: float) -> Array:

@@ -286,7 +286,7 @@ class AxisController:
         if chosen_from != 1 + len(self.others):
             bound = f"{chosen_from - 1}: the supervisor chooses from {chosen_from}"
             raise ParameterError("others", f"{len(self.others)} controllers", bound)
-        uses = self.controller.takes("velocity") or self.observer is not None
+        uses = any(part is not None and part.takes("velocity") for part in (self.controller, self.observer))
         if self.predictor is not None and uses and isinstance(self.velocity, TrueVelocity):
             wanted = 'computed from the predicted position, for example by "filtered-difference"'
             raise ParameterError("velocity", '"true"', wanted)

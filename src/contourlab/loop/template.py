@@ -155,8 +155,9 @@ class _Slots(Builder):
             applied, seen = Late(f"{name}.drive.applied"), self.sensing[name]
             if parts.observer is not None:
                 # A predicted velocity belongs to the commands before their delay.
-                wires = {"velocity": seen.velocity, "applied": applied if parts.predictor is None else seen.sent}
-                self.add(f"{name}.observer", parts.observer, f"{prefix}.observer", wires)
+                wires = {"position": seen.position, "velocity": seen.velocity, "applied": applied if parts.predictor is None else seen.sent}
+                wires = {port.name: wires[port.name] for port in parts.observer.inputs}
+                self.add(f"{name}.observer", parts.observer, f"{prefix}.observer", wires, float(at))
             offered: dict[str, Any] = {signal: f"in.{signal}[{j}]" for signal in EXTERNALS}
             offered |= {AHEAD: f"in.{AHEAD}[{j}]", "arc_length": "in.arc_length", "applied": applied, "accepted": self.accepted(name)}
             offered[SOURCE_LINE] = f"in.{SOURCE_LINE}[{j}]"

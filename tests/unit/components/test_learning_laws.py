@@ -30,7 +30,8 @@ def problem_of(impulse: Array, n: int, tangent: Array | None = None) -> Learning
     along = np.zeros((n, impulse.shape[1])) if tangent is None else tangent
     if tangent is None:
         along[:, 0] = 1.0
-    return LearningProblem(PERIOD, along, lambda: impulse)
+    velocity = 0.01 * np.sin(0.03 * np.arange(n)[:, None] + np.arange(impulse.shape[1]))
+    return LearningProblem(PERIOD, along, lambda: impulse, lambda: (velocity, np.asarray(np.gradient(velocity, PERIOD, axis=0))))
 
 
 def trial_of(error: Array, feedback: Array | None = None, excess: Array | None = None, contour: Array | None = None) -> TrialRecord:
@@ -218,6 +219,37 @@ def test_norm_optimal_lowers_the_weighted_error_in_every_trial() -> None:
         table = optimal.update(table, trial_of(error), problem)
     assert all(b < a for a, b in pairwise(sizes))
     assert sizes[-1] < 0.05 * sizes[0]
+
+
+@pytest.mark.parametrize(("gain", "modelled"), [(1.0, 1.0), (0.6, 1.0), (1.0, 1.25), (1.0, 0.75)])
+def test_basis_functions_leave_a_fixed_share_of_the_error_in_each_trial(gain: float, modelled: float) -> None:
+    """1 - alpha/g, for an axis whose inverse the functions span and a model of g times its gain; nothing with both 1."""
+    n, impulse = 500, settling(300, 0.9, 0.8)
+    problem, true = problem_of(modelled * impulse, n), InputModel(impulse, n)
+    learner = law("basis-functions", gain=gain, smoothing_velocity=2e-3)
+    wanted = np.array([[25.0, -4.0], [0.4, 0.1], [0.05, -0.2]])
+    needed = sum(row * function for row, function in zip(wanted, learner.functions(problem), strict=True))
+    table = np.zeros((n, 2))
+    for i in range(1, 5):
+        table = learner.update(table, trial_of(true.forward(needed - table)), problem)
+        left = (1.0 - gain / modelled) ** i
+        assert table == pytest.approx((1.0 - left) * needed, abs=1e-9)
+    found = learner.gains(table, problem)
+    for j in range(2):
+        kept = [found[j][name] for name in ("velocity_gain", "acceleration_gain", "friction")]
+        assert kept == pytest.approx((1.0 - left) * wanted[:, j], abs=1e-9)
+        assert found[j]["smoothing_velocity"] == 2e-3
+
+
+def test_an_axis_that_rests_learns_nothing_and_one_at_constant_speed_the_smallest_gains() -> None:
+    n, speed = 200, 0.02
+    velocity = np.tile((0.0, speed), (n, 1))
+    problem = LearningProblem(PERIOD, np.tile((0.0, 1.0), (n, 1)), lambda: settling(50, 0.5, 0.5), lambda: (velocity, np.zeros((n, 2))))
+    found = law("basis-functions").gains(np.tile((0.3, 0.3), (n, 1)), problem)
+    assert set(found[0].values()) == {0.0, 3e-4}
+    # Friction and speed cannot be told apart: either takes half.
+    assert found[1]["velocity_gain"] * speed == pytest.approx(0.15)
+    assert found[1]["friction"] == pytest.approx(0.15)
 
 
 def test_zero_phase_uses_the_feedback_or_for_a_reference_table_the_error() -> None:

@@ -67,6 +67,15 @@ def test_an_axis_with_its_inverse_as_feedforward_follows_with_any_controller() -
     assert np.log2(np.array(gaps[:-1]) / gaps[1:]) == pytest.approx([1.0, 1.0], abs=0.15)
 
 
+def test_its_friction_changes_sign_with_the_reference() -> None:
+    part = InverseDynamics(velocity_gain=3.0, acceleration_gain=0.5, friction=0.2, smoothing_velocity=1e-3)
+    v = np.array([-0.05, -1e-3, 0.0, 2e-3, 0.05])
+    found = run_alone(part, {"reference_velocity": v, "reference_acceleration": 4.0 * v})["command"]
+    assert found == pytest.approx(5.0 * v + 0.2 * np.tanh(1e3 * v), rel=1e-12)
+    assert part.linearize() is None
+    assert part.replace(friction=0.0).linearize() is not None
+
+
 # --- the zero-phase filter in operation ------------------------------------------------------------------------------------------------
 
 FILTERS = [

@@ -12,10 +12,11 @@ from contourlab.primitives import exp, tanh
 
 
 class InverseDynamics(Component):
-    """Command that a rigid axis needs to follow the reference: u = k_v r_v + k_a r_a.
+    """Command that a rigid axis needs to follow the reference: u = k_v r_v + k_a r_a + k_f tanh(r_v/v_e).
 
-    For v' = a u - b v that is k_a = 1/a, k_v = b/a; for m v' = K_f u - c v it is k_a = m/K_f, k_v = c/K_f. Use it with controllers without
-    their own feedforward.
+    For v' = a u - b v that is k_a = 1/a, k_v = b/a; for m v' = K_f u - c v it is k_a = m/K_f, k_v = c/K_f. k_f is the friction in command
+    units. The learning law `basis-functions` finds all three on the machine. With a controller that has its own feedforward they add to it
+    and may be negative.
 
     References
     ----------
@@ -26,20 +27,32 @@ class InverseDynamics(Component):
     kind = "inverse-dynamics"
     calibrated_ahead = ("velocity_gain", "acceleration_gain")
     reference = "Newton's second law, solved for the command"
-    example = {"velocity_gain": 3.0, "acceleration_gain": 0.5}
+    example = {"velocity_gain": 3.0, "acceleration_gain": 0.5, "friction": 0.2, "smoothing_velocity": 1e-3}
+    unbounded = ("velocity_gain", "acceleration_gain", "friction")
     inputs = (Port("reference_velocity"), Port("reference_acceleration"))
     outputs = (Port("command"),)
+    derived = ("inverse_smoothing",)
 
-    velocity_gain: float = param(
-        default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="command per reference velocity, k_v"
+    velocity_gain: float = param(default=0.0, unit="{command}*s/m", display="{command}*s/mm", doc="command per reference velocity, k_v")
+    acceleration_gain: float = param(unit="{command}*s^2/m", display="{command}*s^2/mm", doc="per reference acceleration, k_a")
+    friction: float = param(default=0.0, unit="{command}", doc="command against the friction, k_f")
+    smoothing_velocity: float = param(
+        default=3e-4, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed scale on which the friction changes its sign, v_e"
     )
-    acceleration_gain: float = param(unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="per reference acceleration, k_a")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return (1.0 / par.smoothing_velocity,)
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        return (), (par.velocity_gain * inp.reference_velocity + par.acceleration_gain * inp.reference_acceleration,)
+        v = inp.reference_velocity
+        rigid = par.velocity_gain * v + par.acceleration_gain * inp.reference_acceleration
+        return (), (rigid + par.friction * tanh(v * par.inverse_smoothing),)
 
-    def linearize(self) -> LinearModel:
+    def linearize(self) -> LinearModel | None:
+        """Return the linear model; None with friction."""
+        if self.friction:
+            return None
         through = np.array([[self.velocity_gain, self.acceleration_gain]])
         names = tuple(port.name for port in self.inputs)
         return LinearModel(np.zeros((0, 0)), np.zeros((0, 2)), np.zeros((1, 0)), through, names, ("command",))

@@ -11,6 +11,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Complex
 from contourlab.components.contract import Component, text_param
+from contourlab.errors import ComponentError
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +73,10 @@ class InputModel:
         return self.through(signal, self.response.conj())
 
 
+def _no_motion() -> tuple[Array, Array]:
+    raise ComponentError("a law that learns gains of a whole motion has no frequency response")
+
+
 @dataclass(frozen=True, eq=False)
 class LearningProblem:
     """Data known before the first trial.
@@ -83,11 +88,15 @@ class LearningProblem:
         Unit tangent of the path at the reference.
     impulses : callable
         Returns the impulse responses (m, n_axis) from the learned input to the position; called only by laws that use a model.
+    motion : callable
+        Returns velocity [m/s] and acceleration [m/s^2] of the reference, (n_sample, n_axis) each; called only by laws that use them.
+        Raises `ComponentError` where there is no reference, as in an analysis by frequency.
     """
 
     servo_period: float
     tangent: Array
     impulses: Callable[[], Array]
+    motion: Callable[[], tuple[Array, Array]] = _no_motion
 
     @cached_property
     def model(self) -> InputModel:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import partial
 from typing import ClassVar, Literal
@@ -13,6 +13,8 @@ import numpy as np
 
 from contourlab.analysis.growth import doubling
 from contourlab.arrays import Array
+from contourlab.components.feedforward.inverse_dynamics import InverseDynamics
+from contourlab.components.learning.basis import BasisFunctions
 from contourlab.components.learning.law import LearningLaw, LearningProblem
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.learn.split import Growth, Memory, Split, growth_of
@@ -24,6 +26,7 @@ from contourlab.findings import Finding, finding
 from contourlab.geometry.view import PathView
 from contourlab.loop import Controller, Machine
 from contourlab.loop.trials import Trial, Trials, feedforward_command
+from contourlab.scenario.components import parameters_of
 
 Part = Literal["ends", "all", "none"]
 
@@ -139,6 +142,8 @@ class _Course:
             band = {"low": growth.low, "high": growth.high, "peak": growth.peak}
             band |= {"growth": growth.factor - 1.0, "doubling": doubling(growth.factor)}
             findings.append(finding("CL309", place=f"axis {growth.axis}", **band))
+        if isinstance(self.law, BasisFunctions) and self.law.target == "command":
+            findings += _feedforwards(self.law.gains(self.best_table, problem), runner.machine, runner.controller)
         table = LearnedTable.of(self.best_table.copy(), runner.machine, runner.controller, runner.reference, self.law, _columns(figures))
         positions, contours = zip(self.first, self.best, strict=True)
         times = (time.perf_counter() - began, runner.engine_seconds, runner.judge_seconds)
@@ -239,6 +244,17 @@ def learn(
             raise
         stop = Stop("interrupted", finding("CL308", trial=len(course.figures) - 1))
     return course.ended(stop, problem, began)
+
+
+def _feedforwards(gains: list[dict[str, float]], machine: Machine, controller: Controller) -> Iterator[Finding]:
+    """Yield the learned gains of each axis as its feedforward, with those that it has already."""
+    for axis, learned in zip(machine.axes, gains, strict=True):
+        units = parameters_of(InverseDynamics, (axis.plant.command_unit, axis.plant.force_unit))
+        present = controller.axes[axis.name].feedforward
+        if isinstance(present, InverseDynamics):
+            learned = {name: value + (present.values()[name] if name in present.unbounded else 0.0) for name, value in learned.items()}
+        shown = "".join(f', {name} = "{value:.4g} {units[name].unit}"' for name, value in learned.items())
+        yield finding("CL316", place=f"axis {axis.name}", feedforward=f'{{kind = "{InverseDynamics.kind}"{shown}}}')
 
 
 def _report_trial(progress: Callable[[int], None], before: int, done: int) -> None:

@@ -119,7 +119,12 @@ def learning_problem(machine: Machine, controller: Controller, reference: Refere
     """Return the law's prior knowledge: the path direction at each sample, and the response to the learned input."""
     tangent = reference.path.derivatives(arc_length, order=1)[1]
     tangent = tangent / np.linalg.norm(tangent, axis=1, keepdims=True)
-    return LearningProblem(machine.servo_period, tangent, lambda: input_response(machine, controller, target, len(arc_length)))
+
+    def motion() -> tuple[Array, Array]:
+        samples = reference.block(0, reference.n_sample)
+        return samples.velocity, samples.acceleration
+
+    return LearningProblem(machine.servo_period, tangent, lambda: input_response(machine, controller, target, len(arc_length)), motion)
 
 
 def input_response(machine: Machine, controller: Controller, target: str, n_sample: int) -> Array:

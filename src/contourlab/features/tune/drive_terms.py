@@ -232,6 +232,7 @@ def linuxcnc_gains(axis: AxisController, controller: Controller) -> LinuxCNCGain
     if axis.feedforward is not None and axis.feedforward.kind == "inverse-dynamics":
         values = axis.feedforward.values()
         gains = replace(gains, ff1=gains.ff1 + values["velocity_gain"], ff2=gains.ff2 + values["acceleration_gain"])
+        missing += ["friction of the feedforward"] if values["friction"] else []
     elif axis.feedforward is not None:
         missing.append(f"feedforward {axis.feedforward.kind}")
     for slot in ("observer", "predictor", "compensation", "gap_observer", "supervisor"):

@@ -98,6 +98,16 @@ def test_controllers_without_an_equivalent_pid_are_reported() -> None:
     assert [one.code for one in found.findings] == ["CL624"]
 
 
+def test_friction_of_the_feedforward_is_reported() -> None:
+    def codes(friction: float) -> list[str]:
+        control = made(PID(proportional_gain=1500.0), feedforward=InverseDynamics(acceleration_gain=0.8, friction=friction))
+        found = linuxcnc_gains(control.axes["x"], control)
+        assert found is not None
+        return [one.code for one in found.findings]
+
+    assert set(codes(0.1)) - set(codes(0.0)) == {"CL621"}
+
+
 def test_millimetres() -> None:
     control = position_control()
     gains = linuxcnc_gains(control.axes["x"], control)
