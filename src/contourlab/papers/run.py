@@ -87,8 +87,9 @@ def _overview(rows: Sequence[Row]) -> str:
     table = Table([Column("figure", left=True, prose=True), *map(Column, heads)], title)
     for name, group in _groups(filter(_is_evidence, rows)):
         steps = [sum(low < abs(row.off) <= high for row in group) for low, high in zip((-1.0, *CLOSE), CLOSE, strict=False)]
-        worst = max(group, key=lambda row: abs(row.off)).off
-        table.add(name, *(str(count or "") for count in (*steps, len(group) - sum(steps))), f"{100.0 * worst:+.2g}")
+        worst = max(group, key=lambda row: abs(row.off))
+        off = f"{100.0 * worst.off:+.2g}" if worst.paper else f"{worst.here:.3g} for 0"
+        table.add(name, *(str(count or "") for count in (*steps, len(group) - sum(steps))), off)
     others = [f"{count} {words}" for kind, words in KINDS.items() if (count := sum(row.kind == kind for row in rows))]
     readings = sum(row.kind == COMPUTED and not row.main for row in rows)
     others += [f"{readings} under other readings"] if readings else []
