@@ -106,6 +106,7 @@ def _readings(stated: dict[str, Triple]) -> Iterator[Row]:
     readings = {
         "stated reading": stated,
         "with the delay of 15 ms": figures(DELAYED),
+        "32 trials instead of 30": _figures(*_pair(SIMULATION), trials=32),
         "true contour error": {scheme: (*stated[scheme][:2], exact[scheme]) for scheme in TABLE_2},
     }
     for reading, found in readings.items():
