@@ -44,7 +44,7 @@ def gecer_ulu(as_json: Json = False, plots: Plots = None, out: Out = RESULTS, wh
     """Gecer Ulu, Ulu and Cakmakci: learning based cross-coupled control for precision positioning; Figs 9 and 10."""
     from contourlab.papers.gecer_ulu import pictures, study
 
-    return _compared("gecer_ulu", lambda _: study.PARTS, pictures.draw, (as_json, whole), plots, out)
+    return _compared("gecer_ulu", lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), (as_json, whole), plots, out)
 
 
 @reproduce.command()

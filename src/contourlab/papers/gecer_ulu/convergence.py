@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.papers.gecer_ulu.setup import EXPERIMENT, KAPPA, SIMULATION, course, reference_of
-from contourlab.papers.gecer_ulu.tables import LONG, TRIALS
+from contourlab.papers.gecer_ulu.setup import EXPERIMENT, KAPPA, SIMULATION, TRIALS, course, reference_of
+from contourlab.papers.gecer_ulu.tables import LONG
 from contourlab.papers.rows import Row, ours
 
 SHOWN = (0, 1, 2, 5, 10, 15, 20, 25, 30)
@@ -25,9 +25,9 @@ class Turn:
         From the turn of the reference.
     reference : ndarray (n, 2) [m]
     feedback, learned : ndarray (n, 2) [m]
-        True positions with FB, and with FB CCC ILC in its best trial.
+        True positions with FB, and with FB CCC ILC after 30 trials.
     feedback_contour, learned_contour : ndarray (n,) [m]
-        Contour errors, positive to the left.
+        Exact contour errors, positive to the left.
     """
 
     time: Array
@@ -39,27 +39,22 @@ class Turn:
 
 
 def convergence(setting: str, kappa: float = KAPPA, trials: int = TRIALS, seed: int = 0) -> Array:
-    """Return the data of Fig 9: contour rms [m] of trials 0 (nothing learned) to `trials`."""
-    return np.array([found.contour_rms for found in course(setting, kappa, trials, seed).trials])
+    """Return the data of Fig 9: rms [m] of the contour error of eq (10) in trials 0 (nothing learned) to `trials`."""
+    run = course(setting, kappa, trials, seed)
+    return np.array([1e-9 * run.rms(trial)[2] for trial in range(trials + 1)])
 
 
-def turn(setting: str, around: float = 2.0, trials: int = TRIALS) -> Turn:
-    """Return the data of Fig 10 for SIMULATION or EXPERIMENT, within `around` [s] of the turn, for the best trial."""
+def turn(setting: str, around: float = 3.0) -> Turn:
+    """Return the data of Fig 10 for SIMULATION or EXPERIMENT, within `around` [s] of the turn."""
     reference = reference_of(setting)
     asked = reference.block(0, reference.n_sample)
     middle = int(np.argmax(asked.position[:, 0]))
     half = round(around / reference.servo_period)
     cut = slice(max(middle - half, 0), middle + half + 1)
-    alone, learned = course(setting, 0.0, trials), course(setting, KAPPA, trials)
+    alone, learned = course(setting, 0.0, LONG), course(setting, KAPPA, LONG)
     time = (np.arange(reference.n_sample)[cut] - middle) * reference.servo_period
-    return Turn(
-        time.astype(float),
-        asked.position[cut],
-        alone.first_position[cut],
-        learned.best_position[cut],
-        alone.first_contour[cut],
-        learned.best_contour[cut],
-    )
+    errors = alone.contour[0, cut], learned.contour[TRIALS, cut]
+    return Turn(time.astype(float), asked.position[cut], alone.position[0, cut], learned.position[TRIALS, cut], *errors)
 
 
 def convergence_rows() -> Iterator[Row]:
@@ -68,8 +63,8 @@ def convergence_rows() -> Iterator[Row]:
         found = 1e9 * convergence(setting, trials=LONG)
         note = f"FB CCC ILC; in the paper it converges to a value {limit}"
         yield from (ours("Fig 9 contour rms", f"{setting}, trial {trial}", found[trial], "nm", note) for trial in SHOWN)
-        seen = turn(setting, trials=LONG)
+        seen = turn(setting)
         for words, part in (("before", seen.time < 0.0), ("after", seen.time >= 0.0)):
             size, left = (1e9 * np.abs(error[part]).max() for error in (seen.feedback_contour, seen.learned_contour))
-            note = f"{left:.3g} nm with FB CCC ILC; within 2 s of the turn; the paper finds larger errors just after the turn"
+            note = f"{left:.3g} nm with FB CCC ILC; within 3 s of the turn; the paper finds larger errors just after the turn"
             yield ours("Fig 10 largest contour error under FB", f"{setting}, {words} the turn", size, "nm", note)
