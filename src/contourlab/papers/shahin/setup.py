@@ -41,7 +41,7 @@ _ZONES: dict[str, tuple[Any, Any]] = {"I": (ContactZone1, GapZone1), "II": (Cont
 
 @dataclass(frozen=True)
 class Setting:
-    """Choices that the paper leaves open.
+    """Choices that the paper leaves open; by default the stated reading, with the sign of beta and its rate word for word.
 
     Attributes
     ----------
@@ -49,8 +49,8 @@ class Setting:
         Total free travel.
     start_in_gap : float
         1: the motors start on the forward flanks; 0: in mid-gap.
-    direction : str
-        Signal that selects the flank, a parameter of the zone laws.
+    direction, shift, reading : str
+        Parameters of the zone laws.
     exchanged : bool
         Exchange the columns of rate and position gains in Table 2.
     follows_load : bool
@@ -62,9 +62,15 @@ class Setting:
     gap: float = 25e-6
     start_in_gap: float = 1.0
     direction: str = "difference"
-    exchanged: bool = False
+    shift: str = "from-flank"
+    reading: str = "literal"
+    exchanged: bool = True
     follows_load: bool = False
     shaft_damping: float = 0.0
+
+
+TO_FLANK = Setting(shift="to-flank", reading="corrected", exchanged=False)
+"""Another reading: the target at the flank that the motor presses on, and Table 2 as printed."""
 
 
 def servo_period(feed: float = FEED) -> float:
@@ -90,7 +96,8 @@ def machine(setting: Setting, period: float) -> Machine:
 
 def scheme(name: str, setting: Setting) -> Controller:
     """Return switching scheme I, II or III with the gains of Table 2; the measured motor-load difference switches."""
-    common = {"motor_inertia": MOTOR_INERTIA, "lead": LEAD, "backlash_gap": setting.gap, "direction": setting.direction}
+    common = {"motor_inertia": MOTOR_INERTIA, "lead": LEAD, "backlash_gap": setting.gap}
+    common |= {"direction": setting.direction, "shift": setting.shift} | ({} if name == "III" else {"reading": setting.reading})
     gains = dict(_GAINS[name])
     if setting.exchanged:
         gains |= {"rate_gain": gains["position_gain"], "position_gain": gains["rate_gain"]}
