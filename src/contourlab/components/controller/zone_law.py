@@ -75,8 +75,8 @@ class ZoneLaw(Component):
     load against the driving flank) or acceleration (where inertia does). Where it is zero, the last flank holds. With
     ``direction = "none"`` the law ignores the gap.
 
-    `shift` moves the target to that flank: the load stays on the reference. Word for word the paper prints the other sign, theta_m - r + beta
-    where theta_m - theta_l is positive: ``shift = "from-flank"``, and the load then stays a whole gap off the reference.
+    `shift` moves the target to that flank, so that the load stays on the reference. The paper prints the other sign, theta_m - r + beta
+    where theta_m - theta_l is positive: ``shift = "from-flank"`` keeps the load a whole gap off the reference.
 
     The printed types I and II also have the half gap in the rate term, where it has the wrong dimension: ``reading = "literal"``. It stands
     for the derivative of the shifted target, which is zero except at its jumps; by default it is left out. A gap observer's estimate takes

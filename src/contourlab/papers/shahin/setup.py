@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.zone_law import ContactZone1, ContactZone2, ContactZone3, GapZone1, GapZone2, GapZone3
+from contourlab.components.coupling.cross_coupled import CrossCoupled
+from contourlab.components.estimator.local import OsculatingCircle
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.supervisor.performance import Performance
 from contourlab.feed import Reference, uniform
@@ -26,6 +28,9 @@ SERVO_PERIOD = 2e-6
 """Nominal; a lap is a whole number of periods. K_1'/J_m = 1.92e5 1/s needs less than 10.4 us."""
 
 SCHEMES = ("I", "II", "III")
+COUPLED = {name: f"{name} with cross-coupling" for name in SCHEMES}
+INTEGRAL_RATE = 20.0
+"""Of the cross-coupling [1/s]."""
 PRINTED_PI = 946.3e-6
 VELOCITY_LOOP = 300.0
 """Natural frequency of the baseline's velocity loop [rad/s], below the shaft's 464.7 rad/s with the motor held."""
@@ -96,7 +101,7 @@ def machine(setting: Setting, period: float) -> Machine:
 
 def scheme(name: str, setting: Setting) -> Controller:
     """Return switching scheme I, II or III with the gains of Table 2; the measured motor-load difference switches."""
-    common = {"motor_inertia": MOTOR_INERTIA, "lead": LEAD, "backlash_gap": setting.gap}
+    common: dict[str, Any] = {"motor_inertia": MOTOR_INERTIA, "lead": LEAD, "backlash_gap": setting.gap}
     common |= {"direction": setting.direction, "shift": setting.shift} | ({} if name == "III" else {"reading": setting.reading})
     gains = dict(_GAINS[name])
     if setting.exchanged:
@@ -109,6 +114,14 @@ def scheme(name: str, setting: Setting) -> Controller:
         supervisor=Performance(thresholds=(0.5 * setting.gap,), handover_time=0.0),
     )
     return Controller(dict.fromkeys(AXES, made))
+
+
+def coupled(name: str, setting: Setting) -> Controller:
+    """Return a scheme with PI control of the loads' contour error, half as stiff as the scheme's own position loops."""
+    alone = scheme(name, setting)
+    law: Any = alone.axes["x"].controller
+    own = law.position_gain * (MOTOR_INERTIA if law.per_inertia else 1.0) * 2.0 * math.pi / LEAD
+    return replace(alone, estimator=OsculatingCircle(), coupling=CrossCoupled(gain=0.5 * own, integral_rate=INTEGRAL_RATE))
 
 
 def baseline(*, forward: bool = False, feedback: str = "motor") -> Controller:
