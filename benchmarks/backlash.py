@@ -107,7 +107,7 @@ def cost(console: Console, rounds: int) -> list[dict[str, Any]]:
 
 def scenario_of(program: Path) -> str:
     """Return the shipped scenario with another program, fitted into the machine's travel."""
-    text = builtin_file("backlash/part.toml").read_text()
+    text = builtin_file("backlash/part.toml").read_text().replace('"scheme-three.toml"', '"builtin:backlash/scheme-three"')
     lines = [line for line in text.splitlines() if not line.startswith(("program =", "machine ="))]
     at = lines.index("[run]")
     motion = ["[program]", f"file = {json.dumps(str(program))}", "fit = true", "require_end = false", ""]

@@ -5,18 +5,18 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
+from bands import check_each_row_can_fail
 
 from contourlab.cli.main import main
 from contourlab.papers.emps.simulation import axis_of, simulate_emps, simulate_in_engine
 from contourlab.papers.emps.study import identified, parts_of
-from contourlab.papers.rows import read_bands
+from contourlab.papers.rows import Row, read_bands
 from contourlab.papers.run import run_parts
 
-Table = dict[tuple[str, str], dict[str, Any]]
+Table = dict[tuple[str, str], Row]
 ALIKE, DIRECTED = "friction alike in both directions", "friction by direction"
 PUBLISHED = """
 M                            95.1089
@@ -137,9 +137,9 @@ def test_tracking_error_as_measured_and_simulated(table: Table) -> None:
             assert table[name, case].here == pytest.approx(measured, abs=apart)
 
 
-def test_differing_figures_say_why(table: Table) -> None:
-    assert all(row.band is not None and row.passed is not False for row in table.values())
-    assert all(len(row.note) > 60 for row in table.values() if row.verdict == "differs")
+def test_every_row_can_fail_and_those_that_differ_say_why(table: Table) -> None:
+    check_each_row_can_fail([*table.values()])
+    assert all(row.note and not row.main for row in table.values() if row.verdict == "differs")
 
 
 def test_a_second_log_is_validated_with_the_parameters_of_the_first(log: Path) -> None:

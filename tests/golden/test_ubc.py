@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
 
 import pytest
+from bands import check_each_row_can_fail
 
 from contourlab.cli.main import main
 from contourlab.errors import LogError
-from contourlab.papers.rows import read_bands
+from contourlab.papers.rows import Row, read_bands
 from contourlab.papers.run import run_parts
 from contourlab.papers.ubc.runs import left_out, read_runs
 from contourlab.papers.ubc.study import MEASURED, parts_of
 
-Table = dict[tuple[str, str], dict[str, Any]]
+Table = dict[tuple[str, str], Row]
 
 
 @pytest.fixture(scope="module")
@@ -65,9 +65,16 @@ def test_the_library_keeps_its_documented_figures(table: Table) -> None:
     assert table["simulated contour rms", "pole-placement"].here == pytest.approx(46.1, abs=0.3)
 
 
+def test_every_row_can_fail_and_what_was_fitted_is_an_input(table: Table) -> None:
+    check_each_row_can_fail([*table.values()])
+    assert {row.kind for row in table.values() if row.paper is not None} == {"identity", "input"}
+
+
 @pytest.mark.slow
 def test_the_machine_also_explains_unseen_runs(folder: Path) -> None:
-    rows = [row for row in run_parts(parts_of(folder), read_bands("ubc")) if row.name.startswith("unseen")]
+    found = run_parts(parts_of(folder), read_bands("ubc"))
+    check_each_row_can_fail(found)
+    rows = [row for row in found if row.name.startswith("unseen")]
     explained = [row.here for row in rows if row.name == "unseen: variance explained"]
     assert len(explained) == 12
     contour = [row for row in rows if row.name == "unseen: contour rms"]

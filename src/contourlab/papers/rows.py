@@ -13,6 +13,7 @@ PRINTED, MEASURED, ASKED, OURS = "printed", "measured", "asked", "ours"
 HEADS = {PRINTED: "paper", MEASURED: "measured", ASKED: "required"}
 """Sources of the figure to compare with, and the heads of its column."""
 COMPUTED, DERIVED, INPUT, IDENTITY = "computed", "derived", "input", "identity"
+LEAST, MOST = "least", "most"
 AGREES, DIFFERS, OUTSIDE = "agrees", "differs", "outside its band"
 CLOSE = (0.02, 0.05, 0.2)
 """Relative differences by which computed figures are counted."""
@@ -48,8 +49,8 @@ class Row:
         What the row assumes where the paper is open.
     main : bool
         Whether this is the stated reading, not one of the others.
-    at_least : bool
-        Whether the figure to compare with is a lower limit.
+    limit : str
+        "least" or "most" if the figure to compare with is a limit, else empty.
     band : (float, float) or None
         Where our figure has to stay, in the same unit, whether it agrees or not.
     """
@@ -67,7 +68,7 @@ class Row:
     kind: str = COMPUTED
     reading: str = ""
     main: bool = True
-    at_least: bool = False
+    limit: str = ""
     band: Band | None = None
 
     @property
@@ -82,16 +83,20 @@ class Row:
     @property
     def agrees(self) -> bool:
         """Whether the figures differ by at most the tolerance."""
-        if self.paper is None or self.tolerance is None or (self.at_least and self.here < self.paper):
+        if self.paper is None or self.tolerance is None or (self.limit and not self._keeps_limit):
             return False
         return abs(self.here - self.paper) <= self.tolerance
+
+    @property
+    def _keeps_limit(self) -> bool:
+        return self.paper is not None and {LEAST: self.here >= self.paper, MOST: self.here <= self.paper}.get(self.limit, False)
 
     @property
     def off(self) -> float:
         """Our figure over the other one, minus 1; nan without one. 0 for a limit that is kept, and for agreement with a zero."""
         if self.paper is None:
             return math.nan
-        if (self.at_least and self.here >= self.paper) or (self.paper == 0.0 and self.agrees):
+        if self._keeps_limit or (self.paper == 0.0 and self.agrees):
             return 0.0
         return self.here / self.paper - 1.0 if self.paper else math.inf
 
@@ -117,6 +122,7 @@ def printed(
     *,
     reason: str = "",
     at_least: bool = False,
+    at_most: bool = False,
     source: str = PRINTED,
     kind: str = COMPUTED,
     reading: str = "",
@@ -126,14 +132,16 @@ def printed(
 
     Parameters
     ----------
-    name, case, paper, here, unit, tolerance, note, at_least, source, kind, reading, main
+    name, case, paper, here, unit, tolerance, note, source, kind, reading, main
         See `Row`.
     reason : str
         Why the figures differ; replaces the note if they do.
+    at_least, at_most : bool
+        Whether `paper` is a limit.
     """
-    limit = None if tolerance is None else float(tolerance)
-    row = Row(name, case, float(paper), float(here), unit, limit, note, source, kind, reading, main, at_least)
-    return replace(row, note=reason) if reason and limit is not None and not row.agrees else row
+    width, limit = None if tolerance is None else float(tolerance), LEAST if at_least else MOST if at_most else ""
+    row = Row(name, case, float(paper), float(here), unit, width, note, source, kind, reading, main, limit)
+    return replace(row, note=reason) if reason and width is not None and not row.agrees else row
 
 
 def derived(name: str, case: str, paper: float, here: float, unit: str, tolerance: float, note: str = "", *, reason: str = "") -> Row:
@@ -146,14 +154,16 @@ def identity(name: str, case: str, paper: float, here: float, unit: str, toleran
     return printed(name, case, paper, here, unit, tolerance, note, kind=IDENTITY)
 
 
-def measured(name: str, case: str, there: float, here: float, unit: str, tolerance: float | None, note: str = "") -> Row:
+def measured(
+    name: str, case: str, there: float, here: float, unit: str, tolerance: float | None, note: str = "", *, kind: str = COMPUTED
+) -> Row:
     """Return a row that compares our figure with a measured one; without a tolerance nothing is compared."""
-    return printed(name, case, there, here, unit, tolerance, note, source=MEASURED)
+    return printed(name, case, there, here, unit, tolerance, note, source=MEASURED, kind=kind)
 
 
-def asked(name: str, case: str, least: float, here: float, unit: str, most: float, note: str = "") -> Row:
+def asked(name: str, case: str, least: float, here: float, unit: str, most: float, note: str = "", *, kind: str = COMPUTED) -> Row:
     """Return a row whose figure must reach at least `least`; `most` is the largest possible value."""
-    return printed(name, case, least, here, unit, most - least, note, at_least=True, source=ASKED)
+    return printed(name, case, least, here, unit, most - least, note, at_least=True, source=ASKED, kind=kind)
 
 
 def ours(name: str, case: str, here: float, unit: str, note: str = "", *, reading: str = "", main: bool = True) -> Row:
@@ -169,7 +179,7 @@ def banded(rows: Iterable[Row], bands: Bands) -> list[Row]:
 def _agreement(row: Row) -> Band | None:
     if row.paper is None or row.tolerance is None:
         return None
-    return row.paper - (0.0 if row.at_least else row.tolerance), row.paper + row.tolerance
+    return row.paper - row.tolerance * (row.limit != LEAST), row.paper + row.tolerance * (row.limit != MOST)
 
 
 def read_bands(paper: str) -> Bands:

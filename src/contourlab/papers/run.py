@@ -85,7 +85,8 @@ def _overview(rows: Sequence[Row]) -> str:
     heads = [*(f"{100 * limit:g} %" for limit in CLOSE), "beyond", "worst [%]"]
     title = "Computed figures: how many lie within ... of the figure compared with"
     table = Table([Column("figure", left=True, prose=True), *map(Column, heads)], title)
-    for name, group in _groups(filter(_is_evidence, rows)):
+    groups = _groups(filter(_is_evidence, rows))
+    for name, group in groups:
         steps = [sum(low < abs(row.off) <= high for row in group) for low, high in zip((-1.0, *CLOSE), CLOSE, strict=False)]
         worst = max(group, key=lambda row: abs(row.off))
         off = f"{100.0 * worst.off:+.2g}" if worst.paper else f"{worst.here:.3g} for 0"
@@ -95,7 +96,8 @@ def _overview(rows: Sequence[Row]) -> str:
     others += [f"{readings} under other readings"] if readings else []
     alone = sum(row.kind == COMPUTED and row.main and row.source == OURS for row in rows)
     others += [f"{alone} with nothing to compare with"] if alone else []
-    return "\n".join([table.text(), *([paragraphs([f"Not counted: {', '.join(others)}; --all shows them."])] if others else [])])
+    shown = [table.text()] if groups else []
+    return "\n".join([*shown, *([paragraphs([f"Not counted: {', '.join(others)}; --all shows them."])] if others else [])])
 
 
 def _why(rows: Sequence[Row]) -> list[str]:

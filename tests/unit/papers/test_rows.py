@@ -59,6 +59,13 @@ def test_a_lower_limit_is_not_met_from_below() -> None:
     assert (below.agrees, below.off) == (False, pytest.approx(-0.1 / 95.0))
 
 
+def test_an_upper_limit_is_not_met_from_above() -> None:
+    below, above = (printed("ripple", "", 10.0, here, "%", 10.0, at_most=True) for here in (2.0, 10.1))
+    assert (below.agrees, below.off) == (True, 0.0)
+    assert (above.agrees, above.off) == (False, pytest.approx(0.01))
+    assert banded([below], {})[0].band == (0.0, 10.0)
+
+
 def figures(text: str) -> list[int]:
     return [int(digits) for digits in re.findall(r"\d+", text)]
 

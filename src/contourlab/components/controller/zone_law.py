@@ -40,14 +40,14 @@ DIRECTIONS = {"none": _nothing, "difference": _difference, "velocity": _velocity
 
 @cache
 def _zone_law_step(
-    follows_load: bool, per_inertia: bool, literal: bool, direction: str, rise: Callable[..., float] | None, to_flank: bool
+    follows_load: bool, per_inertia: bool, literal: bool, direction: str, side: float, rise: Callable[..., float] | None, to_flank: bool
 ) -> Callable[..., Any]:
     pressing = DIRECTIONS[direction]
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         sign = pressing(inp)
         flank = select(sign > 0.0, 1.0, select(sign < 0.0, -1.0, x.flank)) if pressing is not _nothing else 0.0
-        half = 0.5 * par.turn * flank * select(inp.gap_estimate > 0.0, inp.gap_estimate, par.backlash_gap)
+        half = side * par.turn * flank * select(inp.gap_estimate > 0.0, inp.gap_estimate, par.backlash_gap)
         target, target_rate, ahead = inp.reference, inp.reference_velocity, inp.reference_acceleration
         if follows_load:
             target, target_rate = inp.load_position, inp.load_velocity
@@ -75,6 +75,9 @@ class ZoneLaw(Component):
     load against the driving flank) or acceleration (where inertia does). Where it is zero, the last flank holds. With
     ``direction = "none"`` the law ignores the gap.
 
+    `shift` moves the target to that flank, so that the load stays on the reference. The paper prints the other sign, theta_m - r + beta
+    where theta_m - theta_l is positive: ``shift = "from-flank"`` keeps the load a whole gap off the reference.
+
     The printed types I and II also have the half gap in the rate term, where it has the wrong dimension: ``reading = "literal"``. It stands
     for the derivative of the shifted target, which is zero except at its jumps; by default it is left out. A gap observer's estimate takes
     precedence over `backlash_gap`.
@@ -96,6 +99,12 @@ class ZoneLaw(Component):
     lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
     backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="total gap, 2 beta")
     direction: str = text_param(default="difference", choices=tuple(DIRECTIONS), doc="what chooses the flank")
+    shift: str = text_param(
+        default="to-flank",
+        choices=("to-flank", "from-flank"),
+        doc="where half the gap moves the motor's target; the paper prints from-flank",
+        source="Shahin, ElMaraghy & ElBeheiry, eqs 10 and 12-16: sign of beta",
+    )
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return (2.0 * math.pi / par.lead,)
@@ -123,7 +132,8 @@ def zone_step(
     law: ZoneLaw, *, follows_load: bool = False, rise: Callable[..., float] | None = None, to_flank: bool = False
 ) -> Callable[..., Any]:
     """Return the step of a law; `rise` is the rule of its integral, if any; `to_flank` adds the half gap to the integral."""
-    return _zone_law_step(follows_load, law.per_inertia, law.values().get("reading") == "literal", law.direction, rise, to_flank)
+    side = 0.5 if law.shift == "to-flank" else -0.5
+    return _zone_law_step(follows_load, law.per_inertia, law.values().get("reading") == "literal", law.direction, side, rise, to_flank)
 
 
 READING = text_param(

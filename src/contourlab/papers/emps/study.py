@@ -148,15 +148,17 @@ def _simulated(found: Identified, log: EmpsLog, published: dict[str, float], pre
     def errors(run: EmpsRun) -> dict[str, float]:
         return percent_errors(log, motion, run, SETTINGS.dropped[0])
 
-    def row(name: str, case: str, here: float, note: str, reason: str) -> Row:
-        paper = published[name]
-        return printed(f"simulated {name}", f"{prefix}{case}", paper, here, "%", SOLVER * paper, note, reason=reason)
+    def row(name: str, case: str, here: float, reason: str = "") -> Row:
+        paper, note = published[name], "error against the log"
+        return printed(
+            f"simulated {name}", f"{prefix}{case}", paper, here, "%", SOLVER * paper, note, reason=reason, reading=case, main=not reason
+        )
 
     for name, here in errors(simulate_as_published(log, alike)).items():
-        yield row(name, "the published clock, delay and solver", here, "error against the log", "")
+        yield row(name, "the published clock, delay and solver", here)
     for delay, case in ((1, "one tick of control delay"), (0, "no control delay")):
         for name, here in errors(simulate_emps(log, alike, delay=delay)).items():
-            yield row(name, case, here, "", CLOCK if delay or name == "position" else LATE)
+            yield row(name, case, here, CLOCK if delay or name == "position" else LATE)
     for delay, case in ((1, "one tick of control delay"), (0, "no control delay")):
         for name, here in errors(simulate_in_engine(log, alike, delay=delay)).items():
             yield ours(f"simulated {name}", f"{prefix}contourlab's engine, {case}", here, "%", FROM_REST)

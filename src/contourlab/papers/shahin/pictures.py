@@ -24,22 +24,22 @@ def draw(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
         "motor feedback, 25 um backlash": third_lap("PI", gap),
         "load feedback, 25 um backlash": third_lap("PI on the load", gap),
     }
-    charts: list[Chart | PolarChart] = [_circle("fig-7-8", "Figs 7, 8: PI on the circle at 8000 mm/min", baselines)]
+    charts: list[Chart | PolarChart] = [_circle("shahin-fig-7-8", "Figs 7, 8: PI on the circle at 8000 mm/min", baselines)]
     schemes = {name: third_lap(name, gap) for name in setup.SCHEMES}
     feeds = {
         f"scheme {name}": (run["time"], (run["reference_velocity"] - run["axis_velocity"])[:, 0] * 60.0) for name, run in schemes.items()
     }
-    charts.append(traces_chart("fig-9", "Fig 9: feedrate error of x", ("time [s]", "feedrate error [m/min]"), feeds))
+    charts.append(traces_chart("shahin-fig-9", "Fig 9: feedrate error of x", ("time [s]", "feedrate error [m/min]"), feeds))
     errors = {
         f"scheme {name}, {axis}": (run["time"], (run["reference"] - run["axis_position"])[:, j] * 1e6)
         for name, run in list(schemes.items())[1:]
         for j, axis in enumerate(setup.AXES)
     }
-    charts.append(traces_chart("fig-10", "Fig 10: axis errors of schemes II and III", ("time [s]", "axis error [um]"), errors))
+    charts.append(traces_chart("shahin-fig-10", "Fig 10: axis errors of schemes II and III", ("time [s]", "axis error [um]"), errors))
     for number, (name, run) in zip((11, 12, 13), schemes.items(), strict=True):
         rate = {f"scheme {name}": (run["time"], np.hypot(*run["axis_velocity"].T) * 60.0)}
         title = f"Fig {number}: overall feedrate, scheme {name}"
-        charts.append(traces_chart(f"fig-{number}", title, ("time [s]", "feedrate [m/min]"), rate, level=8.0))
+        charts.append(traces_chart(f"shahin-fig-{number}", title, ("time [s]", "feedrate [m/min]"), rate, level=8.0))
     return write_charts(charts, folder, formats)
 
 

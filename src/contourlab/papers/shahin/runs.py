@@ -14,8 +14,10 @@ from contourlab.arrays import Array
 from contourlab.feed import AxisLimits, Reference, plan, route_from_path
 from contourlab.geometry import Line, Path
 from contourlab.loop import Controller, Machine, simulate, simulate_blocks
+from contourlab.metrics import judge, summarise
 from contourlab.papers.shahin import setup
 from contourlab.papers.shahin.setup import Setting
+from contourlab.scenario import load_scenario
 from contourlab.threads import in_threads
 
 WINDOW = (1.0, 10.0)
@@ -90,9 +92,11 @@ def measured(machine: Machine, controller: Controller, reference: Reference, fee
 
 
 def controller_of(name: str, setting: Setting) -> Controller:
-    """Return scheme "I", "II" or "III", or a baseline: "PI", "PI with feedforward", "PI on the load"."""
+    """Return a scheme, alone or as in `setup.COUPLED`, or a baseline: "PI", "PI with feedforward", "PI on the load"."""
     baselines: dict[str, dict[str, Any]] = {"PI": {}, "PI with feedforward": {"forward": True}, "PI on the load": {"feedback": "load"}}
-    return setup.baseline(**baselines[name]) if name in baselines else setup.scheme(name, setting)
+    if name in baselines:
+        return setup.baseline(**baselines[name])
+    return setup.scheme(name, setting) if name in setup.SCHEMES else setup.coupled(name.split()[0], setting)
 
 
 def prepare(tests: Sequence[tuple[Any, ...]]) -> None:
@@ -107,6 +111,14 @@ def circular(name: str, setting: Setting, feed: float = setup.FEED, until: float
     period = setup.servo_period(feed)
     laps = max(1, math.ceil(until * feed / (2.0 * math.pi * setup.RADIUS)))
     return measured(setup.machine(setting, period), controller_of(name, setting), setup.circle(laps, period, feed), feed, until)
+
+
+def part_error(scheme: str) -> tuple[float, float]:
+    """Return the part error [m], rms and largest, of a scheme of the shipped part on a machine with backlash."""
+    case = load_scenario("builtin:backlash/part").case(scheme)
+    reference = case.reference()
+    found = summarise(judge(simulate(case.machine, case.controller, reference), reference), reference).part_error
+    return found.rms, found.max
 
 
 def third_lap(name: str, setting: Setting) -> dict[str, Array]:

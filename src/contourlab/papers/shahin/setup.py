@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.zone_law import ContactZone1, ContactZone2, ContactZone3, GapZone1, GapZone2, GapZone3
+from contourlab.components.coupling.cross_coupled import CrossCoupled
+from contourlab.components.estimator.local import OsculatingCircle
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.supervisor.performance import Performance
 from contourlab.feed import Reference, uniform
@@ -26,6 +28,9 @@ SERVO_PERIOD = 2e-6
 """Nominal; a lap is a whole number of periods. K_1'/J_m = 1.92e5 1/s needs less than 10.4 us."""
 
 SCHEMES = ("I", "II", "III")
+COUPLED = {name: f"{name} with cross-coupling" for name in SCHEMES}
+INTEGRAL_RATE = 20.0
+"""Of the cross-coupling [1/s]."""
 PRINTED_PI = 946.3e-6
 VELOCITY_LOOP = 300.0
 """Natural frequency of the baseline's velocity loop [rad/s], below the shaft's 464.7 rad/s with the motor held."""
@@ -41,7 +46,7 @@ _ZONES: dict[str, tuple[Any, Any]] = {"I": (ContactZone1, GapZone1), "II": (Cont
 
 @dataclass(frozen=True)
 class Setting:
-    """Choices that the paper leaves open.
+    """Choices that the paper leaves open; by default the stated reading, with the sign of beta and its rate word for word.
 
     Attributes
     ----------
@@ -49,8 +54,8 @@ class Setting:
         Total free travel.
     start_in_gap : float
         1: the motors start on the forward flanks; 0: in mid-gap.
-    direction : str
-        Signal that selects the flank, a parameter of the zone laws.
+    direction, shift, reading : str
+        Parameters of the zone laws.
     exchanged : bool
         Exchange the columns of rate and position gains in Table 2.
     follows_load : bool
@@ -62,9 +67,15 @@ class Setting:
     gap: float = 25e-6
     start_in_gap: float = 1.0
     direction: str = "difference"
-    exchanged: bool = False
+    shift: str = "from-flank"
+    reading: str = "literal"
+    exchanged: bool = True
     follows_load: bool = False
     shaft_damping: float = 0.0
+
+
+TO_FLANK = Setting(shift="to-flank", reading="corrected", exchanged=False)
+"""Another reading: the target at the flank that the motor presses on, and Table 2 as printed."""
 
 
 def servo_period(feed: float = FEED) -> float:
@@ -90,7 +101,8 @@ def machine(setting: Setting, period: float) -> Machine:
 
 def scheme(name: str, setting: Setting) -> Controller:
     """Return switching scheme I, II or III with the gains of Table 2; the measured motor-load difference switches."""
-    common = {"motor_inertia": MOTOR_INERTIA, "lead": LEAD, "backlash_gap": setting.gap, "direction": setting.direction}
+    common: dict[str, Any] = {"motor_inertia": MOTOR_INERTIA, "lead": LEAD, "backlash_gap": setting.gap}
+    common |= {"direction": setting.direction, "shift": setting.shift} | ({} if name == "III" else {"reading": setting.reading})
     gains = dict(_GAINS[name])
     if setting.exchanged:
         gains |= {"rate_gain": gains["position_gain"], "position_gain": gains["rate_gain"]}
@@ -102,6 +114,14 @@ def scheme(name: str, setting: Setting) -> Controller:
         supervisor=Performance(thresholds=(0.5 * setting.gap,), handover_time=0.0),
     )
     return Controller(dict.fromkeys(AXES, made))
+
+
+def coupled(name: str, setting: Setting) -> Controller:
+    """Return a scheme with PI control of the loads' contour error, half as stiff as the scheme's own position loops."""
+    alone = scheme(name, setting)
+    law: Any = alone.axes["x"].controller
+    own = law.position_gain * (MOTOR_INERTIA if law.per_inertia else 1.0) * 2.0 * math.pi / LEAD
+    return replace(alone, estimator=OsculatingCircle(), coupling=CrossCoupled(gain=0.5 * own, integral_rate=INTEGRAL_RATE))
 
 
 def baseline(*, forward: bool = False, feedback: str = "motor") -> Controller:

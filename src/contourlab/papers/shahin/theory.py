@@ -9,7 +9,7 @@ from itertools import chain
 
 import numpy as np
 
-from contourlab.papers.rows import Row, derived, ours
+from contourlab.papers.rows import Row, derived, identity, ours
 from contourlab.papers.shahin import setup
 from contourlab.papers.shahin.circle_criterion import circle_criterion
 from contourlab.papers.shahin.common_lyapunov import common_quadratic
@@ -27,7 +27,7 @@ DAMPED = TwoInertias(setup.MOTOR_INERTIA, setup.LOAD_INERTIA, setup.STIFFNESS, H
 
 def theory_rows() -> Iterator[Row]:
     """Yield the rows."""
-    return chain(_stability(), _pi_of_position(), _periods(), _limit_cycles())
+    return chain(_stability(), _rigid(), _pi_of_position(), _periods(), _limit_cycles())
 
 
 def _stability() -> Iterator[Row]:
@@ -54,6 +54,21 @@ def _stability() -> Iterator[Row]:
         circle = circle_criterion(two_inertia_loop(drive, SCHEME_II))
         decided = 1.0 if circle.verdict == "stable" else math.nan
         yield ours("circle criterion", f"scheme II, {words}: 1 stable, nan undecided", decided, "", str(circle))
+
+
+def _rigid() -> Iterator[Row]:
+    """Yield rows of eq (8), and of the rigid model (11) with the printed gains: J_m moves in the gap, J_m + J_l in contact."""
+    growth = float(np.linalg.eigvals(DRIVE.a).real.max())
+    note = "stable in the paper's words, but a position that nothing holds has eigenvalue 0, with damping too"
+    yield identity("largest real part of an eigenvalue", "A_m and A_l of eq (8)", 0.0, growth, "1/s", 1e-9, note)
+    both = np.array([DRIVE.motor_inertia, DRIVE.motor_inertia + DRIVE.load_inertia])
+    gains = {"I": (2e3 * both[0], 1e4 * both[0], 0.0), "II": (200.0, 1e3, 0.0), "III": (200.0, 1e3, 25.0)}
+    for name, (position, rate, integral) in gains.items():
+        n = 3 if integral else 2
+        loops = [np.array([[0.0, 1.0, 0.0], [-position / j, -rate / j, -integral / j], [1.0, 0.0, 0.0]])[:n, :n] for j in both]
+        found = common_quadratic(loops, ("gap", "contact"))
+        case = f"scheme {name} on the rigid model (11): 1 exists, 0 proved that none does"
+        yield ours("common quadratic Lyapunov function", case, _coded(found.verdict), "", str(found))
 
 
 def _coded(verdict: str) -> float:

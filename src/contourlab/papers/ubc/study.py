@@ -1,4 +1,7 @@
-"""Rows of the XY table of the course MECH 467 (University of British Columbia): two measured runs and the identified machine."""
+"""Rows of the XY table of the course MECH 467 (University of British Columbia): two measured runs and the identified machine.
+
+Fits to parts of the runs stop early, so their bands are 5 % wide.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,7 @@ from pathlib import Path
 
 from contourlab.features.refine.cross_validation import CrossValidation
 from contourlab.features.refine.log_run import LogRun
-from contourlab.papers.rows import Part, Row, asked, measured, ours
+from contourlab.papers.rows import IDENTITY, INPUT, Part, Row, asked, measured, ours
 from contourlab.papers.ubc.runs import Unseen, left_out, read_runs, unseen
 
 MEASURED = {"lead-lag": (76.4, 77.7, 84.7, 262.4), "pole-placement": (1277.4, 1082.7, 48.3, 95.4)}
@@ -18,7 +21,8 @@ EXPLAINED = {"lead-lag": 80.0, "pole-placement": 99.0}
 """Smallest share [percent] of the variance of the tracking errors that the model must explain."""
 CONTOUR = {"lead-lag": 0.25, "pole-placement": 0.15}
 """Relative tolerance of the simulated contour errors."""
-FITTED = "the shipped machine along the reference of the log"
+FITTED = "the shipped machine, fitted to this run, along the reference of the log"
+OVER = "over the part that no fit has seen; friction and damping scatter from run to run"
 
 
 def parts_of(folder: str | Path | None, *, with_unseen: bool = True, stage: Callable[[str], object] | None = None) -> list[Part]:
@@ -59,24 +63,26 @@ def _measured(runs: dict[str, LogRun]) -> Iterator[Row]:
     for k, title in enumerate(titles):
         for name, here in figures.items():
             known = MEASURED[name][k]
-            yield measured(title, name, known, here[k], "um", WITHIN * known, "over the move; compared with the figure of another program")
+            note = "over the move; compared with the figure of another program"
+            yield measured(title, name, known, here[k], "um", WITHIN * known, note, kind=IDENTITY)
 
 
 def _explained(runs: dict[str, LogRun]) -> Iterator[Row]:
     agreements = [agreement for run in runs.values() for agreement in run.agreement(run.once())]
-    note = "of the measured tracking error over the move"
+    note = "of the measured tracking error over the move, to which the shipped machine is fitted"
     for part in agreements:
-        yield asked("variance explained", f"{part.run}, {part.axis}", EXPLAINED[part.run], 100.0 * part.explained, "%", 100.0, note)
+        case, here = f"{part.run}, {part.axis}", 100.0 * part.explained
+        yield asked("variance explained", case, EXPLAINED[part.run], here, "%", 100.0, note, kind=INPUT)
     for part in agreements:
         yield ours("left of the tracking error, rms", f"{part.run}, {part.axis}", 1e6 * part.rms, "um")
 
 
 def _contour(runs: dict[str, LogRun]) -> Iterator[Row]:
     figures = {name: (run.judged().metrics.contour_error, run.judged(run.once()).metrics.contour_error) for name, run in runs.items()}
-    for name, (there, here) in figures.items():
-        yield measured("simulated contour rms", name, 1e6 * there.rms, 1e6 * here.rms, "um", CONTOUR[name] * 1e6 * there.rms, FITTED)
-    for name, (there, here) in figures.items():
-        yield measured("simulated contour maximum", name, 1e6 * there.max, 1e6 * here.max, "um", CONTOUR[name] * 1e6 * there.max, FITTED)
+    for what, figure in (("rms", "rms"), ("maximum", "max")):
+        for name, pair in figures.items():
+            there, here = (1e6 * getattr(error, figure) for error in pair)
+            yield measured(f"simulated contour {what}", name, there, here, "um", CONTOUR[name] * there, FITTED, kind=INPUT)
 
 
 def _unseen(found: list[Unseen]) -> Iterator[Row]:
@@ -100,4 +106,4 @@ def _left_out(found: CrossValidation) -> Iterator[Row]:
 
 
 def _beside(name: str, case: str, there: float, here: float) -> Row:
-    return measured(name, case, 1e6 * there, 1e6 * here, "um", None, f"over the unseen part; {100.0 * (here / there - 1.0):+.0f} %")
+    return measured(name, case, 1e6 * there, 1e6 * here, "um", None, OVER)
