@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from bands import check_each_row_can_fail, check_page
 from ghaffari_loop import TABLE_2, TABLE_3, Open, sampled_poles
 from numpy.typing import NDArray
 
 from contourlab.papers.rows import Row
-from contourlab.papers.run import text_of
 
 Rows = dict[tuple[str, str], dict[str, Any]]
 
@@ -152,18 +150,9 @@ def number(value: float | None) -> float:
     return math.nan if value is None else value
 
 
-def test_a_figure_ten_times_off_fails_in_every_row(whole: list[Row]) -> None:
-    assert len(whole) > 200
-    for row in whole:
-        assert row.band is not None and row.passed is not False, row
-        known = [abs(value) for value in (row.here, *row.band) if math.isfinite(value)]
-        assert replace(row, here=10.0 * max(known, default=1.0)).passed is False, row
-
-
-def test_the_page_has_the_table_of_the_reproduction(whole: list[Row]) -> None:
-    page = (Path(__file__).parents[2] / "docs" / "explanation" / "ghaffari.md").read_text(encoding="utf-8")
-    table, *_, conclusion = text_of(whole).split("\n\n")
-    assert table in page and conclusion in page
+def test_every_row_can_fail_and_the_page_shows_the_table(whole: list[Row]) -> None:
+    check_each_row_can_fail(whole)
+    check_page("explanation/ghaffari.md", whole)
 
 
 def test_only_numbers_that_were_computed_count(rows: Rows) -> None:

@@ -89,7 +89,7 @@ def _overview(rows: Sequence[Row]) -> str:
     for name, group in groups:
         steps = [sum(low < abs(row.off) <= high for row in group) for low, high in zip((-1.0, *CLOSE), CLOSE, strict=False)]
         worst = max(group, key=lambda row: abs(row.off))
-        off = f"{100.0 * worst.off:+.2g}" if worst.paper else f"{worst.here:.3g} for 0"
+        off = _percent(worst.off) if worst.paper else f"{worst.here:.3g} for 0"
         table.add(name, *(str(count or "") for count in (*steps, len(group) - sum(steps))), off)
     others = [f"{count} {words}" for kind, words in KINDS.items() if (count := sum(row.kind == kind for row in rows))]
     readings = sum(row.kind == COMPUTED and not row.main for row in rows)
@@ -98,6 +98,10 @@ def _overview(rows: Sequence[Row]) -> str:
     others += [f"{alone} with nothing to compare with"] if alone else []
     shown = [table.text()] if groups else []
     return "\n".join([*shown, *([paragraphs([f"Not counted: {', '.join(others)}; --all shows them."])] if others else [])])
+
+
+def _percent(part: float) -> str:
+    return f"{100.0 * part:+.2g}" if abs(part) < 1.0 else f"{100.0 * part:+.0f}"
 
 
 def _why(rows: Sequence[Row]) -> list[str]:
