@@ -21,6 +21,7 @@ from contourlab.cli.commands.analyse import analyse
 from contourlab.cli.commands.backlash import backlash
 from contourlab.cli.commands.canon import canon
 from contourlab.cli.commands.check import check
+from contourlab.cli.commands.circle import circle
 from contourlab.cli.commands.compare import compare
 from contourlab.cli.commands.components import components
 from contourlab.cli.commands.demo import demo
@@ -62,6 +63,7 @@ app.command("analyse", rich_help_panel="Simulate")(analyse)
 app.command("backlash", rich_help_panel="Simulate")(backlash)
 app.command("link", rich_help_panel="Simulate")(link)
 app.command("measure", rich_help_panel="Measure")(measure)
+app.command("circle", rich_help_panel="Measure")(circle)
 app.command("identify", rich_help_panel="Measure")(identify)
 app.command("refine", rich_help_panel="Measure")(refine)
 app.command("interpolate", rich_help_panel="Measure")(interpolate)

@@ -20,6 +20,8 @@ MOST_PERIODIC = 4
 """Cyclic errors and vibrations together."""
 CERTAIN = 5.0
 """Deviations that the amplitude of a cyclic error or vibration must exceed: it is the largest of about a thousand candidates."""
+LEAST_GAIN = 0.02
+"""Share of the residual's squares that a cyclic error or vibration must remove."""
 WIDEST_HOLE = math.radians(12.0)
 """Widest part of the circle without samples, besides what is left out at the reversals."""
 ONSETS = tuple(math.radians(angle) for angle in (-1.0, 0.0, 1.0, 2.0, 4.0))
@@ -134,12 +136,17 @@ def fit_circle(runs: Sequence[CircleRun], axes: tuple[str, str], pitch: float | 
         more = _refined_together(kept, [*terms, term], axes, pitch)
         solved = _solved(kept, more, axes)
         size, block = solved[0][-term.columns :], solved[1][-term.columns :, -term.columns :]
-        if not float(size @ np.linalg.pinv(block) @ size) > CERTAIN**2 + term.columns:
+        gained = 1.0 - _squares(solved[2]) / max(_squares(residuals), 1e-300)
+        if gained < LEAST_GAIN or not float(size @ np.linalg.pinv(block) @ size) > CERTAIN**2 + term.columns:
             break
         terms, (coefficients, covariance, residuals) = more, solved
     residual = float(np.sqrt(np.mean(np.concatenate(residuals) ** 2)))
     fit = CircleFit(tuple(runs), axes, tuple(terms), coefficients, covariance, (), {}, residual)
     return _with_spikes(fit, residuals)
+
+
+def _squares(residuals: Sequence[Array]) -> float:
+    return sum(float(residual @ residual) for residual in residuals)
 
 
 def _check(runs: Sequence[CircleRun]) -> None:
@@ -184,7 +191,7 @@ def _alike(one: Term, other: Term) -> bool:
     """Return whether two terms differ by less than the fit resolves."""
     if (one.cause, one.axis) != (other.cause, other.axis):
         return False
-    return 0.8 < one.length / other.length < 1.25 if one.cause == "cyclic error" else abs(one.order - other.order) < 4.0
+    return 0.8 < one.length / other.length < 1.25 if one.cause == "cyclic error" else abs(one.order - other.order) < 8.0
 
 
 def _refined_together(kept: Sequence[CircleRun], terms: list[Term], axes: tuple[str, str], pitch: float | None) -> list[Term]:

@@ -115,5 +115,6 @@ def refined(
     def at(frequency: float) -> Term:
         return replace(term, length=radius / frequency) if term.cause == "cyclic error" else replace(term, order=frequency)
 
-    best = minimize_scalar(lambda frequency: -removed(at(frequency)), bounds=(start - width, start + width), method="bounded")
+    low, high = start - width, start + width
+    best = minimize_scalar(lambda frequency: -removed(at(frequency)), bounds=(low, high), method="bounded", options={"xatol": 1e-4})
     return -float(best.fun), at(float(best.x))

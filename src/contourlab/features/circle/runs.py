@@ -14,6 +14,8 @@ from contourlab.metrics.circle_backlash import LEAST_SAMPLES
 
 NEAR = 0.02
 """Share of the radius by which a sample of the command may be off the circle."""
+FAR = 6.0
+"""Largest distance of a sample on the circle, in median distances."""
 WHOLE = math.radians(340.0)
 """Least angle of a run: what is missing of a turn is short enough for the fit."""
 STEADY = 0.05
@@ -22,7 +24,7 @@ TRIPLES = 400
 """Circles tried through three samples."""
 LEAST_SHARE = 0.3
 """Least share of the samples in motion that lie on the circle."""
-MOST_SAMPLES = 100_000
+MOST_SAMPLES = 20_000
 """Samples of a run that the fit uses; more are thinned evenly."""
 
 
@@ -108,9 +110,13 @@ def find_circle(points: Array) -> Circle:
             best, most = circle, count
     if best is None or most < LEAST_SHARE * len(few):
         raise ResultError("the motion is no circle: give the axes of the plane with --axes, and a log of a circle in one plane")
-    for _ in range(3):
-        best = _least_squares(few[on_circle(few, best)])
-    return _least_squares(moving[on_circle(moving, best)])
+    best = _least_squares(few[on_circle(few, best)])
+    for _ in range(5):
+        away = np.abs(np.linalg.norm(moving - best.centre, axis=1) - best.radius)
+        # Lines to the circle come near it, so what counts is how far most samples are off.
+        usual = float(np.median(away[away < NEAR * best.radius]))
+        best = _least_squares(moving[away <= max(FAR * usual, 1e-12)])
+    return best
 
 
 def on_circle(points: Array, circle: Circle) -> Flags:
