@@ -16,10 +16,10 @@ from contourlab.cli.output import say, show_result
 def circle(
     logs: Annotated[
         list[Path],
-        typer.Argument(metavar="LOG...", help="Logs of a circle, or text files of angle and radius: one, or one per sense.", show_default=False),
+        typer.Argument(metavar="LOG...", help="Logs of a circle, or files of angle and radius: one, or one per sense.", show_default=False),
     ],
     tolerance: Annotated[str | None, typer.Option(help='Largest circular deviation that passes, e.g. "8 um".', show_default=False)] = None,
-    radius: Annotated[str | None, typer.Option(help='Nominal radius, e.g. "50 mm"; by default that of the command.', show_default=False)] = None,
+    radius: Annotated[str | None, typer.Option(help='Nominal radius, e.g. "50 mm"; by default as commanded.', show_default=False)] = None,
     feed: Annotated[
         str | None, typer.Option(help='Feed of a file of angles, e.g. "1000 mm/min": gives times and frequencies.', show_default=False)
     ] = None,

@@ -201,7 +201,7 @@ def _result(fit: CircleFit, read: _Read, name: str, command: str, tolerance: flo
         residual=fit.residual,
         tolerance=tolerance,
         passed=None,
-        findings=tuple([*_cause_findings(causes), *_fit_findings(fit, causes, correlations), *read.findings]),
+        findings=(*_cause_findings(causes), *_fit_findings(fit, causes, correlations), *read.findings),
     )
     return replace(test, passed=None if tolerance is None else test.circular_deviation <= tolerance)
 

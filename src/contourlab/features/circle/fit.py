@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import product
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from contourlab.arrays import Array
 from contourlab.errors import ResultError
 from contourlab.features.circle.periodic import refined, strongest
 from contourlab.features.circle.runs import CircleRun
-from contourlab.features.circle.signatures import AFTER, BEFORE, Term, columns_of, outside, past, pulse, usual_terms
+from contourlab.features.circle.signatures import AFTER, BEFORE, Term, columns_of, outside, past, usual_terms
 
 MOST_PERIODIC = 4
 """Cyclic errors and vibrations together."""
@@ -24,9 +23,10 @@ LEAST_GAIN = 0.02
 """Share of the residual's squares that a cyclic error or vibration must remove."""
 WIDEST_HOLE = math.radians(12.0)
 """Widest part of the circle without samples, besides what is left out at the reversals."""
-ONSETS = tuple(math.radians(angle) for angle in (-1.0, 0.0, 1.0, 2.0, 4.0))
-WIDTHS = tuple(math.radians(angle) for angle in (0.3, 0.5, 0.8, 1.2, 2.0, 3.0, 4.5))
-"""Onsets and widths of spikes to try; a pulse is over within eight widths."""
+LEAST_IN_BIN = 6
+"""Least number of samples whose mean gives the height of a spike."""
+BIN = (math.radians(0.2), math.radians(1.0))
+"""Narrowest and widest angle of such a mean."""
 
 
 @dataclass(frozen=True)
@@ -63,8 +63,8 @@ class CircleFit:
         Of the columns of all terms, one after the other.
     covariance : ndarray (p, p) [m^2]
     spikes : tuple of ReversalSpike
-    shapes : dict of str to (float, float) [rad]
-        Onset and width of the spikes of each axis.
+    shapes : dict of str to (ndarray, ndarray) [rad, m]
+        Mean spike of each axis over the angle past the reversal.
     residual : float [m]
         Root mean square of what no cause explains, away from the reversals.
     """
@@ -75,7 +75,7 @@ class CircleFit:
     coefficients: Array
     covariance: Array
     spikes: tuple[ReversalSpike, ...]
-    shapes: dict[str, tuple[float, float]]
+    shapes: dict[str, tuple[Array, Array]]
     residual: float
 
     @property
@@ -94,11 +94,12 @@ class CircleFit:
         return [columns_of(term, run, k, len(self.runs), self.axes) @ part for k, run in enumerate(self.runs)]
 
     def spike_curves(self, axis: str) -> list[Array]:
-        """Return the radial deviation [m] of the spikes of an axis in each run."""
+        """Return the radial deviation [m] of the mean spike of an axis in each run."""
+        place, shape = self.shapes[axis]
         curves = [np.zeros(run.turned.shape) for run in self.runs]
         for curve, run in zip(curves, self.runs, strict=True):
-            for spike in (spike for spike in self.spikes if spike.axis == axis and spike.clockwise == run.clockwise):
-                curve += spike.height * _near(past(run, spike.angle), self.shapes[axis])
+            for angle in {spike.angle for spike in self.spikes if spike.axis == axis}:
+                curve += np.interp(past(run, angle), place, shape, left=0.0, right=0.0)
         return curves
 
 
@@ -165,7 +166,7 @@ def _check_cover(kept: Sequence[CircleRun]) -> None:
         over = np.diff(np.floor(angles / (0.5 * math.pi)), append=4.0) > 0.0
         hole = float((holes - (BEFORE + AFTER) * over).max())
         if hole > WIDEST_HOLE:
-            raise ResultError(f"{math.degrees(hole):.3g} degrees without a sample outside the reversals: give samples all around the circle")
+            raise ResultError(f"{math.degrees(hole):.3g} degrees without a sample outside the reversals: measure the whole circle")
 
 
 def _design(kept: Sequence[CircleRun], terms: Sequence[Term], axes: tuple[str, str]) -> list[Array]:
@@ -206,42 +207,53 @@ def _refined_together(kept: Sequence[CircleRun], terms: list[Term], axes: tuple[
     return terms
 
 
-def _near(gone: Array, shape: tuple[float, float]) -> Array:
-    """Return the pulse of a spike, without what is far from its reversal."""
-    return np.asarray(np.where(np.abs(gone) < 0.25 * math.pi, pulse(gone, *shape), 0.0))
+@dataclass(frozen=True, eq=False)
+class _Window:
+    """One reversal in one run: mean residual in each bin past it, and its variance."""
+
+    run: int
+    angle: float
+    mean: Array
+    variance: Array
 
 
 def _with_spikes(fit: CircleFit, residuals: Sequence[Array]) -> CircleFit:
-    """Add the spikes: for each axis the onset and width, and for each reversal the height, of least squares in the residual."""
+    """Add the spikes: means of the residual over small angles past each reversal.
+
+    The height of a spike is read where the other spikes of the axis are highest, so that noise does not look like a spike.
+    """
     left = [run.deviation.copy() for run in fit.runs]
     for term in fit.terms:
         for rest, curve in zip(left, fit.curves(term), strict=True):
             rest -= curve
+    per_angle = min(len(run.turned) / abs(float(run.turned[-1] - run.turned[0])) for run in fit.runs)
+    width = float(np.clip(LEAST_IN_BIN / per_angle, *BIN))
+    edges = np.linspace(-BEFORE, AFTER, round((BEFORE + AFTER) / width) + 1)
     spikes: list[ReversalSpike] = []
     shapes = {}
-    for first, axis in ((0, fit.axes[0]), (1, fit.axes[1])):
-        windows = []
-        for k, run in enumerate(fit.runs):
-            for angle in (0.5 * math.pi * first, 0.5 * math.pi * first + math.pi):
-                gone = past(run, angle)
-                near = (gone >= -BEFORE) & (gone <= AFTER)
-                windows.append((k, run, angle, gone[near], left[k][near], near))
-
-        def removed(shape: tuple[float, float], windows: list[tuple[int, CircleRun, float, Array, Array, Array]] = windows) -> float:
-            shown = [(pulse(gone, *shape), rest) for _, _, _, gone, rest, _ in windows]
-            return sum(float(p @ rest) ** 2 / max(float(p @ p), 1e-30) for p, rest in shown)
-
-        shapes[axis] = shape = max(product(ONSETS, WIDTHS), key=removed)
-        for k, run, angle, gone, rest, near in windows:
-            p = pulse(gone, *shape)
-            size = float(p @ p)
-            if size < 0.5:  # no sample
-                continue
-            rows = np.column_stack([columns_of(term, run, k, len(fit.runs), fit.axes)[near] for term in fit.terms])
-            base = p @ rows / size
-            variance = _long_variance(residuals[k]) / size + float(base @ fit.covariance @ base)
-            spikes.append(ReversalSpike(axis, run.clockwise, angle, float(p @ rest) / size, math.sqrt(max(variance, 0.0))))
+    for first, axis in enumerate(fit.axes):
+        angles = (0.5 * math.pi * first, 0.5 * math.pi * first + math.pi)
+        windows = [_window(fit, k, angle, left[k], residuals[k], edges) for k in range(len(fit.runs)) for angle in angles]
+        table = np.array([window.mean for window in windows])
+        shapes[axis] = 0.5 * (edges[1:] + edges[:-1]), table.mean(axis=0)
+        for i, window in enumerate(windows):
+            at = int(np.argmax(np.abs(np.delete(table, i, axis=0).mean(axis=0))))
+            deviation = math.sqrt(float(window.variance[at]))
+            spikes.append(ReversalSpike(axis, fit.runs[window.run].clockwise, window.angle, float(window.mean[at]), deviation))
     return replace(fit, spikes=tuple(spikes), shapes=shapes)
+
+
+def _window(fit: CircleFit, k: int, angle: float, left: Array, residual: Array, edges: Array) -> _Window:
+    gone, n = past(fit.runs[k], angle), len(edges) - 1
+    near = np.flatnonzero((gone >= edges[0]) & (gone < edges[-1]))
+    bins = np.clip(np.searchsorted(edges, gone[near], side="right") - 1, 0, n - 1)
+    count = np.maximum(np.bincount(bins, minlength=n), 1)
+    run = fit.runs[k]
+    part = replace(run, turned=run.turned[near], deviation=run.deviation[near])
+    rows = np.column_stack([columns_of(term, part, k, len(fit.runs), fit.axes) for term in fit.terms])
+    base = np.array([np.bincount(bins, column, n) / count for column in rows.T]).T
+    variance = _long_variance(residual) / count + np.einsum("ij,jk,ik->i", base, fit.covariance, base)
+    return _Window(k, angle, np.bincount(bins, left[near], n) / count, np.maximum(variance, 0.0))
 
 
 def _long_variance(residual: Array) -> float:

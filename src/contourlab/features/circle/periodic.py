@@ -44,9 +44,7 @@ def strongest(
     return max((refined(runs, residuals, basis, term, axes, pitch is not None) for term in candidates), key=lambda pair: pair[0])[1]
 
 
-def _cyclic(
-    runs: Sequence[CircleRun], residuals: Sequence[Array], axes: tuple[str, str], pitch: float | None
-) -> Iterator[Term]:
+def _cyclic(runs: Sequence[CircleRun], residuals: Sequence[Array], axes: tuple[str, str], pitch: float | None) -> Iterator[Term]:
     """Yield the best pitch of each axis, by the spectrum of the residual over the position."""
     radius = runs[0].radius
     # The axis is fastest at the middle of its travel.

@@ -37,8 +37,8 @@ def own_columns(columns: Sequence[str]) -> tuple[dict[str, str], tuple[str, ...]
 
 def is_polar(record: Record, named: dict[str, str]) -> bool:
     """Tell whether a record holds angles and radii, or radial deviations."""
-    found = {target for target in _NAMES if _channel(record, target, named) is not None}
-    return ANGLE in found and bool(found & {RADIUS, DEVIATION})
+    present = {target for target in _NAMES if _channel(record, target, named) is not None}
+    return ANGLE in present and bool(present & {RADIUS, DEVIATION})
 
 
 def polar_runs(record: Record, named: dict[str, str], radius: float | None, feedrate: float) -> tuple[CircleRun, ...]:
@@ -91,6 +91,6 @@ def _values(record: Record, target: str, named: dict[str, str], si: str) -> Arra
         raise channel.fault
     unit = (name_and_unit(named[target])[1] if target in named else "") or channel.unit or ("deg" if target == ANGLE else "")
     if not unit:
-        raise LogError(f"column {channel.name!r} has no unit: write it in the head, or --column '{target}={channel.name} [um]'", file=record.file)
+        raise LogError(f"column {channel.name!r} has no unit: write --column '{target}={channel.name} [um]'", file=record.file)
     scale = math.radians(1.0) if unit in ("deg", "°") else to_si(f"1 {unit}", si)
     return np.asarray(channel.values * scale)

@@ -239,7 +239,7 @@ def _cause(fit: CircleFit, term: Term) -> Cause:
     contribution, deviation = float(np.ptp(curve)), _root(float(spread @ block @ spread))
     value, value_deviation, unit = float(values[0]), _root(block[0, 0]), "m"
     radius, feed = fit.runs[0].radius, fit.runs[0].feedrate
-    periodic = {}
+    periodic: dict[str, float | None] = {}
     if term.cause in ("squareness", "scaling mismatch"):
         value, value_deviation, unit = value / radius, value_deviation / radius, "rad" if term.cause == "squareness" else ""
     elif term.cause == "servo mismatch" and math.isfinite(feed):

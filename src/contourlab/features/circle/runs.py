@@ -138,7 +138,7 @@ def _least_squares(points: Array) -> Circle:
     middle = points.mean(axis=0)
     out = points - middle
     a, b, c = np.linalg.lstsq(np.column_stack([2.0 * out, np.ones(len(out))]), np.sum(out**2, axis=1), rcond=None)[0]
-    return Circle(middle + [a, b], math.sqrt(c + a * a + b * b))
+    return Circle(middle + np.array([a, b]), math.sqrt(c + a * a + b * b))
 
 
 def runs_of(name: str, position: Array, period: float, circle: Circle, reference: Array | None = None) -> tuple[CircleRun, ...]:

@@ -14,7 +14,7 @@ backlash b of x          e_x = -sgn(v_x) b/2                   s sgn(sin phi) co
 backlash b of y          e_y = -sgn(v_y) b/2                   -s sgn(cos phi) sin phi b/2
 lateral play l of x      e_y = -sgn(v_x) l/2                   s |sin phi| l/2
 lateral play l of y      e_x = -sgn(v_y) l/2                   -s |cos phi| l/2
-reversal spike h         pulse after a reversal                h (u/w) exp(1 - u/w), u the angle past it
+reversal spikes of x     a pulse after each reversal of x       the mean of what the others leave there
 cyclic error of x        e_x = A cos(2 pi x/p + a)             A cos phi cos(2 pi R cos phi/p + a)
 vibration of x           e_x = A cos(k u + a)                  A cos phi cos(k u + a), u the angle travelled
 =======================  ====================================  ======================================================
@@ -100,7 +100,7 @@ def columns_of(term: Term, run: CircleRun, k: int, n: int, axes: tuple[str, str]
         "servo mismatch": sense * s * c,
         "lateral play": 0.5 * sense * (np.abs(s) if first else -np.abs(c)),
     }
-    return one[term.cause][:, None]
+    return np.asarray(one[term.cause][:, None])
 
 
 def past(run: CircleRun, angle: float) -> Array:
@@ -116,9 +116,3 @@ def outside(run: CircleRun) -> Flags:
         gone = past(run, 0.5 * math.pi * i)
         use &= (gone < -BEFORE) | (gone > AFTER)
     return use
-
-
-def pulse(gone: Array, onset: float, width: float) -> Array:
-    """Return the pulse of a reversal spike, of height 1, at angles past the reversal [rad]."""
-    u = np.clip((gone - onset) / width, 0.0, 50.0)
-    return np.asarray(u * np.exp(1.0 - u))
