@@ -29,6 +29,7 @@ from contourlab.cli.commands.explain import explain
 from contourlab.cli.commands.identify import identify
 from contourlab.cli.commands.interpolate import interpolate
 from contourlab.cli.commands.learn import learn
+from contourlab.cli.commands.limits import limits
 from contourlab.cli.commands.link import link
 from contourlab.cli.commands.machines import machines
 from contourlab.cli.commands.measure import measure
@@ -64,6 +65,7 @@ app.command("backlash", rich_help_panel="Simulate")(backlash)
 app.command("link", rich_help_panel="Simulate")(link)
 app.command("measure", rich_help_panel="Measure")(measure)
 app.command("circle", rich_help_panel="Measure")(circle)
+app.command("limits", rich_help_panel="Measure")(limits)
 app.command("identify", rich_help_panel="Measure")(identify)
 app.command("refine", rich_help_panel="Measure")(refine)
 app.command("interpolate", rich_help_panel="Measure")(interpolate)

@@ -18,6 +18,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.components.description import ComponentDescription
     from contourlab.features.identify.result import Identified
     from contourlab.features.interpolate.study import Interpolated
+    from contourlab.features.limits.result import LimitTest
     from contourlab.features.link.result import LinkResult
     from contourlab.features.machines.command import Shipped
     from contourlab.features.measure.summary import MeasuredSummary
@@ -44,6 +45,7 @@ def results() -> dict[str, Any]:
         "identify": Identified,
         "interpolate": Interpolated,
         "learn": Summary,
+        "limits": LimitTest,
         "link": LinkResult,
         "machines": Shipped | tuple[Shipped, ...] | tuple[Path, ...],
         "measure": MeasuredSummary,
