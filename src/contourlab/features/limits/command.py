@@ -11,7 +11,7 @@ import numpy as np
 
 from contourlab.app.command_line import as_typed
 from contourlab.app.results import check_file
-from contourlab.arrays import Array, Index
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.features.check.planned_motion import DEFAULT_MACHINE
 from contourlab.features.limits.annotate import write_annotated
@@ -132,7 +132,7 @@ def _limits(options: LimitOptions, axes: Sequence[str], machine: AxisLimits | No
 
 def _by_axis(option: str, text: str, unit: str, axes: Sequence[str], example: str) -> dict[str, float]:
     """Read one quantity for all axes, or ``x=..., y=...``."""
-    values = {}
+    values: dict[str, float] = {}
     for part in text.split(","):
         name, equals, quantity = part.partition("=")
         name, quantity = (name.strip(), quantity) if equals else ("", name)
@@ -300,7 +300,7 @@ def _distances(log: Log, axes: Sequence[str], route: Route, along: Array) -> Arr
 
 
 def _log_peaks(
-    position: Array, period: float, axes: Sequence[str], limits: Mapping[str, list[float]], lines: Index, moves: Array, use: LineUse
+    position: Array, period: float, axes: Sequence[str], limits: Mapping[str, list[float]], lines: Index, moves: Flags, use: LineUse
 ) -> tuple[list[AxisPeak], list[Finding]]:
     """Return the largest values, and what limits their resolution; add the use of each program line."""
     peaks, findings = [], []

@@ -106,15 +106,16 @@ class LimitTest:
         return f"{self.name}: {verdict}{at}; cycle time {number(self.cycle_time, 5)} s, {of} every {figure(self.servo_period, 'ms', 4)}."
 
     def _peaks(self) -> Table:
-        heads = [Column("axis", left=True), Column("", left=True), *map(Column, ("largest", "+-", "limit", "use", "over", "at", "line"))]
+        heads = [Column("axis", left=True), Column("", left=True), *map(Column, ("largest", "limit", "use", "at", "line"))]
         table = Table(heads, keys=2)
         for peak in self.peaks:
             unit = UNITS[peak.kind]
             limit = NONE if peak.limit is None else figure(peak.limit, unit)
             use = NONE if peak.use is None else f"{100.0 * peak.use:.0f} %"
-            largest, resolution = figure(peak.value, unit), figure(peak.resolution, unit, 2).split()[0]
-            cells = (largest, resolution, limit, use, figure(peak.window, "ms"), f"{number(peak.time, 5)} s", _line(peak.line))
-            table.add(peak.axis, peak.kind, *cells)
+            resolution = figure(peak.resolution, unit, 2) if peak.resolution > 1e-3 * peak.value else ""
+            largest = figure(peak.value, unit)
+            cells = (f"{largest.split()[0]} +- {resolution}" if resolution else largest, limit, use, f"{number(peak.time, 5)} s")
+            table.add(peak.axis, peak.kind, *cells, _line(peak.line))
         return table
 
     def _lines(self) -> Table:
