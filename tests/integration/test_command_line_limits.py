@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from contourlab.cli.main import main
+from contourlab.errors import ProgramError
 from contourlab.features.limits.annotate import moves_of
 from contourlab.program import Reading
 
@@ -67,7 +68,7 @@ def test_a_log_in_closed_form(digits: int, capsys: pytest.CaptureFixture[str]) -
         assert peaks[kind]["value"] <= 0.02 * omega**order + peaks[kind]["resolution"] + 1e-9
     assert [peak["kind"] for peak in result["peaks"] if peak["use"] > 1.005] == ["acceleration"]
     assert {row["line"] for row in result["lines"]} == {4, 5}
-    assert peaks["jerk"]["window"] == pytest.approx(3e-3 if digits == 6 else 0.03, rel=0.7)
+    assert peaks["jerk"]["window"] == pytest.approx(6e-3 if digits == 6 else 0.03, rel=0.7)
 
 
 def test_without_limits_there_is_no_verdict(capsys: pytest.CaptureFixture[str]) -> None:
@@ -117,12 +118,17 @@ SLOW = ("3D_Chips", "8x_gear", "HSM_test", "heart.ngc", "flowsnake", "cds.ngc", 
 def test_annotated_real_programs_have_the_same_moves(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     file = SHARED / name
     reading = Reading(require_end=False)
+    try:
+        moves = moves_of(file, reading)
+    except ProgramError:  # rotary axis, cutter compensation, faults
+        assert main(["limits", str(file), "--annotate", "out.ngc"]) == 2 and not Path("out.ngc").exists()
+        return
     result = printed(capsys, "limits", str(file), "--annotate", "out.ngc")
     assert result["passed"] and result["lines"]
     original = file.read_bytes().splitlines()
     written = Path("out.ngc").read_bytes().splitlines()
     assert len(written) == len(original) and written != original
-    assert moves_of(Path("out.ngc"), Reading(require_end=False, folder=file.parent)) == moves_of(file, reading)
+    assert moves_of(Path("out.ngc"), Reading(require_end=False, folder=file.parent)) == moves
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,19 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, SamplePeriod, listed
+from contourlab.cli.options import (
+    BlockDelete,
+    ColumnFile,
+    ColumnTexts,
+    Dialect,
+    Json,
+    LogFormat,
+    MostMoves,
+    SamplePeriod,
+    ToolTable,
+    listed,
+    reading_of,
+)
 from contourlab.cli.output import say, show_result
 
 
@@ -32,6 +44,10 @@ def limits(
     columns: ColumnFile = None,
     format: LogFormat = None,  # noqa: A002
     period: SamplePeriod = None,
+    dialect: Dialect = "linuxcnc",
+    block_delete: BlockDelete = False,
+    tools: ToolTable = None,
+    most_moves: MostMoves = None,
     as_json: Json = False,
 ) -> int:
     """Compare commanded velocity, acceleration and jerk with the limits of a machine; show the worst program lines."""
@@ -39,7 +55,8 @@ def limits(
     from contourlab.features.measure.log_choice import LogChoice
 
     choice = LogChoice(file, tuple(column or ()), columns, format, period, listed(axes))
-    test = check_limits(choice, LimitOptions(machine, velocity, acceleration, jerk, tolerance, program, line_column, annotate))
+    options = LimitOptions(machine, velocity, acceleration, jerk, tolerance, program, line_column, annotate)
+    test = check_limits(choice, options, reading_of(program or Path("log"), dialect, block_delete, tools, most_moves))
     show_result(test, as_json)
     if not as_json:
         say(f"\nnext: {test.next_command}")

@@ -78,14 +78,14 @@ def position_error(position: Array) -> float:
 
     Notes
     -----
-    The count is the least difference between values. The noise is estimated from fourth differences, to which a smooth motion adds little:
-    their median magnitude over that of white noise of deviation 1, 0.6745 sqrt(70).
+    The count is the least difference between values. The noise is estimated from eighth differences, to which a smooth motion adds
+    little: their median magnitude over that of white noise of deviation 1, 0.6745 sqrt(12870).
     """
     values = np.unique(position)
     steps = np.diff(values)
     steps = steps[steps > 1e-12 * max(float(np.abs(values).max()), 1e-6)]
     count = float(steps.min()) if steps.size else 0.0
-    noise = float(np.median(np.abs(np.diff(position, 4)))) / (0.6745 * math.sqrt(70.0)) if len(position) > 5 else 0.0
+    noise = float(np.median(np.abs(np.diff(position, 8)))) / (0.6745 * math.sqrt(12870.0)) if len(position) > 9 else 0.0
     # A log in floating point has no count: the least difference says nothing then.
     is_counted = count > 0.0 and bool(np.all(np.abs(steps / count - np.rint(steps / count)) < 0.05))
     return max(count if is_counted else 0.0, SIGMAS * noise)
