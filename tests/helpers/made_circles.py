@@ -24,7 +24,7 @@ def positions(clockwise: bool, start: float = 0.3, noise: float = 2e-8, turns: f
     phi = start + sense * FEED / RADIUS * t
     x, y = RADIUS * np.cos(phi), RADIUS * np.sin(phi)
     vx, vy = -sense * FEED * np.sin(phi), sense * FEED * np.cos(phi)
-    get = {name: 0.0 for name in ("x", "y", "play", "square", "scale", "lag", "cyclic", "shake", "spike")} | size
+    get = dict.fromkeys(("x", "y", "play", "square", "scale", "lag", "cyclic", "shake", "spike"), 0.0) | size
     gone = np.mod(sense * phi, math.pi) / 0.03
     ex = 0.5 * get["scale"] * x + get["square"] * y - get["lag"] * vx - 0.5 * get["x"] * np.sign(vx)
     ex += get["cyclic"] * np.cos(2.0 * math.pi * x / 0.01) + get["spike"] * np.sign(x) * gone * np.exp(1.0 - gone)

@@ -222,7 +222,7 @@ class _Records(NamedTuple):
     kink: _Record
 
 
-def limit_report(reference: Reference, limits: AxisLimits, use: LineUse | None = None) -> LimitReport:
+def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
     """Find the largest velocity, acceleration and jerk of each axis.
 
     Parameters
@@ -230,8 +230,6 @@ def limit_report(reference: Reference, limits: AxisLimits, use: LineUse | None =
     reference : Reference
         Read in blocks, so that memory does not grow with its length.
     limits : AxisLimits
-    use : LineUse, optional
-        Filled with the use of each program line.
 
     Returns
     -------
@@ -251,6 +249,16 @@ def limit_report(reference: Reference, limits: AxisLimits, use: LineUse | None =
     limit. Recorded references know their progress only to about a sample, so one more sample on each side is left out, and the
     speed at a curvature step is the lowest around.
     """
+    return _report(reference, limits, None)
+
+
+def limit_report_by_line(reference: Reference, limits: AxisLimits) -> tuple[LimitReport, LineUse]:
+    """Return the report of `limit_report`, and how much of the limits each program line uses."""
+    use = LineUse(int(reference.source_lines.max(initial=0)) + 1)
+    return _report(reference, limits, use), use
+
+
+def _report(reference: Reference, limits: AxisLimits, use: LineUse | None) -> LimitReport:
     limits = limits.for_axes(reference.n_axis)
     period, wide = reference.servo_period, 0 if reference.recorded is None else 1
     ends = reference.block(0, 1), reference.block(reference.n_sample - 1, reference.n_sample)

@@ -20,9 +20,9 @@ from contourlab.features.limits.result import LimitTest, ProgramLine, comments
 from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log
 from contourlab.features.measure.measured_path import progress_along
 from contourlab.features.measure.study import ACTUAL
-from contourlab.feed import AxisLimits, Reference, Route, blended, limit_report, plan, route_from_program
+from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_program
 from contourlab.feed.verify import KINDS as ALL_KINDS
-from contourlab.feed.verify import LineUse, Worst
+from contourlab.feed.verify import LineUse, Worst, limit_report_by_line
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
 from contourlab.logs.load import about
@@ -159,8 +159,7 @@ def _planned(file: Path, options: LimitOptions, tolerance: float, reading: Readi
     limits = AxisLimits(*(asked[kind] for kind in KINDS))
     route = route_from_program(read_program(file, reading=reading), machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
     reference = plan(blended(route, own), own, machine.servo_period)
-    use = LineUse(int(reference.source_lines.max()) + 1)
-    report = limit_report(reference, limits, use)
+    report, use = limit_report_by_line(reference, limits)
     peaks = [
         _peak(worst, kind, machine.axis_names, machine.servo_period)
         for j in range(len(machine.axes))

@@ -5,8 +5,8 @@ Differences are taken over a stride h, a whole number of samples:
     v = D1 / h, a = D2 / h^2, j = D3 / h^3, with Dk the k-th difference of positions h apart.
 
 Dk / h^k is the mean of the k-th derivative under a B-spline, which is nowhere negative, over k h. So the true peak is at least as large,
-but for the error of the positions. Positions off by at most e/2 add at most 2^(k-1) e / h^k: the resolution of the figure. The stride is the
-least with which that is below `RESOLVED` of the limit, or of the figure itself without one. A peak shorter than k h is averaged.
+but for the error of the positions. Positions off by at most e/2 add at most 2^(k-1) e / h^k: the resolution of the figure. The stride is
+the least with which that is below `RESOLVED` of the limit, or of the figure itself without one. A peak shorter than k h is averaged.
 
 References
 ----------
