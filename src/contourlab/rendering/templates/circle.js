@@ -52,7 +52,7 @@ for (let k = -2; k <= 2; k += 1) {
 element("line", { x1: MIDDLE - 290, y1: MIDDLE, x2: MIDDLE + 290, y2: MIDDLE, stroke: "#e4e8ec" });
 element("line", { x1: MIDDLE, y1: 10, x2: MIDDLE, y2: 590, stroke: "#e4e8ec" });
 element("text", { x: 584, y: MIDDLE - 5 }, data.axes[0]);
-element("text", { x: MIDDLE + 5, y: 18 }, data.axes[1]);
+element("text", { x: MIDDLE - 12, y: 18 }, data.axes[1]);
 data.runs.forEach((run, r) => element("path", { d: line(run, measured[r]), fill: "none", stroke: run.colour, "stroke-opacity": 0.25 }));
 const paths = data.runs.map(run => element("path", { fill: "none", stroke: run.colour, "stroke-width": 1.6 }));
 document.getElementById("scale").textContent = "Grey circles are " + ring + " um apart.";
