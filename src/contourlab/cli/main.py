@@ -21,6 +21,7 @@ from contourlab.cli.commands.analyse import analyse
 from contourlab.cli.commands.backlash import backlash
 from contourlab.cli.commands.canon import canon
 from contourlab.cli.commands.check import check
+from contourlab.cli.commands.circle import circle
 from contourlab.cli.commands.compare import compare
 from contourlab.cli.commands.components import components
 from contourlab.cli.commands.demo import demo
@@ -28,6 +29,7 @@ from contourlab.cli.commands.explain import explain
 from contourlab.cli.commands.identify import identify
 from contourlab.cli.commands.interpolate import interpolate
 from contourlab.cli.commands.learn import learn
+from contourlab.cli.commands.limits import limits
 from contourlab.cli.commands.link import link
 from contourlab.cli.commands.machines import machines
 from contourlab.cli.commands.measure import measure
@@ -62,6 +64,8 @@ app.command("analyse", rich_help_panel="Simulate")(analyse)
 app.command("backlash", rich_help_panel="Simulate")(backlash)
 app.command("link", rich_help_panel="Simulate")(link)
 app.command("measure", rich_help_panel="Measure")(measure)
+app.command("circle", rich_help_panel="Measure")(circle)
+app.command("limits", rich_help_panel="Measure")(limits)
 app.command("identify", rich_help_panel="Measure")(identify)
 app.command("refine", rich_help_panel="Measure")(refine)
 app.command("interpolate", rich_help_panel="Measure")(interpolate)

@@ -112,6 +112,35 @@ class LimitReport:
         return (*self.velocity, *self.acceleration, *self.jerk, *self.curvature_step, *self.kink)
 
 
+KINDS = ("velocity", "acceleration", "jerk", "curvature step", "kink")
+"""Kinds of entries of a `LimitReport`, in the order of `LineUse.kind`."""
+
+
+class LineUse:
+    """How much of the limits each program line uses.
+
+    Attributes
+    ----------
+    ratio : ndarray (n_line,)
+        Largest ratio of the line (the index; 0 for none), as `Worst.ratio`; nan for a line without samples.
+    kind, axis, sample : ndarray (n_line,) of int
+        Where it occurs: index in `KINDS`, axis, sample.
+    """
+
+    def __init__(self, n_line: int) -> None:
+        self.ratio = np.full(n_line, np.nan)
+        self.kind, self.axis, self.sample = (np.full(n_line, -1, dtype=np.int64) for _ in range(3))
+
+    def add(self, kind: int, ratios: Array, samples: Index, lines: Index) -> None:
+        """Add ratios (n, n_axis) of one kind at `samples` (n,) of program `lines` (n,)."""
+        axis = np.argmax(ratios, axis=1)
+        ratio = ratios[np.arange(len(axis)), axis]
+        better = np.flatnonzero(~(ratio <= self.ratio[lines]))
+        better = better[np.argsort(ratio[better], kind="stable")]  # the last of a line stays
+        at = lines[better]
+        self.ratio[at], self.kind[at], self.axis[at], self.sample[at] = ratio[better], kind, axis[better], samples[better]
+
+
 class _Jumps(NamedTuple):
     """Arc lengths (n,) in [0, length) at which direction or curvature jumps, and by how much for each axis (n, n_axis)."""
 
@@ -151,6 +180,8 @@ class _Record:
 
     limit: Array
     allowance: Array
+    kind: int = 0
+    use: LineUse | None = None
     value: Array = field(init=False)
     sample: Index = field(init=False)
 
@@ -158,10 +189,12 @@ class _Record:
         self.value = np.zeros_like(self.limit)
         self.sample = np.full(self.limit.size, -1, dtype=np.int64)
 
-    def add(self, values: Array, samples: Index) -> None:
-        """Add values (n, n_axis) at `samples` (n,)."""
+    def add(self, values: Array, samples: Index, lines: Index | None = None) -> None:
+        """Add values (n, n_axis) at `samples` (n,) of program `lines` (n,)."""
         if values.shape[0] == 0:
             return
+        if self.use is not None and lines is not None:
+            self.use.add(self.kind, np.maximum(values - self.allowance, 0.0) / self.limit, samples, lines)
         row = np.argmax(values, axis=0)
         peak = values[row, np.arange(values.shape[1])]
         better = (peak > self.value) | (self.sample < 0)
@@ -216,6 +249,16 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
     limit. Recorded references know their progress only to about a sample, so one more sample on each side is left out, and the
     speed at a curvature step is the lowest around.
     """
+    return _report(reference, limits, None)
+
+
+def limit_report_by_line(reference: Reference, limits: AxisLimits) -> tuple[LimitReport, LineUse]:
+    """Return the report of `limit_report`, and how much of the limits each program line uses."""
+    use = LineUse(int(reference.source_lines.max(initial=0)) + 1)
+    return _report(reference, limits, use), use
+
+
+def _report(reference: Reference, limits: AxisLimits, use: LineUse | None) -> LimitReport:
     limits = limits.for_axes(reference.n_axis)
     period, wide = reference.servo_period, 0 if reference.recorded is None else 1
     ends = reference.block(0, 1), reference.block(reference.n_sample - 1, reference.n_sample)
@@ -224,11 +267,11 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
     eased = limits.jerk * period * (3 + 2 * wide)
     step_limit = np.where(np.isinf(limits.jerk), np.inf, limits.acceleration)
     records = _Records(
-        _Record(limits.velocity, noise / period),
-        _Record(limits.acceleration, 2.0 * noise / period**2),
-        _Record(limits.jerk, 4.0 * noise / period**3),
-        _Record(step_limit, 4.0 * noise / period**2),
-        _Record(limits.acceleration * KINK_TIME, MOST_KINK * noise / period),
+        _Record(limits.velocity, noise / period, 0, use),
+        _Record(limits.acceleration, 2.0 * noise / period**2, 1, use),
+        _Record(limits.jerk, 4.0 * noise / period**3, 2, use),
+        _Record(step_limit, 4.0 * noise / period**2, 3, use),
+        _Record(limits.acceleration * KINK_TIME, MOST_KINK * noise / period, 4, use),
     )
     path, curvature, direction = reference.path, curvature_jump(reference.path), direction_jump(reference.path)
     angle = np.linalg.norm(direction, axis=1)
@@ -263,11 +306,17 @@ def _check_block(
         first = np.arange(index.size - order)
         return np.asarray(passed[np.clip(first - wide, 0, None)] == passed[np.clip(first + order + wide, None, index.size - 1)])
 
-    records.velocity.add(np.abs(velocity), index[:-1])
+    lines = None if records.velocity.use is None else reference.source_line(block.arc_length)
+
+    def of(rows: Index | Flags, first: int = 0) -> Index | None:
+        """Return the program lines of some rows, the first of which is sample `low + first`."""
+        return None if lines is None else lines[first:][: len(rows)][rows] if rows.dtype == bool else lines[first + rows]
+
+    records.velocity.add(np.abs(velocity), index[:-1], of(np.arange(len(velocity))))
     smooth = clear(n_kink, 2)
-    records.acceleration.add(np.abs(acceleration[smooth]), index[1:-1][smooth])
+    records.acceleration.add(np.abs(acceleration[smooth]), index[1:-1][smooth], of(smooth, 1))
     smooth = clear(n_jump, 3)
-    records.jerk.add(np.abs(jerk[smooth]), index[1 : 1 + jerk.shape[0]][smooth])
+    records.jerk.add(np.abs(jerk[smooth]), index[1 : 1 + jerk.shape[0]][smooth], of(smooth, 1))
     around = np.linalg.norm(velocity, axis=1)
     # A step between rows i and i + 1 shows between the second differences centred at i + 2 + wide and i - 1 - wide.
     at = np.flatnonzero(np.diff(n_jump) != 0)
@@ -276,13 +325,13 @@ def _check_block(
     bend = n_bend[at] != n_bend[at + 1]
     row = at[bend]
     size[bend] = np.maximum(size[bend], _turning(bends, n_bend, row, around, block.arc_length, wide))
-    records.step.add(size, index[at])
+    records.step.add(size, index[at], of(at))
     # Row k spans a kink between the samples k and k + 1.
     turn = np.flatnonzero(np.diff(n_kink) != 0)
     turn = turn[(turn - 1 - wide >= 0) & (turn + 1 + wide < velocity.shape[0])]
     if turn.size:
         slowest = np.maximum(_lowest(around, turn, wide) - 0.5 * period * float(np.max(records.acceleration.limit)), 0.0)
-        records.kink.add(kinks.largest(n_kink[turn], n_kink[turn + 1]) * slowest[:, None], index[turn])
+        records.kink.add(kinks.largest(n_kink[turn], n_kink[turn + 1]) * slowest[:, None], index[turn], of(turn))
     here = (index[row] >= start) & (index[row] < stop)
     n_turn = int(np.count_nonzero((index[turn] >= start) & (index[turn] < stop)))
     return CurvatureSteps(index[row[here]], size[bend][here]), n_turn

@@ -14,9 +14,11 @@ def results() -> dict[str, Any]:
     from contourlab.features.backlash.command import BacklashOutcome
     from contourlab.features.check.canon import Canon
     from contourlab.features.check.program_check import Checked
+    from contourlab.features.circle.result import CircleTest
     from contourlab.features.components.description import ComponentDescription
     from contourlab.features.identify.result import Identified
     from contourlab.features.interpolate.study import Interpolated
+    from contourlab.features.limits.result import LimitTest
     from contourlab.features.link.result import LinkResult
     from contourlab.features.machines.command import Shipped
     from contourlab.features.measure.summary import MeasuredSummary
@@ -35,6 +37,7 @@ def results() -> dict[str, Any]:
         "backlash": BacklashOutcome,
         "canon": Canon,
         "check": Checked,
+        "circle": CircleTest,
         "compare": Summary | MeasuredSummary,
         "components": tuple[ComponentDescription, ...],
         "demo": Demo,
@@ -42,6 +45,7 @@ def results() -> dict[str, Any]:
         "identify": Identified,
         "interpolate": Interpolated,
         "learn": Summary,
+        "limits": LimitTest,
         "link": LinkResult,
         "machines": Shipped | tuple[Shipped, ...] | tuple[Path, ...],
         "measure": MeasuredSummary,

@@ -1,0 +1,1 @@
+"""Which causes shape a measured circle, and how large is each?"""

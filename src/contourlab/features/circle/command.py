@@ -1,0 +1,250 @@
+"""``contourlab circle``: the causes behind measured circles."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from contourlab.app.command_line import as_typed
+from contourlab.app.json_values import json_values
+from contourlab.app.results import staged
+from contourlab.arrays import Array
+from contourlab.errors import ParameterError, ResultError
+from contourlab.features.circle.fit import CircleFit, fit_circle
+from contourlab.features.circle.polar_file import is_polar, own_columns, polar_runs
+from contourlab.features.circle.result import SURE, Cause, CircleTest, Correlation, causes_of, correlations_of, lags_of
+from contourlab.features.circle.runs import Circle, CircleRun, find_circle, runs_of
+from contourlab.features.measure.log_choice import LogChoice, open_log, positive
+from contourlab.features.measure.study import ACTUAL
+from contourlab.findings import Finding, finding
+from contourlab.logs import Log, read_record
+from contourlab.logs.load import about
+from contourlab.metrics import Bidirectional, CircleFigures, bidirectional, circle_figures
+from contourlab.result import write_text_atomic
+
+FINDINGS = {
+    "backlash": "CL480",
+    "lateral play": "CL481",
+    "reversal spikes": "CL482",
+    "servo mismatch": "CL483",
+    "squareness": "CL484",
+    "scaling mismatch": "CL485",
+    "cyclic error": "CL486",
+    "vibration": "CL487",
+    "squareness or servo mismatch": "CL488",
+}
+LARGE, MOST = 0.2, 3
+"""Share of the largest cause from which another one gets a finding, and the most of them."""
+SAME = 0.01
+"""Share by which fitted radii of one circle may differ."""
+
+
+@dataclass(frozen=True)
+class CircleOptions:
+    """Options as typed.
+
+    Attributes
+    ----------
+    radius, feed, pitch, tolerance : str, optional
+        As ``"50 mm"``, ``"1000 mm/min"``, ``"10 mm"``, ``"8 um"``.
+    """
+
+    radius: str | None = None
+    feed: str | None = None
+    pitch: str | None = None
+    tolerance: str | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class _Read:
+    """Runs of all files, the axes, and findings on the files."""
+
+    runs: list[CircleRun]
+    axes: tuple[str, str]
+    findings: list[Finding]
+
+
+def circle_test(choices: Sequence[LogChoice], out: str | Path, options: CircleOptions | None = None, command: str = "") -> CircleTest:
+    """Fit the causes to measured circles; write summary.json and report.html into a folder.
+
+    Parameters
+    ----------
+    choices : sequence of LogChoice
+        Logs, or text files of angle and radius: one with all runs, or one for each sense.
+    out : str or Path
+    options : CircleOptions, optional
+    command : str
+        Command line as typed.
+
+    Raises
+    ------
+    LogError
+        If a file cannot be read, or holds no circle.
+    ParameterError
+        If an option is out of range.
+    OutputError
+        If the folder cannot be written to.
+    """
+    from contourlab.features.circle.page import write_page
+
+    options = options or CircleOptions()
+    pitch, tolerance = (_length(f"--{name}", getattr(options, name)) for name in ("pitch", "tolerance"))
+    read = _read(choices, options)
+    files = [choice.file for choice in choices]
+    with about(*files):
+        fit = fit_circle(read.runs, read.axes, pitch)
+        result = _result(fit, read, " and ".join(Path(file).name for file in files), command, tolerance)
+    result = replace(result, report=str(Path(out) / "report.html"), next_command=_next(result, choices[0]))
+    with staged(out, "summary.json", "report.html", inputs=files) as folder:
+        write_text_atomic(folder / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
+        write_page(result, fit, folder / "report.html")
+    return result
+
+
+def _length(option: str, text: str | None) -> float | None:
+    return None if text is None else positive(option, text, "m", 'a length with its unit, such as "10 mm"')
+
+
+def _read(choices: Sequence[LogChoice], options: CircleOptions) -> _Read:
+    """Read the runs of all files, around one nominal radius."""
+    radius = _length("--radius", options.radius)
+    feed = math.nan if options.feed is None else positive("--feed", options.feed, "m/s", 'a feed, such as "1000 mm/min"')
+    read = _Read([], ("x", "y"), [])
+    is_known = radius is not None
+    for choice in choices:
+        named, columns = own_columns(choice.columns)
+        record = read_record(choice.file, choice.format)
+        if named or is_polar(record, named):
+            with about(choice.file, options=("radius",)):
+                read.runs.extend(polar_runs(record, named, radius, feed))
+            axes = tuple(choice.axes) or ("x", "y")
+        else:
+            log = open_log(replace(choice, columns=columns))
+            axes = tuple(choice.axes) or log.result.axes[:2]
+            with about(choice.file):
+                runs, has_reference = _log_runs(log, axes, radius)
+            read.runs.extend(runs)
+            read.findings.extend(log.findings)
+            is_known = is_known or has_reference
+            if "tool_position" not in log.result:
+                read.findings.append(finding("CL491"))
+        if len(axes) != 2:
+            raise ParameterError("--axes", ",".join(axes), "two axes, such as x,y")
+        read = replace(read, axes=(axes[0], axes[1]))
+    unique = {str(one): one for one in read.findings}
+    findings = [*unique.values(), *([] if is_known else [finding("CL492")])]
+    return _Read(_one_radius(read.runs), read.axes, findings)
+
+
+def _log_runs(log: Log, axes: tuple[str, ...], radius: float | None) -> tuple[tuple[CircleRun, ...], bool]:
+    """Return the runs of a log, and whether it has the command."""
+    result = log.result
+    if missing := [axis for axis in axes if axis not in result.axes]:
+        raise ResultError(f"no axis {missing[0]} in {result.source}; there are {', '.join(result.axes)}")
+    if len(axes) < 2:
+        raise ResultError(f"has the axis {', '.join(axes)} only: a circle needs two")
+    columns = [result.axes.index(axis) for axis in axes[:2]]
+
+    def points(names: Sequence[str]) -> Array | None:
+        for name in names:
+            if name in result and np.isfinite(result[name][:, columns]).all():
+                return np.asarray(result[name][:, columns])
+        return None
+
+    position, reference = points(ACTUAL), points(("reference",))
+    if position is None:
+        raise ResultError(f"no position in {result.source}: name its columns, such as --column 'position.x=NAME [mm]'")
+    circle = find_circle(position if reference is None else reference)
+    if radius is not None and abs(radius - circle.radius) > 0.05 * radius:
+        raise ResultError(f"a circle of {1e3 * circle.radius:.6g} mm radius, not of {1e3 * radius:.6g} mm")
+    circle = Circle(circle.centre, circle.radius if radius is None else radius)
+    return runs_of(log.record.file.name, position, result.servo_period, circle, reference), reference is not None
+
+
+def _one_radius(runs: Sequence[CircleRun]) -> list[CircleRun]:
+    """Return the runs with one nominal radius, if theirs differ by little: fitted radii of the same circle do."""
+    radii = [run.radius for run in runs]
+    mean = sum(radii) / len(radii)
+    if max(radii) - min(radii) > SAME * mean:
+        return list(runs)
+    return [replace(run, radius=mean, deviation=run.deviation + (run.radius - mean)) for run in runs]
+
+
+def _result(fit: CircleFit, read: _Read, name: str, command: str, tolerance: float | None) -> CircleTest:
+    runs = tuple(_figures(run, fit.axes) for run in fit.runs)
+    pair = _pair(runs)
+    causes, correlations = causes_of(fit), correlations_of(fit)
+    radius, centre = (fit.place(term) for term in fit.terms[:2])
+    deviations = np.sqrt(np.maximum(np.diag(fit.covariance), 0.0))
+    feed = fit.runs[0].feedrate
+    test = CircleTest(
+        name=name,
+        command=command,
+        axes=fit.axes,
+        radius=fit.runs[0].radius,
+        feedrate=feed if math.isfinite(feed) else None,
+        runs=runs,
+        bidirectional=pair,
+        causes=tuple(causes),
+        correlations=tuple(correlations),
+        radius_change=float(fit.coefficients[radius][0]),
+        radius_deviation=float(deviations[radius][0]),
+        centre=tuple(fit.coefficients[centre].tolist()),
+        centre_deviation=tuple(deviations[centre].tolist()),
+        lag=lags_of(fit),
+        spikes=fit.spikes,
+        residual=fit.residual,
+        tolerance=tolerance,
+        passed=None,
+        findings=(*_cause_findings(causes), *_fit_findings(fit, causes, correlations), *read.findings),
+    )
+    return replace(test, passed=None if tolerance is None else test.circular_deviation <= tolerance)
+
+
+def _figures(run: CircleRun, axes: tuple[str, str]) -> CircleFigures:
+    return circle_figures(run.points, np.zeros(2), run.radius, run.clockwise, f"{''.join(axes).upper()} of {run.name}")
+
+
+def _pair(runs: Sequence[CircleFigures]) -> Bidirectional | None:
+    one = next((run for run in runs if not run.clockwise), None)
+    other = next((run for run in runs if run.clockwise), None)
+    return None if one is None or other is None else bidirectional(one, other)
+
+
+def _cause_findings(causes: Sequence[Cause]) -> list[Finding]:
+    """Return a finding for each large cause: its meaning and remedy are in the catalogue."""
+    sure = [cause for cause in causes if cause.is_sure]
+    large = [cause for cause in sure if cause.contribution >= LARGE * sure[0].contribution][:MOST]
+    return [
+        finding(FINDINGS[cause.cause], f"axis {cause.axis}" if cause.axis else "", adds=cause.contribution, deviation=cause.deviation)
+        for cause in large
+    ]
+
+
+def _fit_findings(fit: CircleFit, causes: Sequence[Cause], correlations: Sequence[Correlation]) -> list[Finding]:
+    """Return what limits the fit: one sense, correlated estimates, a residual as large as the causes."""
+    findings = [] if fit.both else [finding("CL489")]
+    by_name = {cause.name: cause for cause in causes}
+    shown = [pair for pair in correlations if any(name in by_name and by_name[name].is_sure for name in pair.causes)]
+    if shown:
+        pairs = [f"{a} with {b} ({pair.correlation:+.2f})" for pair in shown[:MOST] for a, b in [pair.causes]]
+        findings.append(finding("CL490", pairs=pairs))
+    largest = max((cause.contribution for cause in causes if cause.is_sure), default=0.0)
+    if SURE * fit.residual > largest:
+        findings.append(finding("CL493", residual=fit.residual))
+    return findings
+
+
+def _next(test: CircleTest, choice: LogChoice) -> str:
+    """Return the next command: a tolerance, or what identifies the cause."""
+    if test.tolerance is None:
+        wanted = f"{float(f'{5e5 * test.circular_deviation:.1g}'):g} um"
+        return f"{test.command or as_typed(['contourlab', 'circle', str(choice.file)])} {as_typed(['--tolerance', wanted])}"
+    if test.lag:
+        return as_typed(["contourlab", "identify", str(choice.file), "--model", "first-order"])
+    return as_typed(["contourlab", "explain", test.findings[0].code if test.findings else "CL480"])

@@ -1,0 +1,265 @@
+"""Fit the causes to measured circles: least squares away from the reversals, spikes from what is left there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from contourlab.analysis.identification.gauss_newton import fit_covariance
+from contourlab.arrays import Array
+from contourlab.errors import ResultError
+from contourlab.features.circle.periodic import refined, strongest
+from contourlab.features.circle.runs import CircleRun
+from contourlab.features.circle.signatures import AFTER, BEFORE, Term, columns_of, outside, past, usual_terms
+
+MOST_PERIODIC = 4
+"""Cyclic errors and vibrations together."""
+CERTAIN = 5.0
+"""Deviations that the amplitude of a cyclic error or vibration must exceed: it is the largest of about a thousand candidates."""
+LEAST_GAIN = 0.02
+"""Share of the residual's squares that a cyclic error or vibration must remove."""
+WIDEST_HOLE = math.radians(12.0)
+"""Widest part of the circle without samples, besides what is left out at the reversals."""
+LEAST_IN_BIN = 6
+"""Least number of samples whose mean gives the height of a spike."""
+BIN = (math.radians(0.2), math.radians(1.0))
+"""Narrowest and widest angle of such a mean."""
+
+
+@dataclass(frozen=True)
+class ReversalSpike:
+    """The spike at one reversal.
+
+    Attributes
+    ----------
+    axis : str
+    clockwise : bool
+    angle : float [rad]
+        0, pi/2, pi or 3 pi/2.
+    height, deviation : float [m]
+        Positive outwards.
+    """
+
+    axis: str
+    clockwise: bool
+    angle: float
+    height: float
+    deviation: float
+
+
+@dataclass(frozen=True, eq=False)
+class CircleFit:
+    """Causes fitted to the runs around one circle.
+
+    Attributes
+    ----------
+    runs : tuple of CircleRun
+    axes : (str, str)
+    terms : tuple of Term
+    coefficients : ndarray (p,) [m]
+        Of the columns of all terms, one after the other.
+    covariance : ndarray (p, p) [m^2]
+    spikes : tuple of ReversalSpike
+    shapes : dict of str to (ndarray, ndarray) [rad, m]
+        Mean spike of each axis over the angle past the reversal.
+    residual : float [m]
+        Root mean square of what no cause explains, away from the reversals.
+    """
+
+    runs: tuple[CircleRun, ...]
+    axes: tuple[str, str]
+    terms: tuple[Term, ...]
+    coefficients: Array
+    covariance: Array
+    spikes: tuple[ReversalSpike, ...]
+    shapes: dict[str, tuple[Array, Array]]
+    residual: float
+
+    @property
+    def both(self) -> bool:
+        """Whether there are runs in both senses."""
+        return len({run.clockwise for run in self.runs}) == 2
+
+    def place(self, term: Term) -> slice:
+        """Return the columns of a term."""
+        start = sum(other.columns for other in self.terms[: self.terms.index(term)])
+        return slice(start, start + term.columns)
+
+    def curves(self, term: Term) -> list[Array]:
+        """Return the radial deviation [m] that a term causes in each run."""
+        part = self.coefficients[self.place(term)]
+        return [columns_of(term, run, k, len(self.runs), self.axes) @ part for k, run in enumerate(self.runs)]
+
+    def spike_curves(self, axis: str) -> list[Array]:
+        """Return the radial deviation [m] of the mean spike of an axis in each run."""
+        place, shape = self.shapes[axis]
+        curves = [np.zeros(run.turned.shape) for run in self.runs]
+        for curve, run in zip(curves, self.runs, strict=True):
+            for angle in {spike.angle for spike in self.spikes if spike.axis == axis}:
+                curve += np.interp(past(run, angle), place, shape, left=0.0, right=0.0)
+        return curves
+
+
+def fit_circle(runs: Sequence[CircleRun], axes: tuple[str, str], pitch: float | None = None) -> CircleFit:
+    """Fit all causes to runs around one circle.
+
+    Parameters
+    ----------
+    runs : sequence of CircleRun
+        One feed, one circle; one sense or both.
+    axes : (str, str)
+    pitch : float [m], optional
+        Lead pitch of the axes; by default it is searched.
+
+    Raises
+    ------
+    ResultError
+        If radii or feeds differ, or a part of the circle has no samples.
+
+    Notes
+    -----
+    The columns are in `contourlab.features.circle.signatures`. Spikes do not bias the fit, because samples near reversals are left out.
+    Then the cyclic error or vibration that removes most of the residual is added, as long as its amplitude exceeds `CERTAIN` deviations.
+    The covariance allows for the autocorrelation of the residual (`contourlab.analysis.identification.gauss_newton.fit_covariance`).
+    """
+    _check(runs)
+    kept = [replace(run, turned=run.turned[use], deviation=run.deviation[use]) for run in runs for use in [outside(run)]]
+    _check_cover(kept)
+    terms = usual_terms(axes, len({run.clockwise for run in runs}) == 2)
+    coefficients, covariance, residuals = _solved(kept, terms, axes)
+    for _ in range(MOST_PERIODIC):
+        term = strongest(kept, residuals, _basis(kept, terms, axes), axes, pitch)
+        if term is None or any(_alike(term, other) for other in terms):
+            break
+        more = _refined_together(kept, [*terms, term], axes, pitch)
+        solved = _solved(kept, more, axes)
+        size, block = solved[0][-term.columns :], solved[1][-term.columns :, -term.columns :]
+        gained = 1.0 - _squares(solved[2]) / max(_squares(residuals), 1e-300)
+        if gained < LEAST_GAIN or not float(size @ np.linalg.pinv(block) @ size) > CERTAIN**2 + term.columns:
+            break
+        terms, (coefficients, covariance, residuals) = more, solved
+    residual = float(np.sqrt(np.mean(np.concatenate(residuals) ** 2)))
+    fit = CircleFit(tuple(runs), axes, tuple(terms), coefficients, covariance, (), {}, residual)
+    return _with_spikes(fit, residuals)
+
+
+def _squares(residuals: Sequence[Array]) -> float:
+    return sum(float(residual @ residual) for residual in residuals)
+
+
+def _check(runs: Sequence[CircleRun]) -> None:
+    radii, feeds = [run.radius for run in runs], [run.feedrate for run in runs if math.isfinite(run.feedrate)]
+    if max(radii) - min(radii) > 1e-9:
+        raise ResultError(f"circles of {1e3 * min(radii):.6g} and {1e3 * max(radii):.6g} mm radius: give runs around one circle")
+    if feeds and max(feeds) > 1.1 * min(feeds):
+        raise ResultError(f"feeds of {6e4 * min(feeds):.4g} and {6e4 * max(feeds):.4g} mm/min: lag depends on it, give runs at one feed")
+
+
+def _check_cover(kept: Sequence[CircleRun]) -> None:
+    """Raise for a run with a hole."""
+    for run in kept:
+        angles = np.sort(run.angle)
+        holes = np.diff(angles, append=angles[0] + 2.0 * math.pi)
+        over = np.diff(np.floor(angles / (0.5 * math.pi)), append=4.0) > 0.0
+        hole = float((holes - (BEFORE + AFTER) * over).max())
+        if hole > WIDEST_HOLE:
+            raise ResultError(f"{math.degrees(hole):.3g} degrees without a sample outside the reversals: measure the whole circle")
+
+
+def _design(kept: Sequence[CircleRun], terms: Sequence[Term], axes: tuple[str, str]) -> list[Array]:
+    """Return the columns of all terms in each run."""
+    return [np.column_stack([columns_of(term, run, k, len(kept), axes) for term in terms]) for k, run in enumerate(kept)]
+
+
+def _basis(kept: Sequence[CircleRun], terms: Sequence[Term], axes: tuple[str, str]) -> Array:
+    return np.asarray(np.linalg.qr(np.concatenate(_design(kept, terms, axes)))[0])
+
+
+def _solved(kept: Sequence[CircleRun], terms: Sequence[Term], axes: tuple[str, str]) -> tuple[Array, Array, list[Array]]:
+    """Return coefficients, their covariance, and the residual of each run."""
+    designs = _design(kept, terms, axes)
+    solution = np.linalg.lstsq(np.concatenate(designs), np.concatenate([run.deviation for run in kept]), rcond=None)[0]
+    residuals = [run.deviation - design @ solution for run, design in zip(kept, designs, strict=True)]
+    found = fit_covariance([design[:, None, :] for design in designs], [residual[:, None] for residual in residuals])
+    deviations = np.where(np.isfinite(found.deviations), found.deviations, 0.0)
+    return np.asarray(solution), found.correlation * np.outer(deviations, deviations), residuals
+
+
+def _alike(one: Term, other: Term) -> bool:
+    """Return whether two terms differ by less than the fit resolves."""
+    if (one.cause, one.axis) != (other.cause, other.axis):
+        return False
+    return 0.8 < one.length / other.length < 1.25 if one.cause == "cyclic error" else abs(one.order - other.order) < 8.0
+
+
+def _refined_together(kept: Sequence[CircleRun], terms: list[Term], axes: tuple[str, str], pitch: float | None) -> list[Term]:
+    """Return the terms with the pitch or order of each periodic one fitted beside the others."""
+    for i, term in enumerate(terms):
+        if term.cause in ("cyclic error", "vibration"):
+            others = [*terms[:i], *terms[i + 1 :]]
+            basis = _basis(kept, others, axes)
+            values = np.concatenate([run.deviation for run in kept])
+            left = np.split(values - basis @ (basis.T @ values), np.cumsum([len(run.turned) for run in kept])[:-1])
+            terms = [*terms[:i], refined(kept, left, basis, term, axes, pitch is not None)[1], *terms[i + 1 :]]
+    return terms
+
+
+@dataclass(frozen=True, eq=False)
+class _Window:
+    """One reversal in one run: mean residual in each bin past it, and its variance."""
+
+    run: int
+    angle: float
+    mean: Array
+    variance: Array
+
+
+def _with_spikes(fit: CircleFit, residuals: Sequence[Array]) -> CircleFit:
+    """Add the spikes: means of the residual over small angles past each reversal.
+
+    The height of a spike is read where the other spikes of the axis are highest, so that noise does not look like a spike.
+    """
+    left = [run.deviation.copy() for run in fit.runs]
+    for term in fit.terms:
+        for rest, curve in zip(left, fit.curves(term), strict=True):
+            rest -= curve
+    per_angle = min(len(run.turned) / abs(float(run.turned[-1] - run.turned[0])) for run in fit.runs)
+    width = float(np.clip(LEAST_IN_BIN / per_angle, *BIN))
+    edges = np.linspace(-BEFORE, AFTER, round((BEFORE + AFTER) / width) + 1)
+    spikes: list[ReversalSpike] = []
+    shapes = {}
+    for first, axis in enumerate(fit.axes):
+        angles = (0.5 * math.pi * first, 0.5 * math.pi * first + math.pi)
+        windows = [_window(fit, k, angle, left[k], residuals[k], edges) for k in range(len(fit.runs)) for angle in angles]
+        table = np.array([window.mean for window in windows])
+        shapes[axis] = 0.5 * (edges[1:] + edges[:-1]), table.mean(axis=0)
+        for i, window in enumerate(windows):
+            at = int(np.argmax(np.abs(np.delete(table, i, axis=0).mean(axis=0))))
+            deviation = math.sqrt(float(window.variance[at]))
+            spikes.append(ReversalSpike(axis, fit.runs[window.run].clockwise, window.angle, float(window.mean[at]), deviation))
+    return replace(fit, spikes=tuple(spikes), shapes=shapes)
+
+
+def _window(fit: CircleFit, k: int, angle: float, left: Array, residual: Array, edges: Array) -> _Window:
+    gone, n = past(fit.runs[k], angle), len(edges) - 1
+    near = np.flatnonzero((gone >= edges[0]) & (gone < edges[-1]))
+    bins = np.clip(np.searchsorted(edges, gone[near], side="right") - 1, 0, n - 1)
+    count = np.maximum(np.bincount(bins, minlength=n), 1)
+    run = fit.runs[k]
+    part = replace(run, turned=run.turned[near], deviation=run.deviation[near])
+    rows = np.column_stack([columns_of(term, part, k, len(fit.runs), fit.axes) for term in fit.terms])
+    base = np.array([np.bincount(bins, column, n) / count for column in rows.T]).T
+    variance = _long_variance(residual) / count + np.einsum("ij,jk,ik->i", base, fit.covariance, base)
+    return _Window(k, angle, np.bincount(bins, left[near], n) / count, np.maximum(variance, 0.0))
+
+
+def _long_variance(residual: Array) -> float:
+    """Return the variance of a residual times the samples over which it is correlated (first order)."""
+    square = float(residual @ residual)
+    if square <= 0.0:
+        return 0.0
+    keep = min(max(float(residual[1:] @ residual[:-1]) / square, 0.0), 1.0 - 1.0 / len(residual))
+    return square / len(residual) * (1.0 + keep) / (1.0 - keep)

@@ -1,0 +1,349 @@
+"""``contourlab limits``: what a control commanded, or our planner would, against the limits of a machine."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from contourlab.app.command_line import as_typed
+from contourlab.app.results import check_file
+from contourlab.arrays import Array, Flags, Index
+from contourlab.errors import LogError, ParameterError, ResultError, UnitError
+from contourlab.features.check.planned_motion import DEFAULT_MACHINE
+from contourlab.features.limits.annotate import write_annotated
+from contourlab.features.limits.log_limits import KINDS, AxisPeak, course, moving_part
+from contourlab.features.limits.result import LimitTest, ProgramLine, comments
+from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log
+from contourlab.features.measure.measured_path import progress_along
+from contourlab.features.measure.study import ACTUAL
+from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_program
+from contourlab.feed.verify import KINDS as ALL_KINDS
+from contourlab.feed.verify import LineUse, Worst, limit_report_by_line
+from contourlab.findings import Finding, finding
+from contourlab.logs import Log
+from contourlab.logs.load import about
+from contourlab.program import Reading, read_program
+from contourlab.scenario import load_machine
+from contourlab.scenario.load import named_file
+from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+from contourlab.units import to_si
+
+_UNITS = {"velocity": "m/s", "acceleration": "m/s^2", "jerk": "m/s^3"}
+_EXAMPLES = {"velocity": "200 mm/s", "acceleration": "2 m/s^2", "jerk": "50 m/s^3"}
+_LINES = ("line", "program-line", "program_line", "source_line", "motion.program-line", "motion-line", "block", "n")
+HELD = 0.005
+"""Part by which a limit may be exceeded, by default."""
+BLOCK = 65536
+
+
+@dataclass(frozen=True)
+class LimitOptions:
+    """Options as typed.
+
+    Attributes
+    ----------
+    machine : str, optional
+        File or name of a shipped machine.
+    velocity, acceleration, jerk : str, optional
+        One quantity for all axes, or ``"x=200 mm/s, y=100 mm/s"``; each overrides the machine.
+    tolerance : str, optional
+        Part by which a limit may be exceeded, as ``"1 %"``.
+    program : str or Path, optional
+        Program of a log.
+    line_column : str, optional
+        Column of a log with program lines.
+    annotate : str or Path, optional
+        Program to write, with comments.
+    """
+
+    machine: str | None = None
+    velocity: str | None = None
+    acceleration: str | None = None
+    jerk: str | None = None
+    tolerance: str | None = None
+    program: str | Path | None = None
+    line_column: str | None = None
+    annotate: str | Path | None = None
+
+
+def check_limits(choice: LogChoice, options: LimitOptions, reading: Reading | None = None) -> LimitTest:
+    """Check a log or a part program against limits; write the annotated program if asked.
+
+    Parameters
+    ----------
+    choice : LogChoice
+        A log, or a part program by its suffix.
+    options : LimitOptions
+    reading : Reading, optional
+        By default a program needs no end word.
+
+    Raises
+    ------
+    LogError, ProgramError, ScenarioError
+        If a file cannot be read.
+    ParameterError
+        If an option is out of range, or has no effect.
+    OutputError
+        If the annotated program cannot be written.
+    """
+    reading = reading or Reading(require_end=False)
+    tolerance = HELD if options.tolerance is None else _share(options.tolerance)
+    planned = Path(choice.file).suffix.lower() in PROGRAMS and not choice.format and not choice.columns
+    program = Path(choice.file) if planned else None if options.program is None else Path(options.program)
+    if planned and (options.program or options.line_column):
+        raise ParameterError("--program", str(options.program or options.line_column), "left out: the file is itself a program")
+    if options.annotate is not None:
+        if program is None:
+            raise ParameterError("--annotate", repr(str(options.annotate)), "with the program of the log: add --program PART.ngc")
+        check_file(options.annotate, [choice.file, program], "--annotate")
+    test = _planned(Path(choice.file), options, tolerance, reading) if planned else _logged(choice, options, tolerance, reading)
+    if options.annotate is not None and program is not None:
+        skipped = write_annotated(program, Path(options.annotate), comments(test.lines), reading)
+        more = (finding("CL475", lines=skipped),) if skipped else ()
+        test = replace(test, annotated=str(options.annotate), findings=(*test.findings, *more))
+    return replace(test, next_command=_next(test, choice, options, program))
+
+
+def _share(text: str) -> float:
+    try:
+        share = to_si(text, "")
+    except UnitError as error:
+        raise ParameterError("--tolerance", repr(text), 'a share such as "1 %"') from error
+    if not 0.0 <= share < 1.0:
+        raise ParameterError("--tolerance", text, "between 0 and 100 %")
+    return share
+
+
+def _limits(options: LimitOptions, axes: Sequence[str], machine: AxisLimits | None, names: Sequence[str]) -> dict[str, list[float]]:
+    """Return the limits of each kind by axis, inf for none."""
+    limits: dict[str, list[float]] = {}
+    for kind, unit in _UNITS.items():
+        known = {} if machine is None else dict(zip(names, getattr(machine, kind).tolist(), strict=True))
+        text = getattr(options, kind)
+        if text is not None:
+            known |= _by_axis(f"--{kind}", text, unit, axes, _EXAMPLES[kind])
+        limits[kind] = [known.get(axis, math.inf) for axis in axes]
+    return limits
+
+
+def _by_axis(option: str, text: str, unit: str, axes: Sequence[str], example: str) -> dict[str, float]:
+    """Read one quantity for all axes, or ``x=..., y=...``."""
+    values: dict[str, float] = {}
+    for part in text.split(","):
+        name, equals, quantity = part.partition("=")
+        name, quantity = (name.strip(), quantity) if equals else ("", name)
+        if name and name not in axes:
+            raise ParameterError(option, repr(text), f"limits of {', '.join(axes)}, such as {axes[0]}={example}")
+        try:
+            value = to_si(quantity.strip(), unit)
+        except UnitError as error:
+            raise ParameterError(option, repr(text), f'a limit with its unit, such as "{example}" or "{axes[0]}={example}"') from error
+        if not value > 0.0:
+            raise ParameterError(option, text, "> 0")
+        values |= {name: value} if name else dict.fromkeys(axes, value)
+    return values
+
+
+def _planned(file: Path, options: LimitOptions, tolerance: float, reading: Reading) -> LimitTest:
+    """Check what the planner would command."""
+    from contourlab.features.run.inputs import refuse_drawing
+
+    refuse_drawing(file)
+    machine = load_machine(DEFAULT_MACHINE if options.machine is None else named_file(options.machine))
+    own = machine.planner_limits()
+    asked = _limits(options, machine.axis_names, own, machine.axis_names)
+    limits = AxisLimits(*(asked[kind] for kind in KINDS))
+    route = route_from_program(read_program(file, reading=reading), machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
+    reference = plan(blended(route, own), own, machine.servo_period)
+    report, use = limit_report_by_line(reference, limits)
+    peaks = [
+        _peak(worst, kind, machine.axis_names, machine.servo_period)
+        for j in range(len(machine.axes))
+        for kind, row in zip(
+            ALL_KINDS, (report.velocity, report.acceleration, report.jerk, report.curvature_step, report.kink), strict=True
+        )
+        for worst in (row[j],)
+        if worst.sample >= 0 and (worst.value > 0.0 or kind in KINDS)
+    ]
+    rows = _rows(_sample_lines(reference), reference.servo_period, use, machine.axis_names)
+    passed = all(peak.use is None or peak.use <= 1.0 + tolerance for peak in peaks)
+    findings = _exceeded(peaks, tolerance)
+    name = machine.name
+    return LimitTest(
+        file.name,
+        "plan",
+        machine.axis_names,
+        machine.servo_period,
+        reference.duration,
+        name,
+        tolerance,
+        passed,
+        tuple(peaks),
+        rows,
+        findings,
+    )
+
+
+def _sample_lines(reference: Reference) -> Index:
+    """Return the program line of each sample (n,)."""
+    starts = range(0, reference.n_sample, BLOCK)
+    blocks = (reference.block(start, min(start + BLOCK, reference.n_sample)) for start in starts)
+    return np.concatenate([reference.source_line(block.arc_length) for block in blocks])
+
+
+def _peak(worst: Worst, kind: str, axes: Sequence[str], period: float) -> AxisPeak:
+    order = {"velocity": 1, "kink": 1, "acceleration": 2, "curvature step": 2, "jerk": 3}[kind]
+    limit = worst.limit if math.isfinite(worst.limit) else None
+    use = None if limit is None else worst.ratio
+    return AxisPeak(axes[worst.axis], kind, worst.value, worst.allowance, order * period, limit, use, worst.time, worst.source_line or None)
+
+
+def _rows(
+    lines: Index, period: float, use: LineUse, axes: Sequence[str], errors: Array | None = None, start: float = 0.0
+) -> tuple[ProgramLine, ...]:
+    """Return what each program line does, from the line of each sample."""
+    rows = []
+    present, first, count = np.unique(lines, return_index=True, return_counts=True)
+    largest = np.zeros(int(present.max(initial=0)) + 1)
+    if errors is not None:
+        np.maximum.at(largest, lines, errors)
+    for line, at, n in zip(present.tolist(), first.tolist(), count.tolist(), strict=True):
+        if line <= 0:
+            continue
+        known = line < len(use.ratio) and use.kind[line] >= 0
+        share = float(use.ratio[line]) if known else None
+        kind, axis = (ALL_KINDS[use.kind[line]], axes[use.axis[line]]) if known else ("", "")
+        error = float(largest[line]) if errors is not None else None
+        rows.append(ProgramLine(line, at * period + start, n * period, share, kind, axis, error))
+    return tuple(rows)
+
+
+def _logged(choice: LogChoice, options: LimitOptions, tolerance: float, reading: Reading) -> LimitTest:
+    """Check what a log holds: its reference, or without one its position."""
+    log = open_log(choice)
+    result, axes = log.result, tuple(choice.axes) or log.result.axes
+    with about(choice.file):
+        source, position = _positions(log, axes)
+        moves = moving_part(position)
+    if not moves.any():
+        raise LogError("nothing moves: position or reference is the same at all samples", file=log.record.file)
+    name = ""
+    machine = None
+    if options.machine is not None:
+        loaded = load_machine(named_file(options.machine))
+        name, machine = loaded.name, loaded.planner_limits()
+        names: Sequence[str] = loaded.axis_names
+        if unlike := [axis for axis in axes if axis not in names]:
+            raise ParameterError("--axes", ", ".join(unlike), f"axes of {name}: {', '.join(names)}")
+    else:
+        names = ()
+    limits = _limits(options, axes, machine, names)
+    lines, errors = _lines_of(log, choice, options, axes, position, reading)
+    use = LineUse(int(lines.max(initial=0)) + 1)
+    peaks, findings = _log_peaks(position, result.servo_period, axes, limits, lines, moves, use)
+    rows = _rows(np.where(moves, lines, 0), result.servo_period, use, axes, errors) if lines.any() else ()
+    known = [peak for peak in peaks if peak.use is not None]
+    passed = all((peak.use or 0.0) <= 1.0 + tolerance for peak in known) if known else None
+    cycle = float(np.count_nonzero(moves) - 1) * result.servo_period
+    found = (*_exceeded(peaks, tolerance), *findings, *log.findings)
+    return LimitTest(Path(choice.file).name, source, axes, result.servo_period, cycle, name, tolerance, passed, tuple(peaks), rows, found)
+
+
+def _positions(log: Log, axes: Sequence[str]) -> tuple[str, Array]:
+    """Return "reference" or "position", and the values (n, n_axis) [m]."""
+    result = log.result
+    if missing := [axis for axis in axes if axis not in result.axes]:
+        raise ResultError(f"no axis {missing[0]} in {result.source}; there are {', '.join(result.axes)}")
+    columns = [result.axes.index(axis) for axis in axes]
+    for name in ("reference", *ACTUAL, "motor_position"):
+        if name in result and np.isfinite(result[name][:, columns]).all():
+            return "reference" if name == "reference" else "position", np.asarray(result[name][:, columns])
+    raise ResultError(f"no reference or position of {', '.join(axes)} in {result.source}: name the columns with --column")
+
+
+def _lines_of(
+    log: Log, choice: LogChoice, options: LimitOptions, axes: Sequence[str], position: Array, reading: Reading
+) -> tuple[Index, Array | None]:
+    """Return the program line of each sample, 0 for none, and the distance from the program's path [m]."""
+    n = len(position)
+    lines, errors = np.zeros(n, dtype=np.int64), None
+    if options.program is not None:
+        program = read_program(Path(options.program), reading=reading)
+        route: Route = route_from_program(program, tuple(axes), default_tolerance=DEFAULT_CORNER_TOLERANCE)
+        with about(choice.file):
+            along, _ = progress_along(route.path, position)
+        lines = np.asarray(route.source_line[route.path.curve_index(along)], dtype=np.int64)
+        errors = _distances(log, axes, route, along)
+    named = options.line_column or next((c.name for c in log.record.channels if c.name.casefold() in _LINES), None)
+    if named is not None:
+        values = log.record.channel(named).values
+        if len(values) == n and np.isfinite(values).all() and float(np.abs(values).max()) < 1e7:
+            lines = np.maximum(np.rint(values), 0).astype(np.int64)
+        elif options.line_column:
+            raise LogError(f"column {named!r} does not have a line number for each sample", file=log.record.file)
+    return lines, errors
+
+
+def _distances(log: Log, axes: Sequence[str], route: Route, along: Array) -> Array | None:
+    """Return the distance [m] of the measured position from the programmed path; None without one."""
+    columns = [log.result.axes.index(axis) for axis in axes]
+    name = next((name for name in ACTUAL if name in log.result and np.isfinite(log.result[name][:, columns]).all()), None)
+    if name is None:
+        return None
+    points = log.result[name][:, columns]
+    return np.asarray(route.path.foot_point(points, along, 0.02 * route.path.length + 1e-3).distance)
+
+
+def _log_peaks(
+    position: Array, period: float, axes: Sequence[str], limits: Mapping[str, list[float]], lines: Index, moves: Flags, use: LineUse
+) -> tuple[list[AxisPeak], list[Finding]]:
+    """Return the largest values, and what limits their resolution; add the use of each program line."""
+    peaks, findings = [], []
+    for j, axis in enumerate(axes):
+        for order, kind in enumerate(KINDS, 1):
+            limit = limits[kind][j]
+            found = course(position[:, j], period, order, limit)
+            magnitude = np.where(moves & np.isfinite(found.magnitude), found.magnitude, 0.0)
+            at = int(np.argmax(magnitude))
+            value, window = float(magnitude[at]), order * found.stride * period
+            share = max(value - found.resolution, 0.0) / limit if math.isfinite(limit) else None
+            line = int(lines[at]) or None
+            known = limit if math.isfinite(limit) else None
+            peaks.append(AxisPeak(axis, kind, value, found.resolution, window, known, share, at * period, line))
+            if share is not None:
+                ratios = np.maximum(magnitude - found.resolution, 0.0)[:, None] / limit
+                by_axis = np.zeros((len(ratios), len(axes)))
+                by_axis[:, j] = ratios[:, 0]
+                use.add(order - 1, by_axis, np.arange(len(ratios)), lines)
+                if found.resolution > 0.5 * limit:
+                    findings.append(finding("CL474", f"axis {axis}", kind=kind, resolution=found.resolution, limit=limit))
+    filtered = [f"{peak.kind} of {peak.axis} over {1e3 * peak.window:.3g} ms" for peak in peaks if peak.window > 3.5 * period]
+    return peaks, [*findings, *([finding("CL473", figures=filtered)] if filtered else [])]
+
+
+def _exceeded(peaks: Sequence[AxisPeak], tolerance: float) -> tuple[Finding, ...]:
+    """Return a finding for each limit that is exceeded."""
+    over = [peak for peak in peaks if peak.use is not None and peak.use > 1.0 + tolerance]
+    return tuple(
+        finding(
+            "CL472", f"line {peak.line}" if peak.line else f"axis {peak.axis}", kind=peak.kind, axis=peak.axis, use=peak.use, time=peak.time
+        )
+        for peak in sorted(over, key=lambda peak: -(peak.use or 0.0))
+    )
+
+
+def _next(test: LimitTest, choice: LogChoice, options: LimitOptions, program: Path | None) -> str:
+    """Return the next command."""
+    if test.passed is None:
+        return as_typed(["contourlab", "limits", str(choice.file), "--machine", "xyz"])
+    if program is not None and options.annotate is None:
+        out = f"{program.stem}-annotated{program.suffix}"
+        typed = ["contourlab", "limits", str(choice.file), *([] if test.source == "plan" else ["--program", str(program)])]
+        return as_typed([*typed, *(["--machine", options.machine] if options.machine else []), "--annotate", out])
+    if test.source == "plan":
+        return as_typed(["contourlab", "run", str(choice.file), "--machine", options.machine or "xyz"])
+    return as_typed(["contourlab", "measure", str(choice.file)])

@@ -1,0 +1,143 @@
+"""Result of a check of limits: figures of each axis and the worst program lines, as JSON and as text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from contourlab.features.limits.log_limits import AxisPeak
+from contourlab.figures import NONE, figure, number
+from contourlab.findings import Finding
+from contourlab.rendering.table import Column, Table, page_width, paragraphs
+
+WIDTH, MOST_LINES = 80, 8
+"""Most characters in a line, and program lines in the table."""
+UNITS = {"velocity": "mm/s", "kink": "mm/s", "acceleration": "m/s^2", "curvature step": "m/s^2", "jerk": "m/s^3"}
+
+
+@dataclass(frozen=True)
+class ProgramLine:
+    """What one program line does.
+
+    Attributes
+    ----------
+    line : int
+    start, duration : float [s]
+        When it first begins, and how long it takes in all.
+    use : float or None
+        Largest part of a limit that it uses; above 1 the limit is exceeded. Null without limits.
+    kind, axis : str
+        Of this limit; empty without one.
+    error : float or None [m]
+        Largest distance of the position from the programmed path; null without a measured position.
+    """
+
+    line: int
+    start: float
+    duration: float
+    use: float | None = None
+    kind: str = ""
+    axis: str = ""
+    error: float | None = None
+
+
+@dataclass(frozen=True)
+class LimitTest:
+    """The result of a check of limits.
+
+    Attributes
+    ----------
+    name : str
+    source : str
+        "reference" or "position" of a log, or "plan".
+    axes : tuple of str
+    servo_period : float [s]
+    cycle_time : float [s]
+        From the first to the last motion; of a plan all of it.
+    machine : str
+        Whose limits; empty for those of options, or none.
+    tolerance : float
+        Part by which a limit may be exceeded.
+    passed : bool or None
+        Whether all limits hold; null without limits.
+    peaks : tuple of AxisPeak
+    lines : tuple of ProgramLine
+        In the order of the program; empty if unknown.
+    annotated : str
+        Program written with comments; empty for none.
+    """
+
+    name: str
+    source: str
+    axes: tuple[str, ...]
+    servo_period: float
+    cycle_time: float
+    machine: str
+    tolerance: float
+    passed: bool | None
+    peaks: tuple[AxisPeak, ...]
+    lines: tuple[ProgramLine, ...]
+    findings: tuple[Finding, ...]
+    annotated: str = ""
+    next_command: str = field(default="", metadata={"json": False})
+
+    @property
+    def worst(self) -> tuple[ProgramLine, ...]:
+        """The program lines that use most of a limit, the worst first."""
+        known = [line for line in self.lines if line.use is not None]
+        return tuple(sorted(known, key=lambda line: -(line.use or 0.0))[:MOST_LINES])
+
+    @property
+    def text(self) -> str:
+        """The result for the terminal."""
+        width = min(WIDTH, page_width())
+        parts = [paragraphs([self._sentence()], width), self._peaks().text(width)]
+        if self.worst:
+            parts.append(self._lines().text(width))
+        if self.findings:
+            parts.append(paragraphs(map(str, self.findings), width))
+        parts += [f"annotated program: {self.annotated}"] if self.annotated else []
+        return "\n\n".join(parts)
+
+    def _sentence(self) -> str:
+        of = {"plan": "planned", "reference": "commanded", "position": "measured"}[self.source]
+        verdict = {True: "PASS, all limits hold", False: "FAIL, a limit is exceeded", None: "no limits given"}[self.passed]
+        at = f" of {self.machine}" if self.machine else ""
+        return f"{self.name}: {verdict}{at}; cycle time {number(self.cycle_time, 5)} s, {of} every {figure(self.servo_period, 'ms', 4)}."
+
+    def _peaks(self) -> Table:
+        heads = [Column("axis", left=True), Column("", left=True), *map(Column, ("largest", "limit", "use", "at", "line"))]
+        table = Table(heads, keys=2)
+        for peak in self.peaks:
+            unit = UNITS[peak.kind]
+            limit = NONE if peak.limit is None else figure(peak.limit, unit)
+            use = NONE if peak.use is None else f"{100.0 * peak.use:.0f} %"
+            resolution = figure(peak.resolution, unit, 2) if peak.resolution > 1e-3 * peak.value else ""
+            largest = figure(peak.value, unit)
+            cells = (f"{largest.split()[0]} +- {resolution}" if resolution else largest, limit, use, f"{number(peak.time, 5)} s")
+            table.add(peak.axis, peak.kind, *cells, _line(peak.line))
+        return table
+
+    def _lines(self) -> Table:
+        heads = ("line", "use", "limit", "at [s]", "takes [s]", "largest error [um]")
+        shown = heads if any(line.error is not None for line in self.worst) else heads[:-1]
+        table = Table([Column(head, left=head == "limit") for head in shown], "Worst lines of the program")
+        for row in self.worst:
+            error = NONE if row.error is None else number(1e6 * row.error)
+            use = NONE if row.use is None else f"{100.0 * row.use:.0f} %"
+            cells = (str(row.line), use, f"{row.kind} {row.axis}", number(row.start, 5), number(row.duration), error)
+            table.add(*cells[: len(shown)])
+        return table
+
+
+def _line(line: int | None) -> str:
+    return NONE if not line else str(line)
+
+
+def comments(lines: tuple[ProgramLine, ...]) -> Iterator[tuple[int, str]]:
+    """Yield each program line with the text of its comment."""
+    for row in lines:
+        words = [f"{row.start:.3f} s + {row.duration:.3f} s"]
+        words += [f"{row.kind} {row.axis} {100.0 * row.use:.0f} %"] if row.use is not None and row.kind else []
+        words += [f"error {number(1e6 * row.error)} um"] if row.error is not None else []
+        yield row.line, ", ".join(words)
