@@ -54,6 +54,12 @@ def test_a_module_defines_a_constant_once(path: Path):
     assert sorted(names) == sorted(set(names))
 
 
+def test_no_two_test_files_share_a_name():
+    """Pytest would refuse to collect the second one."""
+    names = [path.name for path in (ROOT / "tests").rglob("test_*.py")]
+    assert sorted(set(names)) == sorted(names)
+
+
 def test_rooms_import_in_their_order():
     linter = Path(sys.executable).with_name("lint-imports")
     done = subprocess.run([linter, "--no-cache"], cwd=ROOT, capture_output=True, text=True, timeout=120)
