@@ -15,6 +15,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.check.canon import Canon
     from contourlab.features.check.program_check import Checked
     from contourlab.features.components.description import ComponentDescription
+    from contourlab.features.export.command import Exported
     from contourlab.features.identify.result import Identified
     from contourlab.features.interpolate.study import Interpolated
     from contourlab.features.link.result import LinkResult
@@ -39,6 +40,7 @@ def results() -> dict[str, Any]:
         "components": tuple[ComponentDescription, ...],
         "demo": Demo,
         "explain": tuple[Entry, ...],
+        "export": Exported,
         "identify": Identified,
         "interpolate": Interpolated,
         "learn": Summary,
