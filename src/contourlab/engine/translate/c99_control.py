@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from contourlab.engine.translate.c99 import HASH, Writer, literal
 from contourlab.engine.translate.control import Control, Field, Memory
 from contourlab.engine.translate.graph import Op
 
+INCLUDES = ("#include <math.h>", "#include <stdbool.h>", "#include <stdint.h>")
+
 
 def header_of(made: Control) -> str:
     """Return the header."""
     name, guard = made.name, f"{made.name.upper()}_H"
-    arrays = [Field(f"{memory.name}[{len(memory.fields)}]") for memory in (*made.banks, *made.rings)]
-    states = [*made.states.values(), *arrays, *([Field("tick", "", "number of the call")] if made.counts_ticks else [])]
     return "\n".join(
         [
             comment(made.notes),
@@ -22,12 +22,7 @@ def header_of(made: Control) -> str:
             "",
             f"#define {name.upper()}_PERIOD {literal(made.period)} /* [s] between two calls */",
             "",
-            "/* Inputs of one call. */",
-            *_struct(f"{name}_inputs", made.inputs.values()),
-            "/* Parameters that may be changed between two calls. */",
-            *_struct(f"{name}_parameters", made.parameters.values()),
-            "/* State, kept from call to call. */",
-            *_struct(f"{name}_state", states),
+            *types_of(made),
             f"extern const {name}_parameters {name}_defaults;",
             "",
             "/* Rest at a position [m]; call it before the first step, and whenever the axis is enabled. */",
@@ -42,20 +37,27 @@ def header_of(made: Control) -> str:
     )
 
 
-def source_of(made: Control, includes: Sequence[str] = ("#include <math.h>", "#include <stdbool.h>", "#include <stdint.h>")) -> str:
-    """Return the source.
+def types_of(made: Control) -> list[str]:
+    """Return the lines that define the structs; all their members are numbers of type double."""
+    name, arrays = made.name, [Field(f"{memory.name}[{len(memory.fields)}]") for memory in (*made.banks, *made.rings)]
+    states = [*made.states.values(), *arrays, *([Field("tick", "", "number of the call")] if made.counts_ticks else [])]
+    return [
+        "/* Inputs of one call. */",
+        *_struct(f"{name}_inputs", made.inputs.values()),
+        "/* Parameters that may be changed between two calls. */",
+        *_struct(f"{name}_parameters", made.parameters.values()),
+        "/* State, kept from call to call. */",
+        *_struct(f"{name}_state", states),
+    ]
 
-    Parameters
-    ----------
-    made : Control
-    includes : sequence of str
-        Lines at the head, the header of the controller excepted.
-    """
-    return "\n".join([comment(made.notes), *includes, f'#include "{made.name}.h"', "", body_of(made)])
+
+def source_of(made: Control) -> str:
+    """Return the source."""
+    return "\n".join([comment(made.notes), *INCLUDES, f'#include "{made.name}.h"', "", body_of(made)])
 
 
-def body_of(made: Control) -> str:
-    """Return the definitions of a source, without head."""
+def body_of(made: Control, storage: str = "") -> str:
+    """Return the definitions of a source, without head; `storage`, such as ``"static "``, goes before functions and defaults."""
     name, writer = made.name, _ControlWriter(made)
     writer.block(made.tick.graph.top, "    ")
     writer.block(made.tick.body, "    ")
@@ -80,12 +82,12 @@ def body_of(made: Control) -> str:
             *(f"static const double {c.name} = {literal(c.value)};{_meaning(c)}" for c in made.constants.values()),
             *(f"static const double {table.name}[{len(table.fields)}] = {{{_listed(table)}}};" for table in made.tables),
             "",
-            f"const {name}_parameters {name}_defaults = {{",
+            f"{storage}const {name}_parameters {name}_defaults = {{",
             *(f"    {literal(p.value)},{_meaning(p, p.name + ': ')}" for p in made.parameters.values()),
             *([] if made.parameters else ["    0.0"]),
             "};",
             "",
-            f"void {name}_init({name}_state *state, double position)",
+            f"{storage}void {name}_init({name}_state *state, double position)",
             "{",
             *([] if any(f.slope for f in made.states.values()) else ["    (void)position;"]),
             *(f"    state->{state.name} = {at_rest(state)};" for state in made.states.values()),
@@ -93,7 +95,7 @@ def body_of(made: Control) -> str:
             *(["    state->tick = 0.0;"] if made.counts_ticks else []),
             "}",
             "",
-            f"double {name}_step({name}_state *state, const {name}_parameters *par, const {name}_inputs *in)",
+            f"{storage}double {name}_step({name}_state *state, const {name}_parameters *par, const {name}_inputs *in)",
             "{",
             *filter(None, [unused]),
             *loads,

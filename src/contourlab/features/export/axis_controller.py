@@ -50,6 +50,8 @@ class AxisControl:
     Attributes
     ----------
     axis : str
+    number : int
+        Of the axis on its machine, from 0.
     schedule : Schedule
         The controller alone, at rest at position 0: run in plain Python it is the reference.
     machine : Machine
@@ -72,6 +74,7 @@ class AxisControl:
     """
 
     axis: str
+    number: int
     schedule: Schedule
     machine: Machine
     controller: Controller
@@ -136,7 +139,7 @@ def axis_control(machine: Machine, controller: Controller, axis: str) -> AxisCon
         name="axis_" + re.sub(r"\W", "_", axis, flags=re.ASCII),
         notes=_notes(machine, axis, kinds, digest, limit, unit),
     )
-    return AxisControl(axis, cut, alone, steered, made, kinds, signal, measured, rest, slope, digest, limit)
+    return AxisControl(axis, machine.axis_names.index(axis), cut, alone, steered, made, kinds, signal, measured, rest, slope, digest, limit)
 
 
 def _check(controller: Controller, axis: str) -> None:

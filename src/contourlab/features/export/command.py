@@ -14,7 +14,7 @@ import numpy as np
 from contourlab.app.json_values import json_values
 from contourlab.app.results import staged
 from contourlab.arrays import Array
-from contourlab.engine.translate import c99_control
+from contourlab.engine.translate import c99_control, hal
 from contourlab.engine.translate.control import LIBRARY, Field
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.export.axis_controller import AxisControl, axis_control
@@ -89,17 +89,22 @@ def _names(fields: Sequence[Field]) -> str:
     return ", ".join(field.name + (f" [{field.unit}]" if field.unit else "") for field in fields) or "none"
 
 
-def _c99(found: AxisControl, motion: Array) -> dict[str, str | bytes]:
+def _c99(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
     name = found.control.name
     return {
         f"{name}.h": c99_control.header_of(found.control),
         f"{name}.c": c99_control.source_of(found.control),
         f"{name}_bench.c": c99_control.bench_of(found.control),
-        f"{name}_run.csv": record(found, motion).text,
+        f"{name}_run.csv": record(found, motion(found.axis)).text,
     }
 
 
-TARGETS: dict[str, Callable[[AxisControl, Array], dict[str, str | bytes]]] = {"c99": _c99}
+def _hal(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
+    name = found.control.name
+    return {f"{name}.comp": hal.component_of(found.control), f"{name}.hal": hal.lines_of(found.control, found.axis, found.number)}
+
+
+TARGETS: dict[str, Callable[[AxisControl, Motion], dict[str, str | bytes]]] = {"c99": _c99, "hal": _hal}
 """The files of an axis by name, for each language."""
 
 
@@ -147,7 +152,7 @@ def export_controller(
     found = {name: axis_control(loaded, steered, name) for name in axes or loaded.axis_names}
     made: dict[str, str | bytes] = {}
     for name, control in found.items():
-        made |= TARGETS[to](control, motion(name))
+        made |= TARGETS[to](control, motion)
     digest = next(iter(found.values())).digest
     described = {name: _described(control) for name, control in found.items()}
     summary = f"export-{to}.json"
