@@ -171,7 +171,7 @@ def control_of(
         return Memory(name, first, tuple(at("", first + k) for k in range(size)))
 
     for i, node in enumerate(schedule.nodes):
-        label = node.name.partition(".")[2].replace(".", "_")
+        label = _plain(node.name)
         for r, parameter in enumerate(node.step.parameters):
             row, key = places.parameters[i] + r, f"{node.name}.{parameter}"
             if ("parameter", row) in reached:

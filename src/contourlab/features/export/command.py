@@ -151,7 +151,7 @@ def export_controller(
     loaded, steered, motion, inputs = _read(file, machine, scheme, plugins)
     found = {name: axis_control(loaded, steered, name) for name in axes or loaded.axis_names}
     made: dict[str, str | bytes] = {}
-    for name, control in found.items():
+    for control in found.values():
         made |= TARGETS[to](control, motion)
     digest = next(iter(found.values())).digest
     described = {name: _described(control) for name, control in found.items()}
