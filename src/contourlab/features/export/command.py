@@ -14,7 +14,7 @@ import numpy as np
 from contourlab.app.json_values import json_values
 from contourlab.app.results import staged
 from contourlab.arrays import Array
-from contourlab.engine.translate import c99_control, hal
+from contourlab.engine.translate import c99_control, hal, structured_text
 from contourlab.engine.translate.control import LIBRARY, Field
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.export.axis_controller import AxisControl, axis_control
@@ -104,7 +104,12 @@ def _hal(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
     return {f"{name}.comp": hal.component_of(found.control), f"{name}.hal": hal.lines_of(found.control, found.axis, found.number)}
 
 
-TARGETS: dict[str, Callable[[AxisControl, Motion], dict[str, str | bytes]]] = {"c99": _c99, "hal": _hal}
+def _st(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
+    name, made = found.control.name, found.control
+    return {f"{name}.st": structured_text.plain(made), f"{name}.TcPOU": structured_text.twincat(made)}
+
+
+TARGETS: dict[str, Callable[[AxisControl, Motion], dict[str, str | bytes]]] = {"c99": _c99, "hal": _hal, "st": _st}
 """The files of an axis by name, for each language."""
 
 
