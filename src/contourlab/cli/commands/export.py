@@ -15,7 +15,7 @@ def export(
     file: Annotated[
         str, typer.Argument(metavar="SCENARIO|CONTROLLER", help="A scenario, or a controller with --machine.", show_default=False)
     ],
-    to: Annotated[str, typer.Option(help="Language: c99, hal for LinuxCNC, or st for a PLC.", show_default=False)],
+    to: Annotated[str, typer.Option(help="Language: c99, hal (LinuxCNC), st (IEC 61131-3) or fmu (FMI 2.0 and 3.0).", show_default=False)],
     machine: Annotated[str | None, typer.Option(help="Machine of the controller: a file, a folder, or the name of a shipped one.")] = None,
     scheme: Annotated[str | None, typer.Option(help="Scheme of the scenario; by default the scenario itself.", show_default=False)] = None,
     axis: Annotated[str | None, typer.Option(help="Axes, with commas; by default all.", show_default=False)] = None,

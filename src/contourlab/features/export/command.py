@@ -14,10 +14,11 @@ import numpy as np
 from contourlab.app.json_values import json_values
 from contourlab.app.results import staged
 from contourlab.arrays import Array
-from contourlab.engine.translate import c99_control, hal, structured_text
+from contourlab.engine.translate import c99_control, fmi, hal, structured_text
 from contourlab.engine.translate.control import LIBRARY, Field
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.export.axis_controller import AxisControl, axis_control
+from contourlab.features.export.mock_up import compiler, unit_of
 from contourlab.features.export.recorded_run import SAMPLES, record, there_and_back
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import Column, Table, paragraphs
@@ -109,7 +110,12 @@ def _st(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
     return {f"{name}.st": structured_text.plain(made), f"{name}.TcPOU": structured_text.twincat(made)}
 
 
-TARGETS: dict[str, Callable[[AxisControl, Motion], dict[str, str | bytes]]] = {"c99": _c99, "hal": _hal, "st": _st}
+def _fmu(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
+    made = found.control
+    return {f"{made.name}_fmi{version[0]}.fmu": unit_of(made, version) for version in fmi.VERSIONS}
+
+
+TARGETS: dict[str, Callable[[AxisControl, Motion], dict[str, str | bytes]]] = {"c99": _c99, "hal": _hal, "st": _st, "fmu": _fmu}
 """The files of an axis by name, for each language."""
 
 
@@ -162,7 +168,7 @@ def export_controller(
     described = {name: _described(control) for name, control in found.items()}
     summary = f"export-{to}.json"
     paths = tuple(Path(out) / name for name in (*made, summary))
-    result = Exported(to, digest, paths, described, tuple(_findings(steered, found)))
+    result = Exported(to, digest, paths, described, tuple(_findings(steered, found, to)))
     with staged(out, summary, *made, inputs=inputs) as stage:
         for name, content in made.items():
             data = content if isinstance(content, bytes) else content.encode("ascii", "replace")
@@ -208,8 +214,9 @@ def _described(found: AxisControl) -> ExportedAxis:
     return ExportedAxis(made.name, made.period, found.parts, *map(tuple, groups))
 
 
-def _findings(controller: Controller, found: dict[str, AxisControl]) -> list[Finding]:
+def _findings(controller: Controller, found: dict[str, AxisControl], to: str) -> list[Finding]:
     findings = [finding("CL952")] if controller.estimator is not None else []
+    findings += [finding("CL955")] if to == "fmu" and compiler() is None else []
     for name, control in found.items():
         place, made = f"axis {name}", control.control
         if any(field.name.endswith("velocity") and not field.name.startswith("reference") for field in made.inputs.values()):
