@@ -13,10 +13,10 @@ from contourlab.features.export.axis_controller import AxisControl, axis_control
 from contourlab.features.export.recorded_run import Recorded, replayed
 from contourlab.loop import Axis, AxisController, Controller, Machine
 
-SLOTS = ("controller", "observer", "predictor", "feedforward", "compensation", "gap_observer", "velocity", "filter")
+SLOTS = ("controller", "observer", "predictor", "feedforward", "compensation", "gap_observer", "velocity", "filter", "supervisor")
 CASES = [f"{slot}/{kind.kind}" for slot in SLOTS for kind in components(slot)] + ["drive/delayed-saturation"]
-REFUSED = {"feedforward/zpetc"}
-"""Needs the reference ahead."""
+REFUSED = {"feedforward/zpetc", "supervisor/pre-routed"}
+"""One needs the reference ahead, the other the arc length."""
 
 
 def example(family: str, kind: str, **values: Any) -> Component:
@@ -28,13 +28,17 @@ def example(family: str, kind: str, **values: Any) -> Component:
 def exported(case: str) -> AxisControl:
     """Return the controller of an axis that has this component beside a position loop."""
     slot, _, kind = case.partition("/")
-    plant = example("plant", "two-inertia" if slot in ("gap_observer", "compensation") else "rigid-axis")
+    plant = example("plant", "two-inertia" if slot in ("gap_observer", "compensation", "supervisor") else "rigid-axis")
     drive = example("drive", "delayed-saturation" if slot in ("drive", "predictor") else "saturation")
     parts: dict[str, Any] = {"controller": example("controller", "position"), "velocity": example("velocity", "filtered-difference")}
     if slot == "filter":
         parts["filters"] = (("smooth", example("filter", kind, frequency=150.0)),)
     elif slot != "drive":
         parts[slot] = example(slot, kind)
+    if slot == "supervisor":
+        n = getattr(parts[slot], "n_controller", 1)
+        parts["others"] = tuple((f"other{k}", example("controller", "pid")) for k in range(1, n))
+        parts["gap_observer"] = example("gap_observer", "multiple-model")
     axis = Axis("x", plant, drive=drive, substeps=50)
     return axis_control(Machine("stage", (axis,), 1e-3), Controller({"x": AxisController(**parts)}), "x")
 

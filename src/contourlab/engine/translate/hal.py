@@ -106,8 +106,9 @@ def _differences(period: float) -> list[str]:
     ]
 
 
-def lines_of(made: Control, axis: str, joint: int) -> str:
+def lines_of(made: Control, joint: int) -> str:
     """Return the HAL lines that load the component in place of the `pid` of a joint."""
+    axis = made.name.removeprefix("axis_")
     pin, words = made.name.replace("_", "-"), [field.name for field in made.inputs.values()]
     measured = [PINS[name].replace("_", "-") for name in dict.fromkeys([made.feedback, *words]) if not name.startswith("reference")]
     signals = {"feedback": f"{axis}-pos-fb"}

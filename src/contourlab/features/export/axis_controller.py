@@ -233,7 +233,7 @@ def _described(parts: Mapping[str, Component], axis: str, machine: Machine) -> t
             changed = part.block(machine.servo_period, {name: np.asarray(value * 1.01 + 1e-9)}) if math.isfinite(value) else base
             same = all(np.array_equal(changed[row], base[row]) for row in part.derived)
             for node in (slot, "motor_velocity", "load_velocity") if slot == "velocity" else (slot,):
-                (free if same else fixed)[f"{axis}.{node}.{name}"] = Field(name, known.unit, known.doc)
+                (free if same else fixed)[f"{axis}.{node}.{name}"] = Field(name, known.unit, _line(known.doc))
         for name in part.derived:
             fixed[f"{axis}.{slot}.{name}"] = Field(name, "", "computed from parameters and period")
     return free, fixed
@@ -261,4 +261,4 @@ def _notes(machine: Machine, axis: str, parts: tuple[str, ...], digest: str, lim
 
 def _line(text: str) -> str:
     """Return text that fits into a comment of any language."""
-    return re.sub(r"[^\x20-\x7e]|\*/|/\*|\(\*|\*\)|--|[<>&]", "?", text)
+    return re.sub(r"[^\x20-\x7e]|\*/|/\*|\(\*|\*\)|[<>&\"\\\\]", "?", text)

@@ -102,7 +102,7 @@ def _c99(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
 
 def _hal(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
     name = found.control.name
-    return {f"{name}.comp": hal.component_of(found.control), f"{name}.hal": hal.lines_of(found.control, found.axis, found.number)}
+    return {f"{name}.comp": hal.component_of(found.control), f"{name}.hal": hal.lines_of(found.control, found.number)}
 
 
 def _st(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
@@ -161,6 +161,8 @@ def export_controller(
         raise ParameterError("--to", repr(to), "one of " + ", ".join(TARGETS))
     loaded, steered, motion, inputs = _read(file, machine, scheme, plugins)
     found = {name: axis_control(loaded, steered, name) for name in axes or loaded.axis_names}
+    if len({control.control.name for control in found.values()}) != len(found):
+        raise ParameterError("axes", ", ".join(found), "named with letters of ASCII, so that their code has different names")
     made: dict[str, str | bytes] = {}
     for control in found.values():
         made |= TARGETS[to](control, motion)

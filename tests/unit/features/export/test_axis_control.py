@@ -51,8 +51,9 @@ def test_what_one_axis_cannot_know_is_refused() -> None:
     machine = load_machine("builtin:xyz")
     with refuses(ParameterError, name="controller.coupling"):
         axis_control(machine, load_controller("builtin:xyz-controller", machine), "x")
-    with refuses(ParameterError, name="controller.axes.x.feedforward"):
-        exported("feedforward/zpetc")
+    for case in REFUSED:
+        with refuses(ParameterError, name=f"controller.axes.x.{case.partition('/')[0]}"):
+            exported(case)
 
 
 @pytest.mark.parametrize("case", [case for case in CASES if case not in REFUSED])
@@ -60,3 +61,10 @@ def test_every_part_of_an_axis_can_be_exported(case: str) -> None:
     run = excited(exported(case), 40)
     assert np.isfinite(run.command).all()
     assert np.ptp(run.command) > 0.0
+
+
+def test_text_of_others_cannot_leave_its_comment() -> None:
+    machine, controller = shipped()
+    notes = axis_control(replace(machine, name='a */ b *) "c" <d>\n'), controller, "x").control.notes
+    assert not set('\n"<>') & set("".join(notes))
+    assert "*/" not in notes[0] and "*)" not in notes[0]
