@@ -26,6 +26,7 @@ from contourlab.cli.commands.compare import compare
 from contourlab.cli.commands.components import components
 from contourlab.cli.commands.demo import demo
 from contourlab.cli.commands.explain import explain
+from contourlab.cli.commands.export import export
 from contourlab.cli.commands.identify import identify
 from contourlab.cli.commands.interpolate import interpolate
 from contourlab.cli.commands.learn import learn
@@ -73,6 +74,7 @@ app.command("tune", rich_help_panel="Tune")(tune)
 app.command("notch", rich_help_panel="Tune")(notch)
 app.command("sensitivity", rich_help_panel="Tune")(sensitivity)
 app.command("swap", rich_help_panel="Tune")(swap)
+app.command("export", rich_help_panel="Tune")(export)
 app.add_typer(reproduce, name="reproduce", rich_help_panel="Papers")
 app.command("components", rich_help_panel="Look up")(components)
 app.command("machines", rich_help_panel="Look up")(machines)

@@ -16,6 +16,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.check.program_check import Checked
     from contourlab.features.circle.result import CircleTest
     from contourlab.features.components.description import ComponentDescription
+    from contourlab.features.export.command import Exported
     from contourlab.features.identify.result import Identified
     from contourlab.features.interpolate.study import Interpolated
     from contourlab.features.limits.result import LimitTest
@@ -42,6 +43,7 @@ def results() -> dict[str, Any]:
         "components": tuple[ComponentDescription, ...],
         "demo": Demo,
         "explain": tuple[Entry, ...],
+        "export": Exported,
         "identify": Identified,
         "interpolate": Interpolated,
         "learn": Summary,

@@ -9,11 +9,11 @@ from collections.abc import Sequence
 from contourlab.engine.translate.graph import CONDITION, TABLE, Block, Op
 from contourlab.engine.translate.step_graph import StepGraph
 
-_SYMBOLS = {"fadd": "+", "fsub": "-", "fmul": "*", "fdiv": "/", "and": "&", "or": "|"}
+_SYMBOLS = {"fadd": "+", "fsub": "-", "fmul": "*", "fdiv": "/", "and": "&&", "or": "||"}
 _LIBRARY = {"sqrt", "fabs", "floor", "rint", "copysign", "fma", "exp", "log", "tanh", "sin", "cos"}
 _LEAVES = {"parameter": "par", "state": "x", "input": "inp", "table": "tables"}
-_TYPES = {CONDITION: "int", TABLE: "const double *"}
-_HASH = """
+_TYPES = {CONDITION: "bool", TABLE: "const double *"}
+HASH = """
 static double uniform(double stream, double k, double draw)
 {
     uint64_t z = (uint64_t)(int64_t)stream * 0x9E3779B97F4A7C15u + (uint64_t)(int64_t)k * 0xD1342543DE82EF95u
@@ -43,7 +43,7 @@ def source_of(made: StepGraph, name: str = "") -> str:
     """
     step = made.step
     called = name or re.sub(r"\W+", "_", step.name)
-    writer = _Writer()
+    writer = Writer()
     writer.block(made.graph.top, "    ")
     ends = [f"    x_next[{row}] = {writer.value(value)};" for row, value in enumerate(made.states)]
     ends += [f"    out[{row}] = {writer.value(value)};" for row, value in enumerate(made.outputs)]
@@ -63,8 +63,9 @@ def source_of(made: StepGraph, name: str = "") -> str:
             *([f"   ring: past values of {step.ring}, at index tick & mask; store the present value first."] if step.ring else []),
             "*/",
             "#include <math.h>",
+            "#include <stdbool.h>",
             "#include <stdint.h>",
-            *([_HASH] if any(op.kind == "uniform" for op in made.graph.top.every()) else [""]),
+            *([HASH] if any(op.kind == "uniform" for op in made.graph.top.every()) else [""]),
             f"void {called}({', '.join(arguments)})",
             "{",
             f"   {unused}",
@@ -80,30 +81,35 @@ def _comment(name: str, fields: Sequence[str]) -> list[str]:
     return [f"   {name}: {', '.join(fields)}"] if fields else []
 
 
-class _Writer:
-    """Writes operations as statements; each value is a variable."""
+class Writer:
+    """Writes operations as statements; each value is a variable. A subclass says where parameters, states and inputs are."""
+
+    elsewhere: tuple[str, ...] = ("constant", "k", "t", "dt", "ring")
+    """Kinds of operations without a variable of their own."""
 
     def __init__(self) -> None:
         self.lines: list[str] = []
         self._names: dict[int, str] = {}
 
     def value(self, op: Op) -> str:
+        """Return the text of a value."""
         if op.kind == "constant":
-            return str(int(op.extra)) if op.type == CONDITION else _literal(op.extra)
-        return op.kind if op.kind in ("k", "t", "dt", "ring") else self._names[id(op)]
+            return str(op.extra).lower() if op.type == CONDITION else literal(op.extra)
+        return op.kind if op.kind in self.elsewhere else self._names[id(op)]
 
     def _name(self, op: Op) -> str:
         return self._names.setdefault(id(op), f"v{len(self._names)}")
 
     def block(self, block: Block, pad: str) -> None:
+        """Write the operations of a block."""
         for op in block.ops:
             if op.kind == "branch":
                 self._branch(op, pad)
             elif op.kind == "loop":
                 self._loop(op, pad)
-            elif op.kind == "store_member":
-                self.lines.append(f"{pad}x_next{self._member_row(op)} = {self.value(op.args[0])};")
-            elif op.kind not in ("constant", "k", "t", "dt", "ring"):
+            elif op.kind.startswith("store"):
+                self.lines.append(f"{pad}{self.stored(op)} = {self.value(op.args[0])};")
+            elif op.kind not in self.elsewhere:
                 text = self._text(op)
                 self.lines.append(f"{pad}const {_type(op)} {self._name(op)} = {text};".replace("const const", "const"))
 
@@ -122,14 +128,26 @@ class _Writer:
         if op.kind == "lookup":
             return f"{args[0]}[(int64_t){args[1]}]"
         if op.kind == "delayed":
-            return f"ring[(int64_t){args[0]} & mask]"
+            return self.past(op, f"(int64_t){args[0]}")
         if op.kind == "member":
-            return f"x{self._member_row(op)}"
+            return self.member(op)
         return {"fneg": f"-{args[0]}", "not": f"!{args[0]}"}[op.kind]
 
-    def _member_row(self, op: Op) -> str:
-        first, size = op.extra
-        return f"[{first} + {size} * {self.value(op.args[-1])}_n]"
+    def past(self, op: Op, tick: str) -> str:
+        """Return the place of a past value."""
+        return f"ring[{tick} & mask]"
+
+    def member(self, op: Op) -> str:
+        """Return the place of a number of a bank's member."""
+        return f"x[{self.member_row(op, op.extra[0])}]"
+
+    def stored(self, op: Op) -> str:
+        """Return the place where an operation stores."""
+        return f"x_next[{self.member_row(op, op.extra[0])}]"
+
+    def member_row(self, op: Op, first: int) -> str:
+        """Return the index of a number of a bank's member, in an array that holds the bank from `first` on."""
+        return f"{first} + {op.extra[1]} * {self.value(op.args[-1])}_n"
 
     def _branch(self, op: Op, pad: str) -> None:
         self.lines += [f"{pad}{_type(result)} {self._name(result)};" for result in op.results]
@@ -166,7 +184,8 @@ def _type(op: Op) -> str:
     return _TYPES.get(op.type, "double")
 
 
-def _literal(number: float) -> str:
+def literal(number: float) -> str:
+    """Return a number that reads back identical."""
     if math.isnan(number):
         return "NAN"
     if math.isinf(number):

@@ -1,0 +1,263 @@
+"""Print a controller as a function block in Structured Text of IEC 61131-3, plain or as a TwinCAT object."""
+
+from __future__ import annotations
+
+import math
+import uuid
+from collections.abc import Iterable
+
+from contourlab.engine.translate.control import Control, Field, Memory
+from contourlab.engine.translate.graph import CONDITION, Block, MismatchError, Op
+
+_SYMBOLS = {"fadd": "+", "fsub": "-", "fmul": "*", "fdiv": "/", "and": "AND", "or": "OR"}
+_SIGNS = {"==": "=", "!=": "<>"}
+_LIBRARY = {"sqrt": "SQRT", "fabs": "ABS", "exp": "EXP", "log": "LN", "sin": "SIN", "cos": "COS"}
+_LARGEST = "1.7976931348623157E+308"
+_WHOLE = "4503599627370496.0"
+"""2^52: a number that is added to it and subtracted again is rounded to a whole number."""
+_LEFT_OUT = ("constant", "parameter", "external", "before", "table", "ring", "tick", "time", "period")
+
+
+def plain(made: Control) -> str:
+    """Return the function block as plain text.
+
+    Raises
+    ------
+    MismatchError
+        If the controller draws random numbers, or has a constant that is no number.
+    """
+    declared, body = _parts(made)
+    return f"{declared}\n{body}\nEND_FUNCTION_BLOCK\n"
+
+
+def twincat(made: Control) -> str:
+    """Return the function block as a ``.TcPOU`` file of TwinCAT 3; raises as `plain`."""
+    declared, body = _parts(made)
+    identity = uuid.uuid5(uuid.NAMESPACE_OID, declared + body)
+    return f"""<?xml version="1.0" encoding="utf-8"?>
+<TcPlcObject Version="1.1.0.1" ProductVersion="3.1.4024.0">
+  <POU Name="FB_{made.name}" Id="{{{identity}}}" SpecialFunc="None">
+    <Declaration><![CDATA[{declared}]]></Declaration>
+    <Implementation>
+      <ST><![CDATA[{body}]]></ST>
+    </Implementation>
+  </POU>
+</TcPlcObject>
+"""
+
+
+def _parts(made: Control) -> tuple[str, str]:
+    """Return declaration and implementation."""
+    writer = _Writer(made)
+    writer.block(made.tick.graph.top, "    ")
+    writer.block(made.tick.body, "    ")
+    states = list(made.states.values())
+    after = [f"    s_{made.states[row].name} := {writer.value(op)};" for row, op in made.carried()]
+    arrays = [*made.banks, *made.rings]
+    ticks = ["s_tick : LREAL; (* number of the call *)"] if made.counts_ticks else []
+    constants = [
+        _declared(field, initial=True) for field in (Field("PERIOD", "s", "between two calls", made.period), *made.constants.values())
+    ]
+    constants += [f"{table.name} : ARRAY[0..{len(table.fields) - 1}] OF LREAL := [{_listed(table)}];" for table in made.tables]
+    kinds = {kind: [name for name, its in writer.locals.items() if its == kind] for kind in ("LREAL", "BOOL")}
+    kinds["LREAL"] = [*(f"x_{state.name}" for state in states), *kinds["LREAL"]]
+    kinds["LINT"] = [f"{name}_n" for name in writer.indices]
+    temporary = [f"{', '.join(names[k : k + 8])} : {kind};" for kind, names in kinds.items() for k in range(0, len(names), 8)]
+    declared = [
+        *(f"(* {note} *)" for note in made.notes),
+        f"FUNCTION_BLOCK FB_{made.name}",
+        *_section(
+            "VAR_INPUT", ["enable : BOOL; (* FALSE: command 0, state of rest *)", *(_declared(_input(f)) for f in made.inputs.values())]
+        ),
+        *_section("VAR_INPUT", (_declared(field, initial=True) for field in made.parameters.values())),
+        *_section("VAR_OUTPUT", [_declared(made.output)]),
+        *_section("VAR", ["running : BOOL;", *(f"s_{field.name} : LREAL;" for field in states), *map(_array, arrays), *ticks]),
+        *_section("VAR_TEMP", temporary),
+        *_section("VAR CONSTANT", constants),
+    ]
+    body = [
+        "IF enable AND NOT running THEN",
+        *(f"    s_{state.name} := {_at_rest(state, _place(made))};" for state in states),
+        *(f"    {memory.name}[{k}] := {_at_rest(field, _place(made))};" for memory in arrays for k, field in enumerate(memory.fields)),
+        *(["    s_tick := 0.0;"] if ticks else []),
+        "END_IF",
+        "running := enable;",
+        "command := 0.0;",
+        "IF enable THEN",
+        *(f"    x_{state.name} := s_{state.name};" for state in states),
+        *writer.lines,
+        *after,
+        *(["    s_tick := s_tick + 1.0;"] if ticks else []),
+        f"    {made.output.name} := {writer.value(made.result)};",
+        "END_IF",
+    ]
+    return "\n".join(declared), "\n".join(body)
+
+
+def input_name(name: str) -> str:
+    """Return the name of an input; REFERENCE is a word of TwinCAT."""
+    return "reference_position" if name == "reference" else name
+
+
+def _input(field: Field) -> Field:
+    return Field(input_name(field.name), field.unit, field.doc)
+
+
+def _place(made: Control) -> str:
+    return input_name(made.feedback)
+
+
+def _section(head: str, lines: Iterable[str]) -> list[str]:
+    inner = [f"    {line}" for line in lines]
+    return [head, *inner, "END_VAR"] if inner else []
+
+
+def _declared(field: Field, initial: bool = False) -> str:
+    text = f"{'[' + field.unit + '] ' if field.unit else ''}{field.doc}"
+    start = f" := {literal(field.value).strip('()')}" if initial else ""
+    return f"{field.name} : LREAL{start};{f' (* {text} *)' if text else ''}"
+
+
+def _array(memory: Memory) -> str:
+    return f"{memory.name} : ARRAY[0..{len(memory.fields) - 1}] OF LREAL;"
+
+
+def _listed(memory: Memory) -> str:
+    return ", ".join(literal(field.value).strip("()") for field in memory.fields)
+
+
+def _at_rest(state: Field, place: str) -> str:
+    if state.slope == 0.0:
+        return literal(state.value)
+    moved = place if state.slope == 1.0 else f"{literal(state.slope)} * {place}"
+    return moved if state.value == 0.0 else f"{literal(state.value)} + {moved}"
+
+
+def literal(number: float) -> str:
+    """Return a number of type LREAL that reads back identical; infinity is the largest number."""
+    if math.isnan(number):
+        raise MismatchError("a constant that is no number: Structured Text has none")
+    if math.isinf(number):
+        return _LARGEST if number > 0.0 else f"(-{_LARGEST})"
+    digits, _, exponent = repr(abs(number)).partition("e")
+    text = (digits if "." in digits else f"{digits}.0") + (f"E{exponent}" if exponent else "")
+    return text if math.copysign(1.0, number) > 0.0 else f"(-{text})"
+
+
+class _Writer:
+    """Writes operations as statements; each value is a variable, declared in `locals`."""
+
+    def __init__(self, made: Control) -> None:
+        self.made = made
+        self.lines: list[str] = []
+        self.locals: dict[str, str] = {}
+        self.indices: list[str] = []
+        self._names: dict[int, str] = {}
+
+    def value(self, op: Op) -> str:
+        made = self.made
+        if op.kind == "constant":
+            return str(op.extra).upper() if op.type == CONDITION else literal(op.extra)
+        if op.kind == "parameter":
+            return (made.parameters.get(op.extra) or made.constants[op.extra]).name
+        if op.kind == "external":
+            return input_name(made.inputs[op.extra].name)
+        if op.kind == "before":
+            return f"x_{made.states[op.extra].name}"
+        if op.kind == "table":
+            return next(table.name for table in made.tables if table.first == op.extra)
+        words = {"tick": "s_tick", "time": "(s_tick * PERIOD)", "period": "PERIOD"}
+        return words.get(op.kind) or self._names[id(op)]
+
+    def _name(self, op: Op) -> str:
+        name = self._names.setdefault(id(op), f"v{len(self._names)}")
+        self.locals[name] = "BOOL" if op.type == CONDITION else "LREAL"
+        return name
+
+    def block(self, block: Block, pad: str) -> None:
+        for op in block.ops:
+            if op.kind == "branch":
+                self._branch(op, pad)
+            elif op.kind == "loop":
+                self._loop(op, pad)
+            elif op.kind == "store_ring":
+                self.lines.append(f"{pad}{self._past(op, 's_tick')} := {self.value(op.args[0])};")
+            elif op.kind == "store_member":
+                self.lines.append(f"{pad}{self._member(op)} := {self.value(op.args[0])};")
+            elif op.kind in ("floor", "rint", "tanh"):
+                self._in_steps(op, pad)
+            elif op.kind not in _LEFT_OUT:
+                text = self._text(op)
+                self.lines.append(f"{pad}{self._name(op)} := {text};")
+
+    def _text(self, op: Op) -> str:
+        args = [self.value(arg) for arg in op.args]
+        if op.kind in _SYMBOLS:
+            return f"{args[0]} {_SYMBOLS[op.kind]} {args[1]}"
+        if op.kind in _LIBRARY:
+            return f"{_LIBRARY[op.kind]}({args[0]})"
+        if op.kind == "compare":
+            return f"{args[0]} {_SIGNS.get(op.extra, op.extra)} {args[1]}"
+        if op.kind == "select":
+            return f"SEL({args[0]}, {args[2]}, {args[1]})"
+        if op.kind == "copysign":
+            return f"SEL({args[1]} < 0.0, ABS({args[0]}), -ABS({args[0]}))"
+        if op.kind == "lookup":
+            return f"{args[0]}[LREAL_TO_LINT({args[1]})]"
+        if op.kind == "delayed":
+            return self._past(op, args[0])
+        if op.kind == "member":
+            return self._member(op)
+        if op.kind == "uniform":
+            raise MismatchError("random numbers: Structured Text has none")
+        return {"fneg": "-", "not": "NOT "}[op.kind] + args[0]
+
+    def _in_steps(self, op: Op, pad: str) -> None:
+        """Write a function that the language lacks."""
+        x, name = self.value(op.args[0]), self._name(op)
+        sign = f"{name} := SEL({x} < 0.0, {name}, -{name});"
+        if op.kind == "tanh":
+            steps = [f"{name} := EXP(-2.0 * ABS({x}));", f"{name} := (1.0 - {name}) / (1.0 + {name});", sign]
+        else:
+            steps = [f"{name} := ABS({x});", f"IF {name} < {_WHOLE} THEN {name} := ({name} + {_WHOLE}) - {_WHOLE}; END_IF", sign]
+            steps += [f"IF {name} > {x} THEN {name} := {name} - 1.0; END_IF"] if op.kind == "floor" else []
+        self.lines += [pad + step for step in steps]
+
+    def _past(self, op: Op, tick: str) -> str:
+        ring = next(ring for ring in self.made.rings if ring.first == op.extra[0])
+        return f"{ring.name}[(LREAL_TO_LINT({tick}) + {op.extra[1]}) MOD {op.extra[1]}]"
+
+    def _member(self, op: Op) -> str:
+        bank = next(bank for bank in self.made.banks if 0 <= op.extra[0] - bank.first < len(bank.fields))
+        return f"{bank.name}[{op.extra[0] - bank.first} + {op.extra[1]} * {self.value(op.args[-1])}_n]"
+
+    def _branch(self, op: Op, pad: str) -> None:
+        for head, block in ((f"IF {self.value(op.args[0])} THEN", op.blocks[0]), ("ELSE", op.blocks[1])):
+            self.lines.append(pad + head)
+            self.block(block, pad + "    ")
+            for result, end in zip(op.results, block.ends, strict=True):
+                self.lines.append(f"{pad}    {self._name(result)} := {self.value(end)};")
+        self.lines.append(f"{pad}END_IF")
+
+    def _loop(self, op: Op, pad: str) -> None:
+        test, round_ = op.blocks
+        for carried, result, start in zip(op.extra, op.results, op.args, strict=True):
+            self._names[id(result)] = self._name(carried)
+            self.lines.append(f"{pad}{self._name(carried)} := {self.value(start)};")
+        if op.index:
+            index = self._name(op.index)
+            self.indices.append(index)
+            self.lines.append(f"{pad}FOR {index}_n := 0 TO {op.index.extra - 1} DO")
+            self.lines.append(f"{pad}    {index} := LINT_TO_LREAL({index}_n);")
+        else:
+            self.lines.append(f"{pad}WHILE TRUE DO")
+            self.block(test, pad + "    ")
+            self.lines.append(f"{pad}    IF NOT {self.value(test.ends[0])} THEN EXIT; END_IF")
+        self.block(round_, pad + "    ")
+        # All of the next values are computed before the first is stored.
+        after = [(self._name(carried), self.value(end)) for carried, end in zip(op.extra, round_.ends, strict=True)]
+        for name, end in after:
+            self.locals[f"{name}_after"] = self.locals[name]
+            self.lines.append(f"{pad}    {name}_after := {end};")
+        self.lines += [f"{pad}    {name} := {name}_after;" for name, _ in after]
+        self.lines.append(f"{pad}{'END_FOR' if op.index else 'END_WHILE'}")

@@ -1,0 +1,1 @@
+"""``contourlab export``: the controller of an axis as code for a control."""

@@ -1,0 +1,264 @@
+"""The controller of one axis, cut out of the servo loop: measured positions and the reference go in, the command comes out."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from contourlab.arrays import Array
+from contourlab.components.contract import Component
+from contourlab.components.ideal import IdealSensor
+from contourlab.engine.runner import Group, InterpretedGroup
+from contourlab.engine.schedule import Late, Schedule
+from contourlab.engine.step import Port
+from contourlab.engine.translate.control import Control, Field, control_of
+from contourlab.engine.translate.tick_graph import Rows
+from contourlab.errors import ParameterError
+from contourlab.geometry import Line, Path
+from contourlab.loop import Controller, Machine
+from contourlab.loop.builder import accepted_output
+from contourlab.loop.template import EXTERNALS, build
+
+MEASURED = ("position", "velocity", "motor_position", "motor_velocity")
+INPUTS = {
+    "reference": Field("reference", "m", "reference position"),
+    "reference_velocity": Field("reference_velocity", "m/s", "velocity of the reference"),
+    "reference_acceleration": Field("reference_acceleration", "m/s^2", "acceleration of the reference"),
+    "position": Field("position", "m", "measured position of the axis, at the load"),
+    "velocity": Field("velocity", "m/s", "measured velocity of the axis, at the load"),
+    "motor_position": Field("motor_position", "m", "position measured by the encoder of the motor, in units of the load"),
+    "motor_velocity": Field("motor_velocity", "m/s", "velocity measured at the motor, in units of the load"),
+}
+"""Inputs of a controller; only those that it uses are exported."""
+_REASONS = {
+    "reference_ahead": "it needs the reference some periods ahead, which a control does not give to an axis",
+    "arc_length": "it needs the arc length on the path, which a control does not give to an axis",
+    "source_line": "it needs the line of the program, which a control does not give to an axis",
+}
+
+
+@dataclass(frozen=True)
+class AxisControl:
+    """The controller of one axis.
+
+    Attributes
+    ----------
+    axis : str
+    number : int
+        Of the axis on its machine, from 0.
+    schedule : Schedule
+        The controller alone, at rest at position 0: run in plain Python it is the reference.
+    machine : Machine
+        The machine with this axis alone.
+    controller : Controller
+    control : Control
+        For the printers.
+    parts : tuple of str
+        The components, in the order of a tick, such as ``observer: disturbance-observer``.
+    signal : str
+        Signal of the command, here and in the servo loop of the axis.
+    measured : dict of str to str
+        Signal of the servo loop for each measured input.
+    rest, slope : ndarray (n_row,)
+        Memory of the controller at rest at position 0, and its change for each metre of position.
+    digest : str
+        SHA-256 of machine and controller as TOML.
+    limit : float
+        Largest command, infinite for none.
+    """
+
+    axis: str
+    number: int
+    schedule: Schedule
+    machine: Machine
+    controller: Controller
+    control: Control
+    parts: tuple[str, ...]
+    signal: str
+    measured: dict[str, str]
+    rest: Array
+    slope: Array
+    digest: str
+    limit: float
+
+    def at_rest(self, position: float) -> InterpretedGroup:
+        """Return the controller in plain Python, at rest at a position [m]."""
+        group = InterpretedGroup(self.schedule, 1, slice(0, 1))
+        group.memory[:, 0] = self.rest + self.slope * position
+        return group
+
+
+def axis_control(machine: Machine, controller: Controller, axis: str) -> AxisControl:
+    """Return the controller of one axis of a machine.
+
+    Raises
+    ------
+    ParameterError
+        If a part of the controller cannot run in the axis alone; says which and why.
+    EngineError
+        If a step cannot be translated.
+    """
+    from contourlab.scenario.dump import dump
+
+    _check(controller, axis)
+    alone = replace(machine, axes=(replace(machine.axis(axis), mounted_on="", alignment=0.0),), squareness={}, correlations=())
+    steered = Controller({axis: controller.axes[axis]})
+    loop, moved, third = (loop_of(alone, steered, at) for at in (0.0, 1.0, -2.5))
+    names = _controller_nodes(loop, axis)
+    measured: dict[str, str] = {}
+    velocity = controller.axes[axis].velocity
+    cut, after, further = (
+        _cut(whole, names, axis, measured, velocity.at_rest(at)) for whole, at in ((loop, 0.0), (moved, 1.0), (third, -2.5))
+    )
+    group = InterpretedGroup(cut, 1, slice(0, 1))
+    rest = group.memory[:, 0].copy()
+    slope = InterpretedGroup(after, 1, slice(0, 1)).memory[:, 0] - rest
+    if not np.array_equal(InterpretedGroup(further, 1, slice(0, 1)).memory[:, 0], rest - 2.5 * slope):
+        raise ParameterError(f"controller.axes.{axis}", "a state", "linear in the position where the axis rests")
+    text = dump(machine) + dump(controller, machine)
+    digest = hashlib.sha256(text.encode()).hexdigest()
+    parts = _parts(alone, steered, axis)
+    signal = f"{axis}.drive.{accepted_output(machine.axis(axis).drive)}"
+    unit, limit = machine.axis(axis).plant.command_unit, float(getattr(machine.axis(axis).drive, "limit", math.inf))
+    kinds = tuple(f"{slot}: {part.kind}" for slot, part in parts.items())
+    adjustable, fixed = _described(parts, axis, machine)
+    command = Field("command", unit, "command to the drive, within its limit")
+    made = control_of(
+        *(cut, _places(group), rest, slope),
+        output=signal,
+        command=command,
+        inputs=INPUTS,
+        parameters=adjustable,
+        constants=fixed,
+        name="axis_" + re.sub(r"\W", "_", axis, flags=re.ASCII),
+        notes=_notes(machine, axis, kinds, digest, limit, unit),
+    )
+    return AxisControl(axis, machine.axis_names.index(axis), cut, alone, steered, made, kinds, signal, measured, rest, slope, digest, limit)
+
+
+def _check(controller: Controller, axis: str) -> None:
+    """Refuse what does not belong to one axis."""
+    if axis not in controller.axes:
+        raise ParameterError("--axis", axis, "one of " + ", ".join(controller.axes))
+    if controller.coupling is not None:
+        bound = '"none": it sees all axes and the path, which the controller of one axis does not'
+        raise ParameterError("controller.coupling", f'"{controller.coupling.kind}"', bound)
+    for slot, part in controller.axes[axis].parts.items():
+        for port in part.inputs:
+            if port.name in _REASONS:
+                raise ParameterError(f"controller.axes.{axis}.{slot}", f'"{part.kind}"', f"left out: {_REASONS[port.name]}")
+    if controller.axes[axis].link is not None:
+        raise ParameterError(f"controller.axes.{axis}.link", "a link", "left out: the controller is exported in one piece")
+
+
+def loop_of(machine: Machine, controller: Controller, at: float) -> Schedule:
+    """Return the servo loop of a machine with one axis, at rest at a position."""
+    return build(machine, controller, Path([Line((0.0,), (1.0,))]), np.array([at])).schedule
+
+
+def _controller_nodes(loop: Schedule, axis: str) -> tuple[str, ...]:
+    """Return the nodes between measurement and plant."""
+    outside = (f"{axis}.sensor", f"{axis}.motor_sensor", "watch")
+    return tuple(node.name for node in loop.nodes[: loop.record_point] if node.name not in outside)
+
+
+def _cut(loop: Schedule, names: tuple[str, ...], axis: str, measured: dict[str, str], velocity: tuple[Any, Any]) -> Schedule:
+    """Return the schedule of some nodes; what they take from elsewhere becomes an input, noted in `measured` if it is measured.
+
+    The states of a velocity at rest are given: in the loop those of the motor depend on the gap where the axis rests.
+    """
+    nodes = [node for node in loop.nodes if node.name in names]
+    needed: dict[str, None] = dict.fromkeys(EXTERNALS)
+
+    def wire(old: Any, node: str) -> Any:
+        if isinstance(old, tuple):
+            return tuple(wire(item, node) for item in old)
+        signal = old.signal if isinstance(old, Late) else old
+        if not isinstance(signal, str) or signal.rpartition(".")[0] in names:
+            return old
+        port = _measured(signal, axis) or re.sub(r"\[\d+\]$", "", signal.removeprefix("in."))
+        if port not in INPUTS:
+            slot = node.partition(".")[2]
+            raise ParameterError(f"controller.axes.{axis}.{slot}", slot, f"left out: it needs {port}")
+        needed[port] = None
+        if port not in EXTERNALS:
+            measured[port] = signal
+        return f"in.{port}"
+
+    made = [replace(node, wires={port: wire(old, node.name) for port, old in node.wires.items()}) for node in nodes]
+    speeds = [f"{axis}.{name}velocity" for name in ("", "motor_", "load_")]
+    made = [replace(node, initial=velocity[0], start=velocity[1]) if node.name in speeds else node for node in made]
+    return Schedule(tuple(made), tuple(Port(name) for name in needed), loop.period, len(made))
+
+
+def _measured(signal: str, axis: str) -> str:
+    """Return the input that stands for a measured signal; empty if it is none."""
+    known = {f"{axis}.plant.{port}": port for port in MEASURED}
+    known |= {f"{axis}.sensor.position": "position", f"{axis}.motor_sensor.position": "motor_position"}
+    return known.get(signal, "")
+
+
+def _places(group: Group) -> Rows:
+    n, first = len(group.schedule.nodes), tuple(group.borders)
+    return Rows(first[1 : n + 1], first[n + 1 : 2 * n + 1], first[2 * n + 1 :], tuple(map(len, group.rings)))
+
+
+def _parts(machine: Machine, controller: Controller, axis: str) -> dict[str, Component]:
+    """Return the components by node, without the name of the axis."""
+    used = {slot: part for slot, part in controller.axes[axis].parts.items() if slot != "velocity" or part.kind != "true"}
+    return {slot.replace("filters.", "filter_").replace("others.", "other_"): part for slot, part in used.items()} | {
+        "drive": machine.axis(axis).drive
+    }
+
+
+def _described(parts: Mapping[str, Component], axis: str, machine: Machine) -> tuple[dict[str, Field], dict[str, Field]]:
+    """Return the parameters that may change while the controller runs, and those that may not, by ``node.parameter``.
+
+    A parameter may change if no derived constant depends on it.
+    """
+    plant = machine.axis(axis).plant
+    free: dict[str, Field] = {}
+    fixed: dict[str, Field] = {}
+    for slot, part in parts.items():
+        base = part.block(machine.servo_period)
+        for name in part.numeric():
+            known = part.parameters[name].for_plant(plant.command_unit, plant.force_unit)
+            value = base[name]
+            changed = part.block(machine.servo_period, {name: np.asarray(value * 1.01 + 1e-9)}) if math.isfinite(value) else base
+            same = all(np.array_equal(changed[row], base[row]) for row in part.derived)
+            for node in (slot, "motor_velocity", "load_velocity") if slot == "velocity" else (slot,):
+                (free if same else fixed)[f"{axis}.{node}.{name}"] = Field(name, known.unit, _line(known.doc))
+        for name in part.derived:
+            fixed[f"{axis}.{slot}.{name}"] = Field(name, "", "computed from parameters and period")
+    return free, fixed
+
+
+def _notes(machine: Machine, axis: str, parts: tuple[str, ...], digest: str, limit: float, unit: str) -> tuple[str, ...]:
+    from importlib.metadata import version
+
+    limits, own = machine.axis(axis).limits, machine.axis(axis)
+    bounds = {"velocity": (limits.velocity, "m/s"), "acceleration": (limits.acceleration, "m/s^2"), "jerk": (limits.jerk, "m/s^3")}
+    known = [f"{name} {value:g} {what}" for name, (value, what) in bounds.items() if math.isfinite(value)]
+    known += [f"command {limit:g} {unit}"] if math.isfinite(limit) else []
+    sensors = [own.sensor, own.motor_sensor]
+    counted = ", ".join(part.kind for part in sensors if not isinstance(part, IdealSensor))
+    return (
+        f"Controller of axis {axis} of {_line(machine.name)}, written by contourlab {version('contourlab')}.",
+        f"SHA-256 of machine and controller: {digest}",
+        f"Call it once every {machine.servo_period * 1e6:g} us: the period is fixed.",
+        "Parts, in the order of a call: " + ", ".join(map(_line, parts)),
+        "Limits: " + (", ".join(known) or "none"),
+        *([f"Simulated with the sensor {counted}: feed its measured position in."] if counted else []),
+        "Units are SI; the command is in " + unit,
+    )
+
+
+def _line(text: str) -> str:
+    """Return text that fits into a comment of any language."""
+    return re.sub(r"[^\x20-\x7e]|\*/|/\*|\(\*|\*\)|[<>&\"\\\\]", "?", text)

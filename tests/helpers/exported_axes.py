@@ -1,0 +1,56 @@
+"""Axes with one controller each, for the tests of exported code."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from contourlab.components.contract import Component
+from contourlab.components.registry import component, components
+from contourlab.features.export.axis_controller import AxisControl, axis_control
+from contourlab.features.export.recorded_run import Recorded, replayed
+from contourlab.loop import Axis, AxisController, Controller, Machine
+
+SLOTS = ("controller", "observer", "predictor", "feedforward", "compensation", "gap_observer", "velocity", "filter", "supervisor")
+CASES = [f"{slot}/{kind.kind}" for slot in SLOTS for kind in components(slot)] + ["drive/delayed-saturation"]
+REFUSED = {"feedforward/zpetc", "supervisor/pre-routed"}
+"""One needs the reference ahead, the other the arc length."""
+
+
+def example(family: str, kind: str, **values: Any) -> Component:
+    made = component(family, kind)
+    return made(**{**made.example, **values})
+
+
+@cache
+def exported(case: str) -> AxisControl:
+    """Return the controller of an axis that has this component beside a position loop."""
+    slot, _, kind = case.partition("/")
+    plant = example("plant", "two-inertia" if slot in ("gap_observer", "compensation", "supervisor") else "rigid-axis")
+    drive = example("drive", "delayed-saturation" if slot in ("drive", "predictor") else "saturation")
+    parts: dict[str, Any] = {"controller": example("controller", "position"), "velocity": example("velocity", "filtered-difference")}
+    if slot == "filter":
+        parts["filters"] = (("smooth", example("filter", kind, frequency=150.0)),)
+    elif slot != "drive":
+        parts[slot] = example(slot, kind)
+    if slot == "supervisor":
+        n = getattr(parts[slot], "n_controller", 1)
+        parts["others"] = tuple((f"other{k}", example("controller", "pid")) for k in range(1, n))
+        parts["gap_observer"] = example("gap_observer", "multiple-model")
+    axis = Axis("x", plant, drive=drive, substeps=50)
+    return axis_control(Machine("stage", (axis,), 1e-3), Controller({"x": AxisController(**parts)}), "x")
+
+
+def excited(found: AxisControl, n_sample: int = 400) -> Recorded:
+    """Run a controller alone on smooth inputs with reversals, about 10 mm and 0.1 m/s."""
+    t = 1e-3 * np.arange(n_sample)[:, None]
+    scale = np.array([{"m": 0.01, "m/s": 0.1, "m/s^2": 1.0}[_unit(port.name)] for port in found.schedule.externals])
+    phase = np.arange(len(scale))
+    inputs = scale * (np.sin((23.0 + phase) * t + 0.1 * phase) + 0.3 * np.sin((91.0 + 7.0 * phase) * t))
+    return replayed(found, inputs, np.zeros(n_sample))
+
+
+def _unit(port: str) -> str:
+    return {"velocity": "m/s", "acceleration": "m/s^2"}.get(port.rpartition("_")[2], "m")

@@ -1,0 +1,68 @@
+"""``contourlab export`` as a user types it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from tests.helpers.typed_commands import invoke
+
+SCENARIO = """
+name = "circle"
+machine = "builtin:xyz"
+[controller]
+file = "builtin:xyz-controller"
+coupling = "none"
+[contour]
+name = "circle"
+radius = "20 mm"
+[feed]
+feedrate = "2 m/min"
+"""
+
+
+@pytest.fixture
+def scenario(tmp_path: Path) -> Path:
+    file = tmp_path / "circle.toml"
+    file.write_text(SCENARIO)
+    return file
+
+
+def test_files_and_json(tmp_path: Path, scenario: Path) -> None:
+    said = invoke(tmp_path, "export", scenario, "--to", "c99", "--axis", "y", "--out", "code", "--json")
+    made = json.loads(said.out)
+    assert said.code == 0
+    assert {Path(name).name for name in made["files"]} == {path.name for path in (tmp_path / "code").glob("*[!.]*") if path.name[0] != "."}
+    assert [field["name"] for field in made["axes"]["y"]["outputs"]] == ["command"]
+    assert {field["name"]: field["value"] for field in made["axes"]["y"]["parameters"]}["drive_limit"] == 10.0
+    assert {finding["code"] for finding in made["findings"]} == {"CL952", "CL954"}
+    assert all(made["hash"] in (tmp_path / "code" / name).read_text() for name in ("axis_y.c", "axis_y.h", "export-c99.json"))
+    assert len((tmp_path / "code" / "axis_y_run.csv").read_text().splitlines()) == 2001
+
+
+def test_a_controller_takes_its_machine(tmp_path: Path) -> None:
+    words = ("export", "builtin:ghaffari/calibrated", "--to", "c99", "--out", "code")
+    assert invoke(tmp_path, *words).code == 2
+    refused = invoke(tmp_path, *words, "--machine", "builtin:ghaffari/a3a1")
+    assert refused.code == 2
+    assert "controller.coupling" in refused.err
+    assert not (tmp_path / "code").exists()
+
+
+@pytest.mark.parametrize("words", [("--to", "cobol"), ("--to", "c99", "--axis", "w"), ("--to", "c99", "--scheme", "none")])
+def test_wrong_words_are_refused(tmp_path: Path, scenario: Path, words: tuple[str, ...]) -> None:
+    assert invoke(tmp_path, "export", scenario, *words, "--out", "code").code == 2
+    assert not (tmp_path / "code").exists()
+
+
+def test_files_of_others_stay(tmp_path: Path, scenario: Path) -> None:
+    own = tmp_path / "code" / "axis_x.c"
+    own.parent.mkdir()
+    own.write_text("mine")
+    assert invoke(tmp_path, "export", scenario, "--to", "c99", "--out", "code").code == 2
+    assert own.read_text() == "mine"
+    own.unlink()
+    assert invoke(tmp_path, "export", scenario, "--to", "c99", "--out", "code").code == 0
+    assert invoke(tmp_path, "export", scenario, "--to", "c99", "--out", "code", "--axis", "x").code == 0
+    assert not (tmp_path / "code" / "axis_y.c").exists()
