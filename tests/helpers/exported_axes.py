@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
 from typing import Any
 
@@ -14,7 +15,7 @@ from contourlab.features.export.recorded_run import Recorded, replayed
 from contourlab.loop import Axis, AxisController, Controller, Machine
 
 SLOTS = ("controller", "observer", "predictor", "feedforward", "compensation", "gap_observer", "velocity", "filter", "supervisor")
-CASES = [f"{slot}/{kind.kind}" for slot in SLOTS for kind in components(slot)] + ["drive/delayed-saturation"]
+CASES = [f"{slot}/{kind.kind}" for slot in SLOTS for kind in components(slot)] + ["drive/delayed-saturation", "drive/unlimited"]
 REFUSED = {"feedforward/zpetc", "supervisor/pre-routed"}
 """One needs the reference ahead, the other the arc length."""
 
@@ -30,6 +31,7 @@ def exported(case: str) -> AxisControl:
     slot, _, kind = case.partition("/")
     plant = example("plant", "two-inertia" if slot in ("gap_observer", "compensation", "supervisor") else "rigid-axis")
     drive = example("drive", "delayed-saturation" if slot in ("drive", "predictor") else "saturation")
+    drive = drive.replace(limit=math.inf) if kind == "unlimited" else drive
     parts: dict[str, Any] = {"controller": example("controller", "position"), "velocity": example("velocity", "filtered-difference")}
     if slot == "filter":
         parts["filters"] = (("smooth", example("filter", kind, frequency=150.0)),)

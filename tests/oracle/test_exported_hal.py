@@ -75,7 +75,9 @@ net {axis}-pos-cmd sampler.0.pin.{n}
 """
 
 
-@pytest.mark.parametrize("case", ["controller/pid", "predictor/smith", "gap_observer/multiple-model", "compensation/quadrant-pulses"])
+@pytest.mark.parametrize(
+    "case", ["controller/pid", "predictor/smith", "gap_observer/multiple-model", "compensation/quadrant-pulses", "drive/unlimited"]
+)
 def test_halcompile_builds_a_component(tmp_path: Path, case: str) -> None:
     (tmp_path / "axis_x.comp").write_text(hal.component_of(exported(case).control))
     done = subprocess.run(["halcompile", "--compile", "axis_x.comp"], cwd=tmp_path, capture_output=True, text=True)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import sys
+
 from contourlab.engine.translate.c99 import literal
 from contourlab.engine.translate.c99_control import INCLUDES, body_of, types_of
 from contourlab.engine.translate.control import Control, Field
 
+_LARGEST = sys.float_info.max
 PINS = {
     "reference": "command",
     "reference_velocity": "command_deriv",
@@ -35,7 +38,11 @@ def component_of(made: Control) -> str:
             'pin out bit fault "TRUE if the thread has another period, or a number is not finite: the output is 0";',
             'param rw float scale = 1000.0 "machine units in a metre: 1000 for mm, 39.3700787402 for inch; degrees in a radian";',
             *_derive(inputs),
-            *(f'param rw float {p.name} = {literal(p.value)} "{p.doc}{_unit(p)}";' for p in made.parameters.values()),
+            # halcompile sets the value before any include: it knows no INFINITY.
+            *(
+                f'param rw float {p.name} = {literal(min(max(p.value, -_LARGEST), _LARGEST))} "{p.doc}{_unit(p)}";'
+                for p in made.parameters.values()
+            ),
             f"variable double memory[{max(size, 1)}];",
             "variable double before[2];",
             "variable int running;",

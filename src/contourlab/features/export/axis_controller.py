@@ -117,9 +117,9 @@ def axis_control(machine: Machine, controller: Controller, axis: str) -> AxisCon
         _cut(whole, names, axis, measured, velocity.at_rest(at)) for whole, at in ((loop, 0.0), (moved, 1.0), (third, -2.5))
     )
     group = InterpretedGroup(cut, 1, slice(0, 1))
-    rest = group.memory[:, 0].copy()
-    slope = InterpretedGroup(after, 1, slice(0, 1)).memory[:, 0] - rest
-    if not np.array_equal(InterpretedGroup(further, 1, slice(0, 1)).memory[:, 0], rest - 2.5 * slope):
+    rest, at_1, further_on = (InterpretedGroup(one, 1, slice(0, 1)).memory[:, 0] for one in (cut, after, further))
+    slope = np.subtract(at_1, rest, out=np.zeros(rest.size), where=at_1 != rest)  # parameters may be infinite
+    if not np.array_equal(further_on, rest - 2.5 * slope):
         raise ParameterError(f"controller.axes.{axis}", "a state", "linear in the position where the axis rests")
     text = dump(machine) + dump(controller, machine)
     digest = hashlib.sha256(text.encode()).hexdigest()

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import json
 import math
+import tomllib
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -194,20 +197,27 @@ def _read(
         loaded = load_machine(stated, plugins)
         steered = load_controller(named_file(file), loaded, plugins)
         return loaded, steered, lambda name: there_and_back(loaded.axis(name), loaded.servo_period), (file, stated)
-    try:
-        scenario = load_scenario(file, plugins)
-    except ScenarioError as error:
-        if not str(error).endswith(("is missing: machine", "are missing: machine, controller")) and "contour or program" not in str(error):
-            raise
-        raise ScenarioError("a controller needs its machine: name it with --machine", file=file) from error
+    _check_scenario(file)
+    scenario = load_scenario(file, plugins)
     case = scenario.base if scheme is None else scenario.case(scheme)
 
+    planned = cache(case.reference)
+
     def motion(name: str) -> Array:
-        reference = case.reference()
-        block, j = reference.block(0, min(SAMPLES, reference.n_sample)), case.machine.axis_names.index(name)
+        block, j = planned().block(0, min(SAMPLES, planned().n_sample)), case.machine.axis_names.index(name)
         return np.column_stack([block.position[:, j], block.velocity[:, j], block.acceleration[:, j]])
 
     return case.machine, case.controller, motion, scenario.inputs
+
+
+def _check_scenario(file: str | Path) -> None:
+    """Refuse a controller without its machine; what cannot be read is left to the reader."""
+    from contourlab.scenario.files import BUILTIN, builtin_file
+
+    path = builtin_file(str(file)) if str(file).startswith(BUILTIN) else Path(file)
+    with suppress(OSError, ValueError):
+        if "machine" not in tomllib.loads(path.read_text(encoding="utf-8")):
+            raise ScenarioError("a controller needs its machine: name it with --machine", file=file)
 
 
 def _described(found: AxisControl) -> ExportedAxis:
