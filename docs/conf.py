@@ -27,6 +27,7 @@ myst_heading_anchors = 4
 myst_enable_extensions = ["colon_fence"]
 
 autosummary_generate = True
+autosummary_filename_map = {"contourlab.component": "contourlab.component-function"}  # some systems ignore case
 smartquotes = False  # quotes belong to code
 default_role = "code"  # names in docstrings
 autodoc_typehints = "none"  # the docstrings give types, with shapes and units

@@ -58,17 +58,16 @@ def _reason(verdict: Verdict) -> str:
 
 
 def lines_at(data: ReportData, along: Array) -> Index:
-    """Return the program line at arc lengths (n,) [m] of the programmed path: that of the nearest judged sample; 0 for none."""
+    """Return the program line at arc lengths (n,) [m] of the programmed path: that of the nearest sample; 0 for none."""
     scheme = data.schemes[0]
     if scheme.lines is None:
         return np.zeros(along.size, dtype=np.int64)
-    judged = scheme.metrics.judged.samples
-    foot = signal(scheme.result, "foot_arc_length")[judged]
+    foot = signal(scheme.result, "foot_arc_length")
     foot = np.mod(foot, data.asked.length) if data.asked.closed else foot
     order = np.argsort(foot, kind="stable")
     after = np.clip(np.searchsorted(foot[order], along), 1, foot.size - 1) if foot.size > 1 else np.zeros(along.size, dtype=int)
     nearer = after - (along - foot[order][after - 1] < foot[order][after] - along)
-    return np.asarray(scheme.lines[judged][order][nearer], dtype=np.int64)
+    return np.asarray(scheme.lines[order][nearer], dtype=np.int64)
 
 
 @dataclass(frozen=True)

@@ -101,7 +101,9 @@ def _compared(paper: str, parts_of: Parts, draw: Draw, form: tuple[bool, bool], 
     if plots:
         check_pictures(out, tuple(plots))  # before work that takes a minute
     with shown(wants_progress(as_json)) as stages:
-        rows = run_parts(parts_of(stages.begin), read_bands(paper), stages.begin)
+        parts = parts_of(stages.begin)
+        stages.expect(len(parts) + bool(plots))
+        rows = run_parts(parts, read_bands(paper), stages.begin)
         if plots:
             stages.begin("drawing")
             draw(rows, out, tuple(plots))

@@ -31,7 +31,7 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     if not judged:
         limit = 2.0 * min(outcome.metrics.part_error.max for outcome in outcomes)
         words = [*options, "--tolerance", f"{float(f'{1e6 * limit:.1g}'):g} um"]
-        explore = ("Find what the error depends on:", _typed("sensitivity", file, ["--quick"]))
+        explore = ("Find what the error depends on:", _typed("sensitivity", file, ["--quick", *_plugins(options)]))
         return [("Judge it against a tolerance:", _typed("run", file, words)) if part else explore]
     steps = []
     kept = [outcome for outcome in judged if outcome.verdict is not None and outcome.verdict.passed]
@@ -41,9 +41,9 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
         steps.append(("Run it with the changed controller:", _typed("run", file, words)))
     scheme = [] if outcomes[-1].name == "base" else ["--scheme", min(judged, key=lambda one: one.metrics.part_error.max).name]
     if not kept or part:
-        steps.append(("Search all gains:", _typed("tune", file, [*_of_case(options), *scheme])))
+        steps.append(("Search all gains:", _typed("tune", file, [*_of_case(options), *scheme, "--write", "tuned.toml"])))
     else:
-        steps.append(("Find what the error depends on:", _typed("sensitivity", file, ["--quick", *scheme])))
+        steps.append(("Find what the error depends on:", _typed("sensitivity", file, ["--quick", *scheme, *_plugins(options)])))
     return steps
 
 
@@ -55,8 +55,16 @@ def _split(command: str) -> tuple[str, list[str]]:
 
 def _of_case(options: Sequence[str]) -> list[str]:
     """Return the options that say what runs, with their values."""
-    shared = ("--machine", "--controller", "--tolerance", "--judge")
-    return [word for name, value in pairwise(options) if name in shared for word in (name, value)]
+    return _chosen(options, "--machine", "--controller", "--tolerance", "--judge", "--plugin")
+
+
+def _plugins(options: Sequence[str]) -> list[str]:
+    return _chosen(options, "--plugin")
+
+
+def _chosen(options: Sequence[str], *names: str) -> list[str]:
+    """Return some of the options with their values."""
+    return [word for name, value in pairwise(options) if name in names for word in (name, value)]
 
 
 def _without(options: Sequence[str], name: str) -> list[str]:

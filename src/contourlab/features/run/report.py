@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import platform
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -40,7 +39,7 @@ def report(
         Replaced completely or not at all.
     reference : Reference or sequence of Reference, optional
         The reference of all runs or of each. A result of `simulate` or `judge` knows its own; one from a file does not.
-    tolerance : float [m], > 0, optional
+    tolerance : float [m], > 0 and < 1, optional
         Largest part error that passes.
     program : Program, optional
         The part program, for the error of each line.
@@ -66,8 +65,8 @@ def report(
     -----
     Causes, margins and limits need the scenario: `contourlab run` adds them.
     """
-    if tolerance is not None and not 0.0 < tolerance < math.inf:
-        raise ParameterError("tolerance", tolerance, "finite and > 0", "m")
+    if tolerance is not None and not (isinstance(tolerance, float | int) and 0.0 < tolerance < 1.0):
+        raise ParameterError("tolerance", repr(tolerance), "> 0 and < 1, in metres: 25e-6 for 25 um", "m")
     named = _named(results)
     motions = _references(named, reference)
     first, motion = next(iter(motions.items()))

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from contourlab.cli.main import main
+from contourlab.features.run import next_step
 
 PART = "G21 G90 F1500\nG64 P0.01\nG1 X8\nG3 X8 Y8 I0 J4\nG1 X0\nM2\n"
 
@@ -44,4 +45,9 @@ def test_after_a_failure_it_runs_the_proposed_controller(part: list[str], capsys
 def test_after_a_success_it_tunes(part: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*part, "--tolerance", "1 mm"]) == 0
     words = last_line(capsys)
-    assert words[:2] == ["tune", "my part.ngc"] and words[-2:] == ["--tolerance", "1 mm"]
+    assert words[:2] == ["tune", "my part.ngc"] and words[-4:] == ["--tolerance", "1 mm", "--write", "tuned.toml"]
+
+
+def test_plugins_are_named_again() -> None:
+    options = ["--plugin", "a.py", "--out", "here", "--plugin", "b.py", "--tolerance", "1 um"]
+    assert next_step._plugins(options) == ["--plugin", "a.py", "--plugin", "b.py"]
