@@ -14,6 +14,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.backlash.command import BacklashOutcome
     from contourlab.features.check.canon import Canon
     from contourlab.features.check.program_check import Checked
+    from contourlab.features.commission.command import Commissioned
     from contourlab.features.components.description import ComponentDescription
     from contourlab.features.identify.result import Identified
     from contourlab.features.interpolate.study import Interpolated
@@ -35,6 +36,7 @@ def results() -> dict[str, Any]:
         "backlash": BacklashOutcome,
         "canon": Canon,
         "check": Checked,
+        "commission": Commissioned,
         "compare": Summary | MeasuredSummary,
         "components": tuple[ComponentDescription, ...],
         "demo": Demo,

@@ -104,8 +104,15 @@ def gains_of(points: Array, model: AxisModel, law: Law) -> Array:
     return gains
 
 
-def tune_axis(task: AxisTask, *, seed: int = 0, progress: Callable[[int], None] | None = None) -> TunedAxis:
+def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis:
     """Return the gains with the smallest largest error that keep the margins.
+
+    Parameters
+    ----------
+    task : AxisTask
+    unit : float [m]
+        Machine unit, in which the gains are rounded.
+    seed : int
 
     Raises
     ------
@@ -130,16 +137,12 @@ def tune_axis(task: AxisTask, *, seed: int = 0, progress: Callable[[int], None] 
 
     start, value = _placed(objective)
     start, value = _sequential(objective, start, value)
-    found = search(objective, np.vstack([start, _drawn(STARTS - 1, seed)]), budget=BUDGET, seed=seed, population=32, progress=progress)
+    found = search(objective, np.vstack([start, _drawn(STARTS - 1, seed)]), budget=BUDGET, seed=seed, population=32)
     method, point = ("global", found.point) if found.value < value else ("sequential", start)
-    gains = np.array([_rounded(gain) for gain in gains_of(point[None], task.model, task.law)[0]])
+    gains = np.array([float(f"{unit * gain:.4g}") / unit for gain in gains_of(point[None], task.model, task.law)[0]])
     ended = tuple(name for name, place in zip(BOX, point.tolist(), strict=True) if not 0.005 < place < 0.995 and name != "integral")
     spread = max(task.largest(gains, factor) for factor in ROBUST)
     return TunedAxis(gains, method, loop_margins(gains, task.slower, task.law.period), task.largest(gains), spread, ended)
-
-
-def _rounded(value: float) -> float:
-    return float(f"{value:.4g}")
 
 
 def _drawn(count: int, seed: int) -> Array:
