@@ -19,7 +19,7 @@ from contourlab.features.commission.identification import IdentifiedAxis, identi
 from contourlab.features.commission.loop import GAINS, run_lanes
 from contourlab.features.commission.records import AxisLog, doubts, law_of, moving, read_log
 from contourlab.features.commission.report import changes, circle_png, gain_table, page, text_of
-from contourlab.features.commission.stability import robustly_stable
+from contourlab.features.commission.loop import robustly_stable
 from contourlab.features.commission.tuning import AxisTask, TunedAxis, tune_axis
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
@@ -29,6 +29,8 @@ from contourlab.result.atomic import write_bytes_atomic
 
 HIDDEN: dict[str, Any] = {"json": False}
 FIRST, SECOND = ("excite.ngc", "sampler.hal", "steps.md"), ("report.html", "gains.diff", "safe.diff", "circle.png")
+OFF_RUNS = 8
+"""Runs that begin with LinuxCNC off, where the log shows it."""
 CIRCLE = 0.01
 """Radius of the circle in the report [m]."""
 
@@ -207,7 +209,9 @@ class _Work:
         if not any(np.ptp(command) > 0.0 for command in commands):
             commands = [log.command for log in logs]  # the program does not move this axis
         noises = [identified.noise_like(command, self.seed + k) for k, command in enumerate(commands)]
-        task = AxisTask(identified.model, law, commands, noises, *self.margins)
+        free = max(log.free for log in logs)
+        off = [identified.noise_like(np.zeros(free + 300), self.seed + 100 + k) for k in range(OFF_RUNS if free else 0)]
+        task = AxisTask(identified.model, law, commands, noises, off, free, axis.always_enabled, *self.margins)
         present = self.present(axis)
         measured = max(float(np.abs(log.error).max()) for log in logs)
         before = task.largest(present) if self.planned else measured
@@ -301,10 +305,14 @@ def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
 
 def _planned(program: Any, setup: Setup) -> dict[str, Array]:
     from contourlab.feed import AxisLimits, blended, plan, route_from_program
+    from contourlab.program import Arc, Dwell
     from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
     letters = [letter for letter in "xyz" if _limits(setup, letter) is not None]
     pairs = np.array([_limits(setup, letter) for letter in letters]) * setup.unit
+    # LinuxCNC speeds up along an arc with half the acceleration.
+    straight = [any(not isinstance(move, Arc | Dwell) and move.start[k] != move.end[k] for move in program.moves) for k in range(3)]
+    pairs[:, 1] *= [1.0 if straight["xyz".index(letter)] else 0.5 for letter in letters]
     limits = AxisLimits(pairs[:, 0], pairs[:, 1])
     route = blended(route_from_program(program, letters, default_tolerance=DEFAULT_CORNER_TOLERANCE), limits)
     reference = plan(route, limits, setup.period)

@@ -94,6 +94,8 @@ class AxisSetup:
     previous_target : bool or None
         ``error-previous-target``, if set.
     maxoutput, backlash : float
+    always_enabled : bool
+        Whether ``enable`` is set, not connected.
     """
 
     name: str
@@ -107,6 +109,7 @@ class AxisSetup:
     previous_target: bool | None = None
     maxoutput: float = 0.0
     backlash: float = 0.0
+    always_enabled: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -305,10 +308,15 @@ class _Wiring:
             max((one.line for one in mine), default=0),
             signals,
             self._limits(letter, joint),
-            None if previous is None else previous.words[2].lower() in ("1", "true", "yes"),
+            None if previous is None else self._true(f"{name}.error-previous-target"),
             self._number(limit) if limit else 0.0,
             self.ini.number(f"JOINT_{joint}", "BACKLASH") or 0.0,
+            self._true(f"{name}.enable"),
         )
+
+    def _true(self, pin: str) -> bool:
+        """Return whether a pin is set to true."""
+        return pin in self.set and self.set[pin].words[2].lower() in ("1", "true", "yes")
 
     def _number(self, one: Statement) -> float:
         try:
@@ -342,6 +350,8 @@ class _Wiring:
             self.findings.append(finding("CL855", place, signal=fed, joint=joint))
         if f"{name}.enable" not in self.signal_of and f"{name}.enable" not in self.set:
             self.findings.append(finding("CL856", self.file.name, pin=f"{name}.enable"))
+        if self._true(f"{name}.enable"):
+            self.findings.append(finding("CL861", self.set[f"{name}.enable"].place, pin=f"{name}.enable"))
         calculation, controller = f"{name}.do-pid-calcs", "motion-controller"
         if calculation not in self.functions:
             self.findings.append(finding("CL857", self.file.name, function=calculation))

@@ -170,7 +170,9 @@ def _noise_at_rest(log: AxisLog) -> Array:
         mean = np.convolve(values, np.ones(window) / window, "valid")
         return np.asarray(values[window // 2 : window // 2 + mean.size] - mean) * math.sqrt(window / (window - 1))
 
-    return np.concatenate([np.zeros(0), *(around(part) for part in parts)])
+    samples = np.concatenate([np.zeros(0), *(around(part) for part in parts)])
+    # An axis that slips at rest leaves steps, which are no noise.
+    return samples[np.abs(samples) <= 4.0 * float(np.median(np.abs(samples)))] if samples.size else samples
 
 
 def _noise_in_motion(log: AxisLog) -> float:

@@ -12,11 +12,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from contourlab.arrays import Array
+from contourlab.analysis.linear.margins import Margins, frequency_grid, margins
+from contourlab.arrays import Array, Flags
 from contourlab.native.kernel import kernel
 
 GAINS = ("Pgain", "Igain", "Dgain", "FF0", "FF1", "FF2", "FF3")
@@ -89,35 +91,38 @@ def _driven(output: Array, axis: Array, start: Array, position: Array) -> None:
 
 @kernel("f8[:] f8[:] f8[:,:] f8[:,:] f8[:] f8[:] f8[:,:] f8[:,:]")
 def _closed(command: Array, noise: Array, gains: Array, axis: Array, law: Array, memory: Array, figures: Array, trace: Array) -> None:
-    """Run the loop for each row of gains and axis; `law` is (period, previous target, limit); the last lane leaves its trace."""
-    period, previous, limit = law[0], law[1] > 0.0, law[2]
+    """Run the loop for each row of gains and axis; `law` is (period, previous target, limit, free); the last lane leaves its trace."""
+    period, previous, limit, free = law[0], law[1] > 0.0, law[2], int(law[3])
     for i in range(gains.shape[0]):
         p, integral, d = gains[i, 0], gains[i, 1], gains[i, 2]
         whole, rest = int(axis[i, 6]), axis[i, 7]
         x, v, summed, held = command[0], 0.0, 0.0, 0.0
         last, last_rate, last_second, last_measured, last_output = command[0], 0.0, 0.0, command[0], 0.0
-        largest, square, most, rough, limited = 0.0, 0.0, 0.0, 0.0, 0.0
+        largest, square, most, rough, limited, shift = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
         for k in range(memory.size):
             memory[k] = 0.0
         for k in range(command.size):
             measured = x - rest * v + noise[k]
-            error = (last if previous else command[k]) - measured
+            if k < free:
+                shift = measured - command[k]
+            target = command[k] + shift
+            error = (last if previous else target) - measured
             if error * held <= 0.0:
                 summed += error * period
-            rate = (command[k] - last) / period
+            rate = (target - last) / period
             second = (rate - last_rate) / period
             third = (second - last_second) / period
             slope = (measured - last_measured) / period
             u = p * error + integral * summed + d * (rate - slope)
-            u += gains[i, 3] * command[k] + gains[i, 4] * rate + gains[i, 5] * second + gains[i, 6] * third
+            u += gains[i, 3] * target + gains[i, 4] * rate + gains[i, 5] * second + gains[i, 6] * third
             held = 0.0
             if limit > 0.0 and (u > limit or u < -limit):
                 held = 1.0 if u > limit else -1.0
                 u = held * limit
                 limited += 1.0
             memory[k % memory.size] = u
-            last, last_rate, last_second, last_measured = command[k], rate, second, measured
-            off = command[k] - measured
+            last, last_rate, last_second, last_measured = target, rate, second, measured
+            off = target - measured
             largest = max(largest, abs(off))
             square += off * off
             most = max(most, abs(u))
@@ -185,7 +190,9 @@ class Runs:
     command_output: Array
 
 
-def run_lanes(command: Array, noise: Array, gains: Array, models: Sequence[AxisModel], law: Law, *, trace: bool = False) -> Runs:
+def run_lanes(
+    command: Array, noise: Array, gains: Array, models: Sequence[AxisModel], law: Law, *, trace: bool = False, free: int = 0
+) -> Runs:
     """Run the closed loop once for each row of gains.
 
     Parameters
@@ -200,11 +207,13 @@ def run_lanes(command: Array, noise: Array, gains: Array, models: Sequence[AxisM
     law : Law
     trace : bool
         Return position and output of the last row.
+    free : int
+        Number of samples at the start in which LinuxCNC is off and the command follows the position; later commands are shifted.
     """
     rows = [model.row(law.period) for model in models]
     axis = np.array(rows * len(gains) if len(rows) == 1 else rows)
     figures, kept = np.empty((len(gains), 5)), np.zeros((command.size if trace else 0, 2))
-    settings = np.array([law.period, float(law.previous_target), law.limit])
+    settings = np.array([law.period, float(law.previous_target), law.limit, float(free)])
     parts = [np.ascontiguousarray(part) for part in (command, noise, gains)]
     _closed(*parts, axis, settings, np.empty(MOST_DELAY + 1), figures, kept)
     return Runs(*figures.T, kept[:, 0], kept[:, 1])
@@ -225,3 +234,76 @@ def law_output(command: Array, measured: Array, gains: Sequence[float], law: Law
     for gain, part in zip(ahead, (command, rate, second, slope(second)), strict=True):
         output = output + gain * part
     return np.asarray(output)
+
+
+# --- margins, without friction -------------------------------------------------------------------------------------------------------
+
+GRID = 500
+"""Frequencies of the quick check of many sets of gains."""
+ROBUST = (0.75, 1.0, 1.25)
+"""Factors of the axis gain at which the loop must be stable."""
+Complex = NDArray[np.complex128]
+
+
+def _axis_response(model: AxisModel, period: float, z: Complex) -> Complex:
+    """Return the measured position over the output at points z."""
+    decay, gained, travel, gain, _, _, whole, rest = model.row(period)
+    velocity = gained / (z - decay)
+    response: Complex = gain * ((gained * velocity + travel) / (z - 1.0) - rest * velocity) * z**-whole
+    return response
+
+
+def _law_response(gains: Array, period: float, z: Complex) -> Complex:
+    """Return output over error of ``pid`` (n, k) at points z (k,)."""
+    p, i, d = (gains[:, k, None] for k in range(3))
+    response: Complex = p + i * period * z / (z - 1.0) + d * (z - 1.0) / (period * z)
+    return response
+
+
+def loop_margins(gains: Array, model: AxisModel, period: float) -> Margins:
+    """Return the margins of one set of gains, in the order of `loop.GAINS` [per metre]."""
+    poles = _poles(gains, model, period)
+    grid = frequency_grid(period, poles, int(model.row(period)[6]) + 1)
+
+    def loop(w: Array) -> Complex:
+        z = np.exp(1j * w * period)
+        response: Complex = _law_response(gains[None], period, z)[0] * _axis_response(model, period, z)
+        return response
+
+    return margins(loop, grid[grid > 0.0], stable=bool(np.abs(poles).max() < 1.0))
+
+
+def _poles(gains: Array, model: AxisModel, period: float) -> Complex:
+    """Return the poles of the closed loop, from the polynomials of law and axis in z."""
+    decay, gained, travel, gain, _, _, whole, rest = model.row(period)
+    p, i, d = gains[:3]
+    # ((gained^2 + travel (z - decay)) - rest gained (z - 1)) / ((z - decay) (z - 1) z^whole)
+    top = gain * np.array([travel - rest * gained, gained**2 - travel * decay + rest * gained])
+    below = np.concatenate([np.polymul([1.0, -decay], [1.0, -1.0]), np.zeros(int(whole))])
+    law = np.array([p + i * period + d / period, -p - 2.0 * d / period, d / period])
+    return np.asarray(np.roots(np.polyadd(np.polymul(below, [1.0, -1.0, 0.0]), np.polymul(top, law))))
+
+
+def robustly_stable(gains: Array, model: AxisModel, period: float) -> bool:
+    """Return whether the loop is stable with the gain of the axis a quarter smaller, as identified, and a quarter larger."""
+    scaled = (replace(model, gain=share * model.gain) for share in ROBUST)
+    return all(float(np.abs(_poles(gains, one, period)).max()) < 1.0 - 1e-9 for one in scaled)
+
+
+def keep_margins(gains: Array, model: AxisModel, period: float, gain_margin: float, phase_margin: float) -> Flags:
+    """Return which sets of gains (n, 7) are stable and keep the margins [dB, deg], on a grid of frequencies."""
+    w = np.geomspace(1e-4, 1.0, GRID) * math.pi / period
+    z = np.exp(1j * w * period)
+    loop = _law_response(gains, period, z) * _axis_response(model, period, z)[None]
+    size, angle = np.log(np.abs(loop)), np.angle(-loop)
+    crosses = (size[:, 1:] > 0.0) != (size[:, :-1] > 0.0)
+    phase = np.minimum(np.abs(angle[:, 1:]), np.abs(angle[:, :-1]))
+    enough = ~(crosses & (phase < math.radians(phase_margin))).any(axis=1)
+    # The angle to -1 passes zero; a jump by a turn is no crossing.
+    meets = ((angle[:, 1:] > 0.0) != (angle[:, :-1] > 0.0)) & (np.abs(np.diff(angle, axis=1)) < math.pi)
+    near = np.minimum(np.abs(size[:, 1:]), np.abs(size[:, :-1])) < gain_margin * math.log(10.0) / 20.0
+    enough &= ~(meets & near).any(axis=1)
+    # At half the sample rate the loop is real: it meets the axis without crossing it.
+    enough &= ~((loop[:, -1].real < 0.0) & (np.abs(size[:, -1]) < gain_margin * math.log(10.0) / 20.0))
+    enough[enough] = [robustly_stable(row, model, period) for row in gains[enough]]
+    return np.asarray(enough)

@@ -35,8 +35,8 @@ class AxisLog:
     command, measured : ndarray (n,) [m]
     output : ndarray (n,)
     load : ndarray (n,) or None [m]
-    first : int
-        Sample of the log at which the record begins.
+    free : int
+        Samples at the start in which LinuxCNC was off and the command followed the position.
     """
 
     source: str
@@ -46,7 +46,7 @@ class AxisLog:
     measured: Array
     output: Array
     load: Array | None = None
-    first: int = 0
+    free: int = 0
 
     @property
     def error(self) -> Array:
@@ -129,15 +129,26 @@ def _axis_log(
 
 
 def moving(log: AxisLog) -> AxisLog:
-    """Return a log from half a second before the first motion of the axis to half a second after its last; from rest."""
-    moves = np.flatnonzero(np.diff(log.command))
+    """Return a log from half a second before the first motion of the axis to half a second after its last, from rest."""
+    free = _off(log)
+    moves = free + np.flatnonzero(np.diff(log.command[free:]))
     if not moves.size:
         return log
     margin = round(0.5 / log.period)
-    first, last = max(int(moves[0]) - margin, 0), min(int(moves[-1]) + margin, log.command.size)
+    first, last = max(int(moves[0]) - margin, free + min(margin, int(moves[0]) - free)), min(int(moves[-1]) + margin, log.command.size)
     part = slice(first, last)
     load = None if log.load is None else log.load[part]
-    return replace(log, command=log.command[part], measured=log.measured[part], output=log.output[part], load=load, first=first)
+    return replace(log, command=log.command[part], measured=log.measured[part], output=log.output[part], load=load, free=free)
+
+
+def _off(log: AxisLog) -> int:
+    """Return the number of samples until LinuxCNC was switched on: while it is off, the command repeats the noisy position."""
+    equal = np.concatenate([[False], np.abs(log.error) <= 2e-9, [False]])
+    edges = np.flatnonzero(np.diff(equal.astype(np.int8)))
+    for first, last in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        if first < 100 and last - first > 20 and np.ptp(log.measured[first:last]) > 0.0:
+            return int(last)
+    return 0
 
 
 # --- can the signals be what they are called? -----------------------------------------------------------------------------------------

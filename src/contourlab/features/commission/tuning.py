@@ -12,8 +12,7 @@ from contourlab.analysis.linear.margins import Margins
 from contourlab.arrays import Array
 from contourlab.design import search
 from contourlab.errors import ParameterError
-from contourlab.features.commission.loop import AxisModel, Law, run_lanes
-from contourlab.features.commission.stability import ROBUST, keep_margins, loop_margins
+from contourlab.features.commission.loop import GAINS, ROBUST, AxisModel, Law, keep_margins, loop_margins, run_lanes
 
 UNSEEN = 1.0
 """Delay in periods, beyond that of the model, with which the margins must hold: a log of slow motion does not show the current loop."""
@@ -22,6 +21,8 @@ TIE = 0.05
 """Weight of the rms error beside the largest."""
 ROUGH = 0.1
 """Largest rms step of the output from noise, as a share of the largest output; beyond it the noise is heard in the motor."""
+OFF = 0.2
+"""Weight of the error at switching on with a larger gain of the axis."""
 BOX = {"bandwidth": (0.003, 0.6), "damping": (0.3, 3.0), "integral": (1e-5, 0.3), "ff1": (0.6, 1.4), "ff2": (0.0, 3.0)}
 """Ranges: bandwidth times period, damping ratio, integral rate over bandwidth, and factors of the nominal feedforward."""
 
@@ -35,6 +36,11 @@ class AxisTask:
     model : AxisModel
     law : Law
     commands, noises : sequence of ndarray (n,) [m]
+    off : sequence of ndarray (n,) [m]
+        Noise of further runs that begin with `free` samples in which LinuxCNC is off, and then hold; a pid that is always enabled drifts.
+    free : int
+    always_enabled : bool
+        While LinuxCNC is off the pid then feeds measured acceleration back; the loop must bear that with a larger gain too.
     gain_margin, phase_margin : float [dB, deg]
     """
 
@@ -42,13 +48,27 @@ class AxisTask:
     law: Law
     commands: Sequence[Array]
     noises: Sequence[Array]
+    off: Sequence[Array] = ()
+    free: int = 0
+    always_enabled: bool = False
     gain_margin: float = 6.0
     phase_margin: float = 30.0
+
+    @property
+    def box(self) -> dict[str, tuple[float, float]]:
+        """The ranges of the search."""
+        return BOX | ({"ff2": (0.0, 1.0 / max(ROBUST))} if self.always_enabled else {})
 
     def largest(self, gains: Array, factor: float = 1.0) -> float:
         """Return the largest error [m] of one set of gains; `factor` scales the gain of the axis."""
         scaled = replace(self.model, gain=factor * self.model.gain)
-        return max(float(run_lanes(*pair, gains[None], [scaled], self.law).largest[0]) for pair in self.pairs())
+        worst = max(float(run_lanes(*pair, gains[None], [scaled], self.law).largest[0]) for pair in self.pairs())
+        return max(worst, float(self.switched_on(gains[None], scaled)[0]))
+
+    def switched_on(self, gains: Array, model: AxisModel) -> Array:
+        """Return the largest error (m,) [m] after LinuxCNC is switched on, the mean over the runs."""
+        largest = [run_lanes(np.zeros(noise.size), noise, gains, [model], self.law, free=self.free).largest for noise in self.off]
+        return np.asarray(np.mean(largest, axis=0)) if largest else np.zeros(len(gains))
 
     @property
     def slower(self) -> AxisModel:
@@ -58,6 +78,22 @@ class AxisTask:
     def pairs(self) -> Sequence[tuple[Array, Array]]:
         """Return commands with their noises."""
         return list(zip(self.commands, self.noises, strict=True))
+
+    def gains(self, points: Array) -> Array:
+        """Return the gains (n, 7) of points (n, 5) in the box from 0 to 1."""
+        model, period = self.model, self.law.period
+        low, high = np.array(list(self.box.values())).T
+        bandwidth, damping, integral = (low[:3] * (high[:3] / low[:3]) ** points[:, :3]).T
+        ff1, ff2 = (low[3:] + points[:, 3:] * (high[3:] - low[3:])).T
+        w = bandwidth / period
+        p = w**2 / model.gain
+        gains = np.zeros((len(points), len(GAINS)))
+        gains[:, 0] = p
+        gains[:, 1] = p * w * integral
+        gains[:, 2] = np.maximum(2.0 * damping * w - model.damping, 0.0) / model.gain
+        gains[:, 4] = ff1 * (model.damping / model.gain + (p * period if self.law.previous_target else 0.0))
+        gains[:, 5] = ff2 / model.gain
+        return gains
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,8 +111,6 @@ class TunedAxis:
         Largest error on the commands.
     spread : float [m]
         The same at worst with the gain of the axis a quarter off.
-    ended : tuple of str
-        Numbers of `BOX` at an end of their range.
     """
 
     gains: Array
@@ -84,24 +118,6 @@ class TunedAxis:
     margins: Margins
     largest: float
     spread: float
-    ended: tuple[str, ...]
-
-
-def gains_of(points: Array, model: AxisModel, law: Law) -> Array:
-    """Return the gains (n, 7) of points (n, 5) in the box from 0 to 1."""
-    low, high = np.array(list(BOX.values())).T
-    geometric = low[:3] * (high[:3] / low[:3]) ** points[:, :3]
-    bandwidth, damping, integral = geometric.T
-    ff1, ff2 = (low[3:] + points[:, 3:] * (high[3:] - low[3:])).T
-    w = bandwidth / law.period
-    p = w**2 / model.gain
-    gains = np.zeros((len(points), 7))
-    gains[:, 0] = p
-    gains[:, 1] = p * w * integral
-    gains[:, 2] = np.maximum(2.0 * damping * w - model.damping, 0.0) / model.gain
-    gains[:, 4] = ff1 * (model.damping / model.gain + (p * law.period if law.previous_target else 0.0))
-    gains[:, 5] = ff2 / model.gain
-    return gains
 
 
 def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis:
@@ -121,12 +137,16 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
     """
 
     def objective(points: Array) -> Array:
-        gains = gains_of(points, task.model, task.law)
+        gains = task.gains(points)
         good = keep_margins(gains, task.slower, task.law.period, task.gain_margin, task.phase_margin)
         values = np.full(len(points), np.inf)
         if not good.any():
             return values
-        worst, rms, excess = (np.zeros(int(good.sum())) for _ in range(3))
+        rms, excess = np.zeros((2, int(good.sum())))
+        worst = task.switched_on(gains[good], task.model)
+        if task.off:
+            larger = replace(task.model, gain=max(ROBUST) * task.model.gain)
+            worst = np.maximum(worst, OFF * task.switched_on(gains[good], larger))
         for command, noise in task.pairs():
             runs = run_lanes(command, noise, gains[good], [task.model], task.law)
             worst, rms = np.maximum(worst, runs.largest), np.maximum(rms, runs.rms)
@@ -139,10 +159,9 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
     start, value = _sequential(objective, start, value)
     found = search(objective, np.vstack([start, _drawn(STARTS - 1, seed)]), budget=BUDGET, seed=seed, population=32)
     method, point = ("global", found.point) if found.value < value else ("sequential", start)
-    gains = np.array([float(f"{unit * gain:.4g}") / unit for gain in gains_of(point[None], task.model, task.law)[0]])
-    ended = tuple(name for name, place in zip(BOX, point.tolist(), strict=True) if not 0.005 < place < 0.995 and name != "integral")
+    gains = np.array([float(f"{unit * gain:.4g}") / unit for gain in task.gains(point[None])[0]])
     spread = max(task.largest(gains, factor) for factor in ROBUST)
-    return TunedAxis(gains, method, loop_margins(gains, task.slower, task.law.period), task.largest(gains), spread, ended)
+    return TunedAxis(gains, method, loop_margins(gains, task.slower, task.law.period), task.largest(gains), spread)
 
 
 def _drawn(count: int, seed: int) -> Array:
