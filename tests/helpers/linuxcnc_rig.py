@@ -129,7 +129,7 @@ addf pid.x.do-pid-calcs servo-thread
 addf pid.y.do-pid-calcs servo-thread
 """
 HAL_AXIS = """
-setp pid.{a}.enable TRUE
+net {a}-enable joint.{n}.amp-enable-out => pid.{a}.enable
 net {a}-cmd joint.{n}.motor-pos-cmd => pid.{a}.command
 net {a}-fb axis.{a}.motor => pid.{a}.feedback joint.{n}.motor-pos-fb
 net {a}-out pid.{a}.output => axis.{a}.u
@@ -269,7 +269,8 @@ class Rig:
             (folder / "user.py").write_text(USER.replace("LIMIT", f"{limit:g}"))
             (folder / "user.py").chmod(0o755)
             # The folder appears as /mnt behind an empty /tmp. When the first process ends, so do all in its namespace.
-            inside = f"ip link set lo up 2>/dev/null; mount --bind {folder} /mnt && mount -t tmpfs none /tmp && cd /mnt && linuxcnc -r rig.ini"
+            mounts = f"mount --bind {folder} /mnt && mount -t tmpfs none /tmp"
+            inside = f"ip link set lo up 2>/dev/null; {mounts} && cd /mnt && linuxcnc -r rig.ini"
             spaces = ("--ipc", "--pid", "--net", "--mount", "--fork", "--mount-proc", "--kill-child")
             environment = {**os.environ, "RTAPI_UID": "1000", "RTAPI_FIFO_PATH": "/mnt/fifo", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}
             environment.pop("PYTHONPATH", None)
@@ -292,7 +293,8 @@ def missing() -> str:
     tools = [tool for tool in TOOLS if not shutil.which(tool)]
     if tools:
         return f"not installed: {', '.join(tools)} (apt-get install linuxcnc-uspace linuxcnc-uspace-dev gcc make)"
-    if os.geteuid() != 0 or subprocess.run(["unshare", "--ipc", "--pid", "--mount", "--net", "--fork", "true"], capture_output=True).returncode:
+    spaces = ["unshare", "--ipc", "--pid", "--mount", "--net", "--fork", "true"]
+    if os.geteuid() != 0 or subprocess.run(spaces, capture_output=True).returncode:
         return "the rig needs root and namespaces"
     return ""
 

@@ -23,7 +23,7 @@ def linuxcnc(
     ini: Annotated[Path, typer.Argument(metavar="INI", help="The machine's INI file.", show_default=False)],
     hal: Annotated[Path, typer.Argument(metavar="HAL", help="The HAL file with its pid components.", show_default=False)],
     log: Annotated[
-        list[Path] | None, typer.Option(help="Log of a run with the present gains; repeatable. Without it: what to run.", show_default=False)
+        list[Path] | None, typer.Option(help="Log of a run with the present gains; repeatable. Without: what to run.", show_default=False)
     ] = None,
     program: Annotated[
         Path | None, typer.Option(help="Part program to tune and predict for; by default what the logs ran.", show_default=False)

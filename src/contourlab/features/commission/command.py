@@ -16,10 +16,9 @@ from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.commission.excitation import excitation, sampler_lines, steps
 from contourlab.features.commission.hal_files import AxisSetup, Setup, read_setup
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
-from contourlab.features.commission.loop import GAINS, run_lanes
+from contourlab.features.commission.loop import GAINS, robustly_stable, run_lanes
 from contourlab.features.commission.records import AxisLog, doubts, law_of, moving, read_log
 from contourlab.features.commission.report import changes, circle_png, gain_table, page, text_of
-from contourlab.features.commission.loop import robustly_stable
 from contourlab.features.commission.tuning import AxisTask, TunedAxis, tune_axis
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
@@ -263,7 +262,8 @@ def _written(work: _Work, findings: Sequence[Finding], files: Sequence[Path], pr
     diff, picture = changes(setup, gains), _circle(work, gains)
     report, gain_diff, safe_diff, image = files
     title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {Path(program).name}")
-    texts = {report: page(title, list(answer), rows, heads, diff, picture, tuple(findings)), gain_diff: diff, safe_diff: changes(setup, safe)}
+    html = page(title, answer, rows, heads, diff, picture, findings)
+    texts = {report: html, gain_diff: diff, safe_diff: changes(setup, safe)}
     for file, text in texts.items():
         write_text_atomic(file, text)
     if picture is not None:

@@ -128,10 +128,10 @@ def steps(setup: Setup, log: str = "log1.csv") -> str:
 {chr(10).join(rows)}
 
 1. **Copy** your configuration. Nothing in it was changed.
-2. **Sampler.** Put `sampler.hal` beside `{hal}` and add `HALFILE = sampler.hal` as last HALFILE of the copy. If you already load a sampler, add its
-   pins to yours instead.
-3. **Clear the way.** `excite.ngc` moves every axis around the middle of its travel, at up to full speed and acceleration, without a tool or a part.
-   Watch the first run with reduced feed override.
+2. **Sampler.** Put `sampler.hal` beside `{hal}` and add `HALFILE = sampler.hal` as last HALFILE of the copy. If you already load a
+   sampler, add its pins to yours instead.
+3. **Clear the way.** `excite.ngc` moves every axis around the middle of its travel, at up to full speed and acceleration, without a
+   tool or a part. Watch a first run with reduced feed override.
 4. **Record.** Start LinuxCNC, home, then type in a terminal
 
        halsampler -t > {log.replace(".csv", ".txt")}

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from contourlab.analysis.identification.first_order import identify_first_order
+from contourlab.analysis.identification.first_order import FirstOrderFit, identify_first_order
 from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
@@ -121,14 +121,13 @@ def _split(log: AxisLog) -> int:
     return int(np.searchsorted(moves, FITTED * moves[-1])) + 1
 
 
-def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, start: object) -> OutputFit:
+def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, first: FirstOrderFit) -> OutputFit:
     """Fit the sampled axis to the velocities of all logs, from the parameters of a fit in continuous time."""
-    first: Mapping[str, float] = start  # type: ignore[assignment]
-    s, period = start.smoothing, law.period  # type: ignore[attr-defined]
+    s, period = first.smoothing, law.period
     pairs = [(log.output[:n], log.measured[:n]) for log, n in zip(logs, split, strict=True)]
 
     def differenced(position: Array) -> Array:
-        return np.diff(position[::s]) / (s * period)
+        return np.asarray(np.diff(position[::s]) / (s * period))
 
     measured = np.concatenate([differenced(position) for _, position in pairs])
 

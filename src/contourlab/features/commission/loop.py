@@ -3,9 +3,9 @@
 The law is that of ``src/hal/components/pid.c``: the error of the same period is in the integral, derivatives are differences over a period,
 and with ``error-previous-target`` (on by default since 2.8) the error is counted from the command of the period before.
 
-The axis is v' = -damping v + gain u - offset - friction sign(v) under a held output, exact between samples, and held where it turns. Its output
-arrives after a whole number of periods; the rest of the delay is a shift of the measured position, x - rest v. The rest may be negative, down
-to about half a period: an axis simulated in the servo thread is ahead of a held output.
+The axis is v' = -damping v + gain u - offset - friction sign(v) under a held output, exact between samples, and held where it turns. Its
+output arrives after a whole number of periods; the rest of the delay is a shift of the measured position, x - rest v. The rest may be
+negative, down to about half a period: an axis simulated in the servo thread is ahead of a held output.
 """
 
 from __future__ import annotations
@@ -216,7 +216,8 @@ def run_lanes(
     settings = np.array([law.period, float(law.previous_target), law.limit, float(free)])
     parts = [np.ascontiguousarray(part) for part in (command, noise, gains)]
     _closed(*parts, axis, settings, np.empty(MOST_DELAY + 1), figures, kept)
-    return Runs(*figures.T, kept[:, 0], kept[:, 1])
+    largest, rms, output, rough, limited = figures.T
+    return Runs(largest, rms, output, rough, limited, kept[:, 0], kept[:, 1])
 
 
 def law_output(command: Array, measured: Array, gains: Sequence[float], law: Law) -> Array:

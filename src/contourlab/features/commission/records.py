@@ -118,6 +118,7 @@ def _column(names: Mapping[str, str], numbered: Mapping[str, str], axis: AxisSet
 def _axis_log(
     axis: AxisSetup, signals: Mapping[str, Array], source: str, period: float, unit: float, findings: list[Finding]
 ) -> AxisLog:
+    """Return the log of an axis; compute an output that was not recorded."""
     command, measured = signals["reference"], signals["position"]
     output = signals.get("command")
     if output is None or not np.isfinite(output).all():
@@ -192,7 +193,7 @@ def _scale(log: AxisLog, place: str) -> Iterator[Finding]:
 
 
 def saturation(log: AxisLog, limit: float) -> float:
-    """Return the share of samples at a limit of the output: `limit` if given, else a plateau of five equal samples at the largest output."""
+    """Return the share of samples at a limit of the output: `limit`, or without it a plateau of five equal samples at the largest."""
     size = np.abs(log.output)
     if limit > 0.0:
         return float(np.mean(size >= 0.999 * limit))
@@ -234,25 +235,25 @@ def _left(difference: Array) -> float:
 
 def _diagnosis(log: AxisLog, gains: Array, laws: Sequence[Law], place: str) -> list[Finding]:
     used = np.flatnonzero(gains)
-    best: tuple[float, Array] = (math.inf, np.ones(used.size))
+    best: tuple[float, list[float]] = (math.inf, [1.0] * used.size)
     for law in laws:
         columns = [law_output(log.command, log.measured, np.where(np.arange(7) == k, gains, 0.0).tolist(), law) for k in used]
         rows = np.column_stack([*columns, np.ones(log.output.size)])
         shares = np.linalg.lstsq(rows, log.output, rcond=None)[0]
         left = _left(rows @ shares - log.output) / float(log.output.std())
         if left < best[0]:
-            best = (left, shares[:-1])
-    left, shares = best
+            best = (left, shares[:-1].tolist())
+    left, factors = best
     if left > 5.0 * AGREES:
         return [finding("CL880", place, share=min(left, 1.0))]
     names = [GAINS[k] for k in used]
-    p = float(shares[names.index("Pgain")]) if "Pgain" in names else float(shares[0])
-    ahead = float(shares[names.index("FF1")]) if "FF1" in names else p
+    p = factors[names.index("Pgain")] if "Pgain" in names else factors[0]
+    ahead = factors[names.index("FF1")] if "FF1" in names else p
     if p < 0.0:
         return [finding("CL881", place)]
     if abs(p - 1.0) < 0.05 and abs(ahead - 1.0) > 0.05 and ahead > 0.0:
         # Differences over the true period are larger than those computed here by the ratio of the periods.
         return [finding("CL882", place, factor=1.0 / ahead)]
-    if np.ptp(shares) < 0.05 * abs(p):
+    if max(factors) - min(factors) < 0.05 * abs(p):
         return [finding("CL883", place, factor=p)]
-    return [finding("CL884", place, gains=[f"{name} {share:.3g} times" for name, share in zip(names, shares.tolist(), strict=True)])]
+    return [finding("CL884", place, gains=[f"{name} {share:.3g} times" for name, share in zip(names, factors, strict=True)])]

@@ -6,7 +6,7 @@ import base64
 import difflib
 import io
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from html import escape
 from pathlib import Path
 
@@ -18,8 +18,8 @@ from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.rendering.style import scheme_style
 
-CSS = "body{font:16px/1.5 system-ui,sans-serif;max-width:56rem;margin:2rem auto;padding:0 1rem;color:#1c2733}table{border-collapse:collapse}\
-td,th{padding:.2rem .8rem;border-bottom:1px solid #ccd3da;text-align:right}td:first-child,th:first-child{text-align:left}\
+CSS = "body{font:16px/1.5 system-ui,sans-serif;max-width:56rem;margin:2rem auto;padding:0 1rem;color:#1c2733}\
+table{border-collapse:collapse}td,th{padding:.2rem .8rem;border-bottom:1px solid #ccd3da;text-align:right}td:first-child,th:first-child{text-align:left}\
 pre{background:#f3f5f7;padding:1rem;overflow:auto}img{max-width:100%}li{margin:.3rem 0}"
 
 
@@ -54,11 +54,11 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
             if float(entry.value) != value:
                 files[entry.file][entry.line - 1] = _replaced(line, entry.value, text_of(value))
     for file, by_line in added.items():
-        for line in sorted(by_line, reverse=True):
-            at = line or len(files[file])
+        for number in sorted(by_line, reverse=True):
+            at = number or len(files[file])
             if at and not files[file][at - 1].endswith("\n"):
                 files[file][at - 1] += "\n"
-            files[file][at:at] = by_line[line]
+            files[file][at:at] = by_line[number]
     diffs = (difflib.unified_diff(before[file], lines, f"a/{file.name}", f"b/{file.name}") for file, lines in files.items())
     return "".join(line if line.endswith("\n") else line + "\n" for diff in diffs for line in diff)
 
@@ -111,18 +111,28 @@ def gain_table(axes: tuple[AxisSetup, ...], columns: Mapping[str, Mapping[str, M
     return rows
 
 
-def page(title: str, answer: list[str], rows: list[list[str]], heads: list[str], diff: str, picture: bytes | None, findings: tuple[Finding, ...]) -> str:
+def page(
+    title: str,
+    answer: Sequence[str],
+    rows: list[list[str]],
+    heads: list[str],
+    diff: str,
+    picture: bytes | None,
+    findings: Sequence[Finding],
+) -> str:
     """Return the report as one HTML page."""
     table = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
     head = "".join(f"<th>{escape(cell)}</th>" for cell in heads)
-    image = "" if picture is None else f'<img alt="circle before and after" src="data:image/png;base64,{base64.b64encode(picture).decode()}">'
+    data = "" if picture is None else base64.b64encode(picture).decode()
+    image = f'<img alt="circle before and after" src="data:image/png;base64,{data}">' if data else ""
     remarks = "".join(
         f"<li><b>{escape(str(one))}</b> {escape(one.entry.meaning)} {escape(one.entry.remedy)}</li>"
         for one in sorted(findings, key=lambda one: ("error", "warning", "info").index(one.entry.severity))
     )
     parts = [f"<p><b>{escape(line)}</b></p>" for line in answer]
     if rows:
-        parts += [f"<h2>Gains</h2><table><tr>{head}</tr>{table}</table><p>Type in the safe values first, run the program, then the others.</p>"]
+        parts += [f"<h2>Gains</h2><table><tr>{head}</tr>{table}</table>"]
+        parts += ["<p>Type in the safe values first, run the program, then the proposed ones.</p>"]
     if image:
         parts += [f"<h2>Circle, simulated at the motors</h2>{image}"]
     if diff:
