@@ -225,7 +225,7 @@ class _Work:
         self.tuned[axis.name] = tuned
         self.predicted[axis.name] = Prediction(1e6 * before, 1e6 * tuned.largest, 1e6 * tuned.spread)
         noise = 3.0 * identified.noise
-        findings = [finding("CL891", place, noise=noise)] if noise > 0.5 * tuned.largest else []
+        findings = [finding("CL891", place, noise=noise)] if noise > 0.3 * tuned.largest else []
         return [*findings, finding("CL898", place, error=tuned.spread)] if tuned.spread > 0.5 * before else findings
 
     def gains(self, share: float = 1.0) -> dict[str, dict[str, float]]:
@@ -357,4 +357,3 @@ def _circle(work: _Work, gains: Mapping[str, Mapping[str, float]]) -> bytes | No
         last = slice(half, planned["x"].size - round(0.3 / work.setup.period))
         curves[label] = (np.arctan2(y, x)[last], (np.hypot(x, y) - CIRCLE)[last])
     return circle_png(CIRCLE, curves)
-

@@ -110,9 +110,7 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
     found += [finding("CL894", place, share=share)] if share > 0.15 else []
     found += [finding("CL896", place, delay=model.delay)] if model.delay > 1.5 * law.period else []
     fitted = fit.fit
-    return IdentifiedAxis(
-        model, deviations, fitted, law, rest, noise, play, play_deviation, measured, simulated, tuple(found)
-    )
+    return IdentifiedAxis(model, deviations, fitted, law, rest, noise, play, play_deviation, measured, simulated, tuple(found))
 
 
 def _split(log: AxisLog) -> int:
@@ -236,4 +234,3 @@ def _resonance(fit: OutputFit, period: float, place: str) -> list[Finding]:
     if ratio[k] < PEAK or power[near].sum() < 0.3 * power[inside].sum():
         return []
     return [finding("CL895", place, frequency=float(frequency[k]))]
-

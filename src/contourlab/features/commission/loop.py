@@ -3,7 +3,7 @@
 The law is that of ``src/hal/components/pid.c``: the error of the same period is in the integral, derivatives are differences over a period,
 and with ``error-previous-target`` (on by default since 2.8) the error is counted from the command of the period before.
 
-The axis is v' = -damping v + gain u - offset - friction sign(v) under a held output, exact between samples, and held where it turns. Its
+The axis is v' = -damping v + gain u - offset - friction sign(v) under a held output, exact between samples, and sticks where it turns. Its
 output arrives after a whole number of periods; the rest of the delay is a shift of the measured position, x - rest v. The rest may be
 negative, down to about half a period: an axis simulated in the servo thread is ahead of a held output.
 """
@@ -74,7 +74,14 @@ def step(axis: Array, i: int, v: float, u: float) -> tuple[float, float]:
         return 0.0, 0.0
     after = axis[i, 0] * v + axis[i, 1] * push
     if v * after < 0.0:
-        return 0.0, 0.5 * v * axis[i, 1] * v / (v - after)
+        # It turns within the period; damping does not matter in what is left of it.
+        turn = v / (v - after)
+        left, travel = (1.0 - turn) * axis[i, 1], 0.5 * v * turn * axis[i, 1]
+        push = axis[i, 3] * u - axis[i, 5]
+        if abs(push) <= friction:
+            return 0.0, travel
+        push -= friction if push > 0.0 else -friction
+        return push * left, travel + 0.5 * push * left * left
     return after, axis[i, 1] * v + axis[i, 2] * push
 
 

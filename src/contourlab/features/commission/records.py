@@ -115,9 +115,7 @@ def _column(names: Mapping[str, str], numbered: Mapping[str, str], axis: AxisSet
     return next((names[name.lower()] for name in usual[signal] if name.lower() in names), None)
 
 
-def _axis_log(
-    axis: AxisSetup, signals: Mapping[str, Array], source: str, period: float, unit: float, findings: list[Finding]
-) -> AxisLog:
+def _axis_log(axis: AxisSetup, signals: Mapping[str, Array], source: str, period: float, unit: float, findings: list[Finding]) -> AxisLog:
     """Return the log of an axis; compute an output that was not recorded."""
     command, measured = signals["reference"], signals["position"]
     output = signals.get("command")
@@ -166,7 +164,7 @@ def doubts(logs: Mapping[str, AxisLog]) -> Iterator[Finding]:
         other = next((one for one, rival in logs.items() if one != name and _follows(log, rival) > max(0.98, _follows(log, log))), None)
         if other is not None:
             yield finding("CL874", place, other=other)
-        elif went < 0.05 * asked:
+        elif went < 0.02 * asked:
             yield finding("CL875", place, asked=asked, went=went)
         elif _follows(log, log) < -0.9:
             yield finding("CL876", place)

@@ -18,9 +18,12 @@ from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.rendering.style import scheme_style
 
-CSS = "body{font:16px/1.5 system-ui,sans-serif;max-width:56rem;margin:2rem auto;padding:0 1rem;color:#1c2733}\
-table{border-collapse:collapse}td,th{padding:.2rem .8rem;border-bottom:1px solid #ccd3da;text-align:right}td:first-child,th:first-child{text-align:left}\
-pre{background:#f3f5f7;padding:1rem;overflow:auto}img{max-width:100%}li{margin:.3rem 0}"
+CSS = """
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 56rem; margin: 2rem auto; padding: 0 1rem; color: #1c2733 }
+table { border-collapse: collapse }
+img { max-width: 100% } li { margin: .3rem 0 } pre { background: #f3f5f7; padding: 1rem; overflow: auto }
+td, th { padding: .2rem .8rem; border-bottom: 1px solid #ccd3da; text-align: right } td:first-child, th:first-child { text-align: left }
+"""
 
 
 def text_of(value: float) -> str:
