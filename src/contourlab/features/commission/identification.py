@@ -184,12 +184,13 @@ def _play(logs: Sequence[AxisLog]) -> tuple[float, float]:
         if log.load is None or np.ptp(log.load) < 0.05 * np.ptp(log.measured):
             continue
         gap = log.measured - log.load
-        way = np.sign(np.diff(log.command, prepend=log.command[:1])).astype(int)
+        moved = np.pad(log.measured[20:] - log.measured[:-20], 10, mode="edge")
+        way = np.where(np.abs(moved) > 0.01 * np.abs(moved).max(), np.sign(moved), 0.0).astype(int)
         edges = np.flatnonzero(np.diff(way)) + 1
         for a, b in zip([0, *edges], [*edges, way.size], strict=True):
             half = (a + b) // 2
             # The second half of a stroke that is much longer than any play.
-            if way[a] and abs(log.command[b - 1] - log.command[a]) > 1e-3:
+            if way[a] and abs(log.measured[b - 1] - log.measured[a]) > 1e-3:
                 ahead[int(way[a])].append(float(gap[half:b].mean()))
     if min(len(values) for values in ahead.values()) < 2:
         return math.nan, math.nan
