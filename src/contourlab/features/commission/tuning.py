@@ -21,6 +21,7 @@ TIE = 0.05
 """Weight of the rms error beside the largest."""
 ROUGH = 0.1
 """Largest rms step of the output from noise, as a share of the largest output; beyond it the noise is heard in the motor."""
+GROWTH = 0.5
 OFF = 0.2
 """Weight of the error at switching on with a larger gain of the axis."""
 BOX = {"bandwidth": (0.003, 0.6), "damping": (0.3, 3.0), "integral": (1e-5, 0.3), "ff1": (0.6, 1.4), "ff2": (0.0, 3.0)}
@@ -57,7 +58,7 @@ class AxisTask:
     @property
     def box(self) -> dict[str, tuple[float, float]]:
         """The ranges of the search."""
-        return BOX | ({"ff2": (0.0, 1.0 / max(ROBUST))} if self.always_enabled else {})
+        return BOX | ({"ff2": (0.0, 0.85 / max(ROBUST))} if self.always_enabled else {})
 
     def largest(self, gains: Array, factor: float = 1.0) -> float:
         """Return the largest error [m] of one set of gains; `factor` scales the gain of the axis."""
@@ -79,6 +80,18 @@ class AxisTask:
         """Return commands with their noises."""
         return list(zip(self.commands, self.noises, strict=True))
 
+    def most_ahead(self, ff2: Array) -> Array:
+        """Return the largest velocity feedforward (n,) beyond that for the previous target.
+
+        While LinuxCNC is off, feedforward feeds velocity and acceleration back: v grows at the rate (g FF1 - d)/(1 - g FF2), with gain g and
+        damping d of the axis. With g a quarter larger, it may grow by a factor of exp(`GROWTH`) until LinuxCNC is switched on.
+        """
+        if not self.off:
+            return np.full(ff2.size, math.inf)
+        gain = max(ROBUST) * self.model.gain
+        slower = np.maximum(1.0 - gain * ff2, 0.0) * GROWTH / (self.free * self.law.period)
+        return np.asarray((self.model.damping + slower) / gain)
+
     def gains(self, points: Array) -> Array:
         """Return the gains (n, 7) of points (n, 5) in the box from 0 to 1."""
         model, period = self.model, self.law.period
@@ -91,7 +104,8 @@ class AxisTask:
         gains[:, 0] = p
         gains[:, 1] = p * w * integral
         gains[:, 2] = np.maximum(2.0 * damping * w - model.damping, 0.0) / model.gain
-        gains[:, 4] = ff1 * (model.damping / model.gain + (p * period if self.law.previous_target else 0.0))
+        held = p * period if self.law.previous_target else np.zeros(len(points))
+        gains[:, 4] = np.minimum(ff1 * (model.damping / model.gain + held), held + self.most_ahead(ff2 / model.gain))
         gains[:, 5] = ff2 / model.gain
         return gains
 
