@@ -22,6 +22,7 @@ TIE = 0.05
 ROUGH = 0.1
 """Largest rms step of the output from noise, as a share of the largest output; beyond it the noise is heard in the motor."""
 GROWTH = 0.5
+"""Logarithm of the growth of a velocity that `AxisTask.most_ahead` allows."""
 OFF = 0.2
 """Weight of the error at switching on with a larger gain of the axis."""
 BOX = {"bandwidth": (0.003, 0.6), "damping": (0.3, 3.0), "integral": (1e-5, 0.3), "ff1": (0.6, 1.4), "ff2": (0.0, 3.0)}
@@ -83,8 +84,8 @@ class AxisTask:
     def most_ahead(self, ff2: Array) -> Array:
         """Return the largest velocity feedforward (n,) beyond that for the previous target.
 
-        While LinuxCNC is off, feedforward feeds velocity and acceleration back: v grows at the rate (g FF1 - d)/(1 - g FF2), with gain g and
-        damping d of the axis. With g a quarter larger, it may grow by a factor of exp(`GROWTH`) until LinuxCNC is switched on.
+        While LinuxCNC is off, feedforward feeds velocity and acceleration back: v grows at the rate (g FF1 - d)/(1 - g FF2), with gain g
+        and damping d of the axis. With g a quarter larger, it may grow by a factor of exp(`GROWTH`) until LinuxCNC is switched on.
         """
         if not self.off:
             return np.full(ff2.size, math.inf)
