@@ -22,6 +22,7 @@ from contourlab.cli.commands.backlash import backlash
 from contourlab.cli.commands.canon import canon
 from contourlab.cli.commands.check import check
 from contourlab.cli.commands.circle import circle
+from contourlab.cli.commands.commission import commission
 from contourlab.cli.commands.compare import compare
 from contourlab.cli.commands.components import components
 from contourlab.cli.commands.demo import demo
@@ -72,6 +73,7 @@ app.command("refine", rich_help_panel="Measure")(refine)
 app.command("interpolate", rich_help_panel="Measure")(interpolate)
 app.command("tune", rich_help_panel="Tune")(tune)
 app.command("notch", rich_help_panel="Tune")(notch)
+app.add_typer(commission, name="commission", rich_help_panel="Tune")
 app.command("sensitivity", rich_help_panel="Tune")(sensitivity)
 app.command("swap", rich_help_panel="Tune")(swap)
 app.command("export", rich_help_panel="Tune")(export)

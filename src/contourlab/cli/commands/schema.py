@@ -15,6 +15,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.check.canon import Canon
     from contourlab.features.check.program_check import Checked
     from contourlab.features.circle.result import CircleTest
+    from contourlab.features.commission.command import Commissioned
     from contourlab.features.components.description import ComponentDescription
     from contourlab.features.export.command import Exported
     from contourlab.features.identify.result import Identified
@@ -39,6 +40,7 @@ def results() -> dict[str, Any]:
         "canon": Canon,
         "check": Checked,
         "circle": CircleTest,
+        "commission": Commissioned,
         "compare": Summary | MeasuredSummary,
         "components": tuple[ComponentDescription, ...],
         "demo": Demo,

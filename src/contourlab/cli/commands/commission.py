@@ -1,0 +1,50 @@
+"""``contourlab commission``: from the files and logs of a control to its gains."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from contourlab.cli.options import GainMargin, Json, Out, PhaseMargin, Seed
+from contourlab.cli.output import show_result, suggest
+
+commission = typer.Typer(help="Commission the servo loops of a control: what to run, then the gains.", no_args_is_help=True)
+
+
+@commission.callback()
+def _commission() -> None:
+    """Commission the servo loops of a control: what to run, then the gains."""
+
+
+@commission.command("linuxcnc")
+def linuxcnc(
+    ini: Annotated[Path, typer.Argument(metavar="INI", help="The machine's INI file.", show_default=False)],
+    hal: Annotated[Path, typer.Argument(metavar="HAL", help="The HAL file with its pid components.", show_default=False)],
+    log: Annotated[
+        list[Path] | None, typer.Option(help="Log of a run with the present gains; repeatable. Without: what to run.", show_default=False)
+    ] = None,
+    program: Annotated[
+        Path | None, typer.Option(help="Part program to tune and predict for; by default what the logs ran.", show_default=False)
+    ] = None,
+    gain_margin: GainMargin = 6.0,
+    phase_margin: PhaseMargin = 30.0,
+    seed: Seed = 0,
+    out: Out = Path("commissioning"),
+    as_json: Json = False,
+) -> int:
+    """Write an excitation for LinuxCNC; with --log, find the gains of each HAL pid."""
+    from contourlab.features.commission.command import commission as commissioned
+    from contourlab.features.commission.command import prepare
+
+    if not log:
+        result = prepare(ini, hal, out)
+        show_result(result, as_json)
+        suggest(as_json, "commission", "linuxcnc", ini, hal, "--log", "log1.csv", "--out", out)
+        return 0 if result.passed else 1
+    result = commissioned(
+        ini, hal, log, out, program=program, gain_margin=gain_margin, phase_margin=phase_margin, seed=seed
+    )  # fmt: skip
+    show_result(result, as_json)
+    return 0 if result.passed else 1

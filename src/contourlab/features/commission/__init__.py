@@ -1,0 +1,1 @@
+"""Which gains should the control have, and what does that take?"""

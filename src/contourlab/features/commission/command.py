@@ -1,0 +1,359 @@
+"""``contourlab commission linuxcnc``: first the program and the sampler, then from logs to the gains of each ``pid``."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from contourlab.app.results import check_file
+from contourlab.arrays import Array
+from contourlab.errors import ParameterError, ScenarioError
+from contourlab.features.commission.excitation import excitation, sampler_lines, steps
+from contourlab.features.commission.hal_files import AxisSetup, Setup, read_setup
+from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
+from contourlab.features.commission.loop import GAINS, robustly_stable, run_lanes
+from contourlab.features.commission.records import AxisLog, doubts, law_of, moving, read_log
+from contourlab.features.commission.report import changes, circle_png, gain_table, page, text_of
+from contourlab.features.commission.tuning import AxisTask, TunedAxis, tune_axis
+from contourlab.figures import figure
+from contourlab.findings import Finding, finding
+from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.result import write_text_atomic
+from contourlab.result.atomic import write_bytes_atomic
+
+HIDDEN: dict[str, Any] = {"json": False}
+FIRST, SECOND = ("excite.ngc", "sampler.hal", "steps.md"), ("report.html", "gains.diff", "safe.diff", "circle.png")
+OFF_RUNS = 8
+"""Runs that begin with LinuxCNC off, where the log shows it."""
+CIRCLE = 0.01
+"""Radius of the circle in the report [m]."""
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """Largest |command - motor position| [um], with the present and the proposed gains; `spread` with the axis' gain a quarter off."""
+
+    before: float
+    after: float
+    spread: float
+
+
+@dataclass(frozen=True, eq=False)
+class Commissioned:
+    """Result of the command; its fields are the JSON output.
+
+    Attributes
+    ----------
+    pid, safe : dict of str to dict of str to float
+        Proposed gains by axis under HAL's names, in machine units, and the first values to type in.
+    predicted : dict of str to Prediction
+    models : dict of str to IdentifiedAxis
+    findings : tuple of Finding
+    files : tuple of Path
+    answer : tuple of str
+        One line for each axis.
+    table : Table or None
+    """
+
+    pid: dict[str, dict[str, float]]
+    safe: dict[str, dict[str, float]]
+    predicted: dict[str, Prediction]
+    models: dict[str, IdentifiedAxis]
+    findings: tuple[Finding, ...]
+    files: tuple[Path, ...]
+    answer: tuple[str, ...] = ()
+    table: Table | None = field(default=None, metadata=HIDDEN)
+
+    @property
+    def passed(self) -> bool:
+        """Whether no finding is an error."""
+        return all(one.entry.severity != "error" for one in self.findings)
+
+    @property
+    def text(self) -> str:
+        """Answer, table, findings and files."""
+        table = "" if self.table is None else self.table.text()
+        files = "\n".join(f"written: {file}" for file in self.files)
+        return "\n\n".join(filter(None, ["\n".join(self.answer), table, paragraphs(map(str, self.findings)), files]))
+
+
+def prepare(ini: str | Path, hal: str | Path, out: str | Path) -> Commissioned:
+    """Write the excitation, the lines of the sampler, and the steps.
+
+    Raises
+    ------
+    ScenarioError
+        If INI or HAL cannot be read, no axis has a pid, or a travel is too short.
+    OutputError, ParameterError
+        If a file cannot be written, or would replace an input.
+    """
+    setup = read_setup(ini, hal)
+    files = _files(out, FIRST, (ini, hal))
+    for file, text in zip(files, (excitation(setup), sampler_lines(setup), steps(setup)), strict=True):
+        write_text_atomic(file, text)
+    return Commissioned({}, {}, {}, {}, setup.findings, files)
+
+
+def _files(out: str | Path, names: Sequence[str], inputs: Sequence[str | Path]) -> tuple[Path, ...]:
+    files = tuple(Path(out) / name for name in names)
+    for file in files:
+        check_file(file, inputs, "--out")
+    return files
+
+
+def commission(
+    ini: str | Path,
+    hal: str | Path,
+    logs: Sequence[str | Path],
+    out: str | Path,
+    *,
+    program: str | Path | None = None,
+    gain_margin: float = 6.0,
+    phase_margin: float = 30.0,
+    seed: int = 0,
+    progress: Callable[[str], None] = lambda stage: None,
+) -> Commissioned:
+    """Identify each axis from logs, tune its pid, and write report, diffs and picture.
+
+    Parameters
+    ----------
+    ini, hal : str or Path
+        Files of LinuxCNC, with the gains in use.
+    logs : sequence of str or Path
+        Of the same machine with these gains.
+    out : str or Path
+        Folder.
+    program : str or Path, optional
+        Part program to predict and tune for; by default the commands of the logs.
+    gain_margin, phase_margin : float [dB, deg]
+        Kept with one period more of delay than identified.
+    seed : int
+        Of search and noise.
+    progress : callable, optional
+        Called with each stage.
+
+    Raises
+    ------
+    ScenarioError, LogError, ProgramError, FeedError
+        If a file cannot be read, or the program cannot be planned.
+    OutputError, ParameterError
+        If a file cannot be written, or would replace an input.
+    """
+    setup = read_setup(ini, hal)
+    inputs = [ini, hal, *logs] + ([] if program is None else [program])
+    files = _files(out, SECOND, inputs)
+    findings, records = list(setup.findings), list[dict[str, AxisLog]]()
+    for log in logs:
+        record, more = read_log(log, setup)
+        findings += more
+        wrong = list(doubts(record))
+        findings += wrong
+        bad = {one.place.removeprefix("axis ") for one in wrong}
+        records.append({name: moving(one) for name, one in record.items() if name not in bad})
+    planned = {} if program is None else planned_commands(Path(program), setup)
+    work = _Work(setup, records, planned, (gain_margin, phase_margin), seed)
+    if all(one.code != "CL871" for one in findings):
+        for axis in setup.axes:
+            progress(f"axis {axis.name}")
+            findings += work.axis(axis)
+    return _written(work, findings, files, program)
+
+
+@dataclass(eq=False)
+class _Work:
+    """What is known of the axes so far."""
+
+    setup: Setup
+    records: Sequence[Mapping[str, AxisLog]]
+    planned: Mapping[str, Array]
+    margins: tuple[float, float]
+    seed: int
+    models: dict[str, IdentifiedAxis] = field(default_factory=dict)
+    tasks: dict[str, AxisTask] = field(default_factory=dict)
+    tuned: dict[str, TunedAxis] = field(default_factory=dict)
+    predicted: dict[str, Prediction] = field(default_factory=dict)
+
+    def present(self, axis: AxisSetup) -> Array:
+        """Return the gains in use, per metre."""
+        return np.array([axis.gains[name] / self.setup.unit for name in GAINS])
+
+    def axis(self, axis: AxisSetup) -> list[Finding]:
+        """Identify and tune an axis; return the findings."""
+        place = f"axis {axis.name}"
+        logs = [record[axis.name] for record in self.records if axis.name in record]
+        if not logs:
+            return []
+        checked = [law_of(log, axis, self.setup.unit) for log in logs]
+        found = list(dict.fromkeys(str(one) for _, more in checked for one in more))
+        findings = [next(one for _, more in checked for one in more if str(one) == text) for text in found]
+        if axis.backlash:
+            findings.append(finding("CL899", place, backlash=axis.backlash * self.setup.unit))
+        if any(one.entry.severity == "error" for one in findings):
+            return findings
+        identified = identify_axis(logs, self.present(axis), checked[0][0])
+        if isinstance(identified, Finding):
+            return [*findings, identified]
+        self.models[axis.name] = identified
+        findings += identified.findings
+        return findings if not identified.usable else [*findings, *self._tune(axis, logs, identified)]
+
+    def _tune(self, axis: AxisSetup, logs: Sequence[AxisLog], identified: IdentifiedAxis) -> list[Finding]:
+        place, law = f"axis {axis.name}", identified.law
+        commands = [self.planned[axis.name]] if axis.name in self.planned else [log.command for log in logs]
+        if not any(np.ptp(command) > 0.0 for command in commands):
+            commands = [log.command for log in logs]  # the program does not move this axis
+        noises = [identified.noise_like(command, self.seed + k) for k, command in enumerate(commands)]
+        free = max(log.free for log in logs)
+        off = [identified.noise_like(np.zeros(free + 300), self.seed + 100 + k) for k in range(OFF_RUNS if free else 0)]
+        task = AxisTask(identified.model, law, commands, noises, off, free, axis.always_enabled, *self.margins)
+        present = self.present(axis)
+        measured = max(float(np.abs(log.error).max()) for log in logs)
+        before = task.largest(present) if self.planned else measured
+        try:
+            tuned = tune_axis(task, unit=self.setup.unit, seed=self.seed)
+        except ParameterError:
+            return [finding("CL897", place)]
+        self.tasks[axis.name] = task
+        if not tuned.largest < before:
+            self.predicted[axis.name] = Prediction(1e6 * before, 1e6 * before, math.nan)
+            return [finding("CL897", place)]
+        self.tuned[axis.name] = tuned
+        self.predicted[axis.name] = Prediction(1e6 * before, 1e6 * tuned.largest, 1e6 * tuned.spread)
+        noise = 3.0 * identified.noise
+        findings = [finding("CL891", place, noise=noise)] if noise > 0.3 * tuned.largest else []
+        return [*findings, finding("CL898", place, error=tuned.spread)] if tuned.spread > 0.5 * before else findings
+
+    def gains(self, share: float = 1.0) -> dict[str, dict[str, float]]:
+        """Return the gains in machine units by axis: the present ones, and a share of the way from there to the tuned ones."""
+        result = {}
+        for axis in self.setup.axes:
+            if axis.name not in self.models or not self.models[axis.name].usable:
+                continue
+            present = self.present(axis)
+            target = self.tuned[axis.name].gains if axis.name in self.tuned else present
+            mixed = (present + share * (target - present)) * self.setup.unit
+            result[axis.name] = {name: float(f"{value:.6g}") for name, value in zip(GAINS, mixed.tolist(), strict=True)}
+        return result
+
+    def safe(self) -> dict[str, dict[str, float]]:
+        """Return the first gains to type in: half the way, or less where the loop would not be stable there."""
+        chosen = {}
+        for share in (0.5, 0.25, 0.1):
+            for name, gains in self.gains(share).items():
+                row, model = np.array(list(gains.values())) / self.setup.unit, self.models[name]
+                if name not in chosen and robustly_stable(row, model.model, model.law.period):
+                    chosen[name] = gains
+        return chosen
+
+
+def _written(work: _Work, findings: Sequence[Finding], files: Sequence[Path], program: str | Path | None) -> Commissioned:
+    """Write the files of the answer and return it."""
+    setup, gains, safe = work.setup, work.gains(), work.safe()
+    answer = tuple(_line(axis, work, gains) for axis in setup.axes if axis.name in work.predicted)
+    answer = answer or ("No gains: an error below has to be removed first.",)
+    present = {axis.name: axis.gains for axis in setup.axes if axis.name in gains}
+    rows = gain_table(setup.axes, {"present": present, "safe first": safe, "proposed": gains})
+    heads = ["gain", "present", "safe first", "proposed"]
+    diff, picture = changes(setup, gains), _circle(work, gains)
+    report, gain_diff, safe_diff, image = files
+    title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {Path(program).name}")
+    html = page(title, answer, rows, heads, diff, picture, findings)
+    texts = {report: html, gain_diff: diff, safe_diff: changes(setup, safe)}
+    for file, text in texts.items():
+        write_text_atomic(file, text)
+    if picture is not None:
+        write_bytes_atomic(image, picture)
+    table = None
+    if rows:
+        table = Table([Column(heads[0], left=True), *map(Column, heads[1:])])
+        for row in rows:
+            table.add(*row)
+    written = tuple(file for file in files if picture is not None or file != image)
+    return Commissioned(gains, safe, work.predicted, work.models, tuple(findings), written, answer, table)
+
+
+def _line(axis: AxisSetup, work: _Work, gains: Mapping[str, Mapping[str, float]]) -> str:
+    """Return the answer for an axis in one line."""
+    predicted, model = work.predicted[axis.name], work.models[axis.name]
+    short = {"Pgain": "P", "Igain": "I", "Dgain": "D"}
+    listed = ", ".join(f"{short.get(name, name)} {text_of(float(f'{value:.3g}'))}" for name, value in gains[axis.name].items() if value)
+    before, after = (figure(1e-6 * value, "um") for value in (predicted.before, predicted.after))
+    line = f"{listed} for {axis.name}: largest error {before} -> about {after}"
+    if math.isfinite(model.play):
+        play, deviation = figure(model.play, "um", 2), figure(max(model.play_deviation, 1e-7), "um", 1)
+        line += f"; play of {play.removesuffix(' um')} +-{deviation} remains"
+    return line
+
+
+def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
+    """Return the commands of each axis in a part program at the servo period, planned as LinuxCNC does: without a limit of jerk.
+
+    Raises
+    ------
+    ProgramError, FeedError
+        If the program cannot be read or planned.
+    """
+    from contourlab.program import Reading, read_program
+
+    return _planned(read_program(program, reading=Reading(require_end=False)), setup)
+
+
+def _planned(program: Any, setup: Setup) -> dict[str, Array]:
+    from contourlab.feed import AxisLimits, blended, plan, route_from_program
+    from contourlab.program import Arc, Dwell
+    from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+
+    letters = [letter for letter in "xyz" if _limits(setup, letter) is not None]
+    pairs = np.array([_limits(setup, letter) for letter in letters]) * setup.unit
+    # LinuxCNC speeds up along an arc with half the acceleration.
+    straight = [any(not isinstance(move, Arc | Dwell) and move.start[k] != move.end[k] for move in program.moves) for k in range(3)]
+    pairs[:, 1] *= [1.0 if straight["xyz".index(letter)] else 0.5 for letter in letters]
+    limits = AxisLimits(pairs[:, 0], pairs[:, 1])
+    route = blended(route_from_program(program, letters, default_tolerance=DEFAULT_CORNER_TOLERANCE), limits)
+    reference = plan(route, limits, setup.period)
+    position = reference.block(0, reference.n_sample).position
+    rest = round(0.2 / setup.period)
+    return {letter: np.pad(position[:, k], rest, mode="edge") for k, letter in enumerate(letters)}
+
+
+def _limits(setup: Setup, letter: str) -> tuple[float, float] | None:
+    """Return velocity and acceleration of an axis in machine units; None if the INI file has none."""
+    axis = next((axis for axis in setup.axes if axis.name == letter), None)
+    if axis is not None:
+        return axis.limits["velocity"], axis.limits["acceleration"]
+    values = [setup.ini.number(f"AXIS_{letter.upper()}", key) for key in ("MAX_VELOCITY", "MAX_ACCELERATION")]
+    return None if None in values else (float(values[0] or 0.0), float(values[1] or 0.0))
+
+
+def _circle(work: _Work, gains: Mapping[str, Mapping[str, float]]) -> bytes | None:
+    """Return the picture of a circle before and after, if both x and y are known."""
+    from contourlab.program import parse_program
+
+    if not {"x", "y"} <= work.tasks.keys():
+        return None
+    r = 1e3 * CIRCLE
+    speed = min(0.5 * math.sqrt(0.5 * axis.limits["acceleration"] * work.setup.unit * CIRCLE) for axis in work.setup.axes[:2])
+    text = f"G21 G90 G17 G64\nG1 X{r:g} Y0 F{6e4 * speed:.4f}\nG3 X{r:g} Y0 I-{r:g} J0\nG3 X{r:g} Y0 I-{r:g} J0\nM2\n"
+    try:
+        planned = _planned(parse_program(text, "circle"), work.setup)
+    except (ScenarioError, ParameterError):
+        return None
+    half = planned["x"].size // 2
+    curves = {}
+    for label in ("before", "after"):
+        places = []
+        for axis in (axis for axis in work.setup.axes if axis.name in "xy"):
+            task, model = work.tasks[axis.name], work.models[axis.name]
+            row = work.present(axis) if label == "before" else np.array(list(gains[axis.name].values())) / work.setup.unit
+            command = planned[axis.name]
+            run = run_lanes(command, model.noise_like(command), row[None], [task.model], task.law, trace=True)
+            places.append(run.position)
+        x, y = places
+        last = slice(half, planned["x"].size - round(0.3 / work.setup.period))
+        curves[label] = (np.arctan2(y, x)[last], (np.hypot(x, y) - CIRCLE)[last])
+    return circle_png(CIRCLE, curves)

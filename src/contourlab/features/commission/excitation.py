@@ -1,0 +1,146 @@
+"""What to run and to record: a program that excites friction, inertia and delay of each axis, HAL lines for the sampler, and the steps."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from contourlab.errors import ScenarioError
+from contourlab.features.commission.hal_files import AxisSetup, Setup
+
+SHARE = 0.35
+"""Part of the travel to either side of the middle that the program uses at most."""
+LONGEST = 60.0
+"""Longest way to either side [mm]."""
+SPEEDS = (0.02, 0.1, 0.4, 1.0)
+"""Speeds of the reversals, relative to the axis' limit."""
+TURN_TIME = 0.4
+"""Time of a reversal at constant speed [s]."""
+SIGNALS = ("cmd", "fb", "out")
+"""What the sampler records of each axis: command and feedback of the pid, and its output."""
+
+
+def excitation(setup: Setup) -> str:
+    """Return the program: each axis back and forth at several speeds, then circles both ways in the first two axes.
+
+    Raises
+    ------
+    ScenarioError
+        If the travel of an axis is too short.
+    """
+    mm = 1e-3 / setup.unit  # machine units per mm
+    lines = [
+        "(Excitation for contourlab commission. It moves every axis with a pid around the middle of its travel.)",
+        f"{'G20' if setup.unit_name == 'inch' else 'G21'} G90 G17 G40 G49 G61 G94",
+    ]
+    reach = {axis.name: _reach(axis, mm) for axis in setup.axes}
+    middle = {axis.name: 0.5 * (axis.limits["low"] + axis.limits["high"]) for axis in setup.axes}
+    for axis in setup.axes:
+        lines.append(f"G53 G1 {axis.name.upper()}{_text(middle[axis.name])} F{_text(60.0 * 0.3 * axis.limits['velocity'])}")
+    lines += ["G91", "G4 P0.5"]
+    for axis in setup.axes:
+        lines += _strokes(axis, reach[axis.name], mm)
+    pair = [axis for axis in setup.axes if axis.name in "xy"]
+    if len(pair) == 2:
+        lines += _circles(pair, reach)
+    return "\n".join([*lines, "G90", "M2", ""])
+
+
+def _text(value: float) -> str:
+    return f"{value:.4f}".rstrip("0").rstrip(".") or "0"
+
+
+def _reach(axis: AxisSetup, mm: float) -> float:
+    """Return the way to either side of the middle in machine units."""
+    travel = axis.limits["high"] - axis.limits["low"]
+    if not travel > 2.0 * mm:
+        raise ScenarioError(f"axis {axis.name} may move {travel / mm:g} mm: the excitation needs at least 2 mm")
+    return min(SHARE * travel, LONGEST * mm)
+
+
+def _strokes(axis: AxisSetup, reach: float, mm: float) -> list[str]:
+    """Return the reversals of one axis: two of each length and speed, and short ones at the acceleration limit."""
+    letter, fastest, strongest = axis.name.upper(), axis.limits["velocity"], axis.limits["acceleration"]
+    lines = [f"(axis {letter}: reversals at {len(SPEEDS)} speeds, then at the acceleration limit)"]
+    for share in SPEEDS:
+        speed = share * fastest
+        way = min(speed * TURN_TIME + speed**2 / strongest, reach)
+        feed = f"F{_text(60.0 * speed)}"
+        lines += [f"G1 {letter}{_text(way)} {feed}", f"G1 {letter}{_text(-2.0 * way)}", f"G1 {letter}{_text(2.0 * way)}"]
+        lines += [f"G1 {letter}{_text(-way)}", "G4 P0.1"]
+    for time in (0.04, 0.08, 0.15):
+        way = min(max(strongest * (0.5 * time) ** 2, 0.05 * mm), reach)
+        back = [f"G1 {letter}{_text(sign * way)} F{_text(60.0 * fastest)}" for sign in (1, -1, -1, 1)]
+        lines += [*back, *back]
+    return [*lines, "G4 P0.2"]
+
+
+def _circles(pair: Sequence[AxisSetup], reach: dict[str, float]) -> list[str]:
+    """Return a circle each way at a moderate and at a fast feed, from the middle and back."""
+    radius = 0.25 * min(reach[axis.name] for axis in pair)
+    lines = ["(circles both ways)", "G64"]
+    for share in (0.25, 0.7):
+        allowed = [min(axis.limits["velocity"], (0.4 * axis.limits["acceleration"] * radius) ** 0.5) for axis in pair]
+        feed = f"F{_text(60.0 * share * min(allowed))}"
+        x, y = (axis.name.upper() for axis in pair)
+        lines += [f"G1 {x}{_text(radius)} {feed}"]
+        lines += [f"{word} {x}0 {y}0 I{_text(-radius)} J0" for word in ("G3", "G2")]
+        lines += [f"G1 {x}{_text(-radius)}", "G4 P0.1"]
+    return lines
+
+
+def sampler_columns(setup: Setup) -> list[str]:
+    """Return the columns in the order of the sampler's pins, as ``x_cmd``, ``x``, ``x_out``."""
+    suffixes = {"cmd": "_cmd", "fb": "", "out": "_out"}
+    return [f"{axis.name}{suffixes[signal]}" for axis in setup.axes for signal in SIGNALS]
+
+
+def sampler_lines(setup: Setup) -> str:
+    """Return HAL lines that record every axis at each servo period."""
+    columns = sampler_columns(setup)
+    lines = [
+        "# Lines for contourlab commission. Load them after your own HAL files; remove them when done.",
+        f"loadrt sampler depth=16000 cfg={'f' * len(columns)}",
+        "addf sampler.0 servo-thread",
+    ]
+    pins = {"cmd": "command", "fb": "feedback", "out": "output"}
+    for k, column in enumerate(columns):
+        axis, signal = setup.axes[k // len(SIGNALS)], SIGNALS[k % len(SIGNALS)]
+        wired = axis.signals[pins[signal]]
+        source = wired if not wired.startswith(f"{axis.pid}.") else f"commission-{axis.name}-{signal} {wired}"
+        lines.append(f"net {source} => sampler.0.pin.{k}  # {column}")
+    return "\n".join(lines) + "\n"
+
+
+def steps(setup: Setup, log: str = "log1.csv") -> str:
+    """Return the page with the steps, in Markdown."""
+    columns = sampler_columns(setup)
+    ini, hal = setup.ini.file.name, setup.hal.name
+    named = "time [s],sample," + ",".join(column if column.endswith("_out") else f"{column} [{setup.unit_name}]" for column in columns)
+    rows = [
+        f"| {axis.name} | joint {axis.joint} | `{axis.pid}` | "
+        f"{axis.limits['low']:g} to {axis.limits['high']:g} {setup.unit_name} | {axis.limits['velocity']:g} {setup.unit_name}/s |"
+        for axis in setup.axes
+    ]
+    return f"""# Commission {ini}
+
+| axis | joint | pid | travel | fastest |
+|---|---|---|---|---|
+{chr(10).join(rows)}
+
+1. **Copy** your configuration. Nothing in it was changed.
+2. **Sampler.** Put `sampler.hal` beside `{hal}` and add `HALFILE = sampler.hal` as last HALFILE of the copy. If you already load a
+   sampler, add its pins to yours instead.
+3. **Clear the way.** `excite.ngc` moves every axis around the middle of its travel, at up to full speed and acceleration, without a
+   tool or a part. Watch a first run with reduced feed override.
+4. **Record.** Start LinuxCNC, home, then type in a terminal
+
+       halsampler -t > {log.replace(".csv", ".txt")}
+
+   run `excite.ngc`, and end the recording with Ctrl-C. The columns are: sample, {", ".join(columns)}. A CSV file with a first line such as
+   `{named}` is read as well.
+5. **Answer.**
+
+       contourlab commission linuxcnc {ini} {hal} --log {log.replace(".csv", ".txt")} --out commissioning
+
+6. **Safe first.** Type in the safe values of the answer, run the program again, then the proposed ones.
+"""

@@ -1,0 +1,237 @@
+"""The model of each axis from its logs: parameters with deviations, noise, play, and a check on the part that was not fitted."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from contourlab.analysis.identification.first_order import FirstOrderFit, identify_first_order
+from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output
+from contourlab.arrays import Array
+from contourlab.errors import ParameterError
+from contourlab.features.commission.loop import MOST_DELAY, AxisModel, Law, driven, run_lanes
+from contourlab.features.commission.records import AxisLog
+from contourlab.findings import Finding, finding
+
+FITTED = 0.7
+"""Part of the motion that is fitted; the rest checks the model."""
+WELL_KNOWN = 0.1
+"""Largest deviation of gain, relative to itself, with which the gains can be trusted."""
+USABLE, POOR = 60.0, 95.0
+"""Fit [percent] below which the model is unusable, or gets a warning."""
+PEAK = 40.0
+"""Height of a resonance in the spectrum of the residual over its neighbourhood."""
+
+
+@dataclass(frozen=True, eq=False)
+class IdentifiedAxis:
+    """A model with its quality.
+
+    Attributes
+    ----------
+    model : AxisModel
+    deviations : dict of str to float
+        Of the attributes of the model.
+    fit : float [percent]
+    law : Law
+    rest_noise : ndarray (n,) [m]
+        Samples of the encoder's noise at rest; empty if none was found.
+    noise : float [m]
+        Its standard deviation.
+    play, play_deviation : float [m]
+        nan if the log has no load.
+    measured, simulated : float [m]
+        Largest error on the part that was not fitted.
+    findings : tuple of Finding
+    """
+
+    model: AxisModel
+    deviations: dict[str, float]
+    fit: float
+    law: Law
+    rest_noise: Array = field(metadata={"json": False})
+    noise: float
+    play: float
+    play_deviation: float
+    measured: float
+    simulated: float
+    findings: tuple[Finding, ...] = ()
+
+    @property
+    def usable(self) -> bool:
+        """Whether no finding is an error."""
+        return all(one.entry.severity != "error" for one in self.findings)
+
+    def noise_like(self, command: Array, seed: int = 0) -> Array:
+        """Return noise for a command (n,), drawn from the samples at rest."""
+        generator = np.random.default_rng(seed)
+        if not self.noise > 0.0:
+            return np.zeros(command.size)
+        if self.rest_noise.size:
+            return np.asarray(generator.choice(self.rest_noise, command.size))
+        return np.asarray(self.noise * generator.standard_normal(command.size))
+
+
+def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> IdentifiedAxis | Finding:
+    """Identify an axis from the logs that move it; return a finding if nothing can be fitted.
+
+    Parameters
+    ----------
+    logs : sequence of AxisLog
+        Trimmed to the motion.
+    gains : ndarray (7,)
+        Gains in use, per metre.
+    law : Law
+    """
+    place, split = f"axis {logs[0].axis}", [_split(log) for log in logs]
+    longest = max(range(len(logs)), key=lambda i: split[i])
+    first = logs[longest]
+    part = slice(0, split[longest])
+    try:
+        start = identify_first_order(law.period * np.arange(split[longest]), first.output[part], first.measured[part])
+        fit = _refined(logs, split, law, start)
+    except ParameterError as error:
+        return finding("CL887" if "counted the other way" in str(error) else "CL886", place, reason=str(error), parameters=("the axis",))
+    model = AxisModel(**{name: fit[name] for name in fit.names})
+    deviations = {name: fit.deviation(name) for name in fit.names}
+    rest = np.concatenate([_noise_at_rest(log) for log in logs])
+    noise = float(rest.std()) if rest.size else _noise_in_motion(first)
+    play, play_deviation = _play(logs)
+    measured, simulated = _validated(logs, split, gains, model, law)
+    found = [*_quality(fit, deviations, place), *_resonance(fit, law.period, place)]
+    agrees = simulated < 2.0 * measured and measured < 2.0 * simulated
+    found.append(finding("CL890" if agrees else "CL889", place, simulated=simulated, measured=measured))
+    found += [] if math.isnan(play) else [finding("CL892", place, play=play, deviation=play_deviation)]
+    found += [finding("CL893", place)] if math.isnan(play) else []
+    share = model.friction / model.gain / max(float(np.abs(log.output).max()) for log in logs)
+    found += [finding("CL894", place, share=share)] if share > 0.15 else []
+    found += [finding("CL896", place, delay=model.delay)] if model.delay > 1.5 * law.period else []
+    fitted = fit.fit
+    return IdentifiedAxis(model, deviations, fitted, law, rest, noise, play, play_deviation, measured, simulated, tuple(found))
+
+
+def _split(log: AxisLog) -> int:
+    """Return the number of samples to fit: up to `FITTED` of those in which the command moves."""
+    moves = np.cumsum(np.abs(np.diff(log.command, prepend=log.command[:1])) > 0.0)
+    return int(np.searchsorted(moves, FITTED * moves[-1])) + 1
+
+
+def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, first: FirstOrderFit) -> OutputFit:
+    """Fit the sampled axis to the velocities of all logs, from the parameters of a fit in continuous time."""
+    s, period = first.smoothing, law.period
+    pairs = [(log.output[:n], log.measured[:n]) for log, n in zip(logs, split, strict=True)]
+
+    def differenced(position: Array) -> Array:
+        return np.asarray(np.diff(position[::s]) / (s * period))
+
+    measured = np.concatenate([differenced(position) for _, position in pairs])
+
+    def model(values: Mapping[str, float]) -> Array:
+        axis = AxisModel(**values)
+        return np.concatenate([differenced(driven(output, axis, period, (position[0], 0.0))) for output, position in pairs])
+
+    a = first["a"]
+    size = a * float(np.sqrt(np.mean(np.concatenate([output for output, _ in pairs]) ** 2)))
+    free = {
+        "gain": Free(a, 1e-3 * a, 1e3 * a, a),
+        "damping": Free(first["b"], 0.0, 1.0 / period, max(first["b"], 1.0)),
+        "friction": Free(max(a * first["friction"], 1e-3 * size), 0.0, 10.0 * size, 0.1 * size),
+        "offset": Free(a * first["offset"], -10.0 * size, 10.0 * size, 0.1 * size),
+    }
+    # The whole part of the delay steps: try each, with a continuous rest.
+    best: OutputFit | None = None
+    guess = first["delay"] / period
+    for whole in sorted({0, *range(max(round(guess) - 1, 0), min(round(guess) + 3, MOST_DELAY))}):
+        low, high = ((whole + shift) * period for shift in (-0.5 if whole else -0.75, 0.4999))
+        delay = Free(min(max(first["delay"], low + 0.1 * period), high - 0.1 * period), low, high, period)
+        fit = fit_output(model, measured, {**free, "delay": delay})
+        if best is None or fit.fit > best.fit:
+            best = fit
+    assert best is not None
+    return best
+
+
+def _noise_at_rest(log: AxisLog) -> Array:
+    """Return the positions around their mean where the command rests, from 0.1 s after it stopped."""
+    settle, least = round(0.1 / log.period), round(0.1 / log.period)
+    still = np.concatenate([[True], np.diff(log.command) == 0.0])
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]]).astype(np.int8)))
+    parts = [log.measured[a + settle : b] for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a > settle + least]
+    window = 25
+
+    def around(values: Array) -> Array:
+        # A slow creep under the integral is no noise.
+        mean = np.convolve(values, np.ones(window) / window, "valid")
+        return np.asarray(values[window // 2 : window // 2 + mean.size] - mean) * math.sqrt(window / (window - 1))
+
+    samples = np.concatenate([np.zeros(0), *(around(part) for part in parts)])
+    # An axis that slips at rest leaves steps, which are no noise.
+    return samples[np.abs(samples) <= 4.0 * float(np.median(np.abs(samples)))] if samples.size else samples
+
+
+def _noise_in_motion(log: AxisLog) -> float:
+    """Return the noise from third differences, which nearly vanish for a smooth motion."""
+    return float(np.median(np.abs(np.diff(log.measured, 3)))) / 0.6745 / math.sqrt(20.0)
+
+
+def _play(logs: Sequence[AxisLog]) -> tuple[float, float]:
+    """Return play and deviation: difference of motor minus load between the directions, averaged over strokes."""
+    ahead: dict[int, list[float]] = {1: [], -1: []}
+    for log in logs:
+        if log.load is None or np.ptp(log.load) < 0.05 * np.ptp(log.measured):
+            continue
+        gap = log.measured - log.load
+        moved = np.pad(log.measured[20:] - log.measured[:-20], 10, mode="edge")
+        way = np.where(np.abs(moved) > 0.01 * np.abs(moved).max(), np.sign(moved), 0.0).astype(int)
+        edges = np.flatnonzero(np.diff(way)) + 1
+        for a, b in zip([0, *edges], [*edges, way.size], strict=True):
+            half = (a + b) // 2
+            # The second half of a stroke that is much longer than any play.
+            if way[a] and abs(log.measured[b - 1] - log.measured[a]) > 1e-3:
+                ahead[int(way[a])].append(float(gap[half:b].mean()))
+    if min(len(values) for values in ahead.values()) < 2:
+        return math.nan, math.nan
+    up, down = (np.array(values) for values in ahead.values())
+    deviation = math.hypot(up.std(ddof=1) / math.sqrt(up.size), down.std(ddof=1) / math.sqrt(down.size))
+    return max(float(up.mean() - down.mean()), 0.0), max(deviation, 1e-8)
+
+
+def _validated(logs: Sequence[AxisLog], split: Sequence[int], gains: Array, model: AxisModel, law: Law) -> tuple[float, float]:
+    """Return the largest error after the fitted part, measured and simulated with the gains in use."""
+    measured = simulated = 0.0
+    for log, n in zip(logs, split, strict=True):
+        run = run_lanes(log.command, np.zeros(log.command.size), gains[None], [model], law, trace=True)
+        measured = max(measured, float(np.abs(log.error[n:]).max(initial=0.0)))
+        simulated = max(simulated, float(np.abs(log.command - run.position)[n:].max(initial=0.0)))
+    return measured, simulated
+
+
+def _quality(fit: OutputFit, deviations: Mapping[str, float], place: str) -> list[Finding]:
+    poor = [name for name in ("gain",) if name in fit.at_bound or not deviations[name] < WELL_KNOWN * fit[name]]
+    # Damping may be small beside the feedback; it matters only as far as it changes the feedforward.
+    if not deviations["damping"] < max(WELL_KNOWN * fit["damping"], 2.0):
+        poor.append("damping")
+    found = [finding("CL886", place, parameters=tuple(poor))] if poor else []
+    if fit.fit < USABLE:
+        return [*found, finding("CL886", place, parameters=(f"the motion, of which it explains {max(fit.fit, 0.0):.3g} %",))]
+    return [*found, finding("CL888", place, fit=fit.fit / 100.0)] if fit.fit < POOR else found
+
+
+def _resonance(fit: OutputFit, period: float, place: str) -> list[Finding]:
+    """Return a finding if the spectrum of the residual has a narrow, dominant peak."""
+    from scipy.ndimage import median_filter
+    from scipy.signal import welch
+
+    if fit.measured.size < 4096 or fit.fit > 99.5:
+        return []
+    frequency, power = welch(fit.measured - fit.predicted, 1.0 / period, nperseg=1024)
+    ratio = power / np.maximum(median_filter(power, 61), 1e-30)
+    inside = (frequency > 15.0) & (frequency < 0.4 / period)
+    k = int(np.argmax(np.where(inside, ratio, 0.0)))
+    near = slice(max(k - 3, 0), k + 4)
+    if ratio[k] < PEAK or power[near].sum() < 0.3 * power[inside].sum():
+        return []
+    return [finding("CL895", place, frequency=float(frequency[k]))]

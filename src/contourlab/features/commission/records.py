@@ -1,0 +1,257 @@
+"""The signals of each axis in a log of the control, and whether they can be what they are called."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from contourlab.arrays import Array
+from contourlab.errors import LogError
+from contourlab.features.commission.excitation import sampler_columns
+from contourlab.features.commission.hal_files import AxisSetup, Setup
+from contourlab.features.commission.loop import GAINS, Law, law_output
+from contourlab.findings import Finding, finding
+from contourlab.logs import Column, Columns, Record, read_record, result_of
+
+LEAST_MOTION = 1e-4
+"""Range of a command [m] below which an axis was not asked to move."""
+AGREES = 0.02
+"""Difference of the logged output from the law of pid, relative to its standard deviation, up to which they agree."""
+INCH = 25.4
+
+
+@dataclass(frozen=True, eq=False)
+class AxisLog:
+    """One axis of a log, in SI, trimmed to its motion.
+
+    Attributes
+    ----------
+    source, axis : str
+    period : float [s]
+    command, measured : ndarray (n,) [m]
+    output : ndarray (n,)
+    load : ndarray (n,) or None [m]
+    free : int
+        Samples at the start in which LinuxCNC was off and the command followed the position.
+    """
+
+    source: str
+    axis: str
+    period: float
+    command: Array
+    measured: Array
+    output: Array
+    load: Array | None = None
+    free: int = 0
+
+    @property
+    def error(self) -> Array:
+        """Command minus measured position (n,) [m]."""
+        return self.command - self.measured
+
+
+def read_log(file: str | Path, setup: Setup) -> tuple[dict[str, AxisLog], list[Finding]]:
+    """Read the signals of each axis from a log; an axis without command or position is left out with a finding.
+
+    Raises
+    ------
+    LogError
+        If the file cannot be read or has no axis.
+    """
+    record = read_record(file)
+    names = {channel.name.lower(): channel.name for channel in record.channels}
+    numbered = {column: str(k + 1) for k, column in enumerate(sampler_columns(setup))} if record.format == "halsampler" else {}
+    columns, findings, outputs = [], list[Finding](), {}
+    for axis in setup.axes:
+        place = f"axis {axis.name}"
+        chosen = {signal: _column(names, numbered, axis, signal) for signal in ("cmd", "fb", "out", "load")}
+        if chosen["cmd"] is None or chosen["fb"] is None:
+            missing = "command" if chosen["cmd"] is None else "position"
+            findings.append(finding("CL870", place, signal=missing, log=record.file.name))
+            continue
+        outputs[axis.name] = chosen["out"]
+        for signal, kind in (("cmd", "reference"), ("fb", "position"), ("load", "axis_position"), ("out", "command")):
+            name = chosen[signal]
+            if name is not None:
+                unit = "" if signal == "out" or _unit(record, name) else setup.unit_name
+                columns.append(Column(kind, axis.name, name, unit))
+    if not columns:
+        wanted = ", ".join(sampler_columns(setup))
+        raise LogError(f"has none of the columns {wanted}: name them so, or record with the lines of sampler.hal", file=record.file)
+    timed = any(channel.time is not None or channel.name.lower().startswith("time") for channel in record.channels)
+    log = result_of(record, Columns(tuple(columns), None if timed or record.period else setup.period))
+    findings += [one for one in log.findings if one.code not in ("CL430", "CL433", "CL436")]
+    period = log.result.servo_period
+    if abs(period / setup.period - 1.0) > 0.01:
+        findings.append(finding("CL871", record.file.name, period=period, ini=setup.period))
+    logs = {}
+    for axis in setup.axes:
+        if axis.name in outputs:
+            column = log.result.axes.index(axis.name)
+            signals = {name: np.asarray(log.result[name][:, column]) for name in log.result.signals}
+            logs[axis.name] = _axis_log(axis, signals, record.file.name, period, setup.unit, findings)
+    return logs, findings
+
+
+def _unit(record: Record, name: str) -> str:
+    return next(channel.unit for channel in record.channels if channel.name == name)
+
+
+def _column(names: Mapping[str, str], numbered: Mapping[str, str], axis: AxisSetup, signal: str) -> str | None:
+    """Return the column of a signal of an axis, by its usual names, its pin, or its HAL signal."""
+    a, joint = axis.name, axis.joint
+    usual = {
+        "cmd": (f"{a}_cmd", f"{a}-cmd", f"joint.{joint}.motor-pos-cmd", f"{axis.pid}.command", axis.signals["command"]),
+        "fb": (a, f"{a}_fb", f"{a}-fb", f"joint.{joint}.motor-pos-fb", f"{axis.pid}.feedback", axis.signals["feedback"]),
+        "out": (f"{a}_out", f"{a}-out", f"{axis.pid}.output", axis.signals["output"]),
+        "load": (f"{a}_load", f"{a}-load"),
+    }
+    if numbered:
+        return numbered.get({"cmd": f"{a}_cmd", "fb": a, "out": f"{a}_out"}.get(signal, ""))
+    return next((names[name.lower()] for name in usual[signal] if name.lower() in names), None)
+
+
+def _axis_log(axis: AxisSetup, signals: Mapping[str, Array], source: str, period: float, unit: float, findings: list[Finding]) -> AxisLog:
+    """Return the log of an axis; compute an output that was not recorded."""
+    command, measured = signals["reference"], signals["position"]
+    output = signals.get("command")
+    if output is None or not np.isfinite(output).all():
+        findings.append(finding("CL872", f"axis {axis.name}"))
+        law = Law(period, axis.previous_target is not False)
+        output = law_output(command, measured, [axis.gains[name] / unit for name in GAINS], law)
+    load = signals.get("axis_position")
+    return AxisLog(source, axis.name, period, command, measured, output, load if load is not None and np.isfinite(load).all() else None)
+
+
+def moving(log: AxisLog) -> AxisLog:
+    """Return a log from half a second before the first motion of the axis to half a second after its last, from rest."""
+    free = _off(log)
+    moves = free + np.flatnonzero(np.diff(log.command[free:]))
+    if not moves.size:
+        return log
+    margin = round(0.5 / log.period)
+    first, last = max(int(moves[0]) - margin, free + min(margin, int(moves[0]) - free)), min(int(moves[-1]) + margin, log.command.size)
+    part = slice(first, last)
+    load = None if log.load is None else log.load[part]
+    return replace(log, command=log.command[part], measured=log.measured[part], output=log.output[part], load=load, free=free)
+
+
+def _off(log: AxisLog) -> int:
+    """Return the number of samples until LinuxCNC was switched on: while it is off, the command repeats the noisy position."""
+    equal = np.concatenate([[False], np.abs(log.error) <= 2e-9, [False]])
+    edges = np.flatnonzero(np.diff(equal.astype(np.int8)))
+    for first, last in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        if first < 100 and last - first > 20 and np.ptp(log.measured[first:last]) > 0.0:
+            return int(last)
+    return 0
+
+
+# --- can the signals be what they are called? -----------------------------------------------------------------------------------------
+
+
+def doubts(logs: Mapping[str, AxisLog]) -> Iterator[Finding]:
+    """Yield what is wrong with the signals of each axis, from command and position alone."""
+    for name, log in logs.items():
+        place = f"axis {name}"
+        asked, went = float(np.ptp(log.command)), float(np.ptp(log.measured))
+        if asked < LEAST_MOTION:
+            yield finding("CL873", place, range=asked)
+            continue
+        other = next((one for one, rival in logs.items() if one != name and _follows(log, rival) > max(0.98, _follows(log, log))), None)
+        if other is not None:
+            yield finding("CL874", place, other=other)
+        elif went < 0.02 * asked:
+            yield finding("CL875", place, asked=asked, went=went)
+        elif _follows(log, log) < -0.9:
+            yield finding("CL876", place)
+        else:
+            yield from _scale(log, place)
+
+
+def _follows(log: AxisLog, commanded: AxisLog) -> float:
+    """Return the correlation of a position with a command; 0 where one of them stands still or they differ in length."""
+    if log.measured.size != commanded.command.size or not np.ptp(log.measured) > 0.0 or not np.ptp(commanded.command) > 0.0:
+        return 0.0
+    return float(np.corrcoef(log.measured, commanded.command)[0, 1])
+
+
+def _scale(log: AxisLog, place: str) -> Iterator[Finding]:
+    centred = log.command - log.command.mean()
+    ratio = float(centred @ log.measured / (centred @ centred))
+    for factor in (INCH, 1.0 / INCH):
+        if abs(ratio / factor - 1.0) < 0.1:
+            yield finding("CL877", place, ratio=ratio)
+            return
+    if _follows(log, log) > 0.9 and not 0.8 < ratio < 1.25:
+        yield finding("CL878", place, ratio=ratio)
+
+
+def saturation(log: AxisLog, limit: float) -> float:
+    """Return the share of samples at a limit of the output: `limit`, or without it a plateau of five equal samples at the largest."""
+    size = np.abs(log.output)
+    if limit > 0.0:
+        return float(np.mean(size >= 0.999 * limit))
+    at = size >= float(size.max()) * (1.0 - 1e-9)
+    runs = np.convolve(at, np.ones(5), "valid") == 5.0
+    return float(np.mean(at)) if runs.any() and size.max() > 0.0 else 0.0
+
+
+def law_of(log: AxisLog, axis: AxisSetup, unit: float) -> tuple[Law, list[Finding]]:
+    """Return the law that the logged output obeys, and what is wrong if it is not that of the HAL file.
+
+    Notes
+    -----
+    The output is compared with the gains of the HAL file, with either setting of ``error-previous-target``. If neither agrees, the gains
+    are fitted: all of them scaled alike mean a sign or a unit; integral and feedforward scaled against Pgain mean another servo period.
+    """
+    gains = np.array([axis.gains[name] / unit for name in GAINS])
+    choices = (True, False) if axis.previous_target is None else (axis.previous_target,)
+    laws = [Law(log.period, previous, axis.maxoutput) for previous in choices]
+    place, spread = f"axis {log.axis}", float(log.output.std())
+    if not gains.any() or spread == 0.0:
+        return laws[0], [finding("CL879", place)]
+    left = [_left(law_output(log.command, log.measured, gains.tolist(), law) - log.output) / spread for law in laws]
+    best = int(np.argmin(left))
+    # Without maxoutput a plateau tells a limit behind the pid only where the output is not what the law asks for.
+    limited = saturation(log, axis.maxoutput) if axis.maxoutput > 0.0 or left[best] >= AGREES else 0.0
+    if limited > 0.0:
+        law = laws[best] if axis.maxoutput > 0.0 else replace(laws[best], limit=float(np.abs(log.output).max()))
+        return law, [finding("CL885", place, share=limited, limit=law.limit)]
+    if left[best] < AGREES:
+        return laws[best], []
+    return laws[best], _diagnosis(log, gains, laws, place)
+
+
+def _left(difference: Array) -> float:
+    """Return the rms of a difference without its constant: the integral may have begun before the log."""
+    return float(np.sqrt(np.mean((difference - np.median(difference)) ** 2)))
+
+
+def _diagnosis(log: AxisLog, gains: Array, laws: Sequence[Law], place: str) -> list[Finding]:
+    used = np.flatnonzero(gains)
+    best: tuple[float, list[float]] = (math.inf, [1.0] * used.size)
+    for law in laws:
+        columns = [law_output(log.command, log.measured, np.where(np.arange(7) == k, gains, 0.0).tolist(), law) for k in used]
+        rows = np.column_stack([*columns, np.ones(log.output.size)])
+        shares = np.linalg.lstsq(rows, log.output, rcond=None)[0]
+        left = _left(rows @ shares - log.output) / float(log.output.std())
+        if left < best[0]:
+            best = (left, shares[:-1].tolist())
+    left, factors = best
+    if left > 5.0 * AGREES:
+        return [finding("CL880", place, share=min(left, 1.0))]
+    names = [GAINS[k] for k in used]
+    p = factors[names.index("Pgain")] if "Pgain" in names else factors[0]
+    ahead = factors[names.index("FF1")] if "FF1" in names else p
+    if p < 0.0:
+        return [finding("CL881", place)]
+    if abs(p - 1.0) < 0.05 and abs(ahead - 1.0) > 0.05 and ahead > 0.0:
+        # Differences over the true period are larger than those computed here by the ratio of the periods.
+        return [finding("CL882", place, factor=1.0 / ahead)]
+    if max(factors) - min(factors) < 0.05 * abs(p):
+        return [finding("CL883", place, factor=p)]
+    return [finding("CL884", place, gains=[f"{name} {share:.3g} times" for name, share in zip(names, factors, strict=True)])]

@@ -1,0 +1,210 @@
+"""Gains of HAL's ``pid`` that follow given commands best: one at a time from placed poles, then all at once, as in ``tune``."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from contourlab.analysis.linear.margins import Margins
+from contourlab.arrays import Array
+from contourlab.design import search
+from contourlab.errors import ParameterError
+from contourlab.features.commission.loop import GAINS, ROBUST, AxisModel, Law, keep_margins, loop_margins, run_lanes
+
+UNSEEN = 1.0
+"""Delay in periods, beyond that of the model, with which the margins must hold: a log of slow motion does not show the current loop."""
+BUDGET, STARTS, PASSES, VALUES = 3000, 3, 2, 33
+TIE = 0.05
+"""Weight of the rms error beside the largest."""
+ROUGH = 0.1
+"""Largest rms step of the output from noise, as a share of the largest output; beyond it the noise is heard in the motor."""
+GROWTH = 0.5
+"""Logarithm of the growth of a velocity that `AxisTask.most_ahead` allows."""
+OFF = 0.2
+"""Weight of the error at switching on with a larger gain of the axis."""
+BOX = {"bandwidth": (0.003, 0.6), "damping": (0.3, 3.0), "integral": (1e-5, 0.3), "ff1": (0.6, 1.4), "ff2": (0.0, 3.0)}
+"""Ranges: bandwidth times period, damping ratio, integral rate over bandwidth, and factors of the nominal feedforward."""
+
+
+@dataclass(frozen=True, eq=False)
+class AxisTask:
+    """Commands of an axis to follow.
+
+    Attributes
+    ----------
+    model : AxisModel
+    law : Law
+    commands, noises : sequence of ndarray (n,) [m]
+    off : sequence of ndarray (n,) [m]
+        Noise of further runs that begin with `free` samples in which LinuxCNC is off, and then hold; a pid that is always enabled drifts.
+    free : int
+    always_enabled : bool
+        While LinuxCNC is off the pid then feeds measured acceleration back; the loop must bear that with a larger gain too.
+    gain_margin, phase_margin : float [dB, deg]
+    """
+
+    model: AxisModel
+    law: Law
+    commands: Sequence[Array]
+    noises: Sequence[Array]
+    off: Sequence[Array] = ()
+    free: int = 0
+    always_enabled: bool = False
+    gain_margin: float = 6.0
+    phase_margin: float = 30.0
+
+    @property
+    def box(self) -> dict[str, tuple[float, float]]:
+        """The ranges of the search."""
+        return BOX | ({"ff2": (0.0, 0.85 / max(ROBUST))} if self.always_enabled else {})
+
+    def largest(self, gains: Array, factor: float = 1.0) -> float:
+        """Return the largest error [m] of one set of gains; `factor` scales the gain of the axis."""
+        scaled = replace(self.model, gain=factor * self.model.gain)
+        worst = max(float(run_lanes(*pair, gains[None], [scaled], self.law).largest[0]) for pair in self.pairs())
+        return max(worst, float(self.switched_on(gains[None], scaled)[0]))
+
+    def switched_on(self, gains: Array, model: AxisModel) -> Array:
+        """Return the largest error (m,) [m] after LinuxCNC is switched on, the mean over the runs."""
+        largest = [run_lanes(np.zeros(noise.size), noise, gains, [model], self.law, free=self.free).largest for noise in self.off]
+        return np.asarray(np.mean(largest, axis=0)) if largest else np.zeros(len(gains))
+
+    @property
+    def slower(self) -> AxisModel:
+        """The axis with more delay, for the margins."""
+        return replace(self.model, delay=max(self.model.delay, 0.0) + UNSEEN * self.law.period)
+
+    def pairs(self) -> Sequence[tuple[Array, Array]]:
+        """Return commands with their noises."""
+        return list(zip(self.commands, self.noises, strict=True))
+
+    def most_ahead(self, ff2: Array) -> Array:
+        """Return the largest velocity feedforward (n,) beyond that for the previous target.
+
+        While LinuxCNC is off, feedforward feeds velocity and acceleration back: v grows at the rate (g FF1 - d)/(1 - g FF2), with gain g
+        and damping d of the axis. With g a quarter larger, it may grow by a factor of exp(`GROWTH`) until LinuxCNC is switched on.
+        """
+        if not self.off:
+            return np.full(ff2.size, math.inf)
+        gain = max(ROBUST) * self.model.gain
+        slower = np.maximum(1.0 - gain * ff2, 0.0) * GROWTH / (self.free * self.law.period)
+        return np.asarray((self.model.damping + slower) / gain)
+
+    def gains(self, points: Array) -> Array:
+        """Return the gains (n, 7) of points (n, 5) in the box from 0 to 1."""
+        model, period = self.model, self.law.period
+        low, high = np.array(list(self.box.values())).T
+        bandwidth, damping, integral = (low[:3] * (high[:3] / low[:3]) ** points[:, :3]).T
+        ff1, ff2 = (low[3:] + points[:, 3:] * (high[3:] - low[3:])).T
+        w = bandwidth / period
+        p = w**2 / model.gain
+        gains = np.zeros((len(points), len(GAINS)))
+        gains[:, 0] = p
+        gains[:, 1] = p * w * integral
+        gains[:, 2] = np.maximum(2.0 * damping * w - model.damping, 0.0) / model.gain
+        held = p * period if self.law.previous_target else np.zeros(len(points))
+        gains[:, 4] = np.minimum(ff1 * (model.damping / model.gain + held), held + self.most_ahead(ff2 / model.gain))
+        gains[:, 5] = ff2 / model.gain
+        return gains
+
+
+@dataclass(frozen=True, eq=False)
+class TunedAxis:
+    """Tuned gains of an axis.
+
+    Attributes
+    ----------
+    gains : ndarray (7,)
+        In the order of `loop.GAINS`, per metre.
+    method : str
+        "sequential" or "global".
+    margins : Margins
+    largest : float [m]
+        Largest error on the commands.
+    spread : float [m]
+        The same at worst with the gain of the axis a quarter off.
+    """
+
+    gains: Array
+    method: str
+    margins: Margins
+    largest: float
+    spread: float
+
+
+def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis:
+    """Return the gains with the smallest largest error that keep the margins.
+
+    Parameters
+    ----------
+    task : AxisTask
+    unit : float [m]
+        Machine unit, in which the gains are rounded.
+    seed : int
+
+    Raises
+    ------
+    ParameterError
+        If no gains keep the margins.
+    """
+
+    def objective(points: Array) -> Array:
+        gains = task.gains(points)
+        good = keep_margins(gains, task.slower, task.law.period, task.gain_margin, task.phase_margin)
+        values = np.full(len(points), np.inf)
+        if not good.any():
+            return values
+        rms, excess = np.zeros((2, int(good.sum())))
+        worst = task.switched_on(gains[good], task.model)
+        if task.off:
+            larger = replace(task.model, gain=max(ROBUST) * task.model.gain)
+            worst = np.maximum(worst, OFF * task.switched_on(gains[good], larger))
+        for command, noise in task.pairs():
+            runs = run_lanes(command, noise, gains[good], [task.model], task.law)
+            worst, rms = np.maximum(worst, runs.largest), np.maximum(rms, runs.rms)
+            bound = ROUGH * np.maximum(runs.output, 1e-12)
+            excess = np.maximum(excess, np.maximum(runs.rough / bound - 1.0, 0.0) + 10.0 * runs.limited)
+        values[good] = (worst + TIE * rms) * (1.0 + excess)
+        return values
+
+    start, value = _placed(objective)
+    start, value = _sequential(objective, start, value)
+    found = search(objective, np.vstack([start, _drawn(STARTS - 1, seed)]), budget=BUDGET, seed=seed, population=32)
+    method, point = ("global", found.point) if found.value < value else ("sequential", start)
+    gains = np.array([float(f"{unit * gain:.4g}") / unit for gain in task.gains(point[None])[0]])
+    spread = max(task.largest(gains, factor) for factor in ROBUST)
+    return TunedAxis(gains, method, loop_margins(gains, task.slower, task.law.period), task.largest(gains), spread)
+
+
+def _drawn(count: int, seed: int) -> Array:
+    return 0.25 + 0.5 * np.random.default_rng(seed).random((count, len(BOX)))
+
+
+def _placed(objective: Callable[[Array], Array]) -> tuple[Array, float]:
+    """Return the best of well damped poles from slow to fast, with nominal feedforward."""
+    speeds = np.linspace(0.02, 0.98, 96)
+    points = np.column_stack([speeds, *(np.full(speeds.size, share) for share in (0.55, 0.3, 0.5, 1.0 / 3.0))])
+    points = np.vstack([points, points * [1.0, 1.2, 1.0, 1.0, 1.0]])
+    values = objective(points)
+    best = int(np.argmin(values))
+    if not math.isfinite(values[best]):
+        raise ParameterError("margins", "no gains found", "smaller margins: a delayed axis cannot keep them")
+    return points[best], float(values[best])
+
+
+def _sequential(objective: Callable[[Array], Array], point: Array, value: float) -> tuple[Array, float]:
+    """Improve one number at a time, each along a coarse and a fine line."""
+    point = point.copy()
+    for _ in range(PASSES):
+        for i in range(point.size):
+            for span in (1.0, 0.06):
+                line = np.repeat(point[None], VALUES, axis=0)
+                line[:, i] = np.clip(point[i] + span * np.linspace(-1.0, 1.0, VALUES), 0.0, 1.0)
+                values = objective(line)
+                best = int(np.argmin(values))
+                if values[best] < value:
+                    point, value = line[best].copy(), float(values[best])
+    return point, value

@@ -1,0 +1,75 @@
+"""A machine's files and a log of its excitation, simulated without LinuxCNC."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from linuxcnc_rig import Rig
+
+from contourlab.features.commission.command import planned_commands
+from contourlab.features.commission.excitation import excitation
+from contourlab.features.commission.hal_files import Setup, read_setup
+from contourlab.features.commission.loop import GAINS, AxisModel, Law, run_lanes
+
+PERIOD = 1e-3
+MODELS = {
+    "x": AxisModel(gain=3.0, damping=18.0, friction=0.035, offset=0.004, delay=0.0),
+    "y": AxisModel(gain=1.2, damping=45.0, friction=0.012, delay=1.3e-3),
+}
+PLAY = {"x": 14e-6, "y": 33e-6}
+NOISE = 2e-7
+COLUMNS = ("time [s]", "x_cmd [mm]", "y_cmd [mm]", "x [mm]", "y [mm]", "x_load [mm]", "y_load [mm]", "x_out", "y_out")
+
+
+@dataclass(frozen=True)
+class Made:
+    """Files of a machine, and the columns of its log."""
+
+    ini: Path
+    hal: Path
+    rows: dict[str, np.ndarray]
+
+    def log(self, file: Path, rows: dict[str, np.ndarray] | None = None) -> Path:
+        """Write the log, or changed rows of it."""
+        rows = rows or self.rows
+        np.savetxt(file, np.column_stack(list(rows.values())), fmt="%.6f", delimiter=",", header=",".join(rows), comments="")
+        return file
+
+
+def behind(position: np.ndarray, play: float) -> np.ndarray:
+    """Return the position of the load behind a play."""
+    load, at = np.empty_like(position), position[0]
+    for k, x in enumerate(position):
+        at = min(max(at, x - play / 2.0), x + play / 2.0)
+        load[k] = at
+    return load
+
+
+def simulated(setup: Setup, program: Path, gains: dict[str, dict[str, float]] | None = None, factor: float = 1.0) -> dict[str, np.ndarray]:
+    """Return the columns of a log of a program, with other gains or other axes if given."""
+    rows: dict[str, np.ndarray] = {}
+    commands = planned_commands(program, setup)
+    n = commands["x"].size
+    rows["time [s]"] = PERIOD * np.arange(n)
+    for axis in setup.axes:
+        values = axis.gains if gains is None else gains[axis.name]
+        row = np.array([[values[name] / setup.unit for name in GAINS]])
+        model = MODELS[axis.name]
+        model = AxisModel(factor * model.gain, model.damping, model.friction, model.offset, model.delay)
+        noise = np.random.default_rng(ord(axis.name)).uniform(-NOISE, NOISE, n)
+        run = run_lanes(commands[axis.name], noise, row, [model], Law(PERIOD), trace=True)
+        a = axis.name
+        rows |= {f"{a}_cmd [mm]": 1e3 * commands[a], f"{a} [mm]": 1e3 * run.position, f"{a}_out": run.command_output}
+        rows[f"{a}_load [mm]"] = 1e3 * behind(run.position, PLAY[a])
+    return {name: rows[name] for name in COLUMNS}
+
+
+def made(folder: Path) -> Made:
+    """Write INI and HAL, and simulate the excitation."""
+    ini, hal = Rig().write(folder)
+    setup = read_setup(ini, hal)
+    program = folder / "excite.ngc"
+    program.write_text(excitation(setup))
+    return Made(ini, hal, simulated(setup, program))

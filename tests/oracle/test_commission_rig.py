@@ -1,0 +1,51 @@
+"""`commission linuxcnc` against LinuxCNC itself: its gains in the real control, on simulated axes."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from linuxcnc_rig import Plant, Rig, missing
+
+from contourlab.features.commission.command import commission, prepare
+
+PROGRAM = "G21 G90 G17 G64 P0.002\nG1 F3000 X15 Y0\nG3 X15 Y0 I-15 J0\nG2 X15 Y0 I-15 J0\nG1 X0 Y-5\nG1 X0 Y0\nM2\n"
+PLANTS = {
+    "x": Plant(gain=1350.0, damping=22.0, friction=31.0, play=0.034, noise=0.0004),
+    "y": Plant(gain=3800.0, damping=47.0, friction=9.0, play=0.011, noise=0.0002, substeps=1),
+}
+
+pytestmark = [pytest.mark.oracle, pytest.mark.slow]  # LinuxCNC runs in real time
+
+
+def largest(log: Path) -> np.ndarray:
+    """Return the largest |command - motor position| [um] of both axes."""
+    rows = np.loadtxt(log, delimiter=",", skiprows=1)
+    return 1e3 * np.abs(rows[:, 1:3] - rows[:, 3:5]).max(axis=0)
+
+
+def test_one_log_gives_gains_for_the_real_control(tmp_path: Path) -> None:
+    if missing():
+        pytest.skip(missing())
+    rig = Rig(PLANTS)
+    ini, hal = rig.write(tmp_path)
+    prepare(ini, hal, tmp_path / "out")
+    log = rig.run((tmp_path / "out" / "excite.ngc").read_text(), tmp_path / "log.csv")
+    program = tmp_path / "part.ngc"
+    program.write_text(PROGRAM)
+    result = commission(ini, hal, [log], tmp_path / "out", program=program)
+    assert result.passed
+    for axis, plant in PLANTS.items():
+        model = result.models[axis]
+        assert model.play == pytest.approx(1e-3 * plant.play, abs=max(4.0 * model.play_deviation, 1e-6))
+    before = largest(rig.run(PROGRAM, tmp_path / "before.csv"))
+    after = largest(Rig(PLANTS, result.pid).run(PROGRAM, tmp_path / "after.csv"))
+    predicted = np.array([[result.predicted[axis].before, result.predicted[axis].after] for axis in "xy"])
+    assert (before > 10.0 * after).all(), (before, after)
+    for measured, expected in ((before, predicted[:, 0]), (after, predicted[:, 1])):
+        assert (measured < 2.0 * expected).all(), (measured, expected)
+        assert (expected < 2.0 * measured).all(), (measured, expected)
+    for share in (0.75, 1.25):
+        scaled = {axis: replace(plant, gain=share * plant.gain) for axis, plant in PLANTS.items()}
+        off = largest(Rig(scaled, result.pid).run(PROGRAM, tmp_path / "off.csv"))
+        assert (off < 0.2 * before).all(), (off, before)

@@ -1,0 +1,91 @@
+"""The loop of HAL's pid and an axis against an independent law, closed forms, and its own margins."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from contourlab.features.commission.loop import (
+    GAINS,
+    AxisModel,
+    Law,
+    driven,
+    keep_margins,
+    law_output,
+    loop_margins,
+    robustly_stable,
+    run_lanes,
+)
+from contourlab.features.tune.drive_terms import LinuxCNCGains, linuxcnc_law
+
+PERIOD = 1e-3
+AXIS = AxisModel(gain=2.0, damping=30.0)
+ROW = np.array([20e3, 100.0, 150.0, 0.0, 35.0, 0.4, 0.0])
+
+
+def swept(n: int = 4000) -> np.ndarray:
+    time = PERIOD * np.arange(n)
+    return 0.01 * (1.0 - np.cos(2.0 * np.pi * (0.5 + 0.5 * time) * time))
+
+
+def test_law_is_that_of_tune() -> None:
+    command, measured = swept(), 0.98 * swept()
+    gains = LinuxCNCGains(*ROW[:3], ff1=ROW[4], ff2=ROW[5])
+    theirs = linuxcnc_law(gains, command, measured, PERIOD)
+    assert law_output(command, measured, ROW.tolist(), Law(PERIOD, previous_target=False)) == pytest.approx(theirs, abs=1e-9)
+
+
+@pytest.mark.parametrize("previous", [False, True])
+def test_run_obeys_law_and_axis(previous: bool) -> None:
+    law, command = Law(PERIOD, previous), swept()
+    model = replace(AXIS, friction=0.02, offset=0.01, delay=2.3e-3)
+    run = run_lanes(command, np.zeros(command.size), ROW[None], [model], law, trace=True)
+    assert run.command_output == pytest.approx(law_output(command, run.position, ROW.tolist(), law), abs=1e-6)
+    delayed = np.concatenate([np.zeros(2), run.command_output])[: command.size]
+    assert run.position == pytest.approx(driven(delayed, replace(model, delay=0.3e-3), PERIOD), abs=1e-9)
+    assert run.largest[0] == pytest.approx(np.abs(command - run.position).max())
+
+
+def test_axis_has_its_closed_form() -> None:
+    output, n = np.full(500, 0.1), np.arange(500)
+    friction = 0.05
+    steady = (AXIS.gain * 0.1 - friction) / AXIS.damping
+    expected = steady * (PERIOD * n - (1.0 - np.exp(-AXIS.damping * PERIOD * n)) / AXIS.damping)
+    assert driven(output, replace(AXIS, friction=friction), PERIOD) == pytest.approx(expected, abs=1e-12)
+    assert not driven(np.full(50, 0.02), replace(AXIS, friction=friction), PERIOD).any()
+
+
+def test_output_limit_holds() -> None:
+    run = run_lanes(swept(), np.zeros(4000), ROW[None], [AXIS], Law(PERIOD, limit=0.05), trace=True)
+    assert np.abs(run.command_output).max() == pytest.approx(0.05)
+    assert run.limited[0] > 0.1
+
+
+def test_margins_are_where_the_loop_becomes_unstable() -> None:
+    found = loop_margins(ROW, AXIS, PERIOD)
+    assert found.stable
+    unforced = np.where(np.arange(7) < 3, ROW, 0.0)
+    for share, stays in ((0.97, True), (1.03, False)):
+        model = replace(AXIS, gain=share * found.gain * AXIS.gain)
+        run = run_lanes(np.r_[0.0, np.full(8000, 1e-3)], np.zeros(8001), unforced[None], [model], Law(PERIOD, False))
+        assert bool(run.largest[0] < 0.1) is stays
+    decibel, degrees = 20.0 * np.log10(found.gain), np.degrees(found.phase)
+    rows = np.repeat(ROW[None], 3, axis=0)
+    margins = [(decibel - 0.5, degrees - 2.0, True), (decibel + 0.5, degrees - 2.0, False), (decibel - 0.5, degrees + 2.0, False)]
+    for gain_margin, phase_margin, kept in margins:
+        assert keep_margins(rows, AXIS, PERIOD, gain_margin, phase_margin).tolist() == [kept] * 3
+
+
+def test_stability_with_another_gain() -> None:
+    limit = loop_margins(ROW, AXIS, PERIOD).gain
+    assert robustly_stable(ROW, replace(AXIS, gain=0.79 * limit * AXIS.gain), PERIOD)
+    assert not robustly_stable(ROW, replace(AXIS, gain=0.81 * limit * AXIS.gain), PERIOD)
+
+
+def test_command_follows_the_position_while_the_control_is_off() -> None:
+    noise = np.random.default_rng(1).uniform(-1e-6, 1e-6, 600)
+    ahead = ROW.copy()
+    ahead[GAINS.index("FF2")] = 1.3 / AXIS.gain
+    runs = run_lanes(np.zeros(600), noise, np.array([ROW, ahead]), [AXIS], Law(PERIOD), free=300)
+    assert runs.largest[0] < 1e-4
+    assert runs.largest[1] > 100.0 * runs.largest[0]
