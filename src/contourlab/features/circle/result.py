@@ -119,7 +119,7 @@ class CircleTest:
     correlations : tuple of Correlation
         Pairs of causes that are hard to tell apart.
     radius_change, radius_deviation : float [m]
-        Mean radius less nominal, beside the causes, and its standard deviation.
+        Mean radius less nominal, which no cause explains, and its standard deviation.
     centre, centre_deviation : (float, float) [m]
         Centre from the nominal one.
     lag : tuple of Lag
@@ -191,7 +191,7 @@ class CircleTest:
         senses = [f"{'clockwise' if run.clockwise else 'counter-clockwise'} {figure(run.circular_deviation, 'um')}" for run in self.runs]
         feed = "" if self.feedrate is None else f" at {figure(self.feedrate, 'mm/min', 4)}"
         yield f"circle       radius {figure(self.radius, 'mm', 6)}{feed}, axes {', '.join(self.axes)}; deviation {', '.join(senses)}"
-        yield f"radius       {plus_minus(self.radius_change, self.radius_deviation)} um beside the causes"
+        yield f"radius       {plus_minus(self.radius_change, self.radius_deviation)} um from nominal"
         places = zip(self.axes, self.centre, self.centre_deviation, strict=True)
         yield "centre       " + ", ".join(f"{axis} {plus_minus(at, deviation)} um" for axis, at, deviation in places)
         if self.lag:
