@@ -7,7 +7,7 @@ run, learning), `values` and `case` (the results), `load` (entry points), `dump`
 
 from contourlab.scenario.case import Case, Scenario, chosen
 from contourlab.scenario.dump import dump
-from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
+from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names, shipped_hint
 from contourlab.scenario.load import load_axis, load_controller, load_machine, load_scenario, parse_scenario, scenario_from_parts
 from contourlab.scenario.values import Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings
 
@@ -31,4 +31,5 @@ __all__ = [
     "load_scenario",
     "parse_scenario",
     "scenario_from_parts",
+    "shipped_hint",
 ]

@@ -47,6 +47,11 @@ def builtin_file(name: str) -> Path:
     return _shipped() / (short if short.endswith(".ngc") else short + ".toml")
 
 
+def shipped_hint(file: str | Path) -> str:
+    """Return the end of a message on a file that is not there, if a shipped file has its name; else nothing."""
+    return f": the shipped one is {BUILTIN}{file}" if str(file) in builtin_names() else ""
+
+
 def locate(reference: str, folder: Path) -> Path:
     """Return the file that a reference names; relative names start at `folder`."""
     if reference.startswith(BUILTIN):

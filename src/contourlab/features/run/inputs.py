@@ -42,7 +42,7 @@ def scenario_of(
     ScenarioError, ProgramError
         If the content is invalid, or an option does not fit the file.
     """
-    from contourlab.scenario import BUILTIN, load_scenario, scenario_from_parts
+    from contourlab.scenario import BUILTIN, load_scenario, scenario_from_parts, shipped_hint
 
     path, keys = Path(file), program or {}
     if (str(file).startswith(BUILTIN) and path.suffix != ".ngc") or path.suffix.lower() == ".toml" or path.is_dir():
@@ -57,7 +57,7 @@ def scenario_of(
         folder = Path(machine)
         machine, controller = folder / "machine.toml", folder / "controller.toml" if controller is None else controller
     if not path.exists():
-        raise ScenarioError("no such file", file=path)
+        raise ScenarioError(f"no such file{shipped_hint(path)}", file=path)
     if machine is None or controller is None:
         alone = "" if machine is None else f"; {machine} is not a folder, which would give both"
         raise ScenarioError(f"a part program needs --machine and --controller{alone}; a scenario ends in .toml", file=path)

@@ -89,11 +89,10 @@ def loaded(file: str | Path, schemes: Sequence[str], plugins: Sequence[str | Pat
     ScenarioError
         If the file is not a scenario, or has no such scheme.
     """
-    from contourlab.scenario import BUILTIN, builtin_names, chosen, load_scenario
+    from contourlab.scenario import BUILTIN, chosen, load_scenario, shipped_hint
 
     if not (str(file).startswith(BUILTIN) or Path(file).suffix.lower() == ".toml" or Path(file).is_dir()):
-        shipped = f"; the shipped one is {BUILTIN}{file}" if str(file) in builtin_names() else ""
-        raise ScenarioError(f"not a scenario: its name must end in .toml{shipped}", file=file)
+        raise ScenarioError(f"not a scenario: its name must end in .toml{shipped_hint(file)}", file=file)
     scenario = load_scenario(file, plugins=plugins)
     return chosen(scenario, schemes) if schemes else scenario
 
