@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
 
 _SPECIAL = set('"$`!') | (set() if os.name == "nt" else {"\\"})
 
@@ -18,6 +19,15 @@ def as_typed(words: Iterable[str]) -> str:
     contourlab run "my part.ngc" --tolerance "20 um" --scheme '$5'
     """
     return " ".join(_quoted(word) for word in words)
+
+
+def chosen_options(words: Sequence[str], *names: str) -> list[str]:
+    """Return some of the options of a command with their values, in the order typed.
+
+    >>> chosen_options(["--plugin", "a.py", "--out", "here"], "--plugin")
+    ['--plugin', 'a.py']
+    """
+    return [word for name, value in pairwise(words) if name in names for word in (name, value)]
 
 
 def _quoted(word: str) -> str:

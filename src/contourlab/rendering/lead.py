@@ -65,8 +65,9 @@ def lines_at(data: ReportData, along: Array) -> Index:
     foot = signal(scheme.result, "foot_arc_length")
     foot = np.mod(foot, data.asked.length) if data.asked.closed else foot
     order = np.argsort(foot, kind="stable")
-    after = np.clip(np.searchsorted(foot[order], along), 1, foot.size - 1) if foot.size > 1 else np.zeros(along.size, dtype=int)
-    nearer = after - (along - foot[order][after - 1] < foot[order][after] - along)
+    foot = foot[order]
+    after = np.clip(np.searchsorted(foot, along), 1, foot.size - 1) if foot.size > 1 else np.zeros(along.size, dtype=int)
+    nearer = after - (along - foot[after - 1] < foot[after] - along)
     return np.asarray(scheme.lines[order][nearer], dtype=np.int64)
 
 

@@ -8,14 +8,13 @@ import platform
 import shlex
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
 
 from contourlab import __version__
-from contourlab.app.command_line import as_typed
+from contourlab.app.command_line import as_typed, chosen_options
 from contourlab.app.json_values import json_values
 from contourlab.app.results import staged
 from contourlab.arrays import Array
@@ -198,8 +197,7 @@ def _next_step(runs: Sequence[_Run], limit: float | None, command: str) -> tuple
     errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.measured.metrics.tracking_error]
     axis = worst.measured.result.axes[errors.index(max(errors))]
     model = "rigid" if "force" in worst.log.result else "first-order"
-    columns = [word for name, value in pairwise(typed) if name in _OF_COLUMNS for word in (name, value)]
-    words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *columns]
+    words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *chosen_options(typed, *_OF_COLUMNS)]
     return "Identify the axis that strays most:", as_typed(words)
 
 

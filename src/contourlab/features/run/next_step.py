@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Sequence
-from itertools import pairwise
 from pathlib import Path
 
-from contourlab.app.command_line import as_typed
+from contourlab.app.command_line import as_typed, chosen_options
 from contourlab.features.run.outcome import Outcome
 
 
@@ -26,12 +25,13 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
         Files with a changed controller, relative to the folder.
     """
     file, options = _split(command)
+    plugins = chosen_options(options, "--plugin")
     part = "--controller" in options or "--machine" in options
     judged = [outcome for outcome in outcomes if outcome.verdict is not None]
     if not judged:
         limit = 2.0 * min(outcome.metrics.part_error.max for outcome in outcomes)
         words = [*options, "--tolerance", f"{float(f'{1e6 * limit:.1g}'):g} um"]
-        explore = ("Find what the error depends on:", _typed("sensitivity", file, ["--quick", *_plugins(options)]))
+        explore = ("Find what the error depends on:", _typed("sensitivity", file, ["--quick", *plugins]))
         return [("Judge it against a tolerance:", _typed("run", file, words)) if part else explore]
     steps = []
     kept = [outcome for outcome in judged if outcome.verdict is not None and outcome.verdict.passed]
@@ -43,7 +43,7 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     if not kept or part:
         steps.append(("Search all gains:", _typed("tune", file, [*_of_case(options), *scheme, "--write", "tuned.toml"])))
     else:
-        steps.append(("Find what the error depends on:", _typed("sensitivity", file, ["--quick", *scheme, *_plugins(options)])))
+        steps.append(("Find what the error depends on:", _typed("sensitivity", file, ["--quick", *scheme, *plugins])))
     return steps
 
 
@@ -55,16 +55,7 @@ def _split(command: str) -> tuple[str, list[str]]:
 
 def _of_case(options: Sequence[str]) -> list[str]:
     """Return the options that say what runs, with their values."""
-    return _chosen(options, "--machine", "--controller", "--tolerance", "--judge", "--plugin")
-
-
-def _plugins(options: Sequence[str]) -> list[str]:
-    return _chosen(options, "--plugin")
-
-
-def _chosen(options: Sequence[str], *names: str) -> list[str]:
-    """Return some of the options with their values."""
-    return [word for name, value in pairwise(options) if name in names for word in (name, value)]
+    return chosen_options(options, "--machine", "--controller", "--tolerance", "--judge", "--plugin")
 
 
 def _without(options: Sequence[str], name: str) -> list[str]:

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from contourlab.app.command_line import chosen_options
 from contourlab.cli.main import main
-from contourlab.features.run import next_step
 
 PART = "G21 G90 F1500\nG64 P0.01\nG1 X8\nG3 X8 Y8 I0 J4\nG1 X0\nM2\n"
 
@@ -50,4 +50,4 @@ def test_after_a_success_it_tunes(part: list[str], capsys: pytest.CaptureFixture
 
 def test_plugins_are_named_again() -> None:
     options = ["--plugin", "a.py", "--out", "here", "--plugin", "b.py", "--tolerance", "1 um"]
-    assert next_step._plugins(options) == ["--plugin", "a.py", "--plugin", "b.py"]
+    assert chosen_options(options, "--plugin") == ["--plugin", "a.py", "--plugin", "b.py"]
