@@ -52,8 +52,9 @@ def check_pictures(folder: str | Path, formats: Sequence[str]) -> None:
 
 
 def text_of(rows: Sequence[Row], *, whole: bool = False) -> str:
-    """Return one table of the figures that can be compared, and why some differ; with `whole` all rows instead."""
+    """Return one table of the figures that can be compared, and why some differ; with `whole` all rows instead. Then what they assume."""
     blocks = list(_all(rows)) if whole else [_overview(rows), *_why(rows)]
+    blocks += _assumed(rows)
     return "\n\n".join([*blocks, *_outside(rows), paragraphs([conclusion(rows)])])
 
 
@@ -82,15 +83,16 @@ def _groups(rows: Iterable[Row]) -> list[tuple[str, list[Row]]]:
 
 def _overview(rows: Sequence[Row]) -> str:
     """Return the table of computed figures by closeness, one line per name, and the counts of all other kinds."""
-    heads = [*(f"{100 * limit:g} %" for limit in CLOSE), "beyond", "worst [%]"]
-    title = "Computed figures: how many lie within ... of the figure compared with"
+    steps = zip((0.0, *CLOSE), CLOSE, strict=False)
+    heads = [*(f"{100 * low:g}-{100 * high:g} %" for low, high in steps), "beyond", "worst [%]"]
+    title = "Computed figures, counted by their distance from the printed or measured one"
     table = Table([Column("figure", left=True, prose=True), *map(Column, heads)], title)
     groups = _groups(filter(_is_evidence, rows))
     for name, group in groups:
-        steps = [sum(low < abs(row.off) <= high for row in group) for low, high in zip((-1.0, *CLOSE), CLOSE, strict=False)]
+        counts = [sum(low < abs(row.off) <= high for row in group) for low, high in zip((-1.0, *CLOSE), CLOSE, strict=False)]
         worst = max(group, key=lambda row: abs(row.off))
-        off = _percent(worst.off) if worst.paper else f"{worst.here:.3g} for 0"
-        table.add(name, *(str(count or "") for count in (*steps, len(group) - sum(steps))), off)
+        off = _percent(worst.off) if worst.paper else f"{worst.here:.3g}, not 0"
+        table.add(name, *(str(count or "") for count in (*counts, len(group) - sum(counts))), off)
     others = [f"{count} {words}" for kind, words in KINDS.items() if (count := sum(row.kind == kind for row in rows))]
     readings = sum(row.kind == COMPUTED and not row.main for row in rows)
     others += [f"{readings} under other readings"] if readings else []
@@ -112,6 +114,12 @@ def _why(rows: Sequence[Row]) -> list[str]:
             reasons.setdefault(row.note, []).append(row)
     lines = [f"{', '.join(dict.fromkeys(row.name for row in group))}: {note or 'no reason known'}." for note, group in reasons.items()]
     return ["\n".join(["Not reached, and why:", paragraphs(lines)])] if lines else []
+
+
+def _assumed(rows: Sequence[Row]) -> list[str]:
+    """Return the readings under which figures are counted."""
+    readings = dict.fromkeys(row.reading for row in rows if _is_evidence(row) and row.reading)
+    return [paragraphs(f"Stated reading: {reading}." for reading in readings)] if readings else []
 
 
 def _outside(rows: Sequence[Row]) -> list[str]:

@@ -36,8 +36,8 @@ TABLES = {SIMULATION: TABLE_2, EXPERIMENT: TABLE_3}
 CLOSE = 0.2
 """Relative tolerance of an entry: the paper leaves contour, T_a, C_cc and disturbances open."""
 READINGS = {
-    SIMULATION: "30 ms, no delay, axes alike, T_a 1 s, 30 trials, short contour, contour error by eq (10)",
-    EXPERIMENT: "as Table 2, with encoder, friction, ripple and noise",
+    SIMULATION: "Table 2 with a servo period of 30 ms, no delay, axes alike, T_a 1 s, 30 trials, short contour, contour error by eq (10)",
+    EXPERIMENT: "Table 3 as Table 2, with encoder, friction, ripple and noise",
 }
 _SHAPE = "the contour and its feed, four numbers, are fitted to the six figures of FB and FB ILC"
 _COUPLED = "kappa is fitted to x and contour of FB CCC ILC"

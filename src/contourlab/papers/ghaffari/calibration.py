@@ -26,7 +26,7 @@ from contourlab.features.tune.objective import Evaluation, Goal, Objective, eval
 from contourlab.features.tune.study import TuneSettings, tune
 from contourlab.loop import Controller
 from contourlab.papers.ghaffari.setup import FITTED, TABLE_2, TABLE_3, Gains, Reading, axis_controller, circle, controller, machine
-from contourlab.papers.rows import Row, derived, ours, printed
+from contourlab.papers.rows import COMPUTED, INPUT, Row, derived, ours, printed
 
 NEAR = 0.2
 """Relative difference within which a number agrees with Table III; if Table II does too, agreement says nothing about the calibration."""
@@ -112,15 +112,15 @@ def _parameters(number: int, line: Gains) -> Iterator[Row]:
     case = f"axis {number}, from Table II by the sequential procedure"
     for field, (symbol, unit) in WORDS.items():
         paper, here = getattr(table, field), getattr(line, field)
-        main = max(abs(value / paper - 1.0) for value in (getattr(start, field), here)) > NEAR
-        note, reading = (_why(field), "") if main else (START, "Table II was near already")
-        yield printed(f"Table III: {symbol}", case, paper, here, unit, NEAR * paper, note, reading=reading, main=main)
+        moved = max(abs(value / paper - 1.0) for value in (getattr(start, field), here)) > NEAR
+        note, kind = (_why(field), COMPUTED) if moved else (START, INPUT)
+        yield printed(f"Table III: {symbol}", case, paper, here, unit, NEAR * paper, note, kind=kind)
     for name, pair in (("a_hat/b_hat", OBSERVER), ("a'/b'", MODEL)):
         paper, here = _ratio(table, pair), _ratio(line, pair)
         note = f"the observer is calibrated first and converges to Table II's a'/b' = {_ratio(start, MODEL):.3g}"
         yield derived(f"Table III: {name}", case, paper, here, "mm/s", NEAR * paper, note)
-    there, moved = (np.log(astuple(gains)) - np.log(astuple(start)) for gains in (table, line))
-    way = 1.0 - float(np.linalg.norm(moved - there) / np.linalg.norm(there))
+    there, gone = (np.log(astuple(gains)) - np.log(astuple(start)) for gains in (table, line))
+    way = 1.0 - float(np.linalg.norm(gone - there) / np.linalg.norm(there))
     note = "of the way from Table II to Table III, in the logarithms of all seven numbers: 1 is Table III, 0 is as far from it as Table II"
     yield derived("Table III: way covered", case, 1.0, way, "1", NEAR, note)
 

@@ -80,9 +80,12 @@ def _tile(symbol: str, studies: Mapping[str, Study]) -> Tile:
         # Different dashes keep coinciding curves visible.
         colour, dash = scheme_style(i, len(studies))[0], ("solid", "dash", "dot")[i]
         values = np.array([study.variable.display_value(value) for value in study.values])
-        curves.append(Curve(values, study.figures * 1e6, axis, colour, dash))
+        figures = study.figures * 1e6
         present.append((study.variable.display_value(study.variable.value), colour))
         if study.minimum is not None:
             marks.append((study.variable.display_value(study.minimum.value), study.minimum.figure * 1e6, colour))
+            at = int(np.searchsorted(values, marks[-1][0]))  # between two values of the curve
+            values, figures = (np.insert(curve, at, mark) for curve, mark in ((values, marks[-1][0]), (figures, marks[-1][1])))
+        curves.append(Curve(values, figures, axis, colour, dash))
     label = f"{symbol} [{next(iter(studies.values())).variable.display}]"
     return Tile(symbol, label, tuple(curves), tuple(marks), tuple(present), log_x=True)

@@ -18,7 +18,7 @@ from contourlab.features.sensitivity.curves import Curve, curves
 from contourlab.features.sensitivity.local import Slope, local
 from contourlab.features.sensitivity.runs import FIGURES, Runs
 from contourlab.papers.ghaffari.setup import FITTED, TABLE_3, Gains, Reading, circle, controller, machine
-from contourlab.papers.rows import Row, ours, printed
+from contourlab.papers.rows import COMPUTED, DERIVED, Row, ours, printed
 
 BOUNDS = {
     "observer.model_gain": ("a_hat", "200 mm/s^2/full_scale..3000 mm/s^2/full_scale"),
@@ -102,8 +102,8 @@ def _minima() -> Iterator[Row]:
                 f"gains, (a_hat/b_hat)/(a'/b'): {_ratio(_gains(number)):.3f} in Table III, {_ratio(_moved(number, name)):.3f} here. So "
                 "only one of them counts"
             )
-            unit, other = curve.variable.display, "" if name == MODEL[0] else f"the ratio through {name}"
-            yield printed(f"minimum over {name}", case, paper, here, unit, AGREES * paper, note, reading=other, main=not other)
+            unit, kind = curve.variable.display, COMPUTED if name == MODEL[0] else DERIVED
+            yield printed(f"minimum over {name}", case, paper, here, unit, AGREES * paper, note, kind=kind)
 
 
 def _fitted_minima() -> Iterator[Row]:

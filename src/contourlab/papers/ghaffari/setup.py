@@ -62,6 +62,12 @@ class Reading:
     coupling: bool = True
 
 
+READING = (
+    "servo period 1 ms; w_d 200, w_z 2000 and velocity filter 800 rad/s, discretised by pole matching; u and stiction as shares of full "
+    "scale; the integral of the contour error's magnitude over one period of 2 s; no noise"
+)
+"""`Reading` in words."""
+
 FITTED = Reading(bandwidth=328.0, filter_bandwidth=2041.0, velocity_bandwidth=606.0)
 """Filters fitted to the two printed integrals: three numbers to two."""
 
