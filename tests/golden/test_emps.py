@@ -57,6 +57,7 @@ def table(log: Path) -> Table:
 
 
 @pytest.mark.parametrize("line", PUBLISHED.split("\n")[1:-1])
+@pytest.mark.slow
 def test_identification_agrees_to_the_last_printed_digit(table: Table, line: str) -> None:
     name, printed = line.split()
     (row,) = (row for (held, _), row in table.items() if held == name.replace("_", " "))
@@ -142,6 +143,7 @@ def test_every_row_can_fail_and_those_that_differ_say_why(table: Table) -> None:
     assert all(row.note and not row.main for row in table.values() if row.verdict == "differs")
 
 
+@pytest.mark.slow
 def test_a_second_log_is_validated_with_the_parameters_of_the_first(log: Path) -> None:
     """The same log gives its own error again. The published second log is not in the shared data."""
     rows = {(row.name, row.case): row for row in run_parts(parts_of(log, log), read_bands("emps"))}
@@ -169,6 +171,7 @@ def test_the_published_validation_agrees_where_its_log_is_there(log: Path) -> No
     assert rows["simulated force", "validation: contourlab's engine, one tick of control delay"].here == pytest.approx(8.707, abs=2e-3)
 
 
+@pytest.mark.slow
 def test_the_command_prints_json_and_draws(log: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["reproduce", "emps", "--log", str(log), "--json", "--plots", "svg", "--out", str(tmp_path / "seen")]) == 0
     rows = json.loads(capsys.readouterr().out)

@@ -46,6 +46,7 @@ def test_only_numbers_of_table_iii_that_the_calibration_had_to_reach_count(rows:
         assert rows["Table III: way covered", case]["here"] == pytest.approx(way, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_the_order_is_the_printed_one() -> None:
     short = [step.variable.short for step in calibrate(2).path.steps]
     observer, loop = ("observer.model_damping", "observer.model_gain"), ("velocity_gain", "position_gain", "integral_gain")

@@ -31,6 +31,7 @@ def contact() -> dict[str, Array]:
     return {name: circular(name, TO_FLANK).axis_error * UM for name in setup.SCHEMES}
 
 
+@pytest.mark.slow
 def test_schemes_two_and_three_agree_with_a_continuous_control_law(contact: dict[str, Array]) -> None:
     """By Runge-Kutta at 1 us with the law evaluated in its stages: II 37.4 and 31.8, III 37.2 and 31.6 um on x and y; here it is held."""
     assert contact["II"] == pytest.approx([37.4, 31.8], abs=0.5)
@@ -38,6 +39,7 @@ def test_schemes_two_and_three_agree_with_a_continuous_control_law(contact: dict
 
 
 @pytest.mark.parametrize("start", [1.0, 0.0])
+@pytest.mark.slow
 def test_word_for_word_the_printed_errors_come_out_wherever_the_motors_start(start: float) -> None:
     """By Runge-Kutta at 4 us: I 67.6, II 31.3, III 29.2 and 29.7 um; printed 32.6 um, and reductions that make I 70.3 um."""
     found = {name: circular(name, Setting(start_in_gap=start)).axis_error * UM for name in setup.SCHEMES}
@@ -46,18 +48,21 @@ def test_word_for_word_the_printed_errors_come_out_wherever_the_motors_start(sta
     assert found["III"] == pytest.approx([29.5, 29.5], abs=0.4)
 
 
+@pytest.mark.slow
 def test_cross_coupling_divides_the_contour_error_by_three_and_more() -> None:
     for name in setup.SCHEMES:
         alone, coupled = (circular(kind, Setting()).contour_error for kind in (name, setup.COUPLED[name]))
         assert coupled < alone / 3.0
 
 
+@pytest.mark.slow
 def test_from_mid_gap_the_same_two_are_better() -> None:
     """By the same independent code: 24.1 and 22.2 um for both."""
     for name in ("II", "III"):
         assert circular(name, replace(TO_FLANK, start_in_gap=0.0)).axis_error * UM == pytest.approx([24.1, 22.2], abs=0.8)
 
 
+@pytest.mark.slow
 def test_twice_the_gap_about_doubles_the_error(contact: dict[str, Array]) -> None:
     for name in ("II", "III"):
         assert circular(name, replace(TO_FLANK, gap=50e-6)).axis_error * UM == pytest.approx(2.0 * contact[name], rel=0.25)
@@ -69,6 +74,7 @@ def test_scheme_one_as_printed_runs_away_and_with_the_reference_it_does_not() ->
     assert math.isinf(circular("I", Setting()).diverged)
 
 
+@pytest.mark.slow
 def test_the_cascade_lags_by_its_gain_and_backlash_adds_half_of_the_gap() -> None:
     """|1/(1 + L)| at 5.33 rad/s is v/K_v but for the velocity loop, v w/(2 zeta w_n K_v) and less."""
     without, with_gap = circular("PI", Setting(gap=0.0)).largest, circular("PI", Setting()).largest
@@ -76,6 +82,7 @@ def test_the_cascade_lags_by_its_gain_and_backlash_adds_half_of_the_gap() -> Non
     assert with_gap - without == pytest.approx(12.5e-6, rel=0.05)
 
 
+@pytest.mark.slow
 def test_closed_over_the_loads_the_cascade_hunts_in_proportion_to_the_gap() -> None:
     smooth, loose, looser = (circular("PI on the load", Setting(gap=gap)).contour_error for gap in (0.0, 25e-6, 50e-6))
     assert smooth < 20e-6

@@ -34,6 +34,7 @@ def table(folder: Path) -> Table:
     return found
 
 
+@pytest.mark.slow
 def test_measured_runs_are_as_known_within_a_hundredth(table: Table) -> None:
     names = ("measured tracking rms, x", "measured tracking rms, y", "measured contour rms", "measured contour maximum")
     for run, known in MEASURED.items():
@@ -95,6 +96,7 @@ def test_the_interval_of_runs_left_out_covers_later_runs(folder: Path) -> None:
         assert all(1.0 / factor < 1.0 + 0.01 * one < factor for one in percent)
 
 
+@pytest.mark.slow
 def test_the_command_prints_json_and_draws(folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["reproduce", "ubc", "--log-folder", str(folder), "--no-unseen", "--json", "--plots", "svg", "--out", str(tmp_path / "seen")]
     assert main(words) == 0

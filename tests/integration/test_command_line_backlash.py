@@ -61,6 +61,7 @@ def written(tmp_path: Path) -> Callable[..., str]:
     return write
 
 
+@pytest.mark.slow
 def test_gap_and_cure_of_a_loose_stage(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
     found = json.loads(output(capsys, "backlash", written(DRIVE), "--json"))["schemes"]["base"]
     for axis in "xy":
@@ -76,6 +77,7 @@ def test_gap_and_cure_of_a_loose_stage(written: Callable[..., str], capsys: pyte
     assert trials[found["recommended"]] <= trials["as it is"]
 
 
+@pytest.mark.slow
 def test_the_recommendation_can_be_put_into_the_scenario(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
     rubbing = DRIVE.replace('"40 N"', '"250 N"').replace("8000 mm/min", "2000 mm/min")
     found = json.loads(output(capsys, "backlash", written(rubbing), "--json"))["schemes"]["base"]
@@ -182,6 +184,7 @@ def test_a_supervisor_without_a_kind_is_the_performance_based_one(written: Calla
     assert supervisor is not None and supervisor.kind == "performance"
 
 
+@pytest.mark.slow
 def test_a_confident_but_wrong_observer_is_reported(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
     """33 kg on a lead of 10 mm with 103 N at 1 ms: friction holds the load while the motor crosses, and the gap is estimated too small."""
     text = DRIVE.replace('lead = "16 mm"', 'lead = "10 mm"').replace('motor_inertia = "52 kg*cm^2"', 'motor_inertia = "2 kg*cm^2"')

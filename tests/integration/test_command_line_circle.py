@@ -138,6 +138,7 @@ def benchmark() -> ModuleType:
     return module
 
 
+@pytest.mark.slow
 def test_injected_errors_come_back(benchmark: ModuleType) -> None:
     rows = list(benchmark.cases(8, 3))
     assert all(row["reported"][0][0] == max(row["injected"], key=row["injected"].get) for row in rows)

@@ -60,6 +60,7 @@ def test_the_papers_without_a_log_take_none(contourlab: Run, paper: str, option:
     assert option in said.err
 
 
+@pytest.mark.slow
 def test_another_axis_is_identified_and_fails_against_the_paper(contourlab: Run, tmp_path: Path, held: dict[str, object]) -> None:
     """The figures of another log differ from the paper's and fail."""
     file = save(tmp_path / "mine.mat", held)

@@ -197,6 +197,7 @@ def test_a_loop_that_runs_away_is_3_and_leaves_the_old_results(contourlab: Run, 
 
 
 @pytest.mark.parametrize("words", [["run", "--help"], ["machines"]])
+@pytest.mark.slow
 def test_a_reader_that_closes_early_is_no_fault(words: list[str]) -> None:
     """As in ``contourlab run --help | head``."""
     read, write = os.pipe()

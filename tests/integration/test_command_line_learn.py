@@ -40,6 +40,7 @@ def write(folder: Path, frequency: str = "0.5 Hz", gain: float = 0.3, half_width
     return "s.toml"
 
 
+@pytest.mark.slow
 def test_schemes_by_their_parts(contourlab: Run, tmp_path: Path) -> None:
     names = ["fb", "ccc", "ilc", "ccc+ilc", "mr", "me+ilc", "coupled"]
     said = contourlab("compare", write(tmp_path), "--schemes", ",".join(names), "--json")
@@ -56,6 +57,7 @@ def test_schemes_by_their_parts(contourlab: Run, tmp_path: Path) -> None:
     assert schemes["ccc+ilc"]["learning"]["trials"][0]["contour_rms"] == pytest.approx(rms["ccc"], rel=1e-6)
 
 
+@pytest.mark.slow
 def test_learning_goes_on_where_it_ended(contourlab: Run, tmp_path: Path) -> None:
     file = write(tmp_path)
     first = json.loads(contourlab("learn", file, "--schemes", "ilc", "--json").out)["schemes"]
@@ -82,6 +84,7 @@ def test_learning_goes_on_where_it_ended(contourlab: Run, tmp_path: Path) -> Non
     assert not (tmp_path / "no").exists()
 
 
+@pytest.mark.slow
 def test_the_text_shows_trials_and_the_forecast(contourlab: Run, tmp_path: Path) -> None:
     said = contourlab("learn", write(tmp_path, gain=0.9, half_width=0), "--schemes", "ilc", "--trials", "60")
     assert said.code == 0

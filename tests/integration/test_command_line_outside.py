@@ -72,6 +72,7 @@ def on_terminal(folder: Path, *words: str, width: int = 80, interrupted: bool = 
 
 
 @POSIX
+@pytest.mark.slow
 def test_an_interrupt_in_the_middle_is_130_and_keeps_the_old_results(old_results: Path, tmp_path: Path) -> None:
     (tmp_path / "long.toml").write_text(CIRCLE.replace("laps = 2", "laps = 50"), encoding="utf-8")
     before = contents(old_results)
@@ -173,6 +174,7 @@ def test_a_pipe_gets_no_colours_and_no_progress(circle: Finished, part: Finished
 
 
 @POSIX
+@pytest.mark.slow
 def test_a_terminal_may_refuse_colours(tmp_path: Path) -> None:
     colour = re.compile(r"\x1b\[[0-9;]*3[0-9][0-9;]*m")
     assert colour.search(on_terminal(tmp_path, "--help")[1])
@@ -183,6 +185,7 @@ def test_a_terminal_may_refuse_colours(tmp_path: Path) -> None:
 
 
 @POSIX
+@pytest.mark.slow
 def test_tables_fit_a_narrow_terminal(tmp_path: Path) -> None:
     for words in (["--help"], ["run", "--help"], ["components", "coulomb"]):
         code, shown = on_terminal(tmp_path, *words, width=60)

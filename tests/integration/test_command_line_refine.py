@@ -254,6 +254,7 @@ def test_old_correlations_are_kept_only_if_both_parameters_are(scene: Path, tmp_
     assert all(axis.correlations == (("plant.mass", "plant.damping", 0.2),) for axis in load_machine(out).axes)
 
 
+@pytest.mark.slow
 def test_a_log_in_a_wrong_unit_makes_no_machine(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Positions a tenth too small put the only parameter at its bound: unusable. Positions a thousand times too small are refused."""
     lines = [line.split(",") for line in (scene / "log.csv").read_text().splitlines()]

@@ -137,6 +137,7 @@ def test_the_part_error_is_the_distance_to_the_line_and_the_arc(part: Finished) 
     assert found["schemes"]["base"]["metrics"]["part_error"]["max"] == pytest.approx(np.minimum(line, arc).max(), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_a_failed_verdict_names_line_time_and_cause(contourlab: Run, tmp_path: Path) -> None:
     (tmp_path / "part.ngc").write_text(PART, encoding="utf-8")
     said = contourlab("run", "part.ngc", *ON_XYZ, "--tolerance", "2 um", "--out", "results")
@@ -161,6 +162,7 @@ def test_check_reads_everything_and_writes_nothing(contourlab: Run, tmp_path: Pa
     assert [path.name for path in tmp_path.iterdir()] == ["circle.toml"]
 
 
+@pytest.mark.slow
 def test_plain_python_gives_the_same_figures(contourlab: Run, tmp_path: Path) -> None:
     (tmp_path / "part.ngc").write_text("G21 G90\nG1 X1 F1000\nG3 X1 Y2 J1\nM2\n", encoding="utf-8")
     for out, jit in (("compiled", "1"), ("plain", "0")):

@@ -44,6 +44,7 @@ def test_a_contour_beyond_the_travel_of_an_axis_is_2(contourlab: Run, tmp_path: 
 
 @POSIX
 @pytest.mark.parametrize("full", [1_000_000, 2_000_000])
+@pytest.mark.slow
 def test_a_disk_that_fills_up_late_keeps_the_old_results(contourlab: Run, old_results: Path, tmp_path: Path, full: int) -> None:
     import resource
 
@@ -56,6 +57,7 @@ def test_a_disk_that_fills_up_late_keeps_the_old_results(contourlab: Run, old_re
 
 
 @POSIX
+@pytest.mark.slow
 def test_an_interrupt_while_results_are_written_keeps_the_old_ones(old_results: Path, tmp_path: Path) -> None:
     (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm"), encoding="utf-8")
     before = contents(old_results)
@@ -74,6 +76,7 @@ def test_an_interrupt_while_results_are_written_keeps_the_old_ones(old_results: 
 
 @POSIX
 @pytest.mark.parametrize("renames", [0, 2, 4, 6, 8])
+@pytest.mark.slow
 def test_what_a_killed_run_left_is_undone_by_the_next(old_results: Path, tmp_path: Path, renames: int) -> None:
     (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm"), encoding="utf-8")
     before = contents(old_results)
@@ -197,6 +200,7 @@ except SystemExit as left:
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="file names of any bytes")
+@pytest.mark.slow
 def test_file_names_need_not_be_utf8(tmp_path: Path) -> None:
     (tmp_path / os.fsdecode(b"c\xe9.toml")).write_text(CIRCLE.split("\n", 1)[1], encoding="utf-8")
     words = [os.fsencode(COMMAND), b"run", b"c\xe9.toml", b"--out", b"r\xe9"]

@@ -69,6 +69,7 @@ def typed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 def test_one_local_parameter_restores_what_a_stronger_axis_loses(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--linear", "direct"]) == 0
     assert "axis x, raw drive" in capsys.readouterr().out
@@ -114,6 +115,7 @@ def test_json_and_exit_code_if_the_loss_cannot_be_restored(typed: Path, capsys: 
     assert files == {"own-x-as-it-is", "own-x-strong", "shared"}
 
 
+@pytest.mark.slow
 def test_a_study_continues_from_an_earlier_one(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--plots", "svg", "--json"]
     assert main(words) == 0
@@ -130,6 +132,7 @@ def test_a_study_continues_from_an_earlier_one(typed: Path, capsys: pytest.Captu
     assert max(nothing[1]) <= max(nothing[0])
 
 
+@pytest.mark.slow
 def test_a_start_may_name_the_swapped_axis_differently(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     gains = SCENARIO[SCENARIO.index("kind = ") : SCENARIO.index("[contour]")]
     blocks = [f"[controller.axes.{name}.controller]\n{gains}" for name in ("z", "y")]
@@ -143,6 +146,7 @@ def test_a_start_may_name_the_swapped_axis_differently(typed: Path, capsys: pyte
     assert "z.toml" in told and "x, y" in told and "--from" in told
 
 
+@pytest.mark.slow
 def test_the_same_command_resumes_an_interrupted_study(
     typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -174,6 +178,7 @@ def test_the_same_command_resumes_an_interrupted_study(
 
 
 @pytest.mark.parametrize("late", ["swap_result", "write_results", "network_cost"])
+@pytest.mark.slow
 def test_an_interrupt_after_the_searches_says_that_they_are_kept(
     typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, late: str
 ) -> None:
@@ -203,6 +208,7 @@ def test_an_interrupt_before_the_first_search_promises_nothing(
     assert "kept" not in capsys.readouterr().err and not (typed / "results").exists()
 
 
+@pytest.mark.slow
 def test_searches_depend_on_the_plugins_in_use(contourlab: Run, typed: Path) -> None:
     (typed / "strong.toml").write_text(
         (typed / "strong.toml").read_text() + '[friction]\nkind = "drag-of-a-swapped-axis"\ncoefficient = "0.02 full_scale*s/m"\n'
@@ -219,6 +225,7 @@ def test_searches_depend_on_the_plugins_in_use(contourlab: Run, typed: Path) -> 
     assert kept == [False, True, False]
 
 
+@pytest.mark.slow
 def test_a_network_that_is_too_late_is_part_of_the_verdict(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = [*WORDS, "--local", "x.model_gain", "--division", "drive", "--ways", "both", "--delay", "20 ms", "--json"]
     assert main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *words]) == 1
@@ -230,6 +237,7 @@ def test_a_network_that_is_too_late_is_part_of_the_verdict(typed: Path, capsys: 
     assert {"CL707", "CL710"} <= {one["code"] for one in found["findings"]}
 
 
+@pytest.mark.slow
 def test_links_of_the_scenario_decide_what_stays_in_the_base(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     linked = SCENARIO.replace("[contour]", '[controller.axes."*".link]\ndivision = "drive"\n[contour]', 1)
     (typed / "circle.toml").write_text(linked)
@@ -241,6 +249,7 @@ def test_links_of_the_scenario_decide_what_stays_in_the_base(typed: Path, capsys
     assert [one["name"] for one in found["choices"]] == ["none"] and {one["division"] for one in found["networks"]} == {"drive"}
 
 
+@pytest.mark.slow
 def test_plants_without_a_design_are_counted(contourlab: Run, typed: Path) -> None:
     """With these gains a plant hundreds of times as strong is unstable: it has no J*, and nothing appears on standard error."""
     said = contourlab("swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS[:2], *BRIEF, *REGION, "--places", "4")
@@ -268,6 +277,7 @@ substeps = 2
 """
 
 
+@pytest.mark.slow
 def test_values_next_to_an_axis_file_stay_with_the_place(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (typed / "stage.toml").write_text(STAGE[: STAGE.index("x.file")] + PLACED)
     ampere = SCENARIO.replace("full_scale", "A").replace('"1050 mm', '"50 mm').replace('"3 A', '"60 A').replace("0.06", "1.2")

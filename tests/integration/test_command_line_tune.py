@@ -67,6 +67,7 @@ def codes(found: dict[str, Any]) -> list[str]:
 
 
 @pytest.mark.parametrize("kind", sorted(CONTROL))
+@pytest.mark.slow
 def test_every_kind_of_controller_is_calibrated_and_its_file_runs(kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, out = written(tmp_path, kind), tmp_path / "tuned.toml"
     assert main(["tune", str(file), "--budget", "400", "--write", str(out), "--json"]) == 0
@@ -89,6 +90,7 @@ def test_every_kind_of_controller_is_calibrated_and_its_file_runs(kind: str, tmp
         assert number["low"] * (1.0 - 1e-5) <= value <= number["high"] * (1.0 + 1e-5), number["name"]  # six digits
 
 
+@pytest.mark.slow
 def test_the_text_shows_the_search_and_drive_terms(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path)
     words = ["tune", str(file), "--method", "both", "--budget", "400", "--plots", "svg", "--out", str(tmp_path / "pictures")]
@@ -152,6 +154,7 @@ def test_a_result_that_violates_a_bound_is_not_written(tmp_path: Path, capsys: p
     assert not out.exists()
 
 
+@pytest.mark.slow
 def test_a_part_program_on_a_machine(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     part, out = tmp_path / "part.ngc", tmp_path / "tuned.toml"
     part.write_text("%\nG17 G21 G90 G94\nG1 X5 F1500\nG3 X5 Y6 I0 J3\nM30\n%\n")
@@ -226,6 +229,7 @@ def test_an_unwritable_target_is_refused_before_anything_runs(
     assert said in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_pictures_leave_other_results_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "results").mkdir()
     (tmp_path / "results" / "report.html").write_text("older")
@@ -235,6 +239,7 @@ def test_pictures_leave_other_results_alone(tmp_path: Path, capsys: pytest.Captu
     assert (tmp_path / "results" / "report.html").read_text() == "older"
 
 
+@pytest.mark.slow
 def test_a_start_beyond_its_bounds_is_moved_inside_and_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["--parameter", "x.integral_gain=8 1/s..12 1/s", "--json"]
     assert main(["tune", str(written(tmp_path)), *words]) == 0
@@ -273,6 +278,7 @@ def test_the_written_controller_is_the_one_that_was_judged(tmp_path: Path, capsy
     assert out.read_text().startswith("# ")
 
 
+@pytest.mark.slow
 def test_in_a_process_of_its_own(contourlab: Run, tmp_path: Path) -> None:
     said = contourlab("tune", written(tmp_path), "--parameter", "x.model_gain", "--json")
     assert (said.code, said.err) == (0, "")

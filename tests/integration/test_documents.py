@@ -108,6 +108,7 @@ def test_every_contour_is_in_the_manual_with_its_parameters() -> None:
         assert set(re.findall(r"`([a-z_]+)`", rows[name])) == set(contour_parameters(name)), name
 
 
+@pytest.mark.slow
 def test_the_tutorial_reproduces_its_printed_figures(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     from contourlab.cli.main import main
 

@@ -56,6 +56,7 @@ def test_wrong_words_are_refused(tmp_path: Path, scenario: Path, words: tuple[st
     assert not (tmp_path / "code").exists()
 
 
+@pytest.mark.slow
 def test_files_of_others_stay(tmp_path: Path, scenario: Path) -> None:
     own = tmp_path / "code" / "axis_x.c"
     own.parent.mkdir()

@@ -115,6 +115,7 @@ def test_the_measured_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureF
 
 @pytest.mark.parametrize("model", ["rigid", "rigid-by-direction", "first-order"])
 @pytest.mark.parametrize("asked", [[], ["--column", "reference.x=qg [m]"]])
+@pytest.mark.slow
 def test_the_measured_axis_can_repeat_its_motion(
     shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, asked: list[str]
 ) -> None:

@@ -37,6 +37,7 @@ def test_an_axis_that_slows_down_without_stopping_has_no_friction_of_its_own_the
     assert found["fit_percent"] > 97.0 and "CL512" in codes(found)
 
 
+@pytest.mark.slow
 def test_friction_of_the_measured_table(
     shared: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -62,6 +62,7 @@ def test_a_log_given_twice_is_refused_and_one_of_the_same_samples_reported(
     assert (twice["place"], twice["values"]["other"]) == ("copy.csv", "jog.csv")
 
 
+@pytest.mark.slow
 def test_sines_of_the_measured_table(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     logs = [str(shared / "data" / "ubc-xy-table" / f"sine_{f}Hz.mat") for f in (1, 4, 10, 30, 50, 70)]
     out = tmp_path / "axis.toml"
@@ -263,6 +264,7 @@ def test_logs_of_one_name_are_named_by_their_folders(tmp_path: Path, capsys: pyt
         ("frequency-response", [], ["bode"], ["velocity [mm/s/V]", "phase [deg]", "coherence"]),
     ],
 )
+@pytest.mark.slow
 def test_pictures_have_points_labels_and_a_folder(
     shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, more: list[str], files: list[str], labels: list[str]
 ) -> None:

@@ -69,6 +69,7 @@ def test_the_list_of_a_folder_may_be_lost(here: Path, capsys: pytest.CaptureFixt
     assert contents(here) == before
 
 
+@pytest.mark.slow
 def test_a_measured_run_takes_the_place_of_a_run_only(here: Path) -> None:
     """A controller of a swap stays, and so does a user's file in the results folder."""
     (here / "results" / "signals" / "bench.nc").write_text("of the user", encoding="utf-8")
@@ -98,6 +99,7 @@ def test_a_swap_does_not_replace_the_controller_that_it_runs_under(here: Path, c
     assert contents(here) == before
 
 
+@pytest.mark.slow
 def test_pictures_of_an_analysis_replace_their_namesakes_only(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (here / "two.toml").write_text(CIRCLE + '[schemes."a/b"]\n', encoding="utf-8")
     (here / "results" / "plots").mkdir()

@@ -270,6 +270,7 @@ def test_faults_are_refused_and_nothing_is_written(
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_a_simulated_run_can_be_measured(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """`measure` finds the contour error that `run` printed in the signals that `run` wrote."""
     kept = ["--signals", "reference", "--signals", "tool_position", "--judge", "all"]
@@ -282,6 +283,7 @@ def test_a_simulated_run_can_be_measured(tmp_path: Path, capsys: pytest.CaptureF
     assert found.metrics.contour_error.rms == pytest.approx(printed["metrics"]["contour_error"]["rms"], rel=1e-2)
 
 
+@pytest.mark.slow
 def test_each_next_command_runs_as_printed(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     assert main(["compare", "builtin:ghaffari/demo-stage", "--schemes", "position loop", "--out", "run"]) in (0, 1)
@@ -295,6 +297,7 @@ def test_each_next_command_runs_as_printed(tmp_path: Path, capsys: pytest.Captur
     assert main(words) in (0, 1)  # 1: the model explains too little
 
 
+@pytest.mark.slow
 def test_two_measured_runs_side_by_side(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = shared / "data" / "ubc-xy-table"
     logs = [str(folder / f"line_circle_{name}.mat") for name in ("lli", "pp")]

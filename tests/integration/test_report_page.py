@@ -118,6 +118,7 @@ def test_every_picture_is_drawn_once_its_fold_is_open(data, page):
 
 
 @pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
+@pytest.mark.slow
 def test_a_browser_paints_the_curves_in_their_colours(page, tmp_path):
     from PIL import Image
 

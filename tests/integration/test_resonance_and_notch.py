@@ -122,6 +122,7 @@ def test_the_reference_of_a_moving_axis_is_no_test_signal(folder: Path, capsys: 
     assert "--excitation" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_the_notch_keeps_6_db_and_30_degrees_with_the_gains_that_break_them(
     folder: Path, identified: dict[str, Any], capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -151,6 +152,7 @@ def test_the_notch_keeps_6_db_and_30_degrees_with_the_gains_that_break_them(
     assert main(["run", str(folder / "notched-part.toml"), "--out", str(folder / "after")]) == 0
 
 
+@pytest.mark.slow
 def test_before_and_after_are_printed(folder: Path, identified: dict[str, Any], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["notch", str(folder / "part.toml")]) == 0
     text = capsys.readouterr().out
@@ -167,6 +169,7 @@ def test_gains_that_no_notch_saves_are_lowered(folder: Path, identified: dict[st
     assert found["designs"]["x"]["velocity_gain_after"] == found["designs"]["x"]["largest_after"]
 
 
+@pytest.mark.slow
 def test_a_position_loop_that_is_too_fast_fails(folder: Path, identified: dict[str, Any], capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "stiff.toml").write_text(PART.replace('position_gain = "14', 'position_gain = "80'))
     assert main(["notch", str(folder / "stiff.toml"), "--json"]) == 1

@@ -91,6 +91,7 @@ def test_the_lines_for_a_drawing_run_as_they_are(contourlab: Run, tmp_path: Path
 
 
 @pytest.mark.skipif(os.name == "nt", reason="needs a POSIX pseudo-terminal")
+@pytest.mark.slow
 def test_a_terminal_shows_the_stages_of_a_long_run(tmp_path: Path) -> None:
     ours, theirs = os.openpty()
     write(tmp_path, PART)

@@ -62,6 +62,7 @@ OTHERS = [key for key in FILES if key not in UNSUPPORTED.keys() | ONLY_CLOSING_P
 
 
 @pytest.mark.parametrize("key", OTHERS)
+@pytest.mark.slow
 def test_the_same_moves(oracle: ModuleType, key: str) -> None:
     """Only the stand-alone program reads tool changes; it prints four decimals and has inches as machine units."""
     file = FILES[key]
@@ -108,6 +109,7 @@ DOUBLES = [key for key, file in FILES.items() if file.parent == GCODE and key in
 
 
 @pytest.mark.parametrize("key", DOUBLES)
+@pytest.mark.slow
 def test_the_same_moves_in_full_doubles(oracle: ModuleType, tmp_path: Path, key: str) -> None:
     """Remove the tool words, which the module cannot run outside LinuxCNC; the tools have zero length, so nothing else changes."""
     text = FILES[key].read_text(encoding="latin-1")

@@ -24,6 +24,7 @@ def oracle() -> ModuleType:
 
 
 @pytest.mark.parametrize("first", range(0, 48, 8))
+@pytest.mark.slow
 def test_same_moves_or_the_same_refusal(oracle: ModuleType, tmp_path: Path, first: int) -> None:
     """Full doubles: kinds, end points, centres, turns, feedrates, lines; splines by the vertices of their chords."""
     file, count = tmp_path / "program.ngc", 0
@@ -37,6 +38,7 @@ def test_same_moves_or_the_same_refusal(oracle: ModuleType, tmp_path: Path, firs
 
 @settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(seed=st.integers(48, 2**63))
+@pytest.mark.slow
 def test_same_moves_of_programs_never_seen_before(oracle: ModuleType, tmp_path_factory: pytest.TempPathFactory, seed: int) -> None:
     """The same with new programs each time; hypothesis keeps those that fail."""
     file = tmp_path_factory.mktemp("random") / "program.ngc"

@@ -88,6 +88,7 @@ def test_with_plentiful_jerk_the_time_is_near_the_least(name: str, feed: float) 
 
 
 @pytest.mark.parametrize("name", CASES)
+@pytest.mark.slow
 def test_without_a_jerk_limit_both_find_the_same_time(name: str) -> None:
     route = route_from_path(CASES[name](), 10.0)
     limits = AxisLimits([0.5, 0.5], ACCELERATION, np.inf)

@@ -6,6 +6,7 @@ import math
 from functools import cache
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
@@ -82,6 +83,7 @@ def test_curves_follow_motion_and_scale(angle: float, shift: tuple[float, float]
 
 @few
 @given(st.integers(0, 10_000))
+@pytest.mark.slow
 def test_a_reversed_path_is_the_same_with_exchanged_sides(seed: int) -> None:
     path, back, rng = PLAIN, mixed_path(reverse=True), np.random.default_rng(seed)
     length = path.length
@@ -122,6 +124,7 @@ def test_the_foot_is_no_further_than_any_point_of_its_window(
 
 @some
 @given(smooth_paths(), unit, st.floats(-0.9, 0.9))
+@pytest.mark.slow
 def test_a_point_on_a_normal_has_its_foot_at_its_root(path: Path, part: float, share: float) -> None:
     s = part * path.length
     window = 0.01 * path.length
@@ -137,6 +140,7 @@ def test_a_point_on_a_normal_has_its_foot_at_its_root(path: Path, part: float, s
 
 @some
 @given(smooth_paths(), st.floats(-12.0, -2.0), st.lists(unit, min_size=30, max_size=30), st.integers(1, 60))
+@pytest.mark.slow
 def test_the_table_keeps_its_bound_everywhere(path: Path, exponent: float, parts: list[float], pieces: int) -> None:
     tolerance = 10.0**exponent * path.length
     table = path.table(tolerance, pieces=pieces)

@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
@@ -189,6 +190,7 @@ def test_no_point_of_the_path_is_nearer(seed: int, name: str) -> None:
 
 @settings(max_examples=25, deadline=None)
 @given(seed=seeds, angle=angles, shift=shifts)
+@pytest.mark.slow
 def test_roundness_is_the_same_anywhere(seed: int, angle: float, shift: tuple[float, float]) -> None:
     """Both circular deviations depend on the shape alone; minimum zone <= least squares <= F_max - F_min around any centre."""
     rng = np.random.default_rng(seed)

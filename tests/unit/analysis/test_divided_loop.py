@@ -114,6 +114,7 @@ def test_held_messages_act_as_slower_sampling(spacing: int) -> None:
 
 @pytest.mark.parametrize("division", ["drive", "observer"])
 @pytest.mark.parametrize("quantity", ["delay", "message_period"])
+@pytest.mark.slow
 def test_simulation_loses_stability_where_the_model_does(division: str, quantity: str) -> None:
     machine = single()
     controller = divided(servo(), division)

@@ -98,6 +98,7 @@ def test_delay_offset_and_initial_velocity_are_identified() -> None:
     assert (fit["a"], fit["b"]) == pytest.approx((A, B), rel=1e-2)
 
 
+@pytest.mark.slow
 def test_the_output_error_fit_is_unbiased_by_noise_and_its_deviations_hold() -> None:
     """Over 25 noisy records the mean lies within its deviation of the truth; an equation-error fit is off by far more."""
     u = levels(n=3000)

@@ -71,6 +71,7 @@ def test_the_friction_model_is_recognised(law, name, true) -> None:  # type: ign
     np.testing.assert_allclose(fit.chosen.at(BOTH), fit.chosen.predicted, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_viscous_friction_gives_no_coulomb_friction() -> None:
     """AICc accepts a superfluous parameter with a probability of about one in ten."""
     fits = [fit_friction(BOTH, noisy(4.0 * BOTH + 0.05, seed), np.full(BOTH.size, SPREAD)) for seed in range(20)]
@@ -113,6 +114,7 @@ def test_scatter_between_runs_is_separated_from_scatter_within() -> None:
     assert abs(fit.chosen["Fc"] - 0.3) < 4.0 * fit.chosen.deviation("Fc")
 
 
+@pytest.mark.slow
 def test_deviations_are_correct_over_many_sets_of_runs() -> None:
     inside = 0
     for seed in range(30):

@@ -88,6 +88,7 @@ def test_figures_of_merit_match_their_definitions() -> None:
     assert published.deviations == pytest.approx(fit.deviations * math.sqrt((n - 4) / (n - 1)))
 
 
+@pytest.mark.slow
 def test_deviations_hold_over_two_hundred_noisy_records() -> None:
     """95 % of the true values lie within 1.96 deviations; with 800 counts this share has a deviation of 0.8 %."""
     t, q, v, a = motion(n=4000)

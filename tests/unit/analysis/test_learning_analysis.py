@@ -177,6 +177,7 @@ def test_model_based_laws_learn_monotonically_where_the_model_is_right() -> None
         operator.transposed(np.zeros((40, 2)))
 
 
+@pytest.mark.slow
 def test_divergence_is_a_finding() -> None:
     found = learning_analysis(*stages(0.1, 15e-3), ZeroPhase())
     assert not found.converges

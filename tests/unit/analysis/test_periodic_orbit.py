@@ -46,6 +46,7 @@ def test_product_of_multipliers(name: str) -> None:
     assert product == pytest.approx(math.exp(float(np.trace(loop.a)) * orbit.period), rel=1e-4, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_a_motion_that_never_rests_is_closed_too() -> None:
     """A loop that switches its controller has no prediction; its kicked motion goes on for thousands of mode changes."""
     case = load_scenario("builtin:backlash/part").case("scheme III")
@@ -116,6 +117,7 @@ def test_an_unstable_orbit_is_found_and_called_unstable() -> None:
     assert abs(values[worst]) > 2.0
 
 
+@pytest.mark.slow
 def test_no_orbit_is_found_where_none_exists() -> None:
     """The paper's own scheme ends at rest (its energy proves it); so does a slow cascade on a damped load."""
     for loop in (two_inertia_loop(drive(load_damping=0.05), SCHEME_II), two_inertia_loop(drive(load_damping=0.02), p_pi_cascade(5.0, 2.0))):
