@@ -23,7 +23,7 @@ EXPLAINED = 2.0
 
 @dataclass(frozen=True)
 class Split:
-    """u_i = u_R + u_NR,i over the last trials (eq 23), sample by sample; u_NR excludes the steady change by learning.
+    """Feedback of the last trials, split sample by sample: u_i = u_R + u_NR,i (eq 23); u_NR excludes the steady change by learning.
 
     Attributes
     ----------
