@@ -118,6 +118,15 @@ def types() -> dict[str, type]:
     return found
 
 
+def links() -> dict[str, str]:
+    """Return the full name of each class that has a page, by its short name; where two have the same name, neither."""
+    public = {name: f"contourlab.{name}" for name in contourlab.__all__ if inspect.isclass(getattr(contourlab, name))}
+    short: dict[str, list[str]] = {name: [full] for name, full in public.items()}
+    for full in (*types(), *(f"contourlab.errors.{name}" for name in errors.__all__)):
+        short.setdefault(full.rpartition(".")[2], []).append(full)
+    return {name: full[0] for name, full in short.items() if name in public or len(full) == 1}
+
+
 def api_page() -> str:
     """Return the page of all public names.
 
@@ -132,9 +141,10 @@ def api_page() -> str:
         odd = sorted(set(listed) ^ set(public)) or sorted({name for name in listed if listed.count(name) > 1})
         raise ValueError(f"docs/api.py: each name of contourlab.__all__ belongs in one group: {', '.join(odd)}")
     parts = [API, "```{eval-rst}\n.. currentmodule:: contourlab\n```\n"]
-    raised = (f"~contourlab.errors.{name}" for name in errors.__all__ if not hasattr(contourlab, name))
+    raised = (f"~errors.{name}" for name in errors.__all__ if not hasattr(contourlab, name))
     groups = GROUPS | {"Errors": (GROUPS["Errors"][0], (*GROUPS["Errors"][1], *raised))}
-    groups["Types"] = (TYPES, tuple(f"~{name}" for name in sorted(types(), key=lambda name: name.rpartition(".")[2])))
+    by_name = sorted(types(), key=lambda name: name.rpartition(".")[2])
+    groups["Types"] = (TYPES, tuple(f"~{name.removeprefix('contourlab.')}" for name in by_name))
     for head, (text, names) in groups.items():
         rows = "\n".join(f"   {name}" for name in names)
         table = f".. autosummary::\n   :toctree: api\n   :nosignatures:\n\n{rows}"
