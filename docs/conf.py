@@ -9,7 +9,9 @@ from typing import Any
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
+import api  # noqa: E402
 import generate  # noqa: E402
+from numpydoc import xref  # noqa: E402
 
 import contourlab  # noqa: E402
 
@@ -31,6 +33,10 @@ autosummary_filename_map = {"contourlab.component": "contourlab.component-functi
 smartquotes = False  # quotes belong to code
 default_role = "code"  # names in docstrings
 autodoc_typehints = "none"  # the docstrings give types, with shapes and units
+numpydoc_xref_param_type = True  # and lead to the pages of types
+numpydoc_xref_ignore = "all"  # no other word
+numpydoc_xref_aliases = api.links()
+xref.DEFAULT_LINKS.clear()  # words of Python, on another site
 numpydoc_validation_checks = {"PR02"}  # a docstring names no parameter that does not exist
 numpydoc_show_class_members = False  # the template lists them
 

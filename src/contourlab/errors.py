@@ -21,7 +21,9 @@
 
 from __future__ import annotations
 
+import difflib
 import re
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 __all__ = [
@@ -51,6 +53,20 @@ def error_text(error: BaseException) -> str:
         raise
     except BaseException:  # __str__ may raise anything
         return type(error).__name__
+
+
+def hint(name: str, known: Iterable[str], other: Mapping[str, str] | None = None) -> str:
+    """Suggest the known name of the same thing (by its `other` names), or the nearest one, or list all names.
+
+    >>> hint("dampng", ["gain", "damping"]), hint("P-PI", ["pid", "cascade"], {"p-pi": "cascade"})
+    ("did you mean 'damping'?", "did you mean 'cascade'?")
+    """
+    names = list(known)
+    same = (other or {}).get(name.lower().replace("_", "-"))
+    near = [same] if same in names else difflib.get_close_matches(name, names, n=1, cutoff=0.6)
+    if near:
+        return f"did you mean {near[0]!r}?"
+    return "use one of " + ", ".join(names) if names else "none is allowed here"
 
 
 class ContourlabError(Exception):

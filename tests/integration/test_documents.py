@@ -85,6 +85,13 @@ def test_the_scenario_of_the_readme_and_its_python(folder: Path) -> None:
     assert (batch.figures["contour_error_rms"] > 0.0).all()
 
 
+def test_the_page_of_the_package_index_has_no_relative_links_and_its_python_runs(capsys) -> None:
+    assert not re.search(r"\]\((?!https://)", (ROOT / "PYPI.md").read_text(encoding="utf-8"))
+    (text,) = blocks("PYPI.md", "python")
+    exec(compile(text, "PYPI.md", "exec"), {})
+    assert 10e-6 < float(capsys.readouterr().out) < 100e-6
+
+
 @pytest.mark.parametrize("guide", ["axis-control", "learning", "network-link"])
 def test_the_scenarios_and_the_python_of_a_guide_run(guide: str, folder: Path) -> None:
     page = f"docs/how-to/{guide}.md"

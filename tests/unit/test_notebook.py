@@ -127,3 +127,21 @@ def test_a_recorded_reference_shows_its_samples():
     drawn = reference.plot().axes
     assert np.array_equal(drawn[0].lines[0].get_xdata(), 1e3 * reference.block(0, 101).position[:, 0])
     assert np.array_equal(drawn[1].lines[0].get_ydata(), 6e4 * reference.block(0, 101).feedrate)
+
+
+def test_what_a_scenario_holds_is_shown_in_a_line():
+    scenario = cl.load_scenario("builtin:demo-part")
+    case = scenario.cases()[-1]
+    shown = (scenario, case, case.machine, case.controller, case.machine.axes[0], case.controller.axes["x"], case.motion.program)
+    assert all(len(repr(value)) < 300 and "\n" not in repr(value) for value in shown), [len(repr(value)) for value in shown]
+    assert f"axes: {', '.join(case.machine.axis_names)}" in repr(case.machine) and "newton" in repr(case.controller)
+    assert case.name in repr(case) and "demo-part" in repr(scenario)
+
+
+def test_the_tracking_error_of_a_run_is_drawn_with_the_sign_of_the_judge():
+    case = cl.load_scenario("builtin:ghaffari/demo-stage").base
+    circle = cl.uniform(cl.contour("circle", radius=5e-3), 2.0, 1, case.machine.servo_period)
+    result = cl.simulate(case.machine, case.controller, circle)
+    drawn = result.plot().axes[1].lines[0].get_data()
+    error = 1e6 * cl.judge(result, circle)["tracking_error"][:, 0]
+    assert np.allclose(drawn[1], error[np.rint(drawn[0] / circle.servo_period).astype(int)], rtol=0.0, atol=1e-9)

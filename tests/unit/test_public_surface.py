@@ -11,7 +11,6 @@ import inspect
 import re
 import sys
 import textwrap
-from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -23,63 +22,29 @@ from numpydoc.validate import validate
 import contourlab
 from contourlab import errors
 
+sys.path.append(str(Path(__file__).parents[2] / "docs"))
+import api
+from api import function_of, members
+
 SURFACE = Path(__file__).with_name("public_surface.txt")
 NAMES = [name for name in contourlab.__all__ if not name.startswith("__")]
-HANDED = [
-    "analysis.learning.learning_analysis.LearningAnalysis",
-    "analysis.linear.contour_transfer.ContourMargins",
-    "analysis.linear.contour_transfer.InternalStability",
-    "features.learn.run.LearningRun",
-    "features.learn.trial.TrialFigures",
-    "features.link.cost.LinkLimit",
-    "feed.verify.LimitReport",
-    "feed.verify.Worst",
-    "geometry.foot_point.FootPoint",
-    "geometry.view.PathView",
-    "loop.axis_parts.Limits",
-    "metrics.circle_backlash.CircleBacklash",
-    "metrics.circles.CircleFigures",
-    "metrics.figures.AxisFigures",
-    "metrics.figures.ErrorFigures",
-    "metrics.figures.MoveFigures",
-    "metrics.figures.Place",
-    "metrics.lost_motion.LostMotion",
-    "metrics.reversals.Spike",
-    "rendering.judgement.Verdict",
-    "scenario.case.Case",
-]
-"""Classes that public functions take or return, or that public classes hold, and that few people need to name."""
+TYPES = sorted(api.types())
+"""Classes that public names take, return or hold."""
 FORM = {"GL05", "GL06", "GL07", "GL08", "SS01", "SS02", "SS03", "SS04", "SS06", "PR02", "PR03", "PR05", "PR06"}
 """What numpydoc checks of every docstring: https://numpydoc.readthedocs.io lists the codes."""
 COMPLETE = FORM | {"PR01", "PR04", "RT01"}
 """And of a function: every parameter, its type, and what it returns."""
 NUMBER, ARRAY = re.compile(r"(float|ArrayLike|Array)( \| None)?"), re.compile(r"(ArrayLike|Array)( \| None)?")
 WITHOUT_UNIT = {
-    "alignment", "curvature_step", "divergence", "feedrate_ripple", "gain", "growth_margin", "improvement", "lap", "modulus", "scale",
-    "scale_mismatch", "strength", "unsure",
+    "alignment", "curvature_step", "divergence", "factor", "feedrate_ripple", "gain", "growth_margin", "improvement", "index", "lap",
+    "modulus", "norm", "override", "radius", "scale", "scale_mismatch", "share", "singular_values", "strength", "unsure", "worst_factor",
 }
 """Numbers that are ratios, factors or counts."""
 
 
 def thing(name: str) -> Any:
-    """Return a public object by its name, a class of `HANDED` by its module."""
-    if "." not in name:
-        return getattr(contourlab, name)
-    module, _, kind = name.rpartition(".")
-    return getattr(importlib.import_module(f"contourlab.{module}"), kind)
-
-
-def function_of(member: Any) -> Any:
-    """Return the function of a method or property, or None."""
-    member = getattr(member, "fget", None) or getattr(member, "func", None) or getattr(member, "__func__", member)
-    return member if inspect.isfunction(member) else None
-
-
-def members(kind: type) -> Iterator[tuple[str, Any]]:
-    """Yield the public methods and properties of a class itself."""
-    for name, member in vars(kind).items():
-        if not name.startswith("_") and function_of(member) is not None:
-            yield name, member
+    """Return a public object by its name."""
+    return getattr(contourlab, name) if "." not in name else api.types()[name]
 
 
 def faults_of(target: Any, codes: set[str]) -> list[str]:
@@ -122,7 +87,7 @@ def test_a_name_is_at_home_where_it_is_looked_up(name: str):
     assert getattr(home, name) is thing(name)
 
 
-@pytest.mark.parametrize("name", [*NAMES, *HANDED])
+@pytest.mark.parametrize("name", [*NAMES, *TYPES])
 def test_a_docstring_has_numpys_form_and_is_complete(name: str):
     target = thing(name)
     if inspect.isfunction(target):
@@ -131,10 +96,13 @@ def test_a_docstring_has_numpys_form_and_is_complete(name: str):
     assert not faults_of(target, FORM)
     assert not set(parameters(target)) - set(documented(target))
     for member, value in members(target):
-        assert not [f"{member}: {fault}" for fault in faults_of(function_of(value), FORM)]
+        function = function_of(value)
+        assert not [f"{member}: {fault}" for fault in faults_of(function, FORM)]
+        if re.search(r"\b(Array|ArrayLike|Index|Flags)\b", str(function.__annotations__)):
+            assert re.search(r"\((n|\d|order)", inspect.getdoc(function)), f"{member}: no shape"
 
 
-@pytest.mark.parametrize("name", [*NAMES, *HANDED])
+@pytest.mark.parametrize("name", [*NAMES, *TYPES])
 def test_a_physical_quantity_has_a_unit_and_an_array_a_shape(name: str):
     target = thing(name)
     entries = documented(target)
@@ -146,7 +114,7 @@ def test_a_physical_quantity_has_a_unit_and_an_array_a_shape(name: str):
             assert re.search(r"\[[^\]]+\]", text), parameter.name
 
 
-@pytest.mark.parametrize("name", [*NAMES, *HANDED])
+@pytest.mark.parametrize("name", [*NAMES, *TYPES])
 def test_a_docstring_names_the_errors(name: str):
     target = thing(name)
     functions = [target] if inspect.isfunction(target) else [function_of(member) for _, member in members(target)]
@@ -189,17 +157,19 @@ def test_the_surface_is_as_agreed():
     assert surface().splitlines() == agreed, "if it should change: python tests/unit/test_public_surface.py"
 
 
-def test_every_type_of_a_public_function_is_documented():
-    named = {kind.rpartition(".")[2] for kind in HANDED} | set(NAMES)
-    for name in NAMES:
+def test_every_type_in_a_signature_and_every_error_has_a_page():
+    page = api.api_page()
+    for name in [*NAMES, *TYPES]:
         target = thing(name)
-        if inspect.isfunction(target):
-            module = sys.modules[target.__module__]
-            for word in re.findall(r"[A-Z]\w+", signature(target)):
-                kind = getattr(module, word, None)
-                ours = inspect.isclass(kind) and kind.__module__.startswith("contourlab.")
-                if ours and not issubclass(kind, (Exception, contourlab.Component)):
-                    assert word in named, f"{name}: {word}"
+        functions = [target, *(function_of(member) for _, member in members(target))] if inspect.isclass(target) else [target]
+        for function in functions:
+            scope = {**vars(sys.modules[target.__module__]), **vars(errors)}
+            raises = [entry.type or entry.name for entry in NumpyDocString(inspect.getdoc(function) or "")["Raises"]]
+            for word in re.findall(r"\b[A-Z]\w+", f"{signature(function)} {' '.join(raises)}"):
+                kind = scope.get(word)
+                if inspect.isclass(kind) and kind.__module__.startswith("contourlab.") and not getattr(kind, "kind", ""):
+                    home = kind.__module__.removeprefix("contourlab.")
+                    assert re.search(rf"^   (~{home}\.)?{word}$", page, re.MULTILINE), f"{name}: {word}"
 
 
 if __name__ == "__main__":

@@ -23,6 +23,8 @@ PERIOD = 1e-3
 TICKS = 160
 SCALES = (1.0, 1e-3)
 AGREEMENT = 1e-9
+SLOW = (1e-5, 1e-4, 1e-3, 1e-2)
+"""Speeds [m/s] at which a friction is sized."""
 
 DECLARED = "declarations and example"
 
@@ -123,10 +125,22 @@ def _linked(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
     from contourlab.components.mechanics.core import friction_prefix, link
     from contourlab.components.registry import component
 
-    plant: Component = part if part.family == "plant" else component("plant", "mass-damper")(mass=2.0, force_constant=3.0)
-    friction: Component = part if part.family == "friction" else component("friction", "smooth-coulomb")(coulomb=0.1, breakaway=0.2)
+    if part.family == "plant":
+        plant, friction = part, component("friction", "smooth-coulomb")(coulomb=0.1, breakaway=0.2)
+    else:  # a plant that overcomes it
+        size = max(1.0, _resistance(part))
+        plant, friction = component("plant", "mass-damper")(mass=2.0 * size, force_constant=3.0 * size), part
     rubbing = {f"{friction_prefix(plant)}{row}": value for row, value in friction.block(PERIOD).items()}
     return link(plant, friction), {**plant.block(PERIOD), **rubbing}, plant.table_values()
+
+
+def _resistance(friction: Any) -> float:
+    """Return the largest force against a slow motion."""
+    par = friction.constants()
+    if friction.law == "sticking":
+        return float(friction.held(par))
+    resistance = friction.level if friction.law == "bristle" else friction.force
+    return max(float(resistance(par, speed)) for speed in SLOW)
 
 
 def _group(part: Component, jit: bool, width: int = 1) -> Group:

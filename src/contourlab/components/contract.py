@@ -43,7 +43,15 @@ BOTH_SIDES = ports("motor_position", "motor_velocity", "load_position", "load_ve
 
 @dataclass(frozen=True)
 class LinearModel:
-    """A linear model x' = A x + B u, y = C x + D u with named inputs and outputs, in continuous time."""
+    """A linear model x' = A x + B u, y = C x + D u with named inputs and outputs, in continuous time.
+
+    Attributes
+    ----------
+    a, b, c, d : ndarray (n_state, n_state), (n_state, n_input), (n_output, n_state), (n_output, n_input)
+        Each in the units of its ports [SI].
+    inputs, outputs : tuple of str
+        Names of ports.
+    """
 
     a: Array
     b: Array
@@ -181,7 +189,7 @@ class Component(Traced):
         return ()
 
     def table_values(self) -> dict[str, Array]:
-        """Return the read-only tables by name."""
+        """Return the read-only tables (n, ...) by name."""
         return {}
 
     def ring_length(self, dt: float) -> int:

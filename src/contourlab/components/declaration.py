@@ -13,7 +13,7 @@ from contourlab.components.families import FAMILY, Form, size_of
 from contourlab.components.place import fault
 from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ContourlabError, UnitError
-from contourlab.units import same_dimension
+from contourlab.units import in_si, same_dimension
 
 OF_A_TYPE = (
     *("reference", "example", "ring", "states", "inputs", "outputs", "derived", "tables"),
@@ -210,6 +210,8 @@ def _check_unit(kind: type[Component], name: str, parameter: Parameter) -> None:
     try:
         if not same_dimension(filled.unit, filled.display):
             raise fault(kind, f"parameter {name} has the unit {parameter.unit!r}, but the display unit {parameter.display!r}")
+        if in_si(1.0, filled.unit) != 1.0:
+            raise fault(kind, f"parameter {name} has the unit {parameter.unit!r}: write an SI unit, and the unit of files as `display`")
     except UnitError as error:
         raise fault(kind, f"parameter {name}: {error}") from error
 

@@ -26,7 +26,7 @@ class Origin:
     ----------
     source : str
         A key of `SOURCES`.
-    deviation : float or None, > 0
+    deviation : float or None [unit of the value], > 0
         Standard deviation of a normal distribution; None if not stated.
     span : (float, float) or None
         Lowest and highest value of a uniform distribution, instead of a deviation.

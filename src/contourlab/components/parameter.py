@@ -23,8 +23,8 @@ class Parameter:
         SI unit; empty for a plain number. ``{command}`` and ``{force}`` become the units of the plant.
     default : float, str, tuple of float or None
         None if a value is required.
-    minimum, maximum : float
-        Bounds in SI.
+    minimum, maximum : float [SI]
+        Bounds.
     exclusive : bool
         Whether the minimum itself is excluded.
     choices : tuple of str
@@ -39,6 +39,11 @@ class Parameter:
         Display unit.
     doc, source : str
         Meaning, and where the value comes from.
+
+    Raises
+    ------
+    ParameterError
+        If a bound is no number, the minimum is above the maximum, or a unit has other words in braces.
     """
 
     name: str

@@ -20,9 +20,23 @@ from contourlab.components.contract import FAMILIES, Component
 from contourlab.components.declaration import check_class
 from contourlab.components.place import fault, file_of_class
 from contourlab.engine.translate.source import TYPED
-from contourlab.errors import ComponentError, ContourlabError, error_text
+from contourlab.errors import ComponentError, ContourlabError, error_text, hint
 
 ENTRY_POINT_GROUP = "contourlab.components"
+OTHER_NAMES = {
+    **dict.fromkeys(("p-pi", "ppi", "pi", "servo", "p-pi-cascade", "cascaded"), "cascade"),
+    **dict.fromkeys(("ccc", "cross-coupling", "crosscoupled"), "cross-coupled"),
+    **dict.fromkeys(("dob", "dobs", "observer"), "disturbance-observer"),
+    **dict.fromkeys(("stribeck", "dry", "stick-slip"), "coulomb"),
+    **dict.fromkeys(("mass", "linear-axis", "rigid"), "mass-damper"),
+    **dict.fromkeys(("ballscrew", "screw", "leadscrew", "lead-screw"), "ball-screw"),
+    **dict.fromkeys(("two-mass-model", "resonant", "elastic", "flexible"), "two-mass"),
+    **dict.fromkeys(("ilc", "zero-phase-ilc"), "zero-phase"),
+    **dict.fromkeys(("linear-scale", "grating", "resolver", "glass-scale"), "encoder"),
+    **dict.fromkeys(("derivative", "dirty-derivative", "difference"), "filtered-difference"),
+    **dict.fromkeys(("ff", "feedforward", "model-inverse"), "inverse-dynamics"),
+}
+"""Other words for components -> their kinds."""
 _plugins: dict[tuple[str, str], type[Component]] = {}
 
 
@@ -175,12 +189,13 @@ def component(family: str, kind: str) -> type[Component]:
     Raises
     ------
     ComponentError
-        If there is none; the message lists the known kinds.
+        If there is none; the message suggests the nearest kind, or lists all.
 
     >>> component("plant", "rigid-axis").kind
     'rigid-axis'
     """
     found = {c.kind: c for c in components(family)}
     if kind not in found:
-        raise ComponentError(f"no {family} {kind!r}; the kinds are: {', '.join(found) or 'none'}")
+        meant = hint(kind, found, OTHER_NAMES)
+        raise ComponentError(f"no {family} {kind!r}: {meant}" + ("" if meant.endswith("?") else ", or give its file with --plugin"))
     return found[kind]

@@ -14,7 +14,13 @@ _SAME_PLACE = 1e-10
 
 
 class Judged(NamedTuple):
-    """Rising, separate sample ranges [start, stop), and what they cover, in words."""
+    """Rising, separate sample ranges [start, stop), and what they cover, in words.
+
+    Attributes
+    ----------
+    ranges : tuple of (int, int)
+    basis : str
+    """
 
     ranges: tuple[tuple[int, int], ...]
     basis: str

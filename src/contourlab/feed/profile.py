@@ -12,7 +12,15 @@ from contourlab.arrays import Array, Index
 
 
 class Motion(NamedTuple):
-    """Progress along the path and its time derivatives: arrays (n,) [m, m/s, m/s^2, m/s^3]."""
+    """Progress along the path and its time derivatives.
+
+    Attributes
+    ----------
+    arc_length : ndarray (n,) [m]
+    speed : ndarray (n,) [m/s]
+    acceleration : ndarray (n,) [m/s^2]
+    jerk : ndarray (n,) [m/s^3]
+    """
 
     arc_length: Array
     speed: Array

@@ -32,12 +32,14 @@ EVEN_POINTS = 2000
 class ReferenceBlock(NamedTuple):
     """Consecutive samples of a reference.
 
+    Attributes
+    ----------
     position, velocity, acceleration : ndarray (n, n_axis) [m, m/s, m/s^2]
     arc_length : ndarray (n,) [m]
         Progress, counted over the laps of a closed path.
     feedrate : ndarray (n,) [m/s]
         Speed along the path.
-    table : ndarray (n, 3 n_axis + 2)
+    table : ndarray (n, 3 n_axis + 2) [m, m/s, m/s^2]
         All of the above in this order; they are views of this table. Each signal is contiguous in memory.
     """
 
@@ -53,7 +55,14 @@ Filler: TypeAlias = "Callable[[Reference, int, int, Array], None]"
 
 
 class Recorded(NamedTuple):
-    """Imported positions (n, n_axis) [m], and their progress along the path (n,) [m]."""
+    """Imported positions.
+
+    Attributes
+    ----------
+    position : ndarray (n, n_axis) [m]
+    arc_length : ndarray (n,) [m]
+        Progress along the path.
+    """
 
     position: Array
     arc_length: Array

@@ -113,7 +113,7 @@ class CurveBatch:
         raise NotImplementedError
 
     def marks(self) -> tuple[Array, Index]:
-        """Return the arc lengths at which a table must cut the curves, ends included, and their number for each curve."""
+        """Return the arc lengths (n_mark,) [m] at which a table must cut the curves, with their ends, and their number (n,) for each."""
         if not hasattr(self.curves[0], "marks"):
             return np.column_stack([np.zeros_like(self.length), self.length]).ravel(), np.full(self.length.size, 2)
         marks = [curve.marks for curve in self.curves]

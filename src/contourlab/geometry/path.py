@@ -56,7 +56,7 @@ class Path(CurveSequence):
 
     @cached_property
     def corners(self) -> Array:
-        """Arc lengths at which the tangent jumps, rising; on a closed path 0 is the closing point."""
+        """Arc lengths (n,) [m] at which the tangent jumps, rising; on a closed path 0 is the closing point."""
         turn = np.linalg.norm(self.ends[1][:-1] - self.starts[1][1:], axis=1)
         corners = self.breaks[1:-1][turn > CORNER_ANGLE]
         if self.closed and np.linalg.norm(self.ends[1][-1] - self.starts[1][0]) > CORNER_ANGLE:
@@ -120,7 +120,7 @@ class Path(CurveSequence):
         return np.asarray(np.divide(np.einsum("ij,ij->i", second, third), size, out=np.zeros_like(size), where=size > 0.0))
 
     def foot_point(self, points: ArrayLike, around: ArrayLike, window: ArrayLike) -> FootPoint:
-        """Return the closest points of the path; see `contourlab.geometry.foot_point`."""
+        """Return the points closest to `points` (n, n_axis) [m], within `window` (n,) [m] of the arc lengths `around` (n,) [m]."""
         return foot_point(self, points, around, window)
 
     def table(self, tolerance: float = 1e-10, *, pieces: int = 1) -> PathTable:

@@ -33,7 +33,7 @@ class PathTable:
     ----------
     start : ndarray (n_piece + 1,) [m]
         Arc length at which each piece starts; the last is the length of the path.
-    coefficients : ndarray (n_piece, n_axis, 6)
+    coefficients : ndarray (n_piece, n_axis, 6) [m, 1, 1/m ...]
         Of powers of the arc length from the start of the piece.
     cell : ndarray (n_cell + 1,)
         First piece that touches each of n_cell equal cells of arc length, and the last piece. If at most one piece starts inside each

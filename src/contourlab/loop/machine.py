@@ -18,6 +18,7 @@ from contourlab.components.plant.plant import Plant
 from contourlab.errors import FeedError, ParameterError
 from contourlab.feed import AxisLimits
 from contourlab.loop.axis_parts import AxisError, Division, Limits
+from contourlab.notebook import facts_line
 
 
 @dataclass(frozen=True)
@@ -71,6 +72,10 @@ class Axis:
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     correlations: tuple[tuple[str, str, float], ...] = field(default=(), compare=False, repr=False)
 
+    def __repr__(self) -> str:
+        slots = {slot: getattr(self, slot) for slot in ("plant", "friction", "drive", "sensor")}
+        return facts_line("Axis", {"name": self.name, **{slot: part.kind for slot, part in slots.items()}})
+
 
 @dataclass(frozen=True)
 class Machine:
@@ -116,6 +121,10 @@ class Machine:
         for pair in self.squareness:
             if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
                 raise ParameterError("squareness", "-".join(pair), "two different axes of the machine")
+
+    def __repr__(self) -> str:
+        period = f"{1e3 * self.servo_period:g} ms"
+        return facts_line("Machine", {"name": self.name, "axes": ", ".join(self.axis_names), "servo period": period})
 
     def planner_limits(self) -> AxisLimits:
         """Return the limits of the axes, for the planner.
@@ -293,6 +302,9 @@ class AxisController:
         if self.link is not None:
             self._check_link(self.link)
 
+    def __repr__(self) -> str:
+        return facts_line("AxisController", {slot: part.kind for slot, part in self.parts.items()})
+
     def _check_link(self, link: Division) -> None:
         if self.predictor is not None and link.division == "observer":
             wanted = '"drive" or "controller": the observer needs the velocity after the predictor, which is in the base'
@@ -340,3 +352,8 @@ class Controller:
         if self.estimator is not None and blind:
             wanted = f"left out, because axis {blind[0]} sends no position to the base: its link goes one way"
             raise ParameterError("controller.estimator", f'"{self.estimator.kind}"', wanted)
+
+    def __repr__(self) -> str:
+        parts = {"estimator": self.estimator, "coupling": self.coupling}
+        kinds = {slot: part.kind for slot, part in parts.items() if part is not None}
+        return facts_line("Controller", {**{name: axis.controller.kind for name, axis in self.axes.items()}, **kinds})

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from difflib import SequenceMatcher, get_close_matches
-from fnmatch import fnmatchcase
 from typing import Any, TypeAlias
 
 from contourlab.components.contract import Component, Parameter
@@ -68,8 +68,17 @@ def declared(machine: Machine, name: str, part: Component, parameter: str) -> Pa
     return part.parameters[parameter].for_plant(axis.plant.command_unit, axis.plant.force_unit)
 
 
+def fits(name: str, wanted: str) -> bool:
+    """Tell whether a dotted name ends in the wanted one, or matches it as a whole if that has a ``*``: any name between two dots."""
+    if "*" in wanted:
+        return re.fullmatch("[^.]*".join(map(re.escape, wanted.split("*"))), name) is not None
+    return f".{name}".endswith(f".{wanted}")
+
+
 def matching(wanted: str, known: Mapping[str, Any], called: str, whose: str = "the machine or its controller") -> list[str]:
     """Return the dotted names that a text matches: a name, the end of one, or a pattern such as ``axes.*.plant.mass``.
+
+    A pattern matches whole names; its ``*`` stands for one name between dots.
 
     Raises
     ------
@@ -78,9 +87,9 @@ def matching(wanted: str, known: Mapping[str, Any], called: str, whose: str = "t
     """
     if wanted in known:
         return [wanted]
-    found = [name for name in known if fnmatchcase(name, wanted) or fnmatchcase(name, f"*.{wanted}")]
     # "3.position_gain" means controller.axes.3.controller.position_gain: the slot "controller" may be left out.
-    found += [name for name in known if name not in found and fnmatchcase(name.replace(".controller.", "."), f"*.{wanted}")]
+    found = [name for name in known if fits(name, wanted)]
+    found += [name for name in known if name not in found and fits(name.replace(".controller.", "."), wanted)]
     if not wanted or not found:
         raise ParameterError(called, repr(wanted), f"a parameter of {whose}, such as {', '.join(_near(wanted, known))}")
     return found

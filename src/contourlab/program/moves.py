@@ -236,7 +236,7 @@ class Event:
     word : str
         ``"S"``, ``"T"``, an M-code such as ``"M3"``, or ``"G4"`` for a dwell of 0 s.
     value : float or None
-        Number of S (turns per minute) and T, the P of M50 to M53 and M62 to M65, the Q of M61, M67 and M68; None where there is none.
+        Number of S [turns per minute] and T, the P of M50 to M53 and M62 to M65, the Q of M61, M67 and M68; None where there is none.
     source_line : int, >= 1
     index : float or None
         The E of M67 and M68: the number of the output.
@@ -294,3 +294,6 @@ class Program:
     lines: tuple[str, ...] = field(repr=False)
     events: tuple[Event, ...] = ()
     notices: tuple[Notice, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"Program(name: {self.name}; lines: {len(self.lines)}; moves: {len(self.moves)})"

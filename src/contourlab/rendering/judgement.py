@@ -163,7 +163,21 @@ class Cause:
 
 @dataclass(frozen=True, slots=True)
 class Worst:
-    """Where the part error is largest: value [m], sample, time [s], position [m], arc length [m], source line (0 for none) and its text."""
+    """Where the part error is largest.
+
+    Attributes
+    ----------
+    value : float [m]
+        The error.
+    sample : int
+    time : float [s]
+    position : tuple of float, one for each axis [m]
+    arc_length : float [m]
+    line : int
+        Source line; 0 for none.
+    text : str
+        Text of the line.
+    """
 
     value: float
     sample: int

@@ -92,7 +92,7 @@ class Result:
 
     @property
     def time(self) -> Array:
-        """Time of each sample [s]: index times period, never a running sum."""
+        """Time of each sample (n_sample,) [s]: index times period, never a running sum."""
         return np.asarray((self.start + np.arange(self.n_sample)) * self.servo_period)
 
     def with_signals(self, **signals: Signal) -> Result:
@@ -123,7 +123,7 @@ class Result:
         return frame(columns, self.time, "time")
 
     def plot(self) -> Figure:
-        """Draw the path of the first two axes, and over time the contour error of a judged run, else each axis' deviation.
+        """Draw the path of the first two axes, and over time the contour error of a judged run, else the tracking error of each axis.
 
         Raises
         ------
@@ -138,8 +138,8 @@ class Result:
         if "contour_error" in self:
             panels.append(("time [s]", "contour error [um]", [("", self.time, 1e6 * self["contour_error"])]))
         else:
-            off = [(name, self.time, 1e6 * column) for name, column in zip(self.axes, (actual - reference).T, strict=True)]
-            panels.append(("time [s]", "axis - reference [um]", off))
+            off = [(name, self.time, 1e6 * column) for name, column in zip(self.axes, (reference - actual).T, strict=True)]
+            panels.append(("time [s]", "tracking error [um]", off))
         return curves(panels, to_scale=len(self.axes) > 1)
 
     def _facts(self) -> dict[str, str]:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component
+from contourlab.errors import hint
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
 from contourlab.loop.machine import AXIS_SLOTS, NAMED_SLOTS
 from contourlab.scenario.components import find_kind, read_component, read_values, read_wishes
@@ -27,7 +28,7 @@ from contourlab.scenario.tables import (
     ZeroPhaseTable,
     read_table,
 )
-from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, hint, located, same_table
+from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, located, same_table
 
 SUPERVISOR = "performance"
 """Default kind of a supervisor."""

@@ -16,6 +16,7 @@ from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_f
 from contourlab.feed.judged import WHOLE, Judged
 from contourlab.feed.route import controlled
 from contourlab.loop import Change, Controller, Machine
+from contourlab.notebook import facts_line
 from contourlab.scenario.motion_check import check_motion
 from contourlab.scenario.values import (
     DEFAULT_CORNER_TOLERANCE,
@@ -56,6 +57,10 @@ class Case:
     run: RunSettings
     learning: LearningSettings | None = None
     changes: tuple[Change, ...] = ()
+
+    def __repr__(self) -> str:
+        motion = self.motion.name if isinstance(self.motion, Contour) else self.motion.program.name
+        return facts_line("Case", {"name": self.name, "machine": self.machine.name, "motion": motion, "controller": self.controller})
 
     @property
     def tolerance(self) -> float | None:
@@ -227,6 +232,9 @@ class Scenario:
     base: Case
     all_cases: tuple[Case, ...] = ()
     files: tuple[File, ...] = ()
+
+    def __repr__(self) -> str:
+        return facts_line("Scenario", {"name": self.name, "file": self.file, "cases": ", ".join(case.name for case in self.cases())})
 
     @property
     def machine(self) -> Machine:

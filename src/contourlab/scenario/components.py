@@ -9,10 +9,10 @@ from typing import Any
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import Origin
 from contourlab.components.registry import component, components
-from contourlab.errors import ComponentError, ParameterError, UnitError
+from contourlab.errors import ComponentError, ParameterError, UnitError, hint
 from contourlab.scenario.provenance import bare, read_origins
 from contourlab.scenario.quantities import read_list, read_number, show_bound
-from contourlab.scenario.tree import Leaf, Node, Table, hint, located
+from contourlab.scenario.tree import Leaf, Node, Table, located
 
 WORKED_OUT = Origin("design", note="computed from gains = {...}")
 
@@ -34,15 +34,13 @@ def _as_table(node: Node, family: str) -> Table:
 def find_kind(table: Table, family: str) -> type[Component]:
     """Return the component that a table names."""
     node = table.get("kind")
-    names = [kind.kind for kind in components(family)]
-    if node is None:
-        raise table.error(f"key kind is missing: write one of {', '.join(names)}")
     if not isinstance(node, Leaf) or not isinstance(node.value, str):
-        raise table.error(f"write one of {', '.join(names)}", "kind")
+        names = ", ".join(kind.kind for kind in components(family))
+        raise table.error(f"{'key kind is missing: ' if node is None else ''}write one of {names}", "" if node is None else "kind")
     try:
         return component(family, node.value)
-    except ComponentError:
-        raise node.error(f"no {family} {node.value!r}: {hint(node.value, names)}") from None
+    except ComponentError as error:
+        raise node.error(str(error)) from None
 
 
 def read_component(

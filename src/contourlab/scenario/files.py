@@ -8,8 +8,8 @@ from functools import cache
 from pathlib import Path
 
 import contourlab
-from contourlab.errors import ScenarioError
-from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, hint, located, merge, read_tree
+from contourlab.errors import ScenarioError, hint
+from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, located, merge, read_tree
 
 BUILTIN = "builtin:"
 """Prefix of shipped files."""

@@ -8,14 +8,14 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.components.registry import load_plugin
-from contourlab.errors import ScenarioError
+from contourlab.errors import ScenarioError, hint
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.scenario.build import build_axis, build_controller, build_machine, in_place
 from contourlab.scenario.case import Case, Scenario
-from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, join, listed, spread
+from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, join, listed, shipped_hint, spread
 from contourlab.scenario.motion import read_changes, read_feed, read_learning, read_motion, read_run
 from contourlab.scenario.tables import ScenarioTable, read_table
-from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, merge, parse_tree, settle
+from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, merge, parse_tree, settle
 from contourlab.scenario.values import Contour, Motion
 
 SCHEME_KEYS = ("machine", "axes", "controller", "feed", "run", "learning")
@@ -52,6 +52,8 @@ def _open(file: str | Path, plugins: Sequence[str | Path]) -> tuple[Reader, Tabl
         resolved = path.resolve()
     except (OSError, ValueError, RuntimeError) as error:
         raise ScenarioError(f"is not a file name: {error}", file=text) from error
+    if not path.exists() and (shipped := shipped_hint(text)):
+        raise ScenarioError(f"no such file{shipped}", file=text)
     reader = Reader(open_files=(resolved,))
     return reader, reader.file(path)
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.contours import SUFFIXES, unit_size
-from contourlab.errors import ProgramError, ScenarioError
+from contourlab.errors import ProgramError, ScenarioError, hint
 from contourlab.geometry import contour_names, contour_parameters
 from contourlab.loop import Change, Machine
 from contourlab.loop.simulate import UNITS
@@ -18,7 +18,7 @@ from contourlab.scenario.files import Reader, named_in, spread
 from contourlab.scenario.placing import fitted
 from contourlab.scenario.quantities import read_list, read_number
 from contourlab.scenario.tables import ChangeTable, ContourFileTable, FeedTable, LearningTable, ProgramTable, RunTable, read_table
-from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, located, same_table, settle
+from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, located, same_table, settle
 from contourlab.scenario.values import Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings
 
 JUDGED = ("contour_error", "part_error", "planning_deviation", "foot_arc_length", "tracking_error")

@@ -14,12 +14,12 @@ import numpy as np
 
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import SOURCES, Origin
-from contourlab.errors import ParameterError, UnitError
+from contourlab.errors import ParameterError, UnitError, hint
 from contourlab.loop import Machine
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.toml_text import Noted
-from contourlab.scenario.tree import STATED, Leaf, Node, Table, hint, located, same_table
+from contourlab.scenario.tree import STATED, Leaf, Node, Table, located, same_table
 
 _KEYS = (STATED, "source", "deviation", "range", "from", "note")
 _EXAMPLE = '{value = "33 kg", source = "fitted", deviation = "1 %", from = "log.mat"}'

@@ -7,12 +7,12 @@ from typing import Annotated, Any, ClassVar, Literal, TypeVar
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
-from contourlab.errors import ScenarioError, UnitError
+from contourlab.errors import ScenarioError, UnitError, hint
 from contourlab.feed.limits import RANGES
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.program import Reading
 from contourlab.scenario.quantities import read_list, read_number, show_bound
-from contourlab.scenario.tree import Leaf, Table, hint
+from contourlab.scenario.tree import Leaf, Table
 from contourlab.scenario.values import checked_judge
 
 

@@ -5,11 +5,10 @@
 
 from __future__ import annotations
 
-import difflib
 import json
 import re
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -27,20 +26,6 @@ DESIGNED = ("velocity_gain", "position_gain", "integral_gain", "integral_time", 
 STATED = "value"
 """Key of the value in a table of a number and its source."""
 
-OTHER_NAMES = {
-    **dict.fromkeys(("p-pi", "ppi", "pi", "servo", "p-pi-cascade", "cascaded"), "cascade"),
-    **dict.fromkeys(("ccc", "cross-coupling", "crosscoupled"), "cross-coupled"),
-    **dict.fromkeys(("dob", "dobs", "observer"), "disturbance-observer"),
-    **dict.fromkeys(("stribeck", "dry", "stick-slip"), "coulomb"),
-    **dict.fromkeys(("mass", "linear-axis", "rigid"), "mass-damper"),
-    **dict.fromkeys(("ballscrew", "screw", "leadscrew", "lead-screw"), "ball-screw"),
-    **dict.fromkeys(("two-mass-model", "resonant", "elastic", "flexible"), "two-mass"),
-    **dict.fromkeys(("ilc", "zero-phase-ilc"), "zero-phase"),
-    **dict.fromkeys(("linear-scale", "grating", "resolver", "glass-scale"), "encoder"),
-    **dict.fromkeys(("derivative", "dirty-derivative", "difference"), "filtered-difference"),
-    **dict.fromkeys(("ff", "feedforward", "model-inverse"), "inverse-dynamics"),
-}
-"""Other words for components -> their kinds."""
 MAX_DEPTH = 12
 _BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
 _TEXTS = ("name", "file")
@@ -149,20 +134,6 @@ def dotted(key: str, name: str) -> str:
     """
     shown = name if _BARE.match(name) else json.dumps(name, ensure_ascii=False)
     return f"{key}.{shown}" if key else shown
-
-
-def hint(name: str, known: Iterable[str]) -> str:
-    """Suggest the known name of the same thing, or the nearest one, or list all names.
-
-    >>> hint("dampng", ["gain", "damping"]), hint("P-PI", ["pid", "cascade"])
-    ("did you mean 'damping'?", "did you mean 'cascade'?")
-    """
-    names = list(known)
-    same = OTHER_NAMES.get(name.lower().replace("_", "-"))
-    near = [same] if same in names else difflib.get_close_matches(name, names, n=1, cutoff=0.6)
-    if near:
-        return f"did you mean {near[0]!r}?"
-    return "use one of " + ", ".join(names) if names else "none is allowed here"
 
 
 def from_mapping(values: Mapping[str, Any], file: str, key: str = "", depth: int = 0) -> Table:

@@ -6,7 +6,7 @@ import pytest
 
 from contourlab.components.conformance import check_component
 from contourlab.components.contract import FAMILIES, Component
-from contourlab.components.registry import components
+from contourlab.components.registry import component, components
 from contourlab.loop.machine import Axis, AxisController, Controller
 
 EVERY = [pytest.param(kind, id=f"{kind.family}/{kind.kind}") for kind in components()]
@@ -16,6 +16,24 @@ EVERY = [pytest.param(kind, id=f"{kind.family}/{kind.kind}") for kind in compone
 def test_a_component_keeps_the_contract(kind: type[Component]) -> None:
     checks = check_component(kind)
     assert len(checks) >= 2 and len(set(checks)) == len(checks)
+
+
+STRIBECK = {"coulomb": 80.0, "breakaway": 120.0, "viscous": 500.0}
+
+
+@pytest.mark.parametrize(
+    ("kind", "values"),
+    [
+        ("coulomb", STRIBECK),
+        ("smooth-coulomb", STRIBECK),
+        ("rising", {"coulomb": 400.0, "breakaway": 60.0, "rise_velocity": 2e-2, "viscous": 300.0}),
+        ("lugre", {**STRIBECK, "stiffness": 3e7, "bristle_damping": 2e4}),
+    ],
+)
+def test_a_friction_of_a_real_machine_keeps_the_contract(monkeypatch, kind: str, values: dict[str, float]) -> None:
+    friction = component("friction", kind)
+    monkeypatch.setattr(friction, "example", values)
+    assert f"every parameter has an effect ({len(friction.parameters)})" in check_component(friction)
 
 
 def test_every_family_has_a_component() -> None:

@@ -54,6 +54,7 @@ IN_A_CLASS = [
     (("controller", 'unit="{command}/m"', 'unit="{volt}/m"'), GAIN, "{command}"),
     (("controller", 'unit="{command}/m"', 'unit="furlongz"'), CLASS, "unknown unit"),
     (("controller", 'unit="{command}/m"', 'unit="m", display="s"'), CLASS, "display unit 's'"),
+    (("controller", 'unit="{command}/m"', 'unit="A/furlongs"'), CLASS, "SI unit"),
     (("controller", " minimum=0.0,", ""), CLASS, "no bound"),
     (("controller", "minimum=0.0", 'minimum="0"'), GAIN, "a number"),
     (("controller", "minimum=0.0", "minimum=3.0, maximum=1.0"), GAIN, "at most the maximum"),

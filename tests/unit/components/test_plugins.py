@@ -11,8 +11,10 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
+from refusals import refuses
 
 import contourlab as cl
+from contourlab.cli.main import main
 from contourlab.components import registry
 from contourlab.components.contract import Component
 from contourlab.errors import ComponentError
@@ -252,6 +254,14 @@ def test_an_entry_point_cannot_replace_a_built_in_component(monkeypatch: pytest.
 def test_unknown_families_and_kinds_are_answered_with_the_valid_ones() -> None:
     with pytest.raises(ComponentError, match=r"'gearbox'.* plant, friction"):
         registry.components("gearbox")
-    plants = "ball-screw, elastic-ball-screw, linear-motor, mass-damper, rigid-axis, second-order-integrator, two-inertia, two-mass"
-    with pytest.raises(ComponentError, match=rf"'rigid axis'.* {plants}$"):
-        registry.component("plant", "rigid axis")
+    plants = ", ".join(kind.kind for kind in registry.components("plant"))
+    with pytest.raises(ComponentError, match=rf"'lathe'.* {plants}, .*--plugin"):
+        registry.component("plant", "lathe")
+
+
+@pytest.mark.parametrize(("family", "kind", "meant"), [("plant", "rigid axis", "rigid-axis"), ("controller", "p-pi", "cascade")])
+def test_a_kind_by_another_name_is_answered_with_ours(family: str, kind: str, meant: str, capsys) -> None:
+    with refuses(ComponentError, meant):
+        registry.component(family, kind)
+    assert main(["components", f"{family}/{kind}"]) == 2
+    assert meant in capsys.readouterr().err

@@ -8,6 +8,7 @@ from refusals import refuses
 
 import contourlab as cl
 from contourlab.errors import ParameterError
+from contourlab.loop.parameters import fits
 
 GAINS = np.array([0.8, 1.2])
 
@@ -29,6 +30,21 @@ def test_a_pattern_gives_all_that_match_the_same_values(case):
     both = one, {"axes.*.plant.gain": GAINS}
     each, together = (cl.simulate_batch(case.machine, case.controller, circle, variants) for variants in both)
     assert np.array_equal(each.figures["contour_error_rms"], together.figures["contour_error_rms"])
+
+
+@pytest.mark.parametrize(
+    ("pattern", "fitting"),
+    [
+        ("axes.*.plant.gain", {"axes.1.plant.gain", "axes.3.plant.gain"}),
+        ("controller.*.*.controller.position_g*", {f"controller.axes.{axis}.controller.position_gain" for axis in "13"}),
+        ("plant.gain", {"axes.1.plant.gain", "axes.3.plant.gain"}),
+        ("*.gain", set()),
+        ("axes.*.controller.position_gain", set()),
+    ],
+)
+def test_a_star_is_one_name_between_dots_and_a_pattern_begins_at_the_start(case, pattern, fitting):
+    known = cl.parameter_names(case.machine, case.controller)
+    assert {name for name in known if fits(name, pattern)} == fitting
 
 
 def test_a_parameter_is_given_once(case):

@@ -126,6 +126,11 @@ def test_missing_files(tmp_path: Path) -> None:
                 reader(name)
 
 
+def test_a_shipped_scenario_without_its_prefix_is_suggested() -> None:
+    with refuses(ScenarioError, "builtin:demo-part", file="demo-part"):
+        load_scenario("demo-part")
+
+
 def test_circular_includes_are_named(written: Write) -> None:
     written(a='machine = "b.toml"', b='machine = "a.toml"')
     with pytest.raises(ScenarioError, match=r"other, a\.toml -> b\.toml -> a\.toml"):

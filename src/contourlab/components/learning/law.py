@@ -44,8 +44,8 @@ class InputModel:
 
     Parameters
     ----------
-    impulse : ndarray (m, n_axis), m <= n_sample
-        Position at sample i after an input of 1 at sample 0; zero from m on.
+    impulse : ndarray (n, n_axis) [m per unit of the input], n <= n_sample
+        Position at sample i after an input of 1 at sample 0; zero from n on.
     n_sample : int
     """
 
@@ -65,11 +65,11 @@ class InputModel:
         return np.asarray(irfft(rfft(columns, self.length) * response.T, self.length)[:, : self.n_sample].T)
 
     def forward(self, signal: Array) -> Array:
-        """Return the positions G u that an input causes."""
+        """Return the positions G u (n_sample, n_axis) [m] that an input u (n_sample, n_axis) causes."""
         return self.through(signal, self.response)
 
     def adjoint(self, signal: Array) -> Array:
-        """Return G' e, the transpose of `forward`."""
+        """Return G' e (n_sample, n_axis), the transpose of `forward`, of errors e (n_sample, n_axis) [m]."""
         return self.through(signal, self.response.conj())
 
 
@@ -84,7 +84,7 @@ class LearningProblem:
     Attributes
     ----------
     servo_period : float [s]
-    tangent : ndarray (n_sample, n_axis)
+    tangent : ndarray (n_sample, n_axis) [m/m]
         Unit tangent of the path at the reference.
     impulses : callable
         Returns the impulse responses (m, n_axis) from the learned input to the position; called only by laws that use a model.
@@ -144,7 +144,7 @@ class LearningLaw(Component):
         return np.asarray(np.where(trial.excess * (wanted - table) > 0.0, table, wanted))
 
     def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
-        """Return the next table without protection against wind-up; arguments and result as in `update`."""
+        """Return the next table (n_sample, n_axis) without protection against wind-up; arguments as in `update`."""
         raise NotImplementedError
 
     def passed(self, signal: Array, servo_period: float) -> Array:

@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from contourlab.components.contract import Component, Parameter
-from contourlab.errors import ComponentError
+from contourlab.components.registry import OTHER_NAMES, component
+from contourlab.errors import ComponentError, hint
 from contourlab.rendering.table import Column, Table, paragraphs
-from contourlab.scenario.tree import hint
 from contourlab.units import from_si
 
 STAND_IN = ("full_scale", "full_scale")
@@ -59,7 +59,10 @@ def chosen(name: str | None, known: list[type[Component]]) -> list[type[Componen
     named = [kind for kind in known if name in (kind.family, kind.kind, f"{kind.family}/{kind.kind}")]
     if not named:
         families, kinds = (list(dict.fromkeys(getattr(kind, what) for kind in known)) for what in ("family", "kind"))
-        meant = hint(name, [*families, *kinds])
+        family, slash, kind = name.partition("/")
+        if slash and family in families:
+            return [component(family, kind)]  # which raises
+        meant = hint(name, [*families, *kinds], OTHER_NAMES)
         cure = meant if meant.startswith("did") else f"use a family: {', '.join(families)}; contourlab components lists all kinds"
         raise ComponentError(f"no family or kind {name!r}: {cure}")
     return named

@@ -23,7 +23,7 @@ EXPLAINED = 2.0
 
 @dataclass(frozen=True)
 class Split:
-    """u_i = u_R + u_NR,i over the last trials (eq 23), sample by sample; u_NR excludes the steady change by learning.
+    """Feedback of the last trials, split sample by sample: u_i = u_R + u_NR,i (eq 23); u_NR excludes the steady change by learning.
 
     Attributes
     ----------
@@ -32,7 +32,7 @@ class Split:
     repeatable, non_repeatable : tuple of float, one for each axis [command unit]
         Rms of the two parts of the feedback.
     bound : tuple of float, one for each axis [command unit, or m where the reference is learned]
-        max |h * u_NR|: the non-repeatable part that passes the law's filter and is learned by mistake. For a law that learns the
+        ``max |h * u_NR|``: the non-repeatable part that passes the law's filter and is learned by mistake. For a law that learns the
         reference: the same of the tracking error instead of the feedback.
     bound_position : tuple of float, one for each axis, or None [m]
         Largest position error that this causes, by the linear model; None without such a model.

@@ -65,7 +65,7 @@ class LearnedTable:
         law: LearningLaw,
         figures: Mapping[str, Array] | None = None,
     ) -> LearnedTable:
-        """Return a table of learned values for a motion of a machine under its controller."""
+        """Return a table of learned values (n_sample, n_axis) for a motion of a machine under its controller."""
         return cls(
             values=values,
             target=law.target,

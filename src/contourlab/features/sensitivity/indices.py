@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from fnmatch import fnmatchcase
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.design import DesignVariable, Space
 from contourlab.errors import ParameterError, UnitError
+from contourlab.loop.parameters import fits
 from contourlab.scenario.quantities import read_number
 
 UNIFORM, LOG_UNIFORM, NORMAL = KINDS = ("uniform", "log-uniform", "normal")
@@ -100,7 +100,7 @@ def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] =
 
 
 def _matches(variable: DesignVariable, name: str) -> bool:
-    return any(fnmatchcase(known, pattern) for known in (variable.name, variable.short) for pattern in (name, f"*.{name}"))
+    return fits(variable.name, name) or fits(variable.short, name)
 
 
 def _deviation(variable: DesignVariable, text: str) -> float:

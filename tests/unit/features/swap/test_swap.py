@@ -123,7 +123,7 @@ def test_diagonal_of_the_crossed_designs_is_the_best(unequal: SwapStudy) -> None
 
 @pytest.mark.parametrize("settings", [{}, {"local": (frozenset({AHEAD}),)}, {"exhaustive": True}])
 def test_no_found_design_improves_a_shared_one(settings: dict[str, object]) -> None:
-    variants = variants_under([("like", rigid("other", 1.01))], ("x.*_gain",))
+    variants = variants_under([("like", rigid("other", 1.01))], ("controller.axes.x.controller.*_gain",))
     names = tuple(name for name in variants.space.names if ".axes.x." in name)
     study = swap_study(variants, names, SwapSettings(budget=100, **settings))  # type: ignore[arg-type]
     shared = [np.tile(point, (len(variants), 1)) for point in variants.best_points]
@@ -295,7 +295,7 @@ def test_local_parameters_are_marked_in_their_axis() -> None:
 
 def kept_study(folder: Path, stop_after: int | None = None, model: str = "one", stop_at: str = "") -> tuple[SwapStudy, Checkpoint]:
     """Return a study with saved searches, or stop it at the start of a stage, given by number or name."""
-    variants = variants_under([("strong", rigid("other", 2.0))], ("*.x.controller.*_gain",))
+    variants = variants_under([("strong", rigid("other", 2.0))], ("controller.axes.x.controller.*_gain",))
     checkpoint, begun = Checkpoint(folder, model), list[str]()
 
     def stage(name: str, most: int) -> None:
@@ -342,7 +342,7 @@ def test_searches_of_another_study_are_ignored_and_damaged_ones_repeated(tmp_pat
 
 def test_superfluous_local_parameters_are_dropped() -> None:
     # The other gains of a rigid frictionless axis do not depend on its strength; only a' does.
-    variants = variants_under([("strong", rigid("other", 2.0))], ("x.*_gain",))
+    variants = variants_under([("strong", rigid("other", 2.0))], ("controller.axes.x.controller.*_gain",))
     names = tuple(name for name in variants.space.names if ".axes.x." in name)
     study = swap_study(variants, names, SwapSettings(budget=600))
     assert len(names) == 4 and study.recommended is not None and study.recommended.local == (AHEAD,)
