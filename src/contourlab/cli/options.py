@@ -117,6 +117,30 @@ MostMoves: TypeAlias = Annotated[
 ]
 
 
+Fit: TypeAlias = Annotated[bool, typer.Option("--fit", help="Scale and move a part program into the machine's travel.")]
+NoRequireEnd: TypeAlias = Annotated[
+    bool, typer.Option("--no-require-end", help="Accept a part program without M2, M30 or %: its last line ends it.")
+]
+AnyDialect: TypeAlias = Annotated[
+    str | None, typer.Option("--dialect", help="Dialect of a part program: linuxcnc (the default), or grbl.", show_default=False)
+]
+
+
+def program_keys(
+    fit: bool, block_delete: bool, tools: Path | None, no_require_end: bool, most_moves: int | None, dialect: str | None
+) -> dict[str, Any]:
+    """Return the keys of the table ``program`` that options set."""
+    keys = {
+        "fit": fit or None,
+        "block_delete": block_delete or None,
+        "tools": None if tools is None else str(tools),
+        "require_end": False if no_require_end else None,
+        "dialect": dialect,
+        "most_moves": most_moves,
+    }
+    return {name: value for name, value in keys.items() if value is not None}
+
+
 def reading_of(file: Path, dialect: str, block_delete: bool, tools: Path | None, most_moves: int | None) -> Reading:
     """Return the options of the reader, which reports a missing end as a notice only; refuse a drawing."""
     from contourlab.features.run.inputs import refuse_drawing

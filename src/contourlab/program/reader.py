@@ -276,8 +276,6 @@ _LINE_BREAK = re.compile(r"\r\n|\n|\r")
 
 def unreadable(file: str | Path, error: OSError | ValueError) -> ProgramError:
     """Return the error of a file that cannot be read."""
-    if isinstance(error, IsADirectoryError):
-        return ProgramError("is a folder: name a part program in it", file=file)
     reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
     return ProgramError(f"the part program cannot be read: {reason}", file=file)
 
