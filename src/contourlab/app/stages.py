@@ -154,6 +154,7 @@ class Stages:
             if self._task is None:
                 self._task = self._bar.add_task(words, total=None, left="")
             self._show()
+            self._bar.refresh()  # else a short stage would not be seen
 
     def advance(self, done: int, total: int) -> None:
         """Show the progress of the stage."""

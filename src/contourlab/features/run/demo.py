@@ -79,9 +79,10 @@ def _answer(summaries: Mapping[str, Any]) -> str:
     def told(which: int) -> str:
         schemes = [list(summary["schemes"].values())[which] for summary in summaries.values()]
         sizes = listing([number(1e6 * scheme["metrics"]["part_error"]["max"]) for scheme in schemes])
-        return f"{sizes} um, {sum(scheme['verdict']['passed'] for scheme in schemes)} of {len(schemes)} within tolerance"
+        passed = sum(scheme["verdict"]["passed"] for scheme in schemes)
+        return f"{sizes} um: {passed} of {len(schemes)} cases pass"
 
-    return f"Largest errors with the first controller of each machine: {told(0)}. With the last one: {told(-1)}."
+    return f"With the position loop alone the tool strays by up to {told(0)}. With the best controllers by up to {told(-1)}."
 
 
 def _last(summary: dict[str, Any]) -> dict[str, Any]:

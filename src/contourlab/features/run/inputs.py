@@ -115,7 +115,7 @@ def refuse_drawing(file: str | Path, machine: str | Path | None = None, controll
     """
     path = Path(file)
     what = {".dxf": "a drawing", ".svg": "a drawing", ".csv": "a list of points"}.get(path.suffix.lower())
-    if what is None or (path.suffix.lower() == ".csv" and kind_of(path) != "a log"):
+    if what is None or not path.exists() or (path.suffix.lower() == ".csv" and kind_of(path) not in ("a log", "")):
         return
     from contourlab.scenario.load import named_file
 

@@ -301,6 +301,10 @@ def _candidates(
         if settings.method == "global":
             raise
         return path, None, candidates, False
+    except KeyboardInterrupt:  # before its first generation
+        if not candidates:
+            raise
+        return path, None, candidates, True
     if result.values is not None:
         candidates.append((result.objective, "global", result.values))
     return path, result, candidates, result.search.interrupted
