@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
@@ -139,6 +140,13 @@ def program_keys(
         "most_moves": most_moves,
     }
     return {name: value for name, value in keys.items() if value is not None}
+
+
+def typed_keys(keys: Mapping[str, Any]) -> list[str]:
+    """Return keys of the table ``program`` as words of a command."""
+    from contourlab.features.run.inputs import of_program
+
+    return [word for name, value in of_program(keys).items() for word in ([name] if isinstance(value, bool) else [name, str(value)])]
 
 
 def reading_of(file: Path, dialect: str, block_delete: bool, tools: Path | None, most_moves: int | None) -> Reading:

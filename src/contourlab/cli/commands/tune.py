@@ -27,6 +27,7 @@ from contourlab.cli.options import (
     Width,
     Write,
     program_keys,
+    typed_keys,
 )
 from contourlab.cli.output import emit_json, say, suggest, suggest_again, wants_progress
 
@@ -76,7 +77,6 @@ def tune(
     import math
 
     from contourlab.design.guards import Bounds
-    from contourlab.features.run.inputs import of_program
     from contourlab.features.tune.command import tune_scenario
     from contourlab.features.tune.line_search import LineRule
     from contourlab.features.tune.objective import Goal
@@ -118,9 +118,7 @@ def tune(
         say(calibration.text())
     kept = calibration.controller_file
     if kept is not None:
-        typed = of_program(program).items()
-        more = [word for name, value in typed for word in ([name] if isinstance(value, bool) else [name, value])]
-        more += [word for file in plugin or () for word in ("--plugin", file)]
+        more = [*typed_keys(program), *(str(word) for one in plugin or () for word in ("--plugin", one))]
         parts = ("--machine", machine, "--controller", kept, "--tolerance", tolerance, "--judge", judge)
         suggest(as_json, "run", file, *parts, *more)
     elif not calibration.result.interrupted:
