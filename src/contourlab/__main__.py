@@ -22,7 +22,7 @@ def run() -> NoReturn:
 
         code = main()
     except KeyboardInterrupt:
-        print("contourlab: interrupted", file=sys.stderr)
+        print("contourlab: interrupted: no result is kept", file=sys.stderr)
         code = 130
     sys.exit(code)
 

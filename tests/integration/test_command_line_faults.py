@@ -43,7 +43,7 @@ SCENARIOS = {
         r"bad\.toml: program: none\.ngc: ",
     ),
     "binary": (RUBBISH, r"bad\.toml: .*UTF-8"),
-    "nothing in it": (b"", r"bad\.toml: .*machine, controller"),
+    "nothing in it": (b"\n", r"bad\.toml: .*machine, controller"),
 }
 
 PROGRAMS = {
@@ -52,7 +52,7 @@ PROGRAMS = {
     "nan": ("G21 G90\nG1 Xnan F100\nM2\n", r"bad\.ngc:2:4: X "),
     "no feedrate": ("G21 G90\nG1 X1\nM2\n", r"bad\.ngc:2:1: G1 .*F"),
     "no end": ("G21 G90\nG1 X1 F100\n", r"bad\.ngc:2: .*M2 or M30"),
-    "empty": ("", r"bad\.ngc: .*motion"),
+    "empty": ("\n", r"bad\.ngc: .*motion"),
     "no motion": ("G21 G90\nM2\n", r"bad\.ngc: .*motion"),
     "zero length": ("G21 G90\nG1 X0 Y0 F100\nM2\n", r"bad\.ngc: .*motion"),
     "rubbish": (RUBBISH, r"bad\.ngc:1:1: "),

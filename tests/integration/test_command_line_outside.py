@@ -79,7 +79,7 @@ def test_an_interrupt_in_the_middle_is_130_and_keeps_the_old_results(old_results
     # On a terminal a bar shows that the simulation has begun.
     code, shown = on_terminal(tmp_path, "run", "long.toml", "--out", "results", interrupted=True)
     assert code == 130
-    assert shown.splitlines()[-1].endswith("contourlab: interrupted")
+    assert shown.splitlines()[-1].endswith("contourlab: interrupted: no result is kept")
     assert "Traceback" not in shown
     assert contents(old_results) == before
 

@@ -12,6 +12,7 @@ from typed_commands import CIRCLE, ON_XYZ, PART, Finished, Run, contents
 
 import contourlab as package
 from contourlab.app.results import LIST
+from contourlab.cli.main import main
 from contourlab.result import Result
 
 RADIUS = 0.02
@@ -259,3 +260,25 @@ def test_a_run_that_does_not_fit_into_memory_is_refused_beforehand(
     said = contourlab("run", "circle.toml", "--out", "results")
     assert (said.code, said.err.count("\n")) == (2, 1)
     assert not (tmp_path / "results").exists()
+
+
+def test_ctrl_c_keeps_the_schemes_that_ended(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    from contourlab.features.run import command
+
+    whole, ran = command.run_case, list[str]()
+
+    def stopped(case: Any, **options: Any) -> Any:
+        ran.append(case.name)
+        if len(ran) == 3:
+            raise KeyboardInterrupt
+        return whole(case, **options)
+
+    monkeypatch.setattr(command, "run_case", stopped)
+    monkeypatch.chdir(tmp_path)
+    assert main(["run", "builtin:ghaffari/demo-stage"]) == 130
+    said = capsys.readouterr().err.splitlines()
+    assert said == ["contourlab: interrupted", f"Kept 2 of 4 schemes: {Path('results/report.html')}"]
+    assert list(json.loads((tmp_path / "results" / "summary.json").read_text())["schemes"]) == ran[:2]
+    ran[:] = ["", ""]
+    assert main(["run", "builtin:ghaffari/demo-stage", "--out", "none"]) == 130
+    assert capsys.readouterr().err == "contourlab: interrupted: no result is kept\n" and not (tmp_path / "none").exists()

@@ -70,7 +70,7 @@ def test_an_interrupt_while_results_are_written_keeps_the_old_ones(old_results: 
         _, err = process.communicate(timeout=60)
     finally:
         process.kill()
-    assert (process.returncode, err) == (130, b"contourlab: interrupted\n")
+    assert (process.returncode, err) == (130, b"contourlab: interrupted: no result is kept\n")
     assert contents(old_results) == before
 
 
@@ -171,7 +171,7 @@ def test_an_interrupt_at_the_start_shows_no_traceback(tmp_path: Path) -> None:
                 break
         said += process.stderr.readlines()
     assert process.returncode == 130
-    assert said[-1] == "contourlab: interrupted\n"
+    assert said[-1] == "contourlab: interrupted: no result is kept\n"
     assert "Traceback" not in "".join(said)
 
 

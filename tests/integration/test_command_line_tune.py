@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import shlex
 from pathlib import Path
 from typing import Any
 
@@ -49,6 +50,11 @@ CONTROL = {
     "lead-lag": 'kind = "lead-lag"\ngains = {phase_margin = "60 deg", crossover = "60 rad/s"}\n',
     "state-feedback": 'kind = "state-feedback"\ngains = {natural_frequency = "50 rad/s", damping = 0.8, pole = "10 rad/s"}\n',
 }
+
+
+@pytest.fixture(autouse=True)
+def _in_a_folder_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
 
 
 def written(folder: Path, kind: str = "position", tolerance: str = "100") -> Path:
@@ -98,6 +104,10 @@ def test_the_text_shows_the_search_and_drive_terms(tmp_path: Path, capsys: pytes
     said = capsys.readouterr().out
     for part in ("pass 1", "Kv", "Pgain", "FF2", "CL607"):
         assert part in said, part
+    *_, last = said.splitlines()
+    kept = tmp_path / "pictures" / "tuned.toml"
+    assert last == f"next: contourlab run {file} --controller {kept}"
+    assert main([*shlex.split(last)[2:], "--check"]) == 0
     assert {path.name for path in (tmp_path / "pictures" / "plots").iterdir()} == {"tune-course.svg", "tune-lines.svg", "tune-error.svg"}
 
 
@@ -112,10 +122,10 @@ def test_an_interrupted_search_keeps_what_one_parameter_at_a_time_found(
     assert main(["tune", str(file), *words, "--method", "sequential", "--write", str(tmp_path / "whole.toml")]) == 0
     whole = json.loads(capsys.readouterr().out)
     monkeypatch.setattr(study, "global_search", stopped)
-    assert main(["tune", str(file), *words, "--write", str(tmp_path / "stopped.toml")]) == 130
+    assert main(["tune", str(file), *words]) == 130
     found = json.loads(capsys.readouterr().out)
     assert "CL610" in codes(found) and found["result"]["values"] == whole["result"]["values"]
-    assert (tmp_path / "stopped.toml").read_text() == (tmp_path / "whole.toml").read_text()
+    assert (tmp_path / "results" / "tuned.toml").read_text() == (tmp_path / "whole.toml").read_text()
     assert main(["tune", str(file), *words, "--method", "global"]) == 130
     assert capsys.readouterr().out == ""
 

@@ -206,6 +206,21 @@ def test_runs_of_a_part_program_are_compared_from_their_folders(tmp_path: Path, 
     assert all(axis["rms"] is None for found in metrics for axis in found["tracking_error"])
 
 
+def test_finished_runs_are_compared_by_the_figures_of_the_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Rapid moves stray farther, but neither the verdict nor a comparison judges them."""
+    (tmp_path / "part.ngc").write_text("G21 G90 G61\nG0 X60 Y20\nG1 X40 F1000\nG1 Y30\nG0 X0 Y0\nM2\n")
+    words = ["run", str(tmp_path / "part.ngc"), "--machine", "xyz", "--controller", "xyz-controller", "--json"]
+    errors = []
+    for name in ("a", "b"):
+        assert main([*words, "--out", str(tmp_path / name)]) == 0
+        errors.append(json.loads(capsys.readouterr().out)["schemes"]["base"]["metrics"])
+    assert errors[0]["others"][0]["max"] > 1.2 * errors[0]["contour_error"]["max"]
+    assert main(["compare", str(tmp_path / "a"), str(tmp_path / "b"), "--out", str(tmp_path / "both"), "--json"]) == 0
+    for found, wanted in zip(json.loads(capsys.readouterr().out)["schemes"].values(), errors, strict=True):
+        assert found["metrics"]["judged_time"] == wanted["judged_time"]
+        assert found["metrics"]["contour_error"]["max"] == pytest.approx(wanted["contour_error"]["max"], rel=1e-3)
+
+
 def test_a_part_program_in_other_coordinates(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The part lies anywhere on the table: with the shift fitted, the error is the same as with the shift given."""
     program = tmp_path / "part.ngc"

@@ -97,7 +97,7 @@ class Checkpoint:
 
 
 @contextmanager
-def _noted(note: Callable[[], str]) -> Iterator[None]:
+def noted(note: Callable[[], str]) -> Iterator[None]:
     """If the block is interrupted, add a note, if there is one, to the interrupt."""
     try:
         yield
@@ -109,13 +109,13 @@ def _noted(note: Callable[[], str]) -> Iterator[None]:
 
 def said_if_interrupted(results: Callable[[], str]) -> AbstractContextManager[None]:
     """If the block is interrupted, add the text of the results so far, if any, to the interrupt."""
-    return _noted(lambda: f"Finished before:\n\n{text}" if (text := results()) else "")
+    return noted(lambda: f"Finished before; no file is written:\n\n{text}" if (text := results()) else "")
 
 
 def resumable(folder: Path, pieces: str) -> AbstractContextManager[None]:
     """If the block is interrupted and `folder` has pieces, add a note to the interrupt: the same command continues."""
     kept = f"The finished {pieces} are kept in {folder}. Run the same command again to continue."
-    return _noted(lambda: kept if any(folder.glob("*/*.npz")) else "")
+    return noted(lambda: kept if any(folder.glob("*/*.npz")) else "")
 
 
 def run_identity(

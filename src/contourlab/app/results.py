@@ -31,7 +31,7 @@ _JOURNAL = "exchange.json"
 _RESULTS = (
     *("report.html", "report.pdf", "signals/*.nc", "switches/*.csv", "learned/*.nc", "proposed/*.toml", "controllers/*.toml"),
     *("plots/*.png", "plots/*.svg", "plots/*.pdf"),
-    *("axis_*.*", "swap.json", "export-*.json", "summary.json"),
+    *("axis_*.*", "tuned.toml", "swap.json", "export-*.json", "summary.json"),
 )
 """All files that a run may write. Summaries are last: if one is in place, the rest is complete."""
 _SINGLE = "single"

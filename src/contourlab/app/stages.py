@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import os
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -33,34 +34,59 @@ class Heartbeat:
     def __init__(self, command: str) -> None:
         self.command, self.stage, self.has_bar = command, "", False
         self._began = self._stage_began = monotonic()
-        self._share, self._step, self._steps = 0.0, 0, 0
+        self._in_stage = self._share = self._reached = 0.0
+        self._work: list[tuple[str, float]] = []
+        self._at = -1
+        self._window = (0.0, 1.0)
         self._ended = threading.Event()
 
-    def expect(self, steps: int) -> None:
-        """Take the number of stages that follow, so that shares are those of all of them."""
-        self._steps, self._step, self._began = steps, 0, monotonic()
+    def expect(self, stages: int | Sequence[tuple[str, float]]) -> None:
+        """Take the stages that follow: their number, or first word and work of each; shares are then those of all of them."""
+        self._work, self._at = [("", 1.0)] * stages if isinstance(stages, int) else list(stages), -1
+        if self._window == (0.0, 1.0):
+            self._began, self._share, self._reached = monotonic(), 0.0, 0.0
 
-    def reach(self, step: int) -> None:
-        """Take the number of stages that have ended, where some were left out."""
-        self._step = step
+    def take_part(self, start: float, stop: float) -> None:
+        """Take the shares of the command between which the stages that follow lie."""
+        self._window = (start, stop)
 
     def begin(self, words: str) -> None:
-        """Begin a stage."""
-        self.stage, self._share, self._stage_began = words, 0.0, monotonic()
-        self._step += 1
+        """Begin a stage; those expected before it are left out."""
+        self.stage, self._in_stage, self._stage_began = words, 0.0, monotonic()
+        following = range(self._at + 1, len(self._work))
+        self._at = next((i for i in following if words.startswith(self._work[i][0])), self._at)
 
     def advance(self, done: int, total: int) -> None:
         """Take the progress of the stage; runs side by side may report it out of order."""
-        self._share = max(self._share, done / total if total else 0.0)
+        self._in_stage = max(self._in_stage, done / total if total else 0.0)
+
+    def progress(self) -> tuple[float, float]:
+        """Return share and time left [s] of the command, or of the stage where no stages are expected; a share never shrinks."""
+        if not self._work:
+            share = self._in_stage
+            return share, (monotonic() - self._stage_began) * (1.0 - share) / share if share else 0.0
+        spent = monotonic() - self._began
+        share = self._share_at(self._in_stage)
+        if share > self._share:
+            self._share, self._reached = share, spent
+        if not self._share:
+            return 0.0, 0.0
+        # While a stage tells no progress, the time counts down to what the stages after it need.
+        speed = self._share / self._reached if self._reached else math.inf
+        return self._share, max((1.0 - self._share) / speed - (spent - self._reached), (1.0 - self._share_at(1.0)) / speed)
+
+    def _share_at(self, in_stage: float) -> float:
+        """Return the share of the command at a share of the present stage."""
+        work, at = [part for _, part in self._work], max(self._at, 0)
+        start, stop = self._window
+        return start + (stop - start) * (sum(work[:at]) + in_stage * work[at]) / sum(work)
 
     def line(self) -> str:
         """Return command, stage, share and time left, or the time since the command began."""
         words = f"{self.command}: {self.stage}" if self.stage else self.command
-        share, spent, of = self._share, monotonic() - self._stage_began, " of this step"
-        if self._steps:
-            share, spent, of = (self._step - 1 + self._share) / self._steps, monotonic() - self._began, ""
+        share, left = self.progress()
         if 0.0 < share < 1.0:
-            return f"{words}, {100.0 * share:.0f} %{of}, {spent * (1.0 - share) / share:.0f} s left"
+            return f"{words}, {100.0 * share:.0f} %{'' if self._work else ' of this step'}, {left:.0f} s left"
         return f"{words}, {monotonic() - self._began:.0f} s"
 
     def beat(self) -> None:
@@ -96,6 +122,14 @@ def heartbeat(command: str) -> Iterator[None]:
         _running = None
 
 
+@contextmanager
+def part_of_command(start: float, stop: float) -> Iterator[None]:
+    """Count the stages of the block as the shares from `start` to `stop` of the command."""
+    if _running is not None:
+        _running.take_part(start, stop)
+    yield
+
+
 class Stages:
     """The stages of a run, one after another.
 
@@ -106,36 +140,35 @@ class Stages:
     """
 
     def __init__(self, bar: Progress | None = None) -> None:
-        self._bar = bar
+        self._bar, self._heart = bar, _running or Heartbeat("")
         self._task: TaskID | None = None
 
-    def expect(self, steps: int) -> None:
-        """Take the number of stages, about equally long: lines then show share and time left of the whole command."""
-        if _running is not None:
-            _running.expect(steps)
-
-    def reach(self, step: int) -> None:
-        """Take the number of stages that have ended, where some were left out."""
-        if _running is not None:
-            _running.reach(step)
+    def expect(self, stages: int | Sequence[tuple[str, float]]) -> None:
+        """Take the stages that follow: their number if about equally long, or the first word and the relative work of each."""
+        self._heart.expect(stages)
 
     def begin(self, words: str) -> None:
-        """End the previous stage, and show a new one with its elapsed time."""
-        if _running is not None:
-            _running.begin(words)
-        if self._bar is None:
-            return
-        if self._task is not None:
-            self._bar.remove_task(self._task)
-        # Without a total the bar pulses instead of being empty.
-        self._task = self._bar.add_task(words, total=None)
+        """End the previous stage, and show a new one."""
+        self._heart.begin(words)
+        if self._bar is not None:
+            if self._task is None:
+                self._task = self._bar.add_task(words, total=None, left="")
+            self._show()
+            self._bar.refresh()  # else a short stage would not be seen
 
     def advance(self, done: int, total: int) -> None:
         """Show the progress of the stage."""
-        if _running is not None:
-            _running.advance(done, total)
+        self._heart.advance(done, total)
         if self._bar is not None and self._task is not None:
-            self._bar.update(self._task, completed=done, total=total)
+            self._show()
+
+    def _show(self) -> None:
+        """Update the bar; without a known share it pulses instead of being empty."""
+        assert self._bar is not None
+        assert self._task is not None
+        share, left = self._heart.progress()
+        words = f"{left:.0f} s left" if share else ""
+        self._bar.update(self._task, completed=share, total=1.0 if share else None, left=words, description=self._heart.stage)
 
 
 @contextmanager
@@ -153,12 +186,13 @@ def shown(wanted: bool, console: Console | None = None) -> Iterator[Stages]:
         yield Stages()
         return
     from rich.console import Console as Terminal
-    from rich.progress import BarColumn, Progress, SpinnerColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn
+    from rich.progress import BarColumn, Progress, SpinnerColumn, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
     # Brackets in names of schemes are text, not markup.
-    text, left = TextColumn("{task.description}", markup=False), TimeRemainingColumn(elapsed_when_finished=True)
+    text, left = TextColumn("{task.description}", markup=False), TextColumn("{task.fields[left]}", markup=False)
     terminal = console or Terminal(stderr=True)
-    with Progress(SpinnerColumn(), text, BarColumn(), TaskProgressColumn(), left, console=terminal, transient=True) as bar:
+    columns = (SpinnerColumn(), text, BarColumn(), TaskProgressColumn(), TimeElapsedColumn(), left)
+    with Progress(*columns, console=terminal, transient=True) as bar:
         if _running is not None:
             _running.has_bar = True
         try:

@@ -190,7 +190,8 @@ def _explain(error: BaseException, debug: bool, typed: Sequence[str] = ()) -> in
     if isinstance(error, ContourlabError):
         code, lines = error.exit_code, [f"{NAME}: {_in_typed_words(error, typed)}"]
     elif isinstance(error, KeyboardInterrupt | typer.Abort):
-        code, lines = INTERRUPTED, [f"{NAME}: interrupted"]
+        nothing = "" if getattr(error, "__notes__", ()) else ": no result is kept"
+        code, lines = INTERRUPTED, [f"{NAME}: interrupted{nothing}"]
     elif said := _fault_of_plugin(error):
         lines = [f"{NAME}: {said}"]
     elif isinstance(error, typer.TyperException):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
@@ -115,6 +116,37 @@ ToolTable: TypeAlias = Annotated[Path | None, typer.Option(help="LinuxCNC tool t
 MostMoves: TypeAlias = Annotated[
     int | None, typer.Option(min=1, help="Most lines and moves of loops, subprograms and cycles.", show_default=False)
 ]
+
+
+Fit: TypeAlias = Annotated[bool, typer.Option("--fit", help="Scale and move a part program into the machine's travel.")]
+NoRequireEnd: TypeAlias = Annotated[
+    bool, typer.Option("--no-require-end", help="Accept a part program without M2, M30 or %: its last line ends it.")
+]
+AnyDialect: TypeAlias = Annotated[
+    str | None, typer.Option("--dialect", help="Dialect of a part program: linuxcnc (the default), or grbl.", show_default=False)
+]
+
+
+def program_keys(
+    fit: bool, block_delete: bool, tools: Path | None, no_require_end: bool, most_moves: int | None, dialect: str | None
+) -> dict[str, Any]:
+    """Return the keys of the table ``program`` that options set."""
+    keys = {
+        "fit": fit or None,
+        "block_delete": block_delete or None,
+        "tools": None if tools is None else str(tools),
+        "require_end": False if no_require_end else None,
+        "dialect": dialect,
+        "most_moves": most_moves,
+    }
+    return {name: value for name, value in keys.items() if value is not None}
+
+
+def typed_keys(keys: Mapping[str, Any]) -> list[str]:
+    """Return keys of the table ``program`` as words of a command."""
+    from contourlab.features.run.inputs import of_program
+
+    return [word for name, value in of_program(keys).items() for word in ([name] if isinstance(value, bool) else [name, str(value)])]
 
 
 def reading_of(file: Path, dialect: str, block_delete: bool, tools: Path | None, most_moves: int | None) -> Reading:

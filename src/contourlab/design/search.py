@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -36,6 +36,8 @@ class Found:
         Number of points tried.
     course : ndarray (n_generation, 2)
         Number of points tried and best value, after each generation.
+    interrupted : bool
+        Whether Ctrl-C ended the search.
     """
 
     point: Array
@@ -44,6 +46,7 @@ class Found:
     points: Array
     runs: int
     course: Array
+    interrupted: bool = field(default=False, metadata={"json": False})
 
 
 def search(
@@ -57,6 +60,7 @@ def search(
     tolerance: float = 1e-3,
     target: float = -math.inf,
     progress: Callable[[int], None] | None = None,
+    stoppable: bool = False,
 ) -> Found:
     """Minimise an objective in the box from 0 to 1.
 
@@ -80,6 +84,8 @@ def search(
         The search ends with the generation that reaches this value.
     progress : callable, optional
         Called with the number of points tried.
+    stoppable : bool
+        Whether Ctrl-C ends the search with the best points so far, instead of an error.
 
     Raises
     ------
@@ -96,17 +102,22 @@ def search(
     best = _Best(starts, _finite(objective(starts)))
     strategies = [_strategy(start, seed + i, population, spread) for i, start in enumerate(starts)]
     running = list(range(len(starts)))
-    while running and best.values.min() > target and best.runs + population * len(running) <= budget:
-        asked = {i: np.clip(np.asarray(strategies[i].ask()), 0.0, 1.0) for i in running}
-        tried = {i: points[:, : starts.shape[1]] for i, points in asked.items()}
-        values = _finite(objective(np.concatenate(list(tried.values()))))
-        for i, mine in zip(running, np.split(values, len(running)), strict=True):
-            strategies[i].tell(list(asked[i]), _ranked(mine).tolist())
-            best.tell(i, tried[i], mine)
-        best.close_generation()
-        running = [i for i in running if not best.settled(i, tolerance) and not strategies[i].stop()]
-        if progress is not None:
-            progress(best.runs)
+    try:
+        while running and best.values.min() > target and best.runs + population * len(running) <= budget:
+            asked = {i: np.clip(np.asarray(strategies[i].ask()), 0.0, 1.0) for i in running}
+            tried = {i: points[:, : starts.shape[1]] for i, points in asked.items()}
+            values = _finite(objective(np.concatenate(list(tried.values()))))
+            for i, mine in zip(running, np.split(values, len(running)), strict=True):
+                strategies[i].tell(list(asked[i]), _ranked(mine).tolist())
+                best.tell(i, tried[i], mine)
+            best.close_generation()
+            running = [i for i in running if not best.settled(i, tolerance) and not strategies[i].stop()]
+            if progress is not None:
+                progress(best.runs)
+    except KeyboardInterrupt:
+        if not stoppable:
+            raise
+        return replace(best.found(), interrupted=True)
     return best.found()
 
 

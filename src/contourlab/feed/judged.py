@@ -32,6 +32,22 @@ class Judged(NamedTuple):
         return Judged(inside, self.basis) if inside else Judged(((0, n_sample),), WHOLE)
 
     @property
+    def text(self) -> str:
+        """The ranges and what they cover, as a file of a result keeps them.
+
+        >>> Judged.parse(Judged(((10, 20), (30, 45)), "cutting moves").text)
+        Judged(ranges=((10, 20), (30, 45)), basis='cutting moves')
+        """
+        return f"{self.basis}: {', '.join(f'{start}-{stop}' for start, stop in self.ranges)}"
+
+    @classmethod
+    def parse(cls, text: str) -> Judged:
+        """Return the ranges of a `text`; ValueError if it is none."""
+        basis, _, listed = text.rpartition(": ")
+        pairs = (part.split("-") for part in listed.split(", "))
+        return cls(tuple((int(start), int(stop)) for start, stop in pairs), basis)
+
+    @property
     def samples(self) -> Index:
         """Numbers of the samples (n,)."""
         return np.concatenate([np.arange(start, stop) for start, stop in self.ranges])

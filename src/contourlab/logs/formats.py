@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from contourlab.errors import LogError, ParameterError
+from contourlab.file_kinds import mistaken
 from contourlab.logs import delimited, linuxcnc, matlab, parquet, results, sinumerik, twincat
 from contourlab.logs.apart import read_apart
 from contourlab.logs.reading import head_of
@@ -62,7 +63,7 @@ def format_of(file: str | Path) -> Format:
     for kind in FORMATS.values():
         if kind.matches(path, head):
             return kind
-    raise LogError(f"has no known format: name it with --format, one of {', '.join(FORMATS)}", file=path)
+    raise LogError(mistaken(path, "a log") or f"has no known format: name it with --format, one of {', '.join(FORMATS)}", file=path)
 
 
 def read_record(file: str | Path, format: str | None = None) -> Record:  # noqa: A002

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.errors import LogError, UnitError
+from contourlab.file_kinds import mistaken
 from contourlab.logs.reading import name_and_unit, readable
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
 from contourlab.units import same_dimension, to_si
@@ -114,6 +115,8 @@ def read_columns(file: str | Path) -> Columns:
         If a key is unknown or a value has the wrong type.
     """
     path = Path(file)
+    if words := mistaken(path, "a file of columns"):
+        raise LogError(words, file=path)
     try:
         with readable(path):
             content = tomllib.loads(path.read_text(encoding="utf-8"))

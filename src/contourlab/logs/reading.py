@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.errors import LogError, UnitError
+from contourlab.file_kinds import mistaken
 from contourlab.findings import Finding, finding
 from contourlab.logs.limits import LINE, check_limit
 from contourlab.logs.record import Channel
@@ -42,8 +43,8 @@ def head_of(file: Path) -> bytes:
     LogError
         If it cannot be read, is not a regular file, or is empty.
     """
-    if file.is_dir():
-        raise LogError("is a folder: name a file in it", file=file)
+    if words := mistaken(file, "a log", "a part program"):  # a head of columns may look like a program
+        raise LogError(words, file=file)
     if file.exists() and not file.is_file():
         raise LogError("is not a regular file: copy its content to one", file=file)
     with readable(file), file.open("rb") as stream:

@@ -203,7 +203,7 @@ class Metrics:
         return grid(("", "rms", "95 %", "largest", "at", "line"), rows) + facts_table(self._facts()) + svg(self.plot())
 
 
-def summarise(result: Result, reference: Reference, window: tuple[int, int] | None = None) -> Metrics:
+def summarise(result: Result, reference: Reference, window: tuple[int, int] | Judged | None = None) -> Metrics:
     """Return the figures of a judged run.
 
     Parameters
@@ -211,8 +211,8 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
     result : Result
         With the judge's signals.
     reference : Reference
-    window : (int, int), optional
-        Samples [start, stop) to judge; by default those of `Reference.judged`.
+    window : (int, int) or Judged, optional
+        Samples [start, stop) to judge, or several such ranges; by default those of `Reference.judged`.
 
     Returns
     -------
@@ -224,9 +224,10 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
         If the run has not been judged, the window is empty, or the result is of another reference.
     """
     check_reference(result, reference)
-    judged = judged_part(result, reference) if window is None else Judged((window,), "window")
-    if window is not None and not 0 <= window[0] < window[1] <= result.n_sample:
-        raise ResultError(f"window {window[0]} .. {window[1]} of a result of {result.n_sample} samples: give a non-empty part of it")
+    judged = judged_part(result, reference) if window is None else window if isinstance(window, Judged) else Judged((window,), "window")
+    first, last = judged.ranges[0][0], judged.ranges[-1][1]
+    if not 0 <= first < last <= result.n_sample:
+        raise ResultError(f"window {first} .. {last} of a result of {result.n_sample} samples: give a non-empty part of it")
     cut = judged.samples
     tracking = result["tracking_error"][cut]
     axes = tuple(AxisFigures(float(np.sqrt(np.mean(e**2))), float(np.abs(e).max())) for e in tracking.T)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TextIO
 
 from contourlab.errors import ProgramError
+from contourlab.file_kinds import mistaken
 from contourlab.program.flow import LONGEST_LINE
 from contourlab.program.moves import Move, Program
 from contourlab.program.reader import Reader, Reading, read_text, split_lines, unreadable
@@ -120,8 +121,15 @@ def read_program(
         If the file or a line cannot be read, or the program has no end or no motion; names line and column.
     """
     path = Path(file)
+    _refuse_other(path)
     chosen = _beside(path, reading or Reading(require_end=require_end))
     return _program(read_text(path), path.name, str(file), chosen, problems)
+
+
+def _refuse_other(path: Path) -> None:
+    """Refuse a file that is something else: a picture, a scenario, a log ..."""
+    if words := mistaken(path, "a part program"):
+        raise ProgramError(words, file=path)
 
 
 def _beside(path: Path, reading: Reading) -> Reading:
@@ -147,6 +155,7 @@ def open_program(
         If the file cannot be read.
     """
     path = Path(file)
+    _refuse_other(path)
     chosen = _beside(path, reading or Reading())
     try:
         if path.exists() and not path.is_file() and not path.is_dir():

@@ -28,6 +28,9 @@ MOST_SHOWN = 200
 _PROGRAM_ENDS = (2, 30)
 _RETURN = 99
 
+NO_END = "the program has no end"
+"""Begin of the notice or error of a program without M2, M30 or %."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class Reading:
@@ -240,10 +243,10 @@ class Reader:
             return
         line = self._walker.place[1]
         if self.reading.dialect == "grbl" or not self.reading.require_end:
-            self.notices.append(Notice("the program has no end (M2 or M30): its last line ends it", max(line, 1), 1))
+            self.notices.append(Notice(f"{NO_END} (M2 or M30): its last line ends it", max(line, 1), 1))
         else:
             cure = "add a line with % at the end" if self._open else "add M2 or M30 at the end"
-            raise ProgramEndError(f"the program has no end: {cure}", file=self.name, line=line)
+            raise ProgramEndError(f"{NO_END}: {cure}", file=self.name, line=line)
 
 
 _ABORT = re.compile(r"\([ \t]*abort,([^()]*)\)[^()]*$", re.IGNORECASE)
@@ -276,8 +279,6 @@ _LINE_BREAK = re.compile(r"\r\n|\n|\r")
 
 def unreadable(file: str | Path, error: OSError | ValueError) -> ProgramError:
     """Return the error of a file that cannot be read."""
-    if isinstance(error, IsADirectoryError):
-        return ProgramError("is a folder: name a part program in it", file=file)
     reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
     return ProgramError(f"the part program cannot be read: {reason}", file=file)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,9 @@ from contourlab.rendering.path_picture import path_charts
 from contourlab.rendering.plots import POINTS, TIMELESS
 from contourlab.rendering.style import scheme_style
 from contourlab.result import write_text_atomic
+
+SIZE = (4.2, 3.8)
+"""Width and height of a picture [in]."""
 
 
 def write_overview(file: str | Path, answer: str, reports: Mapping[str, ReportData], next_step: str) -> Path:
@@ -44,16 +47,25 @@ def write_overview(file: str | Path, answer: str, reports: Mapping[str, ReportDa
 
 def _part(address: str, data: ReportData) -> dict[str, Any]:
     colours = [scheme_style(i, len(data.schemes))[0] for i in range(len(data.schemes))]
-    return {"page": address, "data": data, "sentence": sentence(data), "colours": colours, "picture": _picture(path_charts(data, POINTS))}
+    chart = next(chart for chart in path_charts(data, POINTS) if isinstance(chart, PathChart))
+    dotted = "; dotted: the tolerance" if chart.tolerance else ""
+    caption = f"Errors drawn {chart.magnification:g} times as large. Dark: the programmed path{dotted}; rings: the largest errors."
+    picture = {"picture": _picture(chart), "caption": f"{caption} Colours as above."}
+    return {"page": address, "data": data, "sentence": sentence(data), "colours": colours, **picture}
 
 
-def _picture(charts: Sequence[Any]) -> str:
-    """Return the first view of the path as SVG in base64."""
+def _picture(chart: PathChart) -> str:
+    """Return a view of the path as SVG in base64, so small that a phone can show it; the badges are its legend."""
     import matplotlib
 
     from contourlab.rendering.matplotlib_view import LOOKS, drawing
 
     with matplotlib.rc_context(fname=LOOKS):
         buffer = io.BytesIO()
-        drawing(next(chart for chart in charts if isinstance(chart, PathChart))).savefig(buffer, format="svg", metadata=TIMELESS["svg"])
+        figure = drawing(chart)
+        figure.set_size_inches(SIZE)
+        for legend in figure.legends:
+            legend.remove()
+        figure.axes[0].set_title("")
+        figure.savefig(buffer, format="svg", metadata=TIMELESS["svg"])
     return base64.b64encode(buffer.getvalue()).decode("ascii")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import sys
 from collections.abc import Iterable, Iterator, Sequence
@@ -11,11 +12,11 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rich.table import Table as RichTable
 
-PIPE_WIDTH = 100
-"""Columns of output that goes to a file or a pipe."""
+PIPE_WIDTH = 80
+"""Columns of output that goes to a file or a pipe, unless ``COLUMNS`` states others."""
 _GAP = 2
-_PROSE = 20
-"""Least width of a column of prose."""
+_HEAD = 24
+"""Longest line of a head, such as the name of a scheme, that has spaces."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +77,7 @@ class Table:
         """Return the least width of a column."""
         texts = [*_head_lines(self.columns[column].head), *(row[column] for row in self.rows)]
         if self.columns[column].prose:
-            return min(max(_widest(text) for text in texts), _PROSE)
+            return max(_widest(text) for text in texts)
         return max(map(len, texts))
 
     def _panels(self, width: int) -> Iterator[list[int]]:
@@ -137,8 +138,9 @@ class Table:
 
 
 def page_width() -> int:
-    """Return the width of the terminal in characters; `PIPE_WIDTH` without a terminal."""
-    return shutil.get_terminal_size().columns if sys.stdout.isatty() else PIPE_WIDTH
+    """Return the width of the page in characters: ``COLUMNS``, else that of the terminal, else `PIPE_WIDTH`."""
+    terminal = shutil.get_terminal_size((PIPE_WIDTH, 0)).columns  # of the first standard output, also where another one replaces it
+    return terminal if sys.stdout.isatty() or "COLUMNS" in os.environ else PIPE_WIDTH
 
 
 def paragraphs(texts: Iterable[str], width: int | None = None, indent: str = "  ") -> str:
@@ -150,8 +152,11 @@ def paragraphs(texts: Iterable[str], width: int | None = None, indent: str = "  
 
 
 def _head_lines(head: str) -> list[str]:
-    """Return a head with its unit on a line of its own."""
-    return head.replace(" [", "\n[").split("\n")
+    """Return a head as lines; its unit has a line of its own."""
+    from textwrap import wrap
+
+    lines = head.replace(" [", "\n[").split("\n")
+    return [part for line in lines for part in wrap(line, _HEAD, break_long_words=False, break_on_hyphens=False) or [""]]
 
 
 def _widest(text: str) -> int:

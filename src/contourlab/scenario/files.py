@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cache
@@ -15,6 +16,14 @@ BUILTIN = "builtin:"
 """Prefix of shipped files."""
 EVERY = "*"
 """Name for every axis, as in ``[controller.axes."*"]``."""
+
+
+_KINDS = {
+    "machine_file": ("a machine",),
+    "controller_file": ("a controller",),
+    "axis_file": ("an axis", "a controller"),  # the file of one axis of a controller may name its controller
+}
+"""Method of `Reader` that reads a part -> kinds of file."""
 
 
 def _shipped() -> Path:
@@ -43,7 +52,9 @@ def builtin_file(name: str) -> Path:
     """
     short = name.removeprefix(BUILTIN).removesuffix(".toml")
     if short not in builtin_names():
-        raise ScenarioError(f"no shipped file has this name: {hint(short, builtin_names())}", file=name)
+        near = difflib.get_close_matches(short, builtin_names(), n=1, cutoff=0.6)
+        cure = f"did you mean {near[0]!r}?" if near else "contourlab machines lists them"
+        raise ScenarioError(f"no shipped file has this name: {cure}", file=name)
     return _shipped() / (short if short.endswith(".ngc") else short + ".toml")
 
 
@@ -84,10 +95,10 @@ class Reader:
     open_files: tuple[Path, ...] = ()
     seen: list[Path] = field(default_factory=list)
 
-    def file(self, path: Path) -> Table:
-        """Read a file."""
+    def file(self, path: Path, *wanted: str) -> Table:
+        """Read a file of one of the kinds wanted."""
         self.seen.append(path)
-        return read_tree(path)
+        return read_tree(path, *wanted)
 
     def include(self, leaf: Leaf, part: Callable[[Reader, Table], Table]) -> Table:
         """Return the content of the file that `leaf` names, read by `part` and marked `afresh`.
@@ -113,7 +124,7 @@ class Reader:
             names = " -> ".join(p.name for p in (*self.open_files, resolved))
             raise leaf.error(f"files include each other, {names}: remove one of these references")
         inner = replace(self, open_files=(*self.open_files, resolved))
-        return replace(part(inner, inner.file(path)), afresh=True)
+        return replace(part(inner, inner.file(path, *_KINDS[part.__name__])), afresh=True)
 
     # --- parts -------------------------------------------------------------------------------------------------------------------
 

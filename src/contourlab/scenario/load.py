@@ -9,10 +9,11 @@ from typing import Any
 
 from contourlab.components.registry import load_plugin
 from contourlab.errors import ScenarioError, hint
+from contourlab.file_kinds import kind_of
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.scenario.build import build_axis, build_controller, build_machine, in_place
 from contourlab.scenario.case import Case, Scenario
-from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, join, listed, shipped_hint, spread
+from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, builtin_names, join, listed, shipped_hint, spread
 from contourlab.scenario.motion import read_changes, read_feed, read_learning, read_motion, read_run
 from contourlab.scenario.tables import ScenarioTable, read_table
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, merge, parse_tree, settle
@@ -43,8 +44,8 @@ def _load_plugins(plugins: Sequence[str | Path]) -> None:
             _loaded.add(file)
 
 
-def _open(file: str | Path, plugins: Sequence[str | Path]) -> tuple[Reader, Table]:
-    """Load plugins; return the content of a file, own or shipped, and the reader for the files it names."""
+def _open(file: str | Path, plugins: Sequence[str | Path], *wanted: str) -> tuple[Reader, Table]:
+    """Load plugins; return the content of a file of a kind wanted, own or shipped, and the reader for the files it names."""
     _load_plugins(plugins)
     text = str(file)
     path = builtin_file(text) if text.startswith(BUILTIN) else Path(file)
@@ -55,7 +56,7 @@ def _open(file: str | Path, plugins: Sequence[str | Path]) -> tuple[Reader, Tabl
     if not path.exists() and (shipped := shipped_hint(text)):
         raise ScenarioError(f"no such file{shipped}", file=text)
     reader = Reader(open_files=(resolved,))
-    return reader, reader.file(path)
+    return reader, reader.file(path, *wanted)
 
 
 # --- parts ---------------------------------------------------------------------------------------------------------------------------
@@ -81,7 +82,7 @@ def load_axis(file: str | Path, name: str = "x", plugins: Sequence[str | Path] =
     >>> load_axis("builtin:ghaffari/axis1").plant.gain
     1.695
     """
-    reader, content = _open(file, plugins)
+    reader, content = _open(file, plugins, "an axis")
     return build_axis(settle(reader.axis_file(content)), name)
 
 
@@ -100,7 +101,7 @@ def load_module(file: str | Path, place: Axis, plugins: Sequence[str | Path] = (
     ScenarioError
         If the content is invalid; gives file and key.
     """
-    reader, content = _open(file, plugins)
+    reader, content = _open(file, plugins, "an axis")
     table = settle(reader.axis_file(content))
     return in_place(table, build_axis(table, place.name), place)
 
@@ -123,7 +124,7 @@ def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machin
     >>> load_machine("builtin:xyz").axis_names
     ('x', 'y', 'z')
     """
-    reader, content = _open(file, plugins)
+    reader, content = _open(file, plugins, "a machine", "a scenario")
     if {"machine", "controller"} <= set(content.entries):
         read_table(ScenarioTable, content)
         content = content.only("machine", "axes")
@@ -138,7 +139,7 @@ def controller_axes(file: str | Path, plugins: Sequence[str | Path] = ()) -> tup
     ScenarioError
         If the content is invalid; gives file and key.
     """
-    reader, content = _open(file, plugins)
+    reader, content = _open(file, plugins, "a controller")
     axes = reader.controller_file(content).get("axes")
     return tuple(name for name in axes.entries if name != EVERY) if isinstance(axes, Table) else ()
 
@@ -163,7 +164,7 @@ def load_controller(
     ScenarioError
         If the content is invalid; gives file and key.
     """
-    reader, content = _open(file, plugins)
+    reader, content = _open(file, plugins, "a controller")
     machine_name = {(called or {}).get(name, name): name for name in machine.axis_names}
     table = spread(replace(reader, names=tuple(machine_name)).controller_file(content), tuple(machine_name))
     axes = table.get("axes")
@@ -188,7 +189,7 @@ def _in_folder(folder: Path) -> Path:
         return file
     if (folder / "machine.toml").exists():
         raise ScenarioError(f"no scenario.toml in this folder: run a part program on its machine, with --machine {folder}", file=folder)
-    others = ", ".join(sorted(str(path) for path in folder.glob("*.toml"))[:5])
+    others = ", ".join([str(path) for path in sorted(folder.glob("*.toml")) if kind_of(path) == "a scenario"][:5])
     raise ScenarioError(f"is a folder without scenario.toml: name a scenario{others and f', such as {others}'}", file=folder)
 
 
@@ -217,9 +218,7 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scena
     >>> [case.name for case in load_scenario("builtin:ghaffari/demo-stage").cases()][0]
     'position loop'
     """
-    reader, content = _open(_in_folder(Path(file)) if Path(file).is_dir() else file, plugins)
-    if "axes" in content.entries and "controller" not in content.entries:
-        raise content.error("this is a machine: run a part program on it, with --machine")
+    reader, content = _open(_in_folder(Path(file)) if Path(file).is_dir() else file, plugins, "a scenario")
     return _scenario(reader, content, Path(content.file))
 
 
@@ -258,7 +257,7 @@ def scenario_from_parts(
         As `load_scenario`.
     """
     _load_plugins(plugins)
-    values: dict[str, Any] = {"machine": named_file(machine), "controller": named_file(controller)}
+    values: dict[str, Any] = {"machine": named_file(machine), "controller": named_file(controller, "controller")}
     part = None if program is None else {"file": str(program), **(options or {})}
     given = {"program": part, "contour": contour, "feed": feed, "run": run, "name": name or None}
     values |= {key: value for key, value in given.items() if value is not None}
@@ -272,9 +271,12 @@ def _title(file: Path) -> str:
     return file.stem.encode("utf-8", "replace").decode()[:200]
 
 
-def named_file(reference: str | Path) -> str:
-    """Return a file name as a scenario writes it; a bare name that is not a file means a shipped one."""
+def named_file(reference: str | Path, part: str = "machine") -> str:
+    """Return a file name as a scenario writes it; a folder means its machine or controller, a bare name that is no file a shipped one."""
     text = str(reference)
+    inside = Path(text) / f"{part}.toml"
+    if inside.is_file() or (Path(text).is_dir() and text not in builtin_names()):
+        return str(inside)
     if not text.startswith(BUILTIN) and not Path(text).suffix and not Path(text).is_file():
         return BUILTIN + text
     return text

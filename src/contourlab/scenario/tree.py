@@ -16,6 +16,7 @@ from typing import Any, TypeAlias
 
 from contourlab.components.contract import FAMILIES
 from contourlab.errors import ContourlabError, ScenarioError
+from contourlab.file_kinds import mistaken
 
 DEFAULT = "default"
 """Resets an inherited value."""
@@ -158,15 +159,17 @@ def from_mapping(values: Mapping[str, Any], file: str, key: str = "", depth: int
     return Table(entries, file, key)
 
 
-def read_tree(file: Path) -> Table:
-    """Read a TOML file.
+def read_tree(file: Path, *wanted: str) -> Table:
+    """Read a TOML file of one of the kinds wanted, see `contourlab.file_kinds.mistaken`.
 
     Raises
     ------
     ScenarioError
-        If it cannot be read or is not TOML.
+        If it cannot be read, is not TOML, or of another kind.
     """
     name = str(file)
+    if words := mistaken(file, *wanted):
+        raise ScenarioError(words, file=name)
     try:
         text = file.read_bytes().decode("utf-8-sig")
     except UnicodeDecodeError as error:

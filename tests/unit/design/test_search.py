@@ -65,3 +65,18 @@ def test_a_search_without_a_feasible_value_is_refused() -> None:
 def test_one_parameter_is_searched_too() -> None:
     found = search(lambda p: (p[:, 0] - 0.3) ** 2, np.array([[0.9], [0.1]]), budget=2000, tolerance=0.0)
     assert found.point.shape == (1,) and found.point[0] == pytest.approx(0.3, abs=1e-4)
+
+
+def test_ctrl_c_ends_a_stoppable_search_with_the_best_so_far() -> None:
+    values: list[float] = []
+
+    def stopped(points: np.ndarray) -> np.ndarray:
+        if len(values) > 200:
+            raise KeyboardInterrupt
+        values.extend(bowl(points).tolist())
+        return bowl(points)
+
+    found = search(stopped, STARTS, budget=6000, stoppable=True)
+    assert found.interrupted and found.value == min(values) and found.runs == len(values)
+    with pytest.raises(KeyboardInterrupt):
+        search(stopped, STARTS, budget=6000)

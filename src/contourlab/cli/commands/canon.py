@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import BlockDelete, Dialect, MostMoves, Part, ToolTable, reading_of
+from contourlab.cli.options import BlockDelete, Dialect, MostMoves, Part, ToolTable, program_keys, reading_of, typed_keys
 from contourlab.cli.output import silence, suggest
 
 
@@ -31,4 +31,5 @@ def canon(
     for notice in notices:
         print(notice, file=sys.stderr)
     if sys.stdout.isatty():
-        suggest(as_json, "check", file)
+        keys = program_keys(False, block_delete, tools, False, most_moves, None)
+        suggest(as_json, "check", file, "--dialect", dialect if dialect != "linuxcnc" else None, *typed_keys(keys))

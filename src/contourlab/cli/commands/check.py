@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import BlockDelete, Dialect, Json, MostMoves, Part, ToolTable, reading_of
+from contourlab.cli.options import BlockDelete, Dialect, Json, MostMoves, Part, ToolTable, program_keys, reading_of, typed_keys
 from contourlab.cli.output import emit_json, say, suggest, wants_progress
 
 FAULTY = 2
@@ -30,6 +30,7 @@ def check(
 ) -> int:
     """List every fault of a part program with line and column; print its box, feeds and cycle time."""
     from contourlab.features.check.program_check import check_program
+    from contourlab.program import Reading
 
     reading = reading_of(file, dialect, block_delete, tools, most_moves)
     checked = check_program(file, machine, reading=reading, progress=wants_progress(as_json))
@@ -38,5 +39,7 @@ def check(
     else:
         say(checked.text)
     if not checked.faults:
-        suggest(as_json, "run", file, "--machine", machine or "xyz", "--controller", None if machine else "xyz-controller")
+        keys = program_keys(False, block_delete, tools, not checked.has_end, most_moves, None if dialect == Reading.dialect else dialect)
+        words = ("--machine", machine or "xyz", "--controller", None if machine else "xyz-controller")
+        suggest(as_json, "run", file, *words, *typed_keys(keys))
     return FAULTY if checked.faults else 0

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import Json, Out, Plugins, listed
-from contourlab.cli.output import show_result
+from contourlab.cli.output import show_result, suggest
 
 
 def export(
@@ -28,3 +28,7 @@ def export(
 
     made = export_controller(file, to, out, machine=machine, scheme=scheme, axes=listed(axis), plugins=tuple(plugin or ()))
     show_result(made, as_json)
+    if made.findings:
+        suggest(as_json, "explain", made.findings[0].code)
+    elif machine is None:
+        suggest(as_json, "analyse", file)

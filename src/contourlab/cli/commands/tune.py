@@ -7,7 +7,28 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import GainMargin, Json, Judge, Out, Parameters, PhaseMargin, Plots, Plugins, Seed, Threads, Width, Write
+from contourlab.cli.options import (
+    AnyDialect,
+    BlockDelete,
+    Fit,
+    GainMargin,
+    Json,
+    Judge,
+    MostMoves,
+    NoRequireEnd,
+    Out,
+    Parameters,
+    PhaseMargin,
+    Plots,
+    Plugins,
+    Seed,
+    Threads,
+    ToolTable,
+    Width,
+    Write,
+    program_keys,
+    typed_keys,
+)
 from contourlab.cli.output import emit_json, say, suggest, suggest_again, wants_progress
 
 
@@ -16,10 +37,16 @@ def tune(
     scheme: Annotated[str | None, typer.Option(help="Scheme of the scenario; by default the scenario itself.", show_default=False)] = None,
     machine: Annotated[str | None, typer.Option(help="Machine of a part program: a file, or a shipped name.", show_default=False)] = None,
     controller: Annotated[
-        str | None, typer.Option(help="Controller of a part program: a file, or a shipped name.", show_default=False)
+        str | None, typer.Option(help="Controller to start from: a file, or a shipped name; a scenario has its own.", show_default=False)
     ] = None,
     tolerance: Annotated[str | None, typer.Option(help='Largest part error of a part program, e.g. "25 um".', show_default=False)] = None,
     judge: Judge = None,
+    fit: Fit = False,
+    block_delete: BlockDelete = False,
+    tools: ToolTable = None,
+    no_require_end: NoRequireEnd = False,
+    most_moves: MostMoves = None,
+    dialect: AnyDialect = None,
     method: Annotated[str, typer.Option(help="sequential, global, or both: the better result.")] = "both",
     start: Annotated[str, typer.Option(help="scenario, or placed: poles as fast as the margins allow.")] = "scenario",
     objective: Annotated[
@@ -55,6 +82,7 @@ def tune(
     from contourlab.features.tune.objective import Goal
     from contourlab.features.tune.study import TuneSettings
 
+    program = program_keys(fit, block_delete, tools, no_require_end, most_moves, dialect)
     settings = TuneSettings(
         goal=Goal.parse(objective),
         bounds=Bounds(gain_margin, phase_margin, limited, math.inf if command is None else command),
@@ -77,6 +105,7 @@ def tune(
         controller=controller,
         tolerance=tolerance,
         judge=judge,
+        program=program,
         out=write,
         plots=tuple(plots or ()),
         folder=out,
@@ -87,13 +116,16 @@ def tune(
         emit_json(calibration)
     else:
         say(calibration.text())
+    kept = calibration.controller_file
+    if kept is not None:
+        more = [*typed_keys(program), *(str(word) for one in plugin or () for word in ("--plugin", one))]
+        parts = ("--machine", machine, "--controller", kept, "--tolerance", tolerance, "--judge", judge)
+        suggest(as_json, "run", file, *parts, *more)
+    elif not calibration.result.interrupted:
+        suggest_again(as_json, "--start", "placed")
     if calibration.result.interrupted:
-        raise KeyboardInterrupt
-    if calibration.controller_file is None:
-        suggest_again(as_json, *(("--start", "placed") if calibration.result.after.violations else ("--write", "tuned.toml")))
-    elif machine is not None:
-        tuned = ("--controller", calibration.controller_file)
-        suggest(as_json, "run", file, "--machine", machine, "--tolerance", tolerance, "--judge", judge, *tuned)
-    else:
-        suggest(as_json, "sensitivity", file, "--scheme", scheme)
+        stopped = KeyboardInterrupt()
+        if kept is not None:
+            stopped.add_note(f"Kept the best gains so far: {kept}")
+        raise stopped
     return 0 if calibration.passed else 1

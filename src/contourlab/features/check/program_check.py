@@ -11,6 +11,7 @@ from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.planned_motion import PlannedMotion, parts
 from contourlab.findings import Finding
 from contourlab.program import Arc, Dwell, Feed, Program, Reading, Spline, Traverse, open_program
+from contourlab.program.reader import NO_END
 from contourlab.rendering.table import paragraphs
 
 MOST_FEEDS = 12
@@ -80,6 +81,11 @@ class Checked:
     def faults(self) -> int:
         """Number of faults."""
         return len(self.problems) + sum(found.entry.severity == "error" for found in self.findings)
+
+    @property
+    def has_end(self) -> bool:
+        """Whether the program ends with M2, M30 or %."""
+        return not any(notice.message.startswith(NO_END) for notice in self.notices)
 
     @property
     def text(self) -> str:

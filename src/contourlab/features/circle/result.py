@@ -16,14 +16,12 @@ from contourlab.features.circle.signatures import Term, columns_of
 from contourlab.figures import figure, number
 from contourlab.findings import Finding
 from contourlab.metrics import Bidirectional, CircleFigures
-from contourlab.rendering.table import Column, Table, page_width, paragraphs
+from contourlab.rendering.table import Column, Table, paragraphs
 
 SURE = 3.0
 """Deviations from which a cause counts as found."""
 TIED = 0.9
 """Correlation from which two estimates count as hard to tell apart."""
-WIDTH = 80
-"""Most characters in a line."""
 _NOT_SHAPE = ("radius", "centre")
 
 
@@ -163,10 +161,9 @@ class CircleTest:
     @property
     def text(self) -> str:
         """The result for the terminal."""
-        width = min(WIDTH, page_width())
-        parts = [paragraphs([self.sentence], width), self._causes().text(width), paragraphs(self._about(), width)]
+        parts = [paragraphs([self.sentence]), self._causes().text(), paragraphs(self._about())]
         if self.findings:
-            parts.append(paragraphs(map(str, self.findings), width))
+            parts.append(paragraphs(map(str, self.findings)))
         parts += [f"report: {self.report}"] if self.report else []
         return "\n\n".join(parts)
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from contourlab.errors import ScenarioError
 from contourlab.features.commission.loop import GAINS
+from contourlab.file_kinds import mistaken
 from contourlab.findings import Finding, finding
 
 LENGTHS = {"mm": 1e-3, "metric": 1e-3, "inch": 0.0254, "in": 0.0254, "imperial": 0.0254}
@@ -164,6 +165,8 @@ def read_ini(file: str | Path) -> Ini:
 
 
 def _text(path: Path) -> str:
+    if words := mistaken(path, "a file of LinuxCNC"):
+        raise ScenarioError(words, file=path)
     try:
         return path.read_text(encoding="utf-8", errors="replace")
     except OSError as error:

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-import tomllib
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -23,6 +21,7 @@ from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.export.axis_controller import AxisControl, axis_control
 from contourlab.features.export.mock_up import compiler, unit_of
 from contourlab.features.export.recorded_run import SAMPLES, record, there_and_back
+from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import Column, Table, paragraphs
 
@@ -192,10 +191,9 @@ def _read(
     if machine is not None:
         if scheme is not None:
             raise ParameterError("--scheme", scheme, "left out with --machine: only a scenario has schemes")
-        folder = Path(machine)
-        stated = folder / "machine.toml" if folder.is_dir() else named_file(machine)
+        stated = named_file(machine)
         loaded = load_machine(stated, plugins)
-        steered = load_controller(named_file(file), loaded, plugins)
+        steered = load_controller(named_file(file, "controller"), loaded, plugins)
         return loaded, steered, lambda name: there_and_back(loaded.axis(name), loaded.servo_period), (file, stated)
     _check_scenario(file)
     scenario = load_scenario(file, plugins)
@@ -211,13 +209,12 @@ def _read(
 
 
 def _check_scenario(file: str | Path) -> None:
-    """Refuse a controller without its machine; what cannot be read is left to the reader."""
+    """Refuse a controller without its machine."""
     from contourlab.scenario.files import BUILTIN, builtin_file
 
     path = builtin_file(str(file)) if str(file).startswith(BUILTIN) else Path(file)
-    with suppress(OSError, ValueError):
-        if "machine" not in tomllib.loads(path.read_text(encoding="utf-8")):
-            raise ScenarioError("a controller needs its machine: name it with --machine", file=file)
+    if kind_of(path) == "a controller":
+        raise ScenarioError("a controller needs its machine: name it with --machine", file=file)
 
 
 def _described(found: AxisControl) -> ExportedAxis:

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 from contourlab.features.limits.log_limits import AxisPeak
 from contourlab.figures import NONE, figure, number
 from contourlab.findings import Finding
-from contourlab.rendering.table import Column, Table, page_width, paragraphs
+from contourlab.rendering.table import Column, Table, paragraphs
 
-WIDTH, MOST_LINES = 80, 8
-"""Most characters in a line, and program lines in the table."""
+MOST_LINES = 8
+"""Most program lines in the table."""
 UNITS = {"velocity": "mm/s", "kink": "mm/s", "acceleration": "m/s^2", "curvature step": "m/s^2", "jerk": "m/s^3"}
 
 
@@ -90,12 +90,11 @@ class LimitTest:
     @property
     def text(self) -> str:
         """The result for the terminal."""
-        width = min(WIDTH, page_width())
-        parts = [paragraphs([self._sentence()], width), self._peaks().text(width)]
+        parts = [paragraphs([self._sentence()]), self._peaks().text()]
         if self.worst:
-            parts.append(self._lines().text(width))
+            parts.append(self._lines().text())
         if self.findings:
-            parts.append(paragraphs(map(str, self.findings), width))
+            parts.append(paragraphs(map(str, self.findings)))
         parts += [f"annotated program: {self.annotated}"] if self.annotated else []
         return "\n\n".join(parts)
 

@@ -131,7 +131,8 @@ def link_scenario(
             stages.expect(sum(1 + len(list(_controllers(case.controller, options, settings))) for case in cases))
             for case in cases:
                 stages.begin(f"planning {case.name}")
-                costs[case.name] = _scheme_cost(case, options, settings, stages)
+                for cost_so_far in _scheme_costs(case, options, settings, stages):
+                    costs[case.name] = cost_so_far
         texts = texts_so_far()
         result = LinkResult(scenario.name, costs)
         write_text_atomic(stage / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
@@ -146,7 +147,8 @@ def link_scenario(
     return LinkResult(scenario.name, costs, "\n\n".join(texts))
 
 
-def _scheme_cost(case: Case, options: LinkOptions, settings: LinkSettings, stages: Stages) -> SchemeCost:
+def _scheme_costs(case: Case, options: LinkOptions, settings: LinkSettings, stages: Stages) -> Iterator[SchemeCost]:
+    """Yield the cost of a scheme's divisions so far, after each."""
     machine, reference, figure = case.machine, case.reference(), FIGURES[options.figure]
     try:
         whole = cost.undivided_error(machine, case.controller, reference, figure, seed=case.seed, moving=case.moving)
@@ -159,7 +161,7 @@ def _scheme_cost(case: Case, options: LinkOptions, settings: LinkSettings, stage
         stages.begin(f"{case.name}: {label}")
         setting = LinkSetting(machine, controller, reference, figure, allowed, settings.seeds, case.seed, case.moving, options.quick)
         costs.append(division_cost(setting, settings.quantities, settings.longest, stages.advance))
-    return SchemeCost(figure, whole, allowed, tuple(costs))
+        yield SchemeCost(figure, whole, allowed, tuple(costs))
 
 
 def _controllers(controller: Controller, options: LinkOptions, settings: LinkSettings) -> Iterator[tuple[str, Controller]]:

@@ -15,6 +15,7 @@ from typing import Any
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.machines.questions import AXIS, KEYS, MACHINE, PLACE, SAME, Question, fault, read_value
 from contourlab.features.machines.sizing import SizedAxis
+from contourlab.file_kinds import mistaken
 
 BLANK = {f"{name}.{SAME.key}": "x except moved_mass" for name in "yz"}
 """Answers of a template."""
@@ -237,6 +238,8 @@ def read_answers(file: str | Path) -> dict[str, str]:
         If the file cannot be read, or a value is not an answer.
     """
     path = Path(file)
+    if words := mistaken(path, "a file of answers"):
+        raise ScenarioError(words, file=path)
     try:
         content = tomllib.loads(path.read_text(encoding="utf-8"))
     except OSError as error:

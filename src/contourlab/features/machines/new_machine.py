@@ -17,6 +17,7 @@ from contourlab.features.machines.command import refuse_existing
 from contourlab.features.machines.machine_files import axis_tables, controller_tables, machine_tables, scenario_tables
 from contourlab.features.machines.questions import fault
 from contourlab.features.machines.sizing import FASTEST, SizedAxis
+from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.scenario.toml_text import toml
 from contourlab.units import show
@@ -63,7 +64,7 @@ class NewMachine:
 
     def summary(self) -> str:
         """Return the values computed from the answers, as text."""
-        return "\n".join(line for axis in self.axes for line in _about(axis))
+        return paragraphs((line for axis in self.axes for line in _about(axis)), indent="    ")
 
 
 def new_machine(answers: Mapping[str, str], name: str = "My machine") -> NewMachine:

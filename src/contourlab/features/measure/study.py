@@ -113,8 +113,14 @@ def measure(
         _check_near(judged["contour_error"][slice(*window)], path, position)
         findings += _last_lap_findings(judged, motion, window)
     findings += _outlier_findings(judged, window)
-    metrics = _known_metrics(summarise(judged, motion, window), run, window)
+    stated = _stated(run) if of_samples else None
+    if stated is not None:
+        window = stated.ranges[0][0], stated.ranges[-1][1]
+    metrics = _known_metrics(summarise(judged, motion, stated or Judged((window,), "moving part")), run, None if stated else window)
     spikes, circles = reversal_spikes(judged, window, reference=motion), circles_of(judged, motion)
+    if stated is not None:
+        counts = stated.mask(run.n_sample)
+        spikes = tuple(spike for spike in spikes if counts[spike.sample])
     return Measured(judged, motion, metrics, spikes, circles, tuple(findings), shifts)
 
 
@@ -258,14 +264,24 @@ def _outlier_findings(judged: Result, window: tuple[int, int]) -> list[Finding]:
     return [finding("CL410", time=float(judged.time[window[0] + worst]), others=others)]
 
 
-def _known_metrics(metrics: Metrics, run: Result, window: tuple[int, int]) -> Metrics:
-    """Return the metrics, nan where the log lacks the signal."""
+def _known_metrics(metrics: Metrics, run: Result, window: tuple[int, int] | None) -> Metrics:
+    """Return the metrics, nan where the log lacks the signal; with a window the cycle is that of its moving part."""
     nan = float("nan")
     if NO_REFERENCE.items() <= run.attributes.items():
         metrics = replace(metrics, tracking_error=(AxisFigures(nan, nan),) * len(run.axes))
     if "applied_command" not in run:
         metrics = replace(metrics, saturation=(nan,) * len(run.axes))
-    return replace(metrics, judged=Judged((window,), "moving part"), cycle_time=(window[1] - window[0]) * run.servo_period)
+    return metrics if window is None else replace(metrics, cycle_time=(window[1] - window[0]) * run.servo_period)
+
+
+def _stated(run: Result) -> Judged | None:
+    """Return the samples that judged a result of contourlab; None for another log."""
+    text = run.attributes.get("judged")
+    try:
+        judged = None if text is None else Judged.parse(str(text))
+    except ValueError:
+        return None
+    return judged if judged is not None and judged.ranges[-1][1] <= run.n_sample else None
 
 
 def _of_axes(result: Result, axes: tuple[str, ...]) -> Result:

@@ -18,17 +18,20 @@ from contourlab.features.run.next_step import next_steps
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.summary import summary_of
+from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.figures import figure
 from contourlab.findings import Finding
+from contourlab.metrics import judged_part
 from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
     from contourlab.rendering.data import ReportData
-    from contourlab.scenario import Scenario
+    from contourlab.scenario import Case, Scenario
 
-STEPS, LEARNING_STEPS = 6, 8
-"""Most stages of a run, and of one that learns."""
+FIRST, LEARNING = ("planning", 1.0), (("analysing", 4.0), ("learning", 30.0))
+DRAWING, WRITING = ("drawing", 20.0), (("writing signals", 1.5), ("writing the report", 2.5))
+"""First words of stages and their work, roughly as measured."""
 
 
 @dataclass(frozen=True)
@@ -131,8 +134,8 @@ def _checked(scenario: Scenario) -> RunOutcome:
 def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs: bool = False, foretell: bool = False) -> RunOutcome:
     """Run every scheme of a scenario; write signals, summary.json, report.html, plots and proposed controllers into a folder.
 
-    A scheme that diverges is named in the summary; the others run on. `costs` times the servo tick, `foretell` analyses learning
-    beforehand.
+    A scheme that diverges is named in the summary; the others run on. Ctrl-C keeps the schemes that ended. `costs` times the servo tick,
+    `foretell` analyses learning beforehand.
 
     Raises
     ------
@@ -152,22 +155,25 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
     with staged(out, *outputs, inputs=scenario.inputs) as folder:
         outcomes: list[Outcome] = []
         diverged: dict[str, DivergenceError] = {}
-        lengths = [LEARNING_STEPS if case.learning is not None else STEPS for case in cases]
+        stopped = False
         with shown(options.progress) as stages:
-            stages.expect(sum(lengths) + 2)
-            for i, case in enumerate(cases):
-                stages.reach(sum(lengths[:i]))
+            stages.expect(_work(cases, options.interval))
+            for case in cases:
                 try:
                     asked: dict[str, Any] = {"costs": costs, "foretell": foretell, "interval": options.interval}
                     outcomes.append(run_case(case, progress=stages.advance, stage=stages.begin, **asked))
                 except DivergenceError as error:
                     diverged[case.name] = error
-                if outcomes and _interrupted(outcomes[-1]):
+                except KeyboardInterrupt:
+                    if not outcomes:
+                        raise
+                    stopped = True
+                stopped = stopped or (bool(outcomes) and _interrupted(outcomes[-1]))
+                if stopped:
                     break
             first = next(iter(diverged.values()), None)
             if first is not None and not outcomes:
                 raise first
-            stages.reach(sum(lengths))
             stages.begin("writing signals")
             for outcome in outcomes:
                 _write_signals(outcome, folder / "signals" / f"{names[outcome.name]}.nc", signals or outcome.case.signals)
@@ -187,13 +193,24 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
             text, data = _write_report(scenario, outcomes, folder, command, options, steps)
             files = {f"{name}, changed controller": f"proposed/{names[name]}.toml" for name in proposed} | {"report": "report.html"}
             files |= {"to print": "report.pdf"} if options.pdf else {}
-    if any(_interrupted(outcome) for outcome in outcomes):
-        stopped = KeyboardInterrupt()
-        stopped.add_note(f"Kept what was learned so far: {out / 'report.html'}, {out / 'learned'}")
-        raise stopped
+    if stopped:
+        end = KeyboardInterrupt()
+        end.add_note(f"Kept {len(outcomes)} of {len(cases)} schemes: {out / 'report.html'}")
+        raise end
     written = "\n".join(f"{what}: {out / file}" for what, file in files.items())
     written += "".join(f"\nnext: {step}" for _, step in steps[:1])
     return RunOutcome(summary["passed"] is not False, summary, f"{text}\n\n{written}", first, data)
+
+
+def _work(cases: Sequence[Case], interval: bool | None) -> list[tuple[str, float]]:
+    """Return first word and work of each stage of a run, see `contourlab.app.stages.Stages.expect`."""
+    work: list[tuple[str, float]] = []
+    for case in cases:
+        work += [FIRST, *(LEARNING if case.learning is not None else ()), ("simulating", 0.5), ("judging", 1.0)]
+        work += [("looking", 12.0)] if case.learning is None and case.tolerance is not None else []
+        drawn = interval is not False and any(number.drawn for number in numbers_of(case.machine, case.controller))
+        work += [*([DRAWING] if drawn else []), ("checking", 0.5)]
+    return [*work, *((words, amount * len(cases)) for words, amount in WRITING)]
 
 
 def _interrupted(outcome: Outcome) -> bool:
@@ -229,7 +246,8 @@ def _check_known(option: str, names: Sequence[str], known: Sequence[str]) -> Non
 
 
 def _write_signals(outcome: Outcome, file: Path, wanted: Sequence[str]) -> None:
-    result = outcome.result
+    judged = judged_part(outcome.result, outcome.reference).text  # so that a comparison of finished runs judges the same samples
+    result = replace(outcome.result, attributes={**outcome.result.attributes, "judged": judged})
     if wanted:
         # Asking for the data says clearly which signals there are, if one is not.
         result = replace(result, signals={name: result.signals[name] for name in wanted if result[name] is not None})

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from contourlab.errors import ProgramEndError, ScenarioError
+from contourlab.file_kinds import kind_of, mistaken
 
 if TYPE_CHECKING:
     from contourlab.scenario import Scenario
@@ -29,7 +31,8 @@ def scenario_of(
     file : str or Path
         ``.toml``: a scenario; a folder: its ``scenario.toml``; anything else is a part program.
     machine, controller : str or Path, optional
-        Files, or names of shipped ones; a part program needs both. The folder of a machine stands for its two files.
+        Files, or names of shipped ones; a part program needs both. The folder of a machine stands for its two files. A scenario then runs
+        under this controller, without its schemes.
     tolerance : str, optional
         Largest part error of a part program that passes, as ``"25 um"``.
     program : mapping, optional
@@ -46,18 +49,20 @@ def scenario_of(
 
     path, keys = Path(file), program or {}
     if (str(file).startswith(BUILTIN) and path.suffix != ".ngc") or path.suffix.lower() == ".toml" or path.is_dir():
-        _refuse_options(path, {"--machine": machine, "--controller": controller, "--tolerance": tolerance}, keys)
         try:
-            return load_scenario(file, plugins=plugins)
+            scenario = load_scenario(file, plugins=plugins)
         except ProgramEndError as error:
             error.add_note("To run it to its last line: write require_end = false under [program] in the scenario.")
             raise
+        _refuse_options(path, {"--machine": machine, "--tolerance": tolerance}, keys)
+        return scenario if controller is None else _under(scenario, controller, plugins)
     refuse_drawing(path, machine, controller)
     if machine is not None and Path(machine).is_dir():
-        folder = Path(machine)
-        machine, controller = folder / "machine.toml", folder / "controller.toml" if controller is None else controller
+        controller = machine if controller is None else controller
     if not path.exists():
         raise ScenarioError(f"no such file{shipped_hint(path)}", file=path)
+    if words := mistaken(path, "a part program"):
+        raise ScenarioError(words, file=path)
     if machine is None or controller is None:
         alone = "" if machine is None else f"; {machine} is not a folder, which would give both"
         raise ScenarioError(f"a part program needs --machine and --controller{alone}; a scenario ends in .toml", file=path)
@@ -67,6 +72,17 @@ def scenario_of(
     except ProgramEndError as error:
         error.add_note("To run it to its last line: add --no-require-end.")
         raise
+
+
+def _under(scenario: Scenario, controller: str | Path, plugins: Sequence[str | Path]) -> Scenario:
+    """Return the scenario under another controller, without its schemes."""
+    from contourlab.scenario import BUILTIN, builtin_file, load_controller
+    from contourlab.scenario.load import named_file
+
+    name = named_file(controller, "controller")
+    file = builtin_file(name) if name.startswith(BUILTIN) else Path(name)
+    base = replace(scenario.base, controller=load_controller(file, scenario.machine, plugins))
+    return replace(scenario, base=base, all_cases=(), files=(*scenario.files, file))
 
 
 def _refuse_options(path: Path, parts: Mapping[str, Any], program: Mapping[str, Any]) -> None:
@@ -99,7 +115,7 @@ def refuse_drawing(file: str | Path, machine: str | Path | None = None, controll
     """
     path = Path(file)
     what = {".dxf": "a drawing", ".svg": "a drawing", ".csv": "a list of points"}.get(path.suffix.lower())
-    if what is None:
+    if what is None or not path.exists() or (path.suffix.lower() == ".csv" and kind_of(path) not in ("a log", "")):
         return
     from contourlab.scenario.load import named_file
 

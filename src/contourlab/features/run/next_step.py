@@ -41,7 +41,7 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
         steps.append(("Run it with the changed controller:", _typed("run", file, words)))
     scheme = [] if outcomes[-1].name == "base" else ["--scheme", min(judged, key=lambda one: one.metrics.part_error.max).name]
     if not kept or part:
-        steps.append(("Search all gains:", _typed("tune", file, [*_of_case(options), *scheme, "--write", "tuned.toml"])))
+        steps.append(("Search all gains:", _typed("tune", file, [*_of_case(options), *scheme])))
     else:
         steps.append(("Find what the error depends on:", _typed("sensitivity", file, ["--quick", *scheme, *plugins])))
     return steps
@@ -55,7 +55,9 @@ def _split(command: str) -> tuple[str, list[str]]:
 
 def _of_case(options: Sequence[str]) -> list[str]:
     """Return the options that say what runs, with their values."""
-    return chosen_options(options, "--machine", "--controller", "--tolerance", "--judge", "--plugin")
+    for name in ("--schemes", "--trials", "--table"):
+        options = _without(options, name)
+    return list(options)
 
 
 def _without(options: Sequence[str], name: str) -> list[str]:

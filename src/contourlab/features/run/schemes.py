@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
+from contourlab.file_kinds import mistaken
 
 if TYPE_CHECKING:
     from contourlab.scenario import Case, Scenario
@@ -92,7 +93,9 @@ def loaded(file: str | Path, schemes: Sequence[str], plugins: Sequence[str | Pat
     from contourlab.scenario import BUILTIN, chosen, load_scenario, shipped_hint
 
     if not (str(file).startswith(BUILTIN) or Path(file).suffix.lower() == ".toml" or Path(file).is_dir()):
-        raise ScenarioError(f"not a scenario: its name must end in .toml{shipped_hint(file)}", file=file)
+        if not Path(file).exists():
+            raise ScenarioError(f"no such file{shipped_hint(file)}", file=file)
+        raise ScenarioError(mistaken(file, "a scenario") or "not a scenario: its name must end in .toml", file=file)
     scenario = load_scenario(file, plugins=plugins)
     return chosen(scenario, schemes) if schemes else scenario
 

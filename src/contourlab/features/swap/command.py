@@ -14,7 +14,7 @@ from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
 from contourlab.design import Space
 from contourlab.design.guards import Bounds
-from contourlab.errors import ParameterError, ScenarioError
+from contourlab.errors import ParameterError
 from contourlab.features.link.command import USUAL_LONGEST, LinkOptions, LinkSettings, positive_quantity, read_options
 from contourlab.features.run.command import RunOutcome, check_plots, file_names
 from contourlab.features.swap.beyond import NetworkCost, coverage, least_division, network_cost
@@ -335,11 +335,7 @@ def _modules(
         for file in others:
             if not file.strip():
                 raise ParameterError("--with", repr(file), "names of axis files, separated by commas")
-            try:
-                module, left_out = load_module(file, machine.axis(name), plugins)
-            except ScenarioError as error:
-                error.add_note(f"This file is a module for axis {name}.")
-                raise
+            module, left_out = load_module(file, machine.axis(name), plugins)
             called = Path(file.rpartition(":")[2]).stem
             modules.setdefault(name, []).append((called, module))
             if left_out:

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Sequence
-from contextlib import nullcontext
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from contourlab.app.results import check_file, staged
 from contourlab.app.stages import shown
+from contourlab.design import Space
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.run.command import check_plots
 from contourlab.features.run.inputs import scenario_of
+from contourlab.features.tune.line_search import REFINEMENTS
 from contourlab.features.tune.study import Tuned, TuneSettings, tune
 from contourlab.features.tune.text import tables
 from contourlab.findings import Finding, finding
@@ -22,6 +23,10 @@ from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
     from contourlab.scenario import Case
+
+
+KEPT = "tuned.toml"
+"""File of the controller in the folder of results."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +44,7 @@ class Calibration:
     result : Tuned
     findings : tuple of Finding
     controller_file : Path or None
-        The file written.
+        The file written; None if the controller breaks a bound.
     plots : tuple of Path
     """
 
@@ -60,7 +65,7 @@ class Calibration:
         parts = [head, *tables(goal, self.result)]
         parts.append(paragraphs(map(str, self.findings)))
         written = self.controller_file
-        files = ["no controller file: name one with --write" if written is None else f"controller file: {written}"]
+        files = ["no controller file: the gains break a bound" if written is None else f"controller file: {written}"]
         files += [f"plot: {file}" for file in self.plots]
         return "\n\n".join([*parts, "\n".join(files)])
 
@@ -74,6 +79,7 @@ def tune_scenario(
     controller: str | Path | None = None,
     tolerance: str | None = None,
     judge: str | None = None,
+    program: Mapping[str, Any] | None = None,
     out: str | Path | None = None,
     plots: Sequence[str] = (),
     folder: str | Path = "results",
@@ -89,12 +95,12 @@ def tune_scenario(
     settings : TuneSettings
     scheme : str, optional
         Scheme of the scenario; by default the scenario without schemes.
-    machine, controller, tolerance
-        For a part program: see `contourlab.features.run.inputs.scenario_of`.
+    machine, controller, tolerance, program
+        See `contourlab.features.run.inputs.scenario_of`.
     judge : str, optional
         Moves to judge; by default as in the scenario.
     out : str or Path, optional
-        Controller file to write; not written if the controller breaks a bound.
+        Controller file to write, by default ``tuned.toml`` in `folder`; not written if the controller breaks a bound.
     plots : sequence of str
         png, svg or pdf, into ``plots`` in `folder`; other files there are kept.
     folder : str or Path
@@ -114,23 +120,24 @@ def tune_scenario(
     if out is not None and Path(out).suffix.lower() != ".toml":
         raise ParameterError("--write", repr(str(out)), "a controller file, which ends in .toml")
     parts: dict[str, Any] = {"machine": machine, "controller": controller, "tolerance": tolerance}
-    scenario = scenario_of(file, **parts, plugins=plugins).judging(judge)
+    scenario = scenario_of(file, **parts, program=program, plugins=plugins).judging(judge)
     case = scenario.base if scheme is None else scenario.case(scheme)
     if case.changes:
         raise ScenarioError("the controller changes during the run: calibrate each controller in its own scenario", file=file)
     if out is not None:
         check_file(out, scenario.inputs)
-    with staged(folder, inputs=scenario.inputs) if plots else nullcontext() as stage:
+    with staged(folder, *([KEPT] if out is None else []), inputs=scenario.inputs) as stage:
         with shown(progress) as stages:
+            stages.expect(_work(case, settings))
             stages.begin("planning")
             reference = case.reference()
             callbacks = {"begin": stages.begin, "progress": stages.advance}
             tuned = tune(case.machine, case.controller, reference, settings, moving=case.moving, seed=case.seed, **callbacks)  # type: ignore[arg-type]
-        written = out is not None and not tuned.after.violations
-        if written:
-            _write(tuned, case, Path(str(out)), scenario.name, plugins)
+        written = None if tuned.after.violations else Path(folder) / KEPT if out is None else Path(out)
+        if written is not None:
+            _write(tuned, case, stage / KEPT if out is None else written, scenario.name, plugins)
         drawn: list[Path] = []
-        if stage is not None:
+        if plots:
             from contourlab.features.tune.pictures import tuning_charts
             from contourlab.rendering.plots import write_charts
 
@@ -139,9 +146,15 @@ def tune_scenario(
     verdict = _verdict(case, tuned)
     passed = not any(one.entry.severity == "error" for one in verdict)
     findings = (*tuned.findings, *verdict)
-    return Calibration(
-        scenario.name, case.name, passed, case.tolerance, settings, tuned, findings, Path(str(out)) if written else None, tuple(drawn)
-    )
+    return Calibration(scenario.name, case.name, passed, case.tolerance, settings, tuned, findings, written, tuple(drawn))
+
+
+def _work(case: Case, settings: TuneSettings) -> list[tuple[str, float]]:
+    """Return first word and work of each stage of a calibration, in runs; see `contourlab.app.stages.Stages.expect`."""
+    lines = settings.passes * len(Space.chosen(case.machine, case.controller, settings.parameters, settings.width).numbers)
+    one = [] if settings.method == "global" else [("one", lines * (1 + REFINEMENTS) * float(settings.rule.lanes))]
+    every = [] if settings.method == "sequential" else [("all", float(settings.budget))]
+    return [("planning", 32.0), ("first", 32.0), ("placing", 32.0), ("restoring", 32.0), *one, *every, ("checking", 32.0)]
 
 
 def _verdict(case: Case, tuned: Tuned) -> list[Finding]:

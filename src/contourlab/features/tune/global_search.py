@@ -67,7 +67,8 @@ def global_search(
     Notes
     -----
     Margins take longer to compute than a run. Each generation therefore checks its best points in turn until `KEPT` of them keep the
-    bounds. A point that breaks a bound is ranked behind all others of its generation. The exact analysis checks the result.
+    bounds. A point that breaks a bound is ranked behind all others of its generation. The exact analysis checks the result. Ctrl-C ends
+    the search with the best values so far.
     """
     generator = np.random.default_rng(seed)
     known = [space.points(values)[0] for values in given][:starts]
@@ -80,6 +81,7 @@ def global_search(
         seed=seed,
         population=POPULATION,
         progress=None if progress is None else lambda done: progress(done, budget),
+        stoppable=True,
     )
     for i in np.argsort(found.per_start, kind="stable"):
         if not np.isfinite(found.per_start[i]):

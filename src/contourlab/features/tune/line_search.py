@@ -82,10 +82,11 @@ class Step:
 
 @dataclass(frozen=True)
 class SearchPath:
-    """Steps in order, and the resulting values [SI]."""
+    """Steps in order, the resulting values [SI], and whether Ctrl-C ended them."""
 
     values: dict[str, float]
     steps: tuple[Step, ...] = ()
+    interrupted: bool = field(default=False, metadata=HIDDEN)
 
 
 def sequential(
@@ -98,7 +99,7 @@ def sequential(
     passes: int = 1,
     progress: Callable[[int, int], None] | None = None,
 ) -> SearchPath:
-    """Calibrate the parameters of a space one at a time, in its order, innermost loop first.
+    """Calibrate the parameters of a space one at a time, in its order, innermost loop first; Ctrl-C ends with the steps so far.
 
     Parameters
     ----------
@@ -123,7 +124,12 @@ def sequential(
     for turn in range(1, passes + 1):
         begun = steps[-1].objective_after if steps else math.inf
         for variable in space.numbers:
-            step = line_search(objective, guards, variable, now, rule, f"pass {turn}")
+            try:
+                step = line_search(objective, guards, variable, now, rule, f"pass {turn}")
+            except KeyboardInterrupt:
+                if not steps:
+                    raise
+                return SearchPath(now, tuple(steps), interrupted=True)
             now[variable.name] = step.after
             steps.append(step)
             if progress is not None:

@@ -106,7 +106,7 @@ class Tuned:
     runs : int
         Total number of runs.
     interrupted : bool
-        Whether Ctrl-C ended the search of all parameters at once; the result is then that of the sequential procedure.
+        Whether Ctrl-C ended the search; the result is the best so far.
     findings : tuple of Finding
     """
 
@@ -123,7 +123,6 @@ class Tuned:
     runs: int
     interrupted: bool = field(metadata=HIDDEN)
     findings: tuple[Finding, ...] = field(metadata=HIDDEN)
-
 
 
 def tune(
@@ -166,6 +165,8 @@ def tune(
     settings = settings or TuneSettings()
     given: dict[str, Any] = {"moving": moving, "seed": seed, "begin": begin, "progress": progress}
     found = _tuned(machine, controller, reference, settings, **given)
+    if found.interrupted:
+        return found
     if found.after.violations and not settings.parameters and settings.start == "scenario" and settings.method != "sequential":
         with suppress(ParameterError):
             placed = _tuned(machine, controller, reference, replace(settings, start="placed"), **given)
@@ -275,7 +276,7 @@ def _candidates(
     Returns
     -------
     tuple
-        The steps, the result of the global search, the candidates, and whether Ctrl-C ended the global search.
+        The steps, the result of the global search, the candidates, and whether Ctrl-C ended the search.
     """
     objective = problem[0]
     candidates: list[Candidate] = []
@@ -285,28 +286,28 @@ def _candidates(
     if settings.method != "global":
         begin("one parameter at a time")
         line = sequential(*problem, path.values, settings.rule, passes=settings.passes, progress=progress)
-        path = SearchPath(line.values, (*path.steps, *line.steps))
+        path = SearchPath(line.values, (*path.steps, *line.steps), line.interrupted)
         candidates.append((float(objective.at(line.values).value[0]), "sequential", line.values))
         starts.append(line.values)
-    if settings.method == "sequential":
-        return path, None, candidates, False
+    if settings.method == "sequential" or path.interrupted:
+        return path, None, candidates, path.interrupted
     begin("all parameters at once")
     starts += placed
     try:
         result = global_search(
             *problem, starts, starts=settings.starts, budget=settings.budget, seed=settings.seed, progress=progress
-        )  # fmt: skip
+        )
     except ParameterError:  # every run fails
         if settings.method == "global":
             raise
         return path, None, candidates, False
-    except KeyboardInterrupt:
+    except KeyboardInterrupt:  # before its first generation
         if not candidates:
             raise
         return path, None, candidates, True
     if result.values is not None:
         candidates.append((result.objective, "global", result.values))
-    return path, result, candidates, False
+    return path, result, candidates, result.search.interrupted
 
 
 def _chosen(

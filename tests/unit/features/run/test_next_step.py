@@ -45,7 +45,7 @@ def test_after_a_failure_it_runs_the_proposed_controller(part: list[str], capsys
 def test_after_a_success_it_tunes(part: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*part, "--tolerance", "1 mm"]) == 0
     words = last_line(capsys)
-    assert words[:2] == ["tune", "my part.ngc"] and words[-4:] == ["--tolerance", "1 mm", "--write", "tuned.toml"]
+    assert words[:2] == ["tune", "my part.ngc"] and words[-2:] == ["--tolerance", "1 mm"]
 
 
 def test_plugins_are_named_again() -> None:

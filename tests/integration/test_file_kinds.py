@@ -1,0 +1,73 @@
+"""What kind of file is this? Every command refuses a file of another kind by its kind."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from typed_commands import Run
+
+from contourlab.file_kinds import kind_of, mistaken
+
+CONTENTS = {
+    "a PNG picture": b"\x89PNG\r\n\x1a\n\0\0",
+    "a web page": b"\n<!DOCTYPE html>\n<html></html>\n",
+    "a file of zero bytes only": bytes(5000),
+    "an empty file": b"",
+    "a scenario": b'machine = "xyz.toml"\ncontroller = "c.toml"\nprogram = "part.ngc"\n',
+    "a machine": b'[machine]\nname = "m"\naxes = ["x"]\n[axes.x]\n',
+    "a controller": b'[controller.axes."*"]\n',
+    "an axis": b'plant = {kind = "mass-damper"}\n',
+    "a file of answers": b'axes = "x, y"\nservo_period = "1 ms"\n',
+    "a part program": b"%\n(part)\nN10 G21 G1 X10 F600\nM2\n",
+    "a log": b"time,x\n0,1\n0.001,2\n0.002,3\n",
+    "": b"# a comment alone\n",
+}
+
+
+@pytest.mark.parametrize("kind", CONTENTS)
+def test_a_file_is_known_by_its_content(kind: str, tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.write_bytes(CONTENTS[kind])
+    assert kind_of(file) == kind
+    assert mistaken(file) == mistaken(file, "a log", kind) == ""
+    wanted = "a scenario" if kind == "a log" else "a log"
+    assert bool(mistaken(file, wanted)) == bool(kind)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("run", "FILE", "--machine", "xyz", "--controller", "xyz-controller"),
+        ("run", "part.ngc", "--machine", "FILE", "--controller", "xyz-controller"),
+        ("run", "part.ngc", "--machine", "xyz", "--controller", "FILE"),
+        ("check", "FILE"),
+        ("compare", "FILE"),
+        ("tune", "FILE"),
+        ("notch", "FILE"),
+        ("swap", "builtin:ghaffari/demo-stage", "--axis", "1", "--with", "FILE"),
+        ("export", "FILE", "--to", "c99"),
+        ("measure", "FILE"),
+        ("interpolate", "FILE"),
+        ("new", "machine", "--answers", "FILE", "--out", "made"),
+        ("commission", "linuxcnc", "FILE", "x.hal"),
+    ],
+    ids=lambda words: " ".join(words[:1]),
+)
+def test_every_command_names_the_kind_in_one_line(words: tuple[str, ...], contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "part.ngc").write_bytes(CONTENTS["a part program"])
+    for kind, file in (("a PNG picture", "picture.ngc"), ("a web page", "page.toml"), ("a file of zero bytes only", "zeros.csv")):
+        (tmp_path / file).write_bytes(CONTENTS[kind])
+        said = contourlab(*(file if word == "FILE" else word for word in words))
+        assert said.code == 2, said
+        assert said.err.startswith(f"contourlab: {file}: is {kind}, not "), said.err
+        assert len(said.err.splitlines()) == 1
+
+
+def test_a_file_of_the_wrong_kind_says_what_it_is_for(contourlab: Run, tmp_path: Path) -> None:
+    for kind in ("a machine", "a controller", "a log"):
+        (tmp_path / "it.toml").write_bytes(CONTENTS[kind])
+        assert f"is {kind}, not a scenario" in contourlab("run", "it.toml").err
+        assert f"is {kind}, not a part program" in contourlab("canon", "it.toml").err
+    (tmp_path / "folder").mkdir()
+    assert "is a folder, not an axis" in contourlab("swap", "builtin:ghaffari/demo-stage", "--axis", "1", "--with", "folder").err
