@@ -13,6 +13,8 @@ LONGEST = 60.0
 """Longest way to either side [mm]."""
 SPEEDS = (0.02, 0.1, 0.4, 1.0)
 """Speeds of the reversals, relative to the axis' limit."""
+SLOW_STROKE = 0.2
+"""Stroke [mm] and speed [mm/s] of the reversals in which the load stops before the motor has crossed the play."""
 TURN_TIME = 0.4
 """Time of a reversal at constant speed [s]."""
 SIGNALS = ("cmd", "fb", "out")
@@ -58,15 +60,17 @@ def _reach(axis: AxisSetup, mm: float) -> float:
 
 
 def _strokes(axis: AxisSetup, reach: float, mm: float) -> list[str]:
-    """Return the reversals of one axis: two of each length and speed, and short ones at the acceleration limit."""
+    """Return the reversals of one axis: two of each length and speed, slow ones, and short ones at the acceleration limit."""
     letter, fastest, strongest = axis.name.upper(), axis.limits["velocity"], axis.limits["acceleration"]
-    lines = [f"(axis {letter}: reversals at {len(SPEEDS)} speeds, then at the acceleration limit)"]
+    lines = [f"(axis {letter}: reversals at {len(SPEEDS)} speeds, very slow ones, then at the acceleration limit)"]
     for share in SPEEDS:
         speed = share * fastest
         way = min(speed * TURN_TIME + speed**2 / strongest, reach)
         feed = f"F{_text(60.0 * speed)}"
         lines += [f"G1 {letter}{_text(way)} {feed}", f"G1 {letter}{_text(-2.0 * way)}", f"G1 {letter}{_text(2.0 * way)}"]
         lines += [f"G1 {letter}{_text(-way)}", "G4 P0.1"]
+    slow = min(SLOW_STROKE * mm, reach)
+    lines += [f"G1 {letter}{_text(sign * slow)} F{_text(60.0 * SLOW_STROKE * mm)}" for sign in (1, -1) * 4]
     for time in (0.04, 0.08, 0.15):
         way = min(max(strongest * (0.5 * time) ** 2, 0.05 * mm), reach)
         back = [f"G1 {letter}{_text(sign * way)} F{_text(60.0 * fastest)}" for sign in (1, -1, -1, 1)]

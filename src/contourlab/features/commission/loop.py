@@ -6,6 +6,8 @@ and with ``error-previous-target`` (on by default since 2.8) the error is counte
 The axis is v' = -damping v + gain u - offset - friction sign(v) under a held output, exact between samples, and sticks where it turns. Its
 output arrives after a whole number of periods; the rest of the delay is a shift of the measured position, x - rest v. The rest may be
 negative, down to about half a period: an axis simulated in the servo thread is ahead of a held output.
+
+A resonance adds q'' + 2 zeta w q' + w^2 q = share v' of the undamped motor: two masses with a shaft between them, seen from the motor.
 """
 
 from __future__ import annotations
@@ -38,6 +40,11 @@ class AxisModel:
     friction, offset : float [m/s^2]
     delay : float [s]
         From the output to the measured position, beyond the hold.
+    resonance : float [Hz]
+        0 for a rigid axis.
+    damping_ratio : float, below 1
+    share : float
+        Mass behind the shaft over the mass at the motor.
     """
 
     gain: float
@@ -45,12 +52,27 @@ class AxisModel:
     friction: float = 0.0
     offset: float = 0.0
     delay: float = 0.0
+    resonance: float = 0.0
+    damping_ratio: float = 0.0
+    share: float = 0.0
 
     def row(self, period: float) -> list[float]:
-        """Return the numbers that the kernels need: decay, velocity and travel per acceleration, and the parameters."""
+        """Return the numbers that the kernels need: decay, velocity and travel per acceleration, the parameters, and `mode`."""
         decay, gained, travel = sampled(self.damping, period)
         whole = max(math.floor(self.delay / period + 0.5), 0)
-        return [decay, gained, travel, self.gain, self.friction, self.offset, float(whole), self.delay - whole * period]
+        rigid = [decay, gained, travel, self.gain, self.friction, self.offset, float(whole), self.delay - whole * period]
+        return rigid + self.mode(period)
+
+    def mode(self, period: float) -> list[float]:
+        """Return transition (2, 2), row by row, and input (2,) of the resonance's deflection and its velocity over a period."""
+        if not self.share:
+            return [0.0] * 6
+        w, zeta = 2.0 * math.pi * self.resonance, self.damping_ratio
+        damped = w * math.sqrt(1.0 - zeta**2)
+        faded = math.exp(-zeta * w * period)
+        cosine, sine = faded * math.cos(damped * period), faded * math.sin(damped * period) / damped
+        kept = cosine + zeta * w * sine
+        return [kept, sine, -w * w * sine, cosine - zeta * w * sine, self.share * (1.0 - kept) / w**2, self.share * sine]
 
 
 def sampled(damping: float, period: float) -> tuple[float, float, float]:
@@ -62,8 +84,8 @@ def sampled(damping: float, period: float) -> tuple[float, float, float]:
     return math.exp(-x), gained, (period - gained) / damping
 
 
-def step(axis: Array, i: int, v: float, u: float) -> tuple[float, float]:
-    """Return velocity and travel after a period under an output."""
+def step(axis: Array, i: int, v: float, u: float) -> tuple[float, float, float]:
+    """Return velocity and travel after a period under an output, and the acceleration by output and friction."""
     push = axis[i, 3] * u - axis[i, 5]
     friction = axis[i, 4]
     if v > 0.0 or (v == 0.0 and push > friction):
@@ -71,7 +93,7 @@ def step(axis: Array, i: int, v: float, u: float) -> tuple[float, float]:
     elif v < 0.0 or push < -friction:
         push += friction
     else:
-        return 0.0, 0.0
+        return 0.0, 0.0, 0.0
     after = axis[i, 0] * v + axis[i, 1] * push
     if v * after < 0.0:
         # It turns within the period; damping does not matter in what is left of it.
@@ -79,21 +101,27 @@ def step(axis: Array, i: int, v: float, u: float) -> tuple[float, float]:
         left, travel = (1.0 - turn) * axis[i, 1], 0.5 * v * turn * axis[i, 1]
         push = axis[i, 3] * u - axis[i, 5]
         if abs(push) <= friction:
-            return 0.0, travel
+            return 0.0, travel, 0.0
         push -= friction if push > 0.0 else -friction
-        return push * left, travel + 0.5 * push * left * left
-    return after, axis[i, 1] * v + axis[i, 2] * push
+        return push * left, travel + 0.5 * push * left * left, push
+    return after, axis[i, 1] * v + axis[i, 2] * push, push
+
+
+def deflect(axis: Array, i: int, q: float, w: float, push: float) -> tuple[float, float]:
+    """Return deflection and velocity of the resonance after a period."""
+    return axis[i, 8] * q + axis[i, 9] * w + axis[i, 12] * push, axis[i, 10] * q + axis[i, 11] * w + axis[i, 13] * push
 
 
 @kernel("f8[:] f8[:,:] f8[:] f8[:]")
 def _driven(output: Array, axis: Array, start: Array, position: Array) -> None:
     """Move an axis by a recorded output."""
-    v, x = start[1], start[0]
+    v, x, q, w = start[1], start[0], 0.0, 0.0
     whole, rest = int(axis[0, 6]), axis[0, 7]
     for k in range(output.size):
-        position[k] = x - rest * v
-        v, travel = step(axis, 0, v, output[max(k - whole, 0)])
+        position[k] = x + q - rest * (v + w)
+        v, travel, push = step(axis, 0, v, output[max(k - whole, 0)])
         x += travel
+        q, w = deflect(axis, 0, q, w, push)
 
 
 @kernel("f8[:] f8[:] f8[:,:] f8[:,:] f8[:] f8[:] f8[:,:] f8[:,:]")
@@ -103,13 +131,13 @@ def _closed(command: Array, noise: Array, gains: Array, axis: Array, law: Array,
     for i in range(gains.shape[0]):
         p, integral, d = gains[i, 0], gains[i, 1], gains[i, 2]
         whole, rest = int(axis[i, 6]), axis[i, 7]
-        x, v, summed, held = command[0], 0.0, 0.0, 0.0
+        x, v, q, w, summed, held = command[0], 0.0, 0.0, 0.0, 0.0, 0.0
         last, last_rate, last_second, last_measured, last_output = command[0], 0.0, 0.0, command[0], 0.0
         largest, square, most, rough, limited, shift = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
         for k in range(memory.size):
             memory[k] = 0.0
         for k in range(command.size):
-            measured = x - rest * v + noise[k]
+            measured = x + q - rest * (v + w) + noise[k]
             if k < free:
                 shift = measured - command[k]
             target = command[k] + shift
@@ -140,8 +168,9 @@ def _closed(command: Array, noise: Array, gains: Array, axis: Array, law: Array,
                 trace[k, 1] = u
             if not largest < 1e3:
                 break
-            v, travel = step(axis, i, v, memory[(k - whole) % memory.size] if k >= whole else 0.0)
+            v, travel, push = step(axis, i, v, memory[(k - whole) % memory.size] if k >= whole else 0.0)
             x += travel
+            q, w = deflect(axis, i, q, w, push)
         figures[i, 0] = largest
         figures[i, 1] = math.sqrt(square / command.size)
         figures[i, 2] = most
@@ -253,12 +282,23 @@ ROBUST = (0.75, 1.0, 1.25)
 Complex = NDArray[np.complex128]
 
 
+def _axis_ratio(model: AxisModel, period: float) -> tuple[Array, Array]:
+    """Return numerator and denominator in z of the measured position over the output."""
+    decay, gained, travel, gain, _, _, whole, rest, *mode = model.row(period)
+    above = np.array([travel - rest * gained, gained**2 - travel * decay + rest * gained])
+    below = np.polymul([1.0, -decay], [1.0, -1.0])
+    if model.share:
+        m11, m12, m21, m22, b1, b2 = mode
+        ratio = [1.0, -m11 - m22, m11 * m22 - m12 * m21]
+        deflected = [b1 - rest * b2, m12 * b2 - m22 * b1 - rest * (m21 * b1 - m11 * b2)]
+        above, below = np.polyadd(np.polymul(above, ratio), np.polymul(deflected, below)), np.polymul(below, ratio)
+    return gain * above, np.concatenate([below, np.zeros(int(whole))])
+
+
 def _axis_response(model: AxisModel, period: float, z: Complex) -> Complex:
     """Return the measured position over the output at points z."""
-    decay, gained, travel, gain, _, _, whole, rest = model.row(period)
-    velocity = gained / (z - decay)
-    response: Complex = gain * ((gained * velocity + travel) / (z - 1.0) - rest * velocity) * z**-whole
-    return response
+    above, below = _axis_ratio(model, period)
+    return np.asarray(np.polyval(above, z) / np.polyval(below, z))
 
 
 def _law_response(gains: Array, period: float, z: Complex) -> Complex:
@@ -283,13 +323,10 @@ def loop_margins(gains: Array, model: AxisModel, period: float) -> Margins:
 
 def _poles(gains: Array, model: AxisModel, period: float) -> Complex:
     """Return the poles of the closed loop, from the polynomials of law and axis in z."""
-    decay, gained, travel, gain, _, _, whole, rest = model.row(period)
+    above, below = _axis_ratio(model, period)
     p, i, d = gains[:3]
-    # ((gained^2 + travel (z - decay)) - rest gained (z - 1)) / ((z - decay) (z - 1) z^whole)
-    top = gain * np.array([travel - rest * gained, gained**2 - travel * decay + rest * gained])
-    below = np.concatenate([np.polymul([1.0, -decay], [1.0, -1.0]), np.zeros(int(whole))])
     law = np.array([p + i * period + d / period, -p - 2.0 * d / period, d / period])
-    return np.asarray(np.roots(np.polyadd(np.polymul(below, [1.0, -1.0, 0.0]), np.polymul(top, law))))
+    return np.asarray(np.roots(np.polyadd(np.polymul(below, [1.0, -1.0, 0.0]), np.polymul(above, law))))
 
 
 def robustly_stable(gains: Array, model: AxisModel, period: float) -> bool:
