@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,7 @@ import numpy as np
 from contourlab.app.results import check_file
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ScenarioError
+from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
 from contourlab.features.commission.excitation import excitation, sampler_lines, steps
 from contourlab.features.commission.hal_files import AxisSetup, Setup, read_setup
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
@@ -22,7 +23,7 @@ from contourlab.features.commission.report import changes, circle_png, gain_tabl
 from contourlab.features.commission.tuning import AxisTask, TunedAxis, tune_axis
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.rendering.table import Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.result.atomic import write_bytes_atomic
 
@@ -55,9 +56,11 @@ class Commissioned:
     models : dict of str to IdentifiedAxis
     findings : tuple of Finding
     files : tuple of Path
+    terms : tuple of Term
+        The proposed gains as parameters of another control.
     answer : tuple of str
         One line for each axis.
-    table : Table or None
+    tables : tuple of Table
     """
 
     pid: dict[str, dict[str, float]]
@@ -66,8 +69,9 @@ class Commissioned:
     models: dict[str, IdentifiedAxis]
     findings: tuple[Finding, ...]
     files: tuple[Path, ...]
+    terms: tuple[Term, ...] = ()
     answer: tuple[str, ...] = ()
-    table: Table | None = field(default=None, metadata=HIDDEN)
+    tables: tuple[Table, ...] = field(default=(), metadata=HIDDEN)
 
     @property
     def passed(self) -> bool:
@@ -76,10 +80,10 @@ class Commissioned:
 
     @property
     def text(self) -> str:
-        """Answer, table, findings and files."""
-        table = "" if self.table is None else self.table.text()
+        """Answer, tables, findings and files."""
         files = "\n".join(f"written: {file}" for file in self.files)
-        return "\n\n".join(filter(None, ["\n".join(self.answer), table, paragraphs(map(str, self.findings)), files]))
+        tables = (table.text() for table in self.tables)
+        return "\n\n".join(filter(None, ["\n".join(self.answer), *tables, paragraphs(map(str, self.findings)), files]))
 
 
 def prepare(ini: str | Path, hal: str | Path, out: str | Path) -> Commissioned:
@@ -113,10 +117,9 @@ def commission(
     out: str | Path,
     *,
     program: str | Path | None = None,
-    gain_margin: float = 6.0,
-    phase_margin: float = 30.0,
+    control: str | None = None,
+    margins: tuple[float, float] = (6.0, 30.0),
     seed: int = 0,
-    progress: Callable[[str], None] = lambda stage: None,
 ) -> Commissioned:
     """Identify each axis from logs, tune its pid, and write report, diffs and picture.
 
@@ -130,20 +133,22 @@ def commission(
         Folder.
     program : str or Path, optional
         Part program to predict and tune for; by default the commands of the logs.
-    gain_margin, phase_margin : float [dB, deg]
-        Kept with one period more of delay than identified.
+    control : str, optional
+        Another control, in whose terms to give the gains too: a key of `control_terms.CONTROLS`.
+    margins : tuple of float [dB, deg]
+        Of gain and phase, kept with one period more of delay than identified.
     seed : int
         Of search and noise.
-    progress : callable, optional
-        Called with each stage.
 
     Raises
     ------
     ScenarioError, LogError, ProgramError, FeedError
         If a file cannot be read, or the program cannot be planned.
     OutputError, ParameterError
-        If a file cannot be written, or would replace an input.
+        If a file cannot be written or would replace an input, or the control is unknown.
     """
+    if control is not None:
+        check_control(control)
     setup = read_setup(ini, hal)
     inputs = [ini, hal, *logs] + ([] if program is None else [program])
     files = _files(out, SECOND, inputs)
@@ -156,12 +161,11 @@ def commission(
         bad = {one.place.removeprefix("axis ") for one in wrong}
         records.append({name: moving(one) for name, one in record.items() if name not in bad})
     planned = {} if program is None else planned_commands(Path(program), setup)
-    work = _Work(setup, records, planned, (gain_margin, phase_margin), seed)
+    work = _Work(setup, records, planned, margins, seed)
     if all(one.code != "CL871" for one in findings):
         for axis in setup.axes:
-            progress(f"axis {axis.name}")
             findings += work.axis(axis)
-    return _written(work, findings, files, program)
+    return _written(work, findings, files, program, control)
 
 
 @dataclass(eq=False)
@@ -208,7 +212,7 @@ class _Work:
         if not any(np.ptp(command) > 0.0 for command in commands):
             commands = [log.command for log in logs]  # the program does not move this axis
         noises = [identified.noise_like(command, self.seed + k) for k, command in enumerate(commands)]
-        free = max(log.free for log in logs)
+        free = max(log.free for log in logs) if axis.always_enabled else 0
         off = [identified.noise_like(np.zeros(free + 300), self.seed + 100 + k) for k in range(OFF_RUNS if free else 0)]
         task = AxisTask(identified.model, law, commands, noises, off, free, axis.always_enabled, *self.margins)
         present = self.present(axis)
@@ -251,30 +255,32 @@ class _Work:
         return chosen
 
 
-def _written(work: _Work, findings: Sequence[Finding], files: Sequence[Path], program: str | Path | None) -> Commissioned:
+def _written(
+    work: _Work, findings: Sequence[Finding], files: Sequence[Path], program: str | Path | None, control: str | None
+) -> Commissioned:
     """Write the files of the answer and return it."""
     setup, gains, safe = work.setup, work.gains(), work.safe()
     answer = tuple(_line(axis, work, gains) for axis in setup.axes if axis.name in work.predicted)
     answer = answer or ("No gains: an error below has to be removed first.",)
     present = {axis.name: axis.gains for axis in setup.axes if axis.name in gains}
-    rows = gain_table(setup.axes, {"present": present, "safe first": safe, "proposed": gains})
-    heads = ["gain", "present", "safe first", "proposed"]
+    tables = {"Gains": gain_table(setup.axes, {"present": present, "safe first": safe, "proposed": gains})}
+    terms = tuple[Term, ...]()
+    if control is not None:
+        rows = {name: np.array(list(values.values())) / setup.unit for name, values in gains.items()}
+        terms = terms_of(control, {name: cascade_of(row, work.models[name]) for name, row in rows.items()})
+        tables |= {f"In terms of {control}": term_table(terms)} if terms else {}
+    tables = {head: table for head, table in tables.items() if table.rows}
     diff, picture = changes(setup, gains), _circle(work, gains)
     report, gain_diff, safe_diff, image = files
     title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {Path(program).name}")
-    html = page(title, answer, rows, heads, diff, picture, findings)
-    texts = {report: html, gain_diff: diff, safe_diff: changes(setup, safe)}
+    texts = {report: page(title, answer, tables, diff, picture, findings), gain_diff: diff, safe_diff: changes(setup, safe)}
     for file, text in texts.items():
         write_text_atomic(file, text)
     if picture is not None:
         write_bytes_atomic(image, picture)
-    table = None
-    if rows:
-        table = Table([Column(heads[0], left=True), *map(Column, heads[1:])])
-        for row in rows:
-            table.add(*row)
     written = tuple(file for file in files if picture is not None or file != image)
-    return Commissioned(gains, safe, work.predicted, work.models, tuple(findings), written, answer, table)
+    shown = tuple(tables.values())
+    return Commissioned(gains, safe, work.predicted, work.models, tuple(findings), written, terms, answer, shown)
 
 
 def _line(axis: AxisSetup, work: _Work, gains: Mapping[str, Mapping[str, float]]) -> str:

@@ -17,6 +17,7 @@ from contourlab.features.commission.hal_files import AxisSetup, Setup
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.rendering.style import scheme_style
+from contourlab.rendering.table import Column, Table
 
 CSS = """
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 56rem; margin: 2rem auto; padding: 0 1rem; color: #1c2733 }
@@ -103,43 +104,37 @@ def circle_png(radius: float, errors: Mapping[str, tuple[Array, Array]]) -> byte
     return buffer.getvalue()
 
 
-def gain_table(axes: tuple[AxisSetup, ...], columns: Mapping[str, Mapping[str, Mapping[str, float]]]) -> list[list[str]]:
-    """Return rows of axis, gain, and its value in each column; gains that are zero everywhere are left out."""
-    rows = []
+def gain_table(axes: tuple[AxisSetup, ...], columns: Mapping[str, Mapping[str, Mapping[str, float]]]) -> Table:
+    """Return a table of axis, gain, and its value in each column; gains that are zero everywhere are left out."""
+    table = Table([Column("gain", left=True), *map(Column, columns)])
     for axis in axes:
         for name in axis.gains:
             values = [gains[axis.name][name] for gains in columns.values() if axis.name in gains]
             if len(values) == len(columns) and any(values):
-                rows.append([f"{axis.name} {name}", *(text_of(value) for value in values)])
-    return rows
+                table.add(f"{axis.name} {name}", *map(text_of, values))
+    return table
 
 
 def page(
-    title: str,
-    answer: Sequence[str],
-    rows: list[list[str]],
-    heads: list[str],
-    diff: str,
-    picture: bytes | None,
-    findings: Sequence[Finding],
+    title: str, answer: Sequence[str], tables: Mapping[str, Table], diff: str, picture: bytes | None, findings: Sequence[Finding]
 ) -> str:
     """Return the report as one HTML page."""
-    table = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
-    head = "".join(f"<th>{escape(cell)}</th>" for cell in heads)
-    data = "" if picture is None else base64.b64encode(picture).decode()
-    image = f'<img alt="circle before and after" src="data:image/png;base64,{data}">' if data else ""
+    parts = [f"<p><b>{escape(line)}</b></p>" for line in answer]
+    for head, table in tables.items():
+        cells = "".join(f"<th>{escape(column.head)}</th>" for column in table.columns)
+        rows = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in table.rows)
+        parts.append(f"<h2>{escape(head)}</h2><table><tr>{cells}</tr>{rows}</table>")
+    if tables:
+        parts.append("<p>Type in the safe values first, run the program, then the proposed ones.</p>")
+    if picture is not None:
+        data = base64.b64encode(picture).decode()
+        parts.append(f'<h2>Circle, simulated at the motors</h2><img alt="circle before and after" src="data:image/png;base64,{data}">')
+    if diff:
+        parts.append(f"<h2>Changes</h2><pre>{escape(diff)}</pre>")
     remarks = "".join(
         f"<li><b>{escape(str(one))}</b> {escape(one.entry.meaning)} {escape(one.entry.remedy)}</li>"
         for one in sorted(findings, key=lambda one: ("error", "warning", "info").index(one.entry.severity))
     )
-    parts = [f"<p><b>{escape(line)}</b></p>" for line in answer]
-    if rows:
-        parts += [f"<h2>Gains</h2><table><tr>{head}</tr>{table}</table>"]
-        parts += ["<p>Type in the safe values first, run the program, then the proposed ones.</p>"]
-    if image:
-        parts += [f"<h2>Circle, simulated at the motors</h2>{image}"]
-    if diff:
-        parts += [f"<h2>Changes</h2><pre>{escape(diff)}</pre>"]
-    parts += [f"<h2>What to look at</h2><ul>{remarks}</ul>"]
+    parts.append(f"<h2>What to look at</h2><ul>{remarks}</ul>")
     head_text = f'<meta charset="utf-8"><title>{escape(title)}</title><style>{CSS}</style>'
     return f'<!doctype html><html lang="en"><head>{head_text}</head><body><h1>{escape(title)}</h1>{"".join(parts)}</body></html>\n'
