@@ -193,8 +193,7 @@ class _Work:
         if not logs:
             return []
         checked = [law_of(log, axis, self.setup.unit) for log in logs]
-        found = list(dict.fromkeys(str(one) for _, more in checked for one in more))
-        findings = [next(one for _, more in checked for one in more if str(one) == text) for text in found]
+        findings = list({str(one): one for _, more in checked for one in more}.values())
         if axis.backlash:
             findings.append(finding("CL899", place, backlash=axis.backlash * self.setup.unit))
         if any(one.entry.severity == "error" for one in findings):
@@ -268,7 +267,7 @@ def _written(
     if control is not None:
         rows = {name: np.array(list(values.values())) / setup.unit for name, values in gains.items()}
         terms = terms_of(control, {name: cascade_of(row, work.models[name]) for name, row in rows.items()})
-        tables |= {f"In terms of {control}": term_table(terms)} if terms else {}
+        tables |= {f"The proposed gains in other terms: {control}": term_table(terms)} if terms else {}
     tables = {head: table for head, table in tables.items() if table.rows}
     diff, picture = changes(setup, gains), _circle(work, gains)
     report, gain_diff, safe_diff, image = files

@@ -97,7 +97,7 @@ CONTROLS: dict[str, tuple[Row, ...]] = {
         ("Kv", "1/s", EXACT, lambda c: c.kv),
         ("velocity feedforward", "%", EXACT, lambda c: 100.0 * c.weight),
         ("velocity loop: gain Kp", "output/(mm/s)", EXACT, lambda c: 1e-3 * c.velocity_gain),
-        ("velocity loop: integral time Ti", "ms", START, lambda c: 1e3 * c.reset),
+        ("velocity loop: integral time Ti", "s", START, lambda c: c.reset),
         ("velocity loop: time constant", "ms", DRIVE, lambda c: 1e3 * c.lag),
         ("acceleration feedforward", "output/(mm/s^2)", EXACT, lambda c: 1e-3 * c.output_ahead),
         ("friction feedforward", "output", EXACT, lambda c: c.friction),

@@ -17,8 +17,8 @@ SLOW_STROKE = 0.2
 """Stroke [mm] and speed [mm/s] of the reversals in which the load stops before the motor has crossed the play."""
 TURN_TIME = 0.4
 """Time of a reversal at constant speed [s]."""
-SIGNALS = ("cmd", "fb", "out")
-"""What the sampler records of each axis: command and feedback of the pid, and its output."""
+SIGNALS = {"command": "_cmd", "feedback": "", "output": "_out"}
+"""Pins of the pid that the sampler records, with the ends of their columns' names."""
 
 
 def excitation(setup: Setup) -> str:
@@ -94,8 +94,7 @@ def _circles(pair: Sequence[AxisSetup], reach: dict[str, float]) -> list[str]:
 
 def sampler_columns(setup: Setup) -> list[str]:
     """Return the columns in the order of the sampler's pins, as ``x_cmd``, ``x``, ``x_out``."""
-    suffixes = {"cmd": "_cmd", "fb": "", "out": "_out"}
-    return [f"{axis.name}{suffixes[signal]}" for axis in setup.axes for signal in SIGNALS]
+    return [f"{axis.name}{end}" for axis in setup.axes for end in SIGNALS.values()]
 
 
 def sampler_lines(setup: Setup) -> str:
@@ -106,11 +105,9 @@ def sampler_lines(setup: Setup) -> str:
         f"loadrt sampler depth=16000 cfg={'f' * len(columns)}",
         "addf sampler.0 servo-thread",
     ]
-    pins = {"cmd": "command", "fb": "feedback", "out": "output"}
-    for k, column in enumerate(columns):
-        axis, signal = setup.axes[k // len(SIGNALS)], SIGNALS[k % len(SIGNALS)]
-        wired = axis.signals[pins[signal]]
-        source = wired if not wired.startswith(f"{axis.pid}.") else f"commission-{axis.name}-{signal} {wired}"
+    wired = [(axis, signal) for axis in setup.axes for signal in axis.signals.values()]
+    for k, (column, (axis, signal)) in enumerate(zip(columns, wired, strict=True)):
+        source = signal if not signal.startswith(f"{axis.pid}.") else f"commission-{column} {signal}"
         lines.append(f"net {source} => sampler.0.pin.{k}  # {column}")
     return "\n".join(lines) + "\n"
 

@@ -19,10 +19,9 @@ _REFERENCE = re.compile(r"\[(\w+)\](?:\((\w+)\)|(\w+))")
 
 
 @dataclass(frozen=True)
-class Entry:
-    """A value with its place; `line` counts from 1."""
+class Line:
+    """A line of a file, counted from 1."""
 
-    value: str
     file: Path
     line: int
 
@@ -30,6 +29,13 @@ class Entry:
     def place(self) -> str:
         """File and line, as ``machine.hal:12``."""
         return f"{self.file.name}:{self.line}"
+
+
+@dataclass(frozen=True)
+class Entry(Line):
+    """A value."""
+
+    value: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,18 +62,11 @@ class Ini:
 
 
 @dataclass(frozen=True)
-class Statement:
-    """A line of a HAL file: its words, and references to the INI file replaced in `words`."""
+class Statement(Line):
+    """The words of a HAL statement; in `words` references to the INI file are replaced."""
 
     written: tuple[str, ...]
     words: tuple[str, ...]
-    file: Path
-    line: int
-
-    @property
-    def place(self) -> str:
-        """File and line."""
-        return f"{self.file.name}:{self.line}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,7 +85,7 @@ class AxisSetup:
     places : dict of str to Entry
         Where each gain is set: the ``setp`` line of the HAL file, or the key of the INI file that it refers to.
     last : int
-        Line of the last ``setp`` of this pid; 0 if there is none.
+        Line of the last ``setp`` of this pid in the HAL file; 0 if there is none.
     signals : dict of str to str
         HAL signals of ``command``, ``feedback`` and ``output``; pins where there is no signal.
     limits : dict of str to float
@@ -159,7 +158,7 @@ def read_ini(file: str | Path) -> Ini:
             section = bare[1 : bare.index("]")]
         elif "=" in bare and not bare.startswith(("#", ";")):
             key, _, value = bare.partition("=")
-            values.setdefault((section, key.strip()), []).append(Entry(re.split(r"\s[#;]", value)[0].strip(), path, number))
+            values.setdefault((section, key.strip()), []).append(Entry(path, number, re.split(r"\s[#;]", value)[0].strip()))
     return Ini(path, text, values)
 
 
@@ -188,7 +187,7 @@ def read_hal(file: str | Path, ini: Ini) -> tuple[Statement, ...]:
         written = tuple(word for word in bare.replace("=>", " ").replace("<=", " ").split() if word != "<=>")
         if written:
             words = tuple(_REFERENCE.sub(lambda found: _value(ini, found), word) for word in written)
-            statements.append(Statement(written, words, path, number))
+            statements.append(Statement(path, number, written, words))
     return tuple(statements)
 
 
@@ -290,7 +289,7 @@ class _Wiring:
 
     def _axis(self, letter: str, joint: int, name: str) -> AxisSetup:
         gains, places = dict.fromkeys(GAINS, 0.0), {}
-        mine = [one for pin, one in self.set.items() if pin.startswith(f"{name}.")]
+        mine = [one.line for pin, one in self.set.items() if pin.startswith(f"{name}.") and one.file == self.file]
         for gain in GAINS:
             one = self.set.get(f"{name}.{gain}")
             if one is not None:
@@ -305,7 +304,7 @@ class _Wiring:
             name,
             gains,
             places,
-            max((one.line for one in mine), default=0),
+            max(mine, default=0),
             signals,
             self._limits(letter, joint),
             None if previous is None else self._true(f"{name}.error-previous-target"),
@@ -328,7 +327,7 @@ class _Wiring:
     def _place(self, one: Statement) -> Entry:
         reference = _REFERENCE.fullmatch(one.written[2])
         entry = None if reference is None else self.ini.first(reference[1], reference[2] or reference[3])
-        return entry or Entry(one.words[2], one.file, one.line)
+        return entry or Entry(one.file, one.line, one.words[2])
 
     def _limits(self, letter: str, joint: int) -> dict[str, float]:
         sections, limits = (f"AXIS_{letter.upper()}", f"JOINT_{joint}"), {}

@@ -177,10 +177,10 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, first: Fir
 
 def _noise_at_rest(log: AxisLog) -> Array:
     """Return the positions around their mean where the command rests, from 0.1 s after it stopped."""
-    settle, least = round(0.1 / log.period), round(0.1 / log.period)
+    settle = round(0.1 / log.period)
     still = np.concatenate([[True], np.diff(log.command) == 0.0])
     edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]]).astype(np.int8)))
-    parts = [log.measured[a + settle : b] for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a > settle + least]
+    parts = [log.measured[a + settle : b] for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a > 2 * settle]
     window = 25
 
     def around(values: Array) -> Array:
@@ -275,7 +275,7 @@ def _validated(logs: Sequence[AxisLog], split: Sequence[int], gains: Array, mode
 
 
 def _quality(fit: OutputFit, deviations: Mapping[str, float], place: str) -> list[Finding]:
-    poor = [name for name in ("gain",) if name in fit.at_bound or not deviations[name] < WELL_KNOWN * fit[name]]
+    poor = ["gain"] if "gain" in fit.at_bound or not deviations["gain"] < WELL_KNOWN * fit["gain"] else []
     # Damping may be small beside the feedback; it matters only as far as it changes the feedforward.
     if not deviations["damping"] < max(WELL_KNOWN * fit["damping"], 2.0):
         poor.append("damping")

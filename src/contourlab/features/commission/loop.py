@@ -19,8 +19,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.linear.margins import Margins, frequency_grid, margins
 from contourlab.arrays import Array, Flags
+from contourlab.features.tune.drive_terms import LinuxCNCGains, linuxcnc_law
 from contourlab.native.kernel import kernel
 
 GAINS = ("Pgain", "Igain", "Dgain", "FF0", "FF1", "FF2", "FF3")
@@ -58,9 +58,11 @@ class AxisModel:
 
     def row(self, period: float) -> list[float]:
         """Return the numbers that the kernels need: decay, velocity and travel per acceleration, the parameters, and `mode`."""
-        decay, gained, travel = sampled(self.damping, period)
+        x = max(self.damping * period, 1e-8)  # below it the formulas lose digits
+        gained = -math.expm1(-x) / x * period
+        travel = (period - gained) / x * period
         whole = max(math.floor(self.delay / period + 0.5), 0)
-        rigid = [decay, gained, travel, self.gain, self.friction, self.offset, float(whole), self.delay - whole * period]
+        rigid = [math.exp(-x), gained, travel, self.gain, self.friction, self.offset, float(whole), self.delay - whole * period]
         return rigid + self.mode(period)
 
     def mode(self, period: float) -> list[float]:
@@ -73,15 +75,6 @@ class AxisModel:
         cosine, sine = faded * math.cos(damped * period), faded * math.sin(damped * period) / damped
         kept = cosine + zeta * w * sine
         return [kept, sine, -w * w * sine, cosine - zeta * w * sine, self.share * (1.0 - kept) / w**2, self.share * sine]
-
-
-def sampled(damping: float, period: float) -> tuple[float, float, float]:
-    """Return over a period the decay of a velocity, and velocity and travel per acceleration."""
-    x = damping * period
-    if abs(x) < 1e-4:
-        return math.exp(-x), period * (1.0 - 0.5 * x), period * period * (0.5 - x / 6.0)
-    gained = -math.expm1(-x) / damping
-    return math.exp(-x), gained, (period - gained) / damping
 
 
 def step(axis: Array, i: int, v: float, u: float) -> tuple[float, float, float]:
@@ -258,19 +251,11 @@ def run_lanes(
 
 def law_output(command: Array, measured: Array, gains: Sequence[float], law: Law) -> Array:
     """Return the output (n,) of ``pid`` for recorded signals, in the order of `GAINS`, up to a constant of the integral and its limits."""
-    p, i, d, *ahead = gains
-    before = np.concatenate([command[:1], command[:-1]])
-    error = (before if law.previous_target else command) - measured
-
-    def slope(values: Array) -> Array:
-        return np.diff(values, prepend=values[:1]) / law.period
-
-    rate = slope(command)
-    second = slope(rate)
-    output = p * error + i * law.period * np.cumsum(error) + d * (rate - slope(measured))
-    for gain, part in zip(ahead, (command, rate, second, slope(second)), strict=True):
-        output = output + gain * part
-    return np.asarray(output)
+    p, i, d, ff0, ff1, ff2, ff3 = gains
+    output = linuxcnc_law(LinuxCNCGains(p, i, d, ff0, ff1, ff2, ff3), command, measured, law.period)
+    if law.previous_target:  # the error lags by the last step, and its integral by all of them
+        output -= p * np.diff(command, prepend=command[:1]) + i * law.period * (command - command[0])
+    return output
 
 
 # --- margins, without friction -------------------------------------------------------------------------------------------------------
@@ -295,30 +280,12 @@ def _axis_ratio(model: AxisModel, period: float) -> tuple[Array, Array]:
     return gain * above, np.concatenate([below, np.zeros(int(whole))])
 
 
-def _axis_response(model: AxisModel, period: float, z: Complex) -> Complex:
-    """Return the measured position over the output at points z."""
-    above, below = _axis_ratio(model, period)
-    return np.asarray(np.polyval(above, z) / np.polyval(below, z))
-
-
-def _law_response(gains: Array, period: float, z: Complex) -> Complex:
-    """Return output over error of ``pid`` (n, k) at points z (k,)."""
+def loop_gain(gains: Array, model: AxisModel, period: float, z: Complex) -> Complex:
+    """Return the loop gain (n, k) of sets of gains (n, 7) at points z (k,)."""
     p, i, d = (gains[:, k, None] for k in range(3))
-    response: Complex = p + i * period * z / (z - 1.0) + d * (z - 1.0) / (period * z)
-    return response
-
-
-def loop_margins(gains: Array, model: AxisModel, period: float) -> Margins:
-    """Return the margins of one set of gains, in the order of `loop.GAINS` [per metre]."""
-    poles = _poles(gains, model, period)
-    grid = frequency_grid(period, poles, int(model.row(period)[6]) + 1)
-
-    def loop(w: Array) -> Complex:
-        z = np.exp(1j * w * period)
-        response: Complex = _law_response(gains[None], period, z)[0] * _axis_response(model, period, z)
-        return response
-
-    return margins(loop, grid[grid > 0.0], stable=bool(np.abs(poles).max() < 1.0))
+    above, below = _axis_ratio(model, period)
+    law = p + i * period * z / (z - 1.0) + d * (z - 1.0) / (period * z)
+    return np.asarray(law * (np.polyval(above, z) / np.polyval(below, z)))
 
 
 def _poles(gains: Array, model: AxisModel, period: float) -> Complex:
@@ -339,7 +306,7 @@ def keep_margins(gains: Array, model: AxisModel, period: float, gain_margin: flo
     """Return which sets of gains (n, 7) are stable and keep the margins [dB, deg], on a grid of frequencies."""
     w = np.geomspace(1e-4, 1.0, GRID) * math.pi / period
     z = np.exp(1j * w * period)
-    loop = _law_response(gains, period, z) * _axis_response(model, period, z)[None]
+    loop = loop_gain(gains, model, period, z)
     size, angle = np.log(np.abs(loop)), np.angle(-loop)
     crosses = (size[:, 1:] > 0.0) != (size[:, :-1] > 0.0)
     phase = np.minimum(np.abs(angle[:, 1:]), np.abs(angle[:, :-1]))

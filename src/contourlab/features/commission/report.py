@@ -41,36 +41,26 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
     gains : mapping of str to mapping of str to float
         By axis and HAL's name, in machine units. A gain that the files do not set is added only if it is not zero.
     """
-    files = {setup.hal: setup.hal.read_text(encoding="utf-8", errors="replace").splitlines(keepends=True)}
-    before = {file: list(lines) for file, lines in files.items()}
-    added: dict[Path, dict[int, list[str]]] = {}
+    lines = {file: _lines(file) for file in (setup.hal, *(place.file for axis in setup.axes for place in axis.places.values()))}
+    added: dict[int, list[str]] = {}
     for axis in setup.axes:
         for name, value in gains.get(axis.name, {}).items():
             entry = axis.places.get(name)
-            if entry is None:
-                if value:
-                    added.setdefault(setup.hal, {}).setdefault(axis.last, []).append(f"setp {axis.pid}.{name} {text_of(value)}\n")
-                continue
-            if entry.file not in files:
-                files[entry.file] = entry.file.read_text(encoding="utf-8", errors="replace").splitlines(keepends=True)
-                before[entry.file] = list(files[entry.file])
-            line = files[entry.file][entry.line - 1]
-            if float(entry.value) != value:
-                files[entry.file][entry.line - 1] = _replaced(line, entry.value, text_of(value))
-    for file, by_line in added.items():
-        for number in sorted(by_line, reverse=True):
-            at = number or len(files[file])
-            if at and not files[file][at - 1].endswith("\n"):
-                files[file][at - 1] += "\n"
-            files[file][at:at] = by_line[number]
-    diffs = (difflib.unified_diff(before[file], lines, f"a/{file.name}", f"b/{file.name}") for file, lines in files.items())
-    return "".join(line if line.endswith("\n") else line + "\n" for diff in diffs for line in diff)
+            if entry is not None and float(entry.value) != value:
+                line = lines[entry.file][entry.line - 1]
+                head, rest = re.match(r"([^=#]*=\s*|\s*setp\s+\S+\s+)(.*)", line, re.DOTALL).groups()  # type: ignore[union-attr]
+                lines[entry.file][entry.line - 1] = head + rest.replace(entry.value, text_of(value), 1)
+            elif entry is None and value:
+                added.setdefault(axis.last or len(lines[setup.hal]), []).append(f"setp {axis.pid}.{name} {text_of(value)}\n")
+    for number in sorted(added, reverse=True):
+        lines[setup.hal][number:number] = added[number]
+    diffs = (difflib.unified_diff(_lines(file), new, f"a/{file.name}", f"b/{file.name}") for file, new in lines.items())
+    return "".join(line for diff in diffs for line in diff)
 
 
-def _replaced(line: str, old: str, new: str) -> str:
-    """Replace the value of a ``setp`` line or of a key of an INI file; comments stay."""
-    head, mark, rest = re.match(r"([^=#]*=\s*|\s*setp\s+\S+\s+)()(.*)", line, re.DOTALL).groups()  # type: ignore[union-attr]
-    return head + mark + rest.replace(old, new, 1)
+def _lines(file: Path) -> list[str]:
+    """Return the lines of a file, each with its end."""
+    return [f"{line}\n" for line in file.read_text(encoding="utf-8", errors="replace").splitlines()]
 
 
 def circle_png(radius: float, errors: Mapping[str, tuple[Array, Array]]) -> bytes:
@@ -97,6 +87,7 @@ def circle_png(radius: float, errors: Mapping[str, tuple[Array, Array]]) -> byte
             place.plot(np.cos(turn), np.sin(turn), color="#8a949e", linewidth=0.8)
             place.plot(drawn * np.cos(angle), drawn * np.sin(angle), color=scheme_style(i, 2)[0], linewidth=1.1)
             place.set_aspect("equal")
+            place.spines[:].set_visible(False)
             place.set(xticks=[], yticks=[], title=f"{name}: at most {figure(largest, 'um')}", xlim=(-1.35, 1.35), ylim=(-1.35, 1.35))
             place.set_xlabel(f"radius {figure(radius, 'mm')}, errors x {figure(0.25 * radius / largest)}")
         buffer = io.BytesIO()

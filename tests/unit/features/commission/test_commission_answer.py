@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from made_two_masses import TwoMasses
 
-from contourlab.analysis.linear.margins import Margins
 from contourlab.app.json_values import json_values
 from contourlab.errors import ParameterError
 from contourlab.features.commission.command import Commissioned, commission, prepare
@@ -27,7 +26,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> bench.Made:
 @pytest.fixture(scope="module")
 def answered(made: bench.Made, tmp_path_factory: pytest.TempPathFactory) -> tuple[Commissioned, Path]:
     folder = tmp_path_factory.mktemp("answer")
-    return commission(made.ini, made.hal, [made.log(folder / "log1.csv")], folder / "out"), folder / "out"
+    return commission(made.ini, made.hal, [made.log(folder / "log1.csv")], folder / "out", control="twincat"), folder / "out"
 
 
 def test_first_call_writes_what_to_run(made: bench.Made, tmp_path: Path) -> None:
@@ -93,6 +92,10 @@ def test_json_has_gains_and_prediction(answered: tuple[Commissioned, Path]) -> N
     assert values["predicted"]["y"]["before"] > 10.0 * values["predicted"]["y"]["after"] > 0.0
     assert {"CL890", "CL892"} <= {one["code"] for one in values["findings"]}
     assert "largest error" in values["answer"][0]
+    kv = values["terms"][0]
+    assert (kv["name"], kv["unit"], kv["maps"]) == ("Position control: Proportional Factor Kv", "1/s", "exact")
+    gains, model = values["pid"]["x"], bench.MODELS["x"]
+    assert kv["values"]["x"] == pytest.approx(gains["Pgain"] / (gains["Dgain"] + 1e-3 * model.damping / model.gain), rel=0.02)
 
 
 def test_safe_values_lie_half_way(answered: tuple[Commissioned, Path]) -> None:
@@ -251,7 +254,7 @@ def test_no_gains_within_the_margins(made: bench.Made, tmp_path: Path) -> None:
 
 
 def test_gains_that_depend_on_the_axis_are_named(made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    tuned = TunedAxis(np.full(7, 1e3), "global", Margins(2.0, 0.5, 50.0, 100.0, 2.0, True), 2e-6, 2e-3)
+    tuned = TunedAxis(np.full(7, 1e3), 2e-6, 2e-3)
     monkeypatch.setattr("contourlab.features.commission.command.tune_axis", lambda task, **settings: tuned)
     log = made.log(tmp_path / "log.csv", {name: values for name, values in made.rows.items() if not name.startswith("y")})
     result = commission(made.ini, made.hal, [log], tmp_path / "out")
@@ -262,6 +265,7 @@ def test_gains_that_depend_on_the_axis_are_named(made: bench.Made, tmp_path: Pat
 # --- what a motor shows of the load ---------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("untuned")
 @pytest.mark.parametrize(
     ("plant", "code"),
