@@ -23,8 +23,6 @@ from linuxcnc_rig import PID, Plant, Rig, RigError, missing
 
 from contourlab.features.commission.command import commission, prepare
 
-LIMIT = 400.0
-"""Longest run of the excitation, which takes a minute, on a busy machine [s]."""
 COLUMNS = ("machine", "axis", "gain", "damping", "friction", "play mm", "noise um", "before um", "after um", "predicted um")
 HEADS = f"| {' | '.join((*COLUMNS, 'before/after', 'gain -25 %', 'gain +25 %'))} |"
 
@@ -51,7 +49,7 @@ def answer(plants: dict[str, Plant], folder: Path) -> list[str]:
     ini, hal = rig.write(folder)
     prepare(ini, hal, folder / "out")
     program = (folder / "out" / "excite.ngc").read_text()
-    before = largest(rig.run(program, folder / "log.csv", limit=LIMIT))
+    before = largest(rig.run(program, folder / "log.csv"))
     begun = time.perf_counter()
     result = commission(ini, hal, [folder / "log.csv"], folder / "out")
     print(f"gains after {time.perf_counter() - begun:.0f} s; {', '.join(one.code for one in result.findings)}", file=sys.stderr)
@@ -59,7 +57,7 @@ def answer(plants: dict[str, Plant], folder: Path) -> list[str]:
     for share in (1.0, 0.75, 1.25):
         scaled = {a: replace(plant, gain=share * plant.gain) for a, plant in plants.items()}
         try:
-            runs[share] = largest(Rig(scaled, result.pid).run(program, folder / f"{share}.csv", limit=LIMIT))
+            runs[share] = largest(Rig(scaled, result.pid).run(program, folder / f"{share}.csv"))
         except RigError as error:
             runs[share] = dict.fromkeys("xy", float("nan"))
             print(f"gain x {share}: {error}", file=sys.stderr)

@@ -232,7 +232,7 @@ class Rig:
             lines += [f"net {pin.format(a=a)} sampler.0.pin.{2 * k + n}" for k, pin in enumerate(PINS)]
         return "\n".join(lines) + "\n"
 
-    def run(self, program: str, log: Path, *, limit: float = 120.0) -> Path:
+    def run(self, program: str, log: Path, *, limit: float = 300.0) -> Path:
         """Run a program, write the log as CSV and return its path.
 
         Raises

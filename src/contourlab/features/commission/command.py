@@ -12,7 +12,7 @@ import numpy as np
 
 from contourlab.app.results import check_file
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError, ScenarioError
+from contourlab.errors import ParameterError
 from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
 from contourlab.features.commission.excitation import excitation, sampler_lines, steps
 from contourlab.features.commission.hal_files import AxisSetup, Setup, read_setup
@@ -303,23 +303,18 @@ def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
     ProgramError, FeedError
         If the program cannot be read or planned.
     """
-    from contourlab.program import Reading, read_program
-
-    return _planned(read_program(program, reading=Reading(require_end=False)), setup)
-
-
-def _planned(program: Any, setup: Setup) -> dict[str, Array]:
     from contourlab.feed import AxisLimits, blended, plan, route_from_program
-    from contourlab.program import Arc, Dwell
+    from contourlab.program import Arc, Dwell, Reading, read_program
     from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
+    made = read_program(program, reading=Reading(require_end=False))
     letters = [letter for letter in "xyz" if _limits(setup, letter) is not None]
     pairs = np.array([_limits(setup, letter) for letter in letters]) * setup.unit
     # LinuxCNC speeds up along an arc with half the acceleration.
-    straight = [any(not isinstance(move, Arc | Dwell) and move.start[k] != move.end[k] for move in program.moves) for k in range(3)]
+    straight = [any(not isinstance(move, Arc | Dwell) and move.start[k] != move.end[k] for move in made.moves) for k in range(3)]
     pairs[:, 1] *= [1.0 if straight["xyz".index(letter)] else 0.5 for letter in letters]
     limits = AxisLimits(pairs[:, 0], pairs[:, 1])
-    route = blended(route_from_program(program, letters, default_tolerance=DEFAULT_CORNER_TOLERANCE), limits)
+    route = blended(route_from_program(made, letters, default_tolerance=DEFAULT_CORNER_TOLERANCE), limits)
     reference = plan(route, limits, setup.period)
     position = reference.block(0, reference.n_sample).position
     rest = round(0.2 / setup.period)
@@ -337,28 +332,22 @@ def _limits(setup: Setup, letter: str) -> tuple[float, float] | None:
 
 def _circle(work: _Work, gains: Mapping[str, Mapping[str, float]]) -> bytes | None:
     """Return the picture of a circle before and after, if both x and y are known."""
-    from contourlab.program import parse_program
-
     if not {"x", "y"} <= work.tasks.keys():
         return None
-    r = 1e3 * CIRCLE
-    speed = min(0.5 * math.sqrt(0.5 * axis.limits["acceleration"] * work.setup.unit * CIRCLE) for axis in work.setup.axes[:2])
-    text = f"G21 G90 G17 G64\nG1 X{r:g} Y0 F{6e4 * speed:.4f}\nG3 X{r:g} Y0 I-{r:g} J0\nG3 X{r:g} Y0 I-{r:g} J0\nM2\n"
-    try:
-        planned = _planned(parse_program(text, "circle"), work.setup)
-    except (ScenarioError, ParameterError):
-        return None
-    half = planned["x"].size // 2
+    axes, period = [axis for axis in work.setup.axes if axis.name in "xy"], work.setup.period
+    strongest = min(axis.limits["acceleration"] for axis in axes) * work.setup.unit
+    turn, start = 0.5 * math.sqrt(0.5 * strongest / CIRCLE), 0.3
+    time = period * np.arange(round((start + 4.0 * math.pi / turn) / period))
+    phase = turn * np.where(time < start, time**2 / (2.0 * start), time - 0.5 * start)  # from rest, two turns
+    commands = {"x": CIRCLE * np.cos(phase), "y": CIRCLE * np.sin(phase)}
     curves = {}
     for label in ("before", "after"):
-        places = []
-        for axis in (axis for axis in work.setup.axes if axis.name in "xy"):
-            task, model = work.tasks[axis.name], work.models[axis.name]
+        places = {}
+        for axis in axes:
+            task, command = work.tasks[axis.name], commands[axis.name]
             row = work.present(axis) if label == "before" else np.array(list(gains[axis.name].values())) / work.setup.unit
-            command = planned[axis.name]
-            run = run_lanes(command, model.noise_like(command), row[None], [task.model], task.law, trace=True)
-            places.append(run.position)
-        x, y = places
-        last = slice(half, planned["x"].size - round(0.3 / work.setup.period))
-        curves[label] = (np.arctan2(y, x)[last], (np.hypot(x, y) - CIRCLE)[last])
+            noise = work.models[axis.name].noise_like(command)
+            places[axis.name] = run_lanes(command, noise, row[None], [task.model], task.law, trace=True).position
+        x, y = (places[name][phase > phase[-1] - 2.0 * math.pi] for name in "xy")
+        curves[label] = (np.arctan2(y, x), np.hypot(x, y) - CIRCLE)
     return circle_png(CIRCLE, curves)

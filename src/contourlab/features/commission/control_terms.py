@@ -20,7 +20,7 @@ from contourlab.features.commission.identification import IdentifiedAxis
 from contourlab.figures import figure
 from contourlab.rendering.table import Column, Table
 
-EXACT, START, DRIVE, NONE = "exact", "start value", "to reach in the drive", "no equivalent"
+EXACT, CHOICE, START, DRIVE, NONE = "exact", "choice", "start value", "to reach in the drive", "no equivalent"
 
 
 @dataclass(frozen=True)
@@ -75,12 +75,12 @@ Row = tuple[str, str, str, Callable[[Cascade], float]]
 CONTROLS: dict[str, tuple[Row, ...]] = {
     "sinumerik": (
         ("MD32200 POSCTRL_GAIN", "1000/min", EXACT, lambda c: 0.06 * c.kv),
-        ("MD32620 FFW_MODE", "", START, lambda c: 3.0),
+        ("MD32620 FFW_MODE", "", CHOICE, lambda c: 3.0),
         ("MD32610 VELO_FFW_WEIGHT", "", EXACT, lambda c: min(c.weight, 1.0)),
         ("MD32810 EQUIV_SPEEDCTRL_TIME", "s", DRIVE, lambda c: c.lag),
         ("MD32450 BACKLASH", "mm", EXACT, lambda c: 1e3 * c.play),
-        ("MD32490 FRICT_COMP_MODE", "", START, lambda c: 1.0),
-        ("MD32500 FRICT_COMP_ENABLE", "", START, lambda c: 1.0),
+        ("MD32490 FRICT_COMP_MODE", "", CHOICE, lambda c: 1.0),
+        ("MD32500 FRICT_COMP_ENABLE", "", CHOICE, lambda c: 1.0),
         ("MD32520 FRICT_COMP_CONST_MAX", "mm/min", START, lambda c: 6e4 * 2.0 * c.friction / c.gain),
         ("Igain, FF2", "", NONE, lambda c: math.nan),
     ),
@@ -114,7 +114,7 @@ class Term:
     ----------
     name, unit : str
     maps : str
-        "exact", "start value", "to reach in the drive", or "no equivalent".
+        "exact", "choice", "start value", "to reach in the drive", or "no equivalent".
     values : dict of str to float
         By axis; nan where nothing is known.
     """

@@ -43,7 +43,6 @@ class Ini:
     """An INI file: values by section and key, in order."""
 
     file: Path
-    text: str
     values: Mapping[tuple[str, str], list[Entry]]
 
     def first(self, section: str, *keys: str) -> Entry | None:
@@ -119,7 +118,6 @@ class Setup:
     ----------
     ini : Ini
     hal : Path
-    statements : tuple of Statement
     unit : float [m]
         Length of a machine unit.
     unit_name : str
@@ -132,7 +130,6 @@ class Setup:
 
     ini: Ini
     hal: Path
-    statements: tuple[Statement, ...]
     unit: float
     unit_name: str
     period: float
@@ -149,17 +146,16 @@ def read_ini(file: str | Path) -> Ini:
         If it cannot be read.
     """
     path = Path(file)
-    text = _text(path)
     values: dict[tuple[str, str], list[Entry]] = {}
     section = ""
-    for number, line in enumerate(text.splitlines(), start=1):
+    for number, line in enumerate(_text(path).splitlines(), start=1):
         bare = line.strip()
         if bare.startswith("[") and "]" in bare:
             section = bare[1 : bare.index("]")]
         elif "=" in bare and not bare.startswith(("#", ";")):
             key, _, value = bare.partition("=")
             values.setdefault((section, key.strip()), []).append(Entry(path, number, re.split(r"\s[#;]", value)[0].strip()))
-    return Ini(path, text, values)
+    return Ini(path, values)
 
 
 def _text(path: Path) -> str:
@@ -186,14 +182,14 @@ def read_hal(file: str | Path, ini: Ini) -> tuple[Statement, ...]:
             continue
         written = tuple(word for word in bare.replace("=>", " ").replace("<=", " ").split() if word != "<=>")
         if written:
-            words = tuple(_REFERENCE.sub(lambda found: _value(ini, found), word) for word in written)
+            words = tuple(_REFERENCE.sub(lambda match: _value(ini, match), word) for word in written)
             statements.append(Statement(path, number, written, words))
     return tuple(statements)
 
 
-def _value(ini: Ini, found: re.Match[str]) -> str:
-    entry = ini.first(found[1], found[2] or found[3])
-    return found[0] if entry is None else entry.value
+def _value(ini: Ini, match: re.Match[str]) -> str:
+    entry = ini.first(match[1], match[2] or match[3])
+    return match[0] if entry is None else entry.value
 
 
 def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
@@ -223,7 +219,7 @@ def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
     if not axes:
         raise ScenarioError("no pid is connected to a joint.N.motor-pos-cmd: a servo loop in HAL is needed", file=Path(hal_file).name)
     name = "inch" if unit == LENGTHS["inch"] else "mm"
-    return Setup(ini, Path(hal_file), statements, unit, name, (period_ns or 1e6) * 1e-9, axes, tuple(findings))
+    return Setup(ini, Path(hal_file), unit, name, (period_ns or 1e6) * 1e-9, axes, tuple(findings))
 
 
 class _Wiring:

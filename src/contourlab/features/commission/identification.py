@@ -279,10 +279,10 @@ def _quality(fit: OutputFit, deviations: Mapping[str, float], place: str) -> lis
     # Damping may be small beside the feedback; it matters only as far as it changes the feedforward.
     if not deviations["damping"] < max(WELL_KNOWN * fit["damping"], 2.0):
         poor.append("damping")
-    found = [finding("CL886", place, parameters=tuple(poor))] if poor else []
+    findings = [finding("CL886", place, parameters=tuple(poor))] if poor else []
     if fit.fit < USABLE:
-        return [*found, finding("CL886", place, parameters=(f"the motion, of which it explains {max(fit.fit, 0.0):.3g} %",))]
-    return [*found, finding("CL888", place, fit=fit.fit / 100.0)] if fit.fit < POOR else found
+        return [*findings, finding("CL886", place, parameters=(f"the motion, of which it explains {max(fit.fit, 0.0):.3g} %",))]
+    return [*findings, finding("CL888", place, fit=fit.fit / 100.0)] if fit.fit < POOR else findings
 
 
 def _ringing(fit: OutputFit, period: float) -> float:
