@@ -57,11 +57,12 @@ while sum(state.homed[:3]) < 3 and time.time() < end:
 sampler = subprocess.Popen(["halsampler", "-t"], stdout=open("samples.txt", "w"))
 command.mode(linuxcnc.MODE_AUTO); command.wait_complete()
 command.program_open("/mnt/program.ngc"); command.auto(linuxcnc.AUTO_RUN, 0)
-time.sleep(0.3)
-end, done = time.time() + LIMIT, False
-while time.time() < end and not done:
+begun, started, done = time.time(), False, False
+while time.time() < begun + LIMIT and not done:
     time.sleep(0.05); state.poll()
-    done = state.interp_state == linuxcnc.INTERP_IDLE and state.inpos
+    idle = state.interp_state == linuxcnc.INTERP_IDLE
+    started = started or not idle or time.time() > begun + 3
+    done = started and idle and state.inpos and state.exec_state == linuxcnc.EXEC_DONE
 error = errors.poll()
 time.sleep(0.2)
 sampler.terminate()
@@ -231,7 +232,7 @@ class Rig:
             lines += [f"net {pin.format(a=a)} sampler.0.pin.{2 * k + n}" for k, pin in enumerate(PINS)]
         return "\n".join(lines) + "\n"
 
-    def run(self, program: str, log: Path, *, limit: float = 120.0) -> Path:
+    def run(self, program: str, log: Path, *, limit: float = 300.0) -> Path:
         """Run a program, write the log as CSV and return its path.
 
         Raises

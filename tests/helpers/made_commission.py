@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -25,10 +25,12 @@ COLUMNS = ("time [s]", "x_cmd [mm]", "y_cmd [mm]", "x [mm]", "y [mm]", "x_load [
 
 @dataclass(frozen=True)
 class Made:
-    """Files of a machine, and the columns of its log."""
+    """Files of a machine, what they say, its excitation, and the columns of its log."""
 
     ini: Path
     hal: Path
+    setup: Setup
+    program: Path
     rows: dict[str, np.ndarray]
 
     def log(self, file: Path, rows: dict[str, np.ndarray] | None = None) -> Path:
@@ -47,23 +49,31 @@ def behind(position: np.ndarray, play: float) -> np.ndarray:
     return load
 
 
-def simulated(setup: Setup, program: Path, gains: dict[str, dict[str, float]] | None = None, factor: float = 1.0) -> dict[str, np.ndarray]:
-    """Return the columns of a log of a program, with other gains or other axes if given."""
+def simulated(
+    setup: Setup,
+    program: Path,
+    gains: dict[str, dict[str, float]] | None = None,
+    factor: float = 1.0,
+    noise: float | np.ndarray = NOISE,
+    axes: str = "xy",
+    delay: float | None = None,
+) -> dict[str, np.ndarray]:
+    """Return the columns of a log of a program: with other gains or axes, with noise uniform up to a number or as given, in some axes."""
     rows: dict[str, np.ndarray] = {}
     commands = planned_commands(program, setup)
     n = commands["x"].size
     rows["time [s]"] = PERIOD * np.arange(n)
-    for axis in setup.axes:
+    for axis in (axis for axis in setup.axes if axis.name in axes):
         values = axis.gains if gains is None else gains[axis.name]
         row = np.array([[values[name] / setup.unit for name in GAINS]])
         model = MODELS[axis.name]
-        model = AxisModel(factor * model.gain, model.damping, model.friction, model.offset, model.delay)
-        noise = np.random.default_rng(ord(axis.name)).uniform(-NOISE, NOISE, n)
-        run = run_lanes(commands[axis.name], noise, row, [model], Law(PERIOD), trace=True)
+        model = replace(model, gain=factor * model.gain, delay=model.delay if delay is None else delay)
+        drawn = noise if isinstance(noise, np.ndarray) else np.random.default_rng(ord(axis.name)).uniform(-noise, noise, n)
+        run = run_lanes(commands[axis.name], drawn, row, [model], Law(PERIOD), trace=True)
         a = axis.name
         rows |= {f"{a}_cmd [mm]": 1e3 * commands[a], f"{a} [mm]": 1e3 * run.position, f"{a}_out": run.command_output}
         rows[f"{a}_load [mm]"] = 1e3 * behind(run.position, PLAY[a])
-    return {name: rows[name] for name in COLUMNS}
+    return {name: rows[name] for name in COLUMNS if name in rows}
 
 
 def made(folder: Path) -> Made:
@@ -72,4 +82,4 @@ def made(folder: Path) -> Made:
     setup = read_setup(ini, hal)
     program = folder / "excite.ngc"
     program.write_text(excitation(setup))
-    return Made(ini, hal, simulated(setup, program))
+    return Made(ini, hal, setup, program, simulated(setup, program))

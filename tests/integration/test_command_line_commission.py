@@ -41,3 +41,11 @@ def test_missing_files_are_named(made: bench.Made, tmp_path: Path, capsys: pytes
     files = {"machine.ini": made.ini, "machine.hal": made.hal} | {missing: tmp_path / missing}
     assert main(["commission", "linuxcnc", *map(str, files.values()), "--out", str(tmp_path)]) == 2
     assert missing in capsys.readouterr().err
+
+
+def test_unknown_control_is_refused_before_any_work(made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = made.log(tmp_path / "log.csv")
+    out = tmp_path / "out"
+    assert main(["commission", "linuxcnc", str(made.ini), str(made.hal), "--log", str(log), "--for", "fanuc", "--out", str(out)]) == 2
+    assert "sinumerik" in capsys.readouterr().err
+    assert not out.exists()

@@ -28,6 +28,10 @@ def linuxcnc(
     program: Annotated[
         Path | None, typer.Option(help="Part program to tune and predict for; by default what the logs ran.", show_default=False)
     ] = None,
+    control: Annotated[
+        str | None,
+        typer.Option("--for", help="Give the gains in the terms of sinumerik, twincat or generic too.", show_default=False),
+    ] = None,
     gain_margin: GainMargin = 6.0,
     phase_margin: PhaseMargin = 30.0,
     seed: Seed = 0,
@@ -43,8 +47,7 @@ def linuxcnc(
         show_result(result, as_json)
         suggest(as_json, "commission", "linuxcnc", ini, hal, "--log", "log1.csv", "--out", out)
         return 0 if result.passed else 1
-    result = commissioned(
-        ini, hal, log, out, program=program, gain_margin=gain_margin, phase_margin=phase_margin, seed=seed
-    )  # fmt: skip
+    margins = gain_margin, phase_margin
+    result = commissioned(ini, hal, log, out, program=program, control=control, margins=margins, seed=seed)
     show_result(result, as_json)
     return 0 if result.passed else 1

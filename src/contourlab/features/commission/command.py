@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -12,7 +12,8 @@ import numpy as np
 
 from contourlab.app.results import check_file
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError, ScenarioError
+from contourlab.errors import ParameterError
+from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
 from contourlab.features.commission.excitation import excitation, sampler_lines, steps
 from contourlab.features.commission.hal_files import AxisSetup, Setup, read_setup
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
@@ -22,7 +23,7 @@ from contourlab.features.commission.report import changes, circle_png, gain_tabl
 from contourlab.features.commission.tuning import AxisTask, TunedAxis, tune_axis
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.rendering.table import Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.result.atomic import write_bytes_atomic
 
@@ -55,9 +56,11 @@ class Commissioned:
     models : dict of str to IdentifiedAxis
     findings : tuple of Finding
     files : tuple of Path
+    terms : tuple of Term
+        The proposed gains as parameters of another control.
     answer : tuple of str
         One line for each axis.
-    table : Table or None
+    tables : tuple of Table
     """
 
     pid: dict[str, dict[str, float]]
@@ -66,8 +69,9 @@ class Commissioned:
     models: dict[str, IdentifiedAxis]
     findings: tuple[Finding, ...]
     files: tuple[Path, ...]
+    terms: tuple[Term, ...] = ()
     answer: tuple[str, ...] = ()
-    table: Table | None = field(default=None, metadata=HIDDEN)
+    tables: tuple[Table, ...] = field(default=(), metadata=HIDDEN)
 
     @property
     def passed(self) -> bool:
@@ -76,10 +80,10 @@ class Commissioned:
 
     @property
     def text(self) -> str:
-        """Answer, table, findings and files."""
-        table = "" if self.table is None else self.table.text()
+        """Answer, tables, findings and files."""
         files = "\n".join(f"written: {file}" for file in self.files)
-        return "\n\n".join(filter(None, ["\n".join(self.answer), table, paragraphs(map(str, self.findings)), files]))
+        tables = (table.text() for table in self.tables)
+        return "\n\n".join(filter(None, ["\n".join(self.answer), *tables, paragraphs(map(str, self.findings)), files]))
 
 
 def prepare(ini: str | Path, hal: str | Path, out: str | Path) -> Commissioned:
@@ -113,10 +117,9 @@ def commission(
     out: str | Path,
     *,
     program: str | Path | None = None,
-    gain_margin: float = 6.0,
-    phase_margin: float = 30.0,
+    control: str | None = None,
+    margins: tuple[float, float] = (6.0, 30.0),
     seed: int = 0,
-    progress: Callable[[str], None] = lambda stage: None,
 ) -> Commissioned:
     """Identify each axis from logs, tune its pid, and write report, diffs and picture.
 
@@ -130,20 +133,22 @@ def commission(
         Folder.
     program : str or Path, optional
         Part program to predict and tune for; by default the commands of the logs.
-    gain_margin, phase_margin : float [dB, deg]
-        Kept with one period more of delay than identified.
+    control : str, optional
+        Another control, in whose terms to give the gains too: a key of `control_terms.CONTROLS`.
+    margins : tuple of float [dB, deg]
+        Of gain and phase, kept with one period more of delay than identified.
     seed : int
         Of search and noise.
-    progress : callable, optional
-        Called with each stage.
 
     Raises
     ------
     ScenarioError, LogError, ProgramError, FeedError
         If a file cannot be read, or the program cannot be planned.
     OutputError, ParameterError
-        If a file cannot be written, or would replace an input.
+        If a file cannot be written or would replace an input, or the control is unknown.
     """
+    if control is not None:
+        check_control(control)
     setup = read_setup(ini, hal)
     inputs = [ini, hal, *logs] + ([] if program is None else [program])
     files = _files(out, SECOND, inputs)
@@ -156,12 +161,11 @@ def commission(
         bad = {one.place.removeprefix("axis ") for one in wrong}
         records.append({name: moving(one) for name, one in record.items() if name not in bad})
     planned = {} if program is None else planned_commands(Path(program), setup)
-    work = _Work(setup, records, planned, (gain_margin, phase_margin), seed)
+    work = _Work(setup, records, planned, margins, seed)
     if all(one.code != "CL871" for one in findings):
         for axis in setup.axes:
-            progress(f"axis {axis.name}")
             findings += work.axis(axis)
-    return _written(work, findings, files, program)
+    return _written(work, findings, files, program, control)
 
 
 @dataclass(eq=False)
@@ -189,8 +193,7 @@ class _Work:
         if not logs:
             return []
         checked = [law_of(log, axis, self.setup.unit) for log in logs]
-        found = list(dict.fromkeys(str(one) for _, more in checked for one in more))
-        findings = [next(one for _, more in checked for one in more if str(one) == text) for text in found]
+        findings = list({str(one): one for _, more in checked for one in more}.values())
         if axis.backlash:
             findings.append(finding("CL899", place, backlash=axis.backlash * self.setup.unit))
         if any(one.entry.severity == "error" for one in findings):
@@ -208,7 +211,7 @@ class _Work:
         if not any(np.ptp(command) > 0.0 for command in commands):
             commands = [log.command for log in logs]  # the program does not move this axis
         noises = [identified.noise_like(command, self.seed + k) for k, command in enumerate(commands)]
-        free = max(log.free for log in logs)
+        free = max(log.free for log in logs) if axis.always_enabled else 0
         off = [identified.noise_like(np.zeros(free + 300), self.seed + 100 + k) for k in range(OFF_RUNS if free else 0)]
         task = AxisTask(identified.model, law, commands, noises, off, free, axis.always_enabled, *self.margins)
         present = self.present(axis)
@@ -251,30 +254,32 @@ class _Work:
         return chosen
 
 
-def _written(work: _Work, findings: Sequence[Finding], files: Sequence[Path], program: str | Path | None) -> Commissioned:
+def _written(
+    work: _Work, findings: Sequence[Finding], files: Sequence[Path], program: str | Path | None, control: str | None
+) -> Commissioned:
     """Write the files of the answer and return it."""
     setup, gains, safe = work.setup, work.gains(), work.safe()
     answer = tuple(_line(axis, work, gains) for axis in setup.axes if axis.name in work.predicted)
     answer = answer or ("No gains: an error below has to be removed first.",)
     present = {axis.name: axis.gains for axis in setup.axes if axis.name in gains}
-    rows = gain_table(setup.axes, {"present": present, "safe first": safe, "proposed": gains})
-    heads = ["gain", "present", "safe first", "proposed"]
+    tables = {"Gains": gain_table(setup.axes, {"present": present, "safe first": safe, "proposed": gains})}
+    terms = tuple[Term, ...]()
+    if control is not None:
+        rows = {name: np.array(list(values.values())) / setup.unit for name, values in gains.items()}
+        terms = terms_of(control, {name: cascade_of(row, work.models[name]) for name, row in rows.items()})
+        tables |= {f"The proposed gains in other terms: {control}": term_table(terms)} if terms else {}
+    tables = {head: table for head, table in tables.items() if table.rows}
     diff, picture = changes(setup, gains), _circle(work, gains)
     report, gain_diff, safe_diff, image = files
     title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {Path(program).name}")
-    html = page(title, answer, rows, heads, diff, picture, findings)
-    texts = {report: html, gain_diff: diff, safe_diff: changes(setup, safe)}
+    texts = {report: page(title, answer, tables, diff, picture, findings), gain_diff: diff, safe_diff: changes(setup, safe)}
     for file, text in texts.items():
         write_text_atomic(file, text)
     if picture is not None:
         write_bytes_atomic(image, picture)
-    table = None
-    if rows:
-        table = Table([Column(heads[0], left=True), *map(Column, heads[1:])])
-        for row in rows:
-            table.add(*row)
     written = tuple(file for file in files if picture is not None or file != image)
-    return Commissioned(gains, safe, work.predicted, work.models, tuple(findings), written, answer, table)
+    shown = tuple(tables.values())
+    return Commissioned(gains, safe, work.predicted, work.models, tuple(findings), written, terms, answer, shown)
 
 
 def _line(axis: AxisSetup, work: _Work, gains: Mapping[str, Mapping[str, float]]) -> str:
@@ -298,23 +303,18 @@ def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
     ProgramError, FeedError
         If the program cannot be read or planned.
     """
-    from contourlab.program import Reading, read_program
-
-    return _planned(read_program(program, reading=Reading(require_end=False)), setup)
-
-
-def _planned(program: Any, setup: Setup) -> dict[str, Array]:
     from contourlab.feed import AxisLimits, blended, plan, route_from_program
-    from contourlab.program import Arc, Dwell
+    from contourlab.program import Arc, Dwell, Reading, read_program
     from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
+    made = read_program(program, reading=Reading(require_end=False))
     letters = [letter for letter in "xyz" if _limits(setup, letter) is not None]
     pairs = np.array([_limits(setup, letter) for letter in letters]) * setup.unit
     # LinuxCNC speeds up along an arc with half the acceleration.
-    straight = [any(not isinstance(move, Arc | Dwell) and move.start[k] != move.end[k] for move in program.moves) for k in range(3)]
+    straight = [any(not isinstance(move, Arc | Dwell) and move.start[k] != move.end[k] for move in made.moves) for k in range(3)]
     pairs[:, 1] *= [1.0 if straight["xyz".index(letter)] else 0.5 for letter in letters]
     limits = AxisLimits(pairs[:, 0], pairs[:, 1])
-    route = blended(route_from_program(program, letters, default_tolerance=DEFAULT_CORNER_TOLERANCE), limits)
+    route = blended(route_from_program(made, letters, default_tolerance=DEFAULT_CORNER_TOLERANCE), limits)
     reference = plan(route, limits, setup.period)
     position = reference.block(0, reference.n_sample).position
     rest = round(0.2 / setup.period)
@@ -332,28 +332,22 @@ def _limits(setup: Setup, letter: str) -> tuple[float, float] | None:
 
 def _circle(work: _Work, gains: Mapping[str, Mapping[str, float]]) -> bytes | None:
     """Return the picture of a circle before and after, if both x and y are known."""
-    from contourlab.program import parse_program
-
     if not {"x", "y"} <= work.tasks.keys():
         return None
-    r = 1e3 * CIRCLE
-    speed = min(0.5 * math.sqrt(0.5 * axis.limits["acceleration"] * work.setup.unit * CIRCLE) for axis in work.setup.axes[:2])
-    text = f"G21 G90 G17 G64\nG1 X{r:g} Y0 F{6e4 * speed:.4f}\nG3 X{r:g} Y0 I-{r:g} J0\nG3 X{r:g} Y0 I-{r:g} J0\nM2\n"
-    try:
-        planned = _planned(parse_program(text, "circle"), work.setup)
-    except (ScenarioError, ParameterError):
-        return None
-    half = planned["x"].size // 2
+    axes, period = [axis for axis in work.setup.axes if axis.name in "xy"], work.setup.period
+    strongest = min(axis.limits["acceleration"] for axis in axes) * work.setup.unit
+    turn, start = 0.5 * math.sqrt(0.5 * strongest / CIRCLE), 0.3
+    time = period * np.arange(round((start + 4.0 * math.pi / turn) / period))
+    phase = turn * np.where(time < start, time**2 / (2.0 * start), time - 0.5 * start)  # from rest, two turns
+    commands = {"x": CIRCLE * np.cos(phase), "y": CIRCLE * np.sin(phase)}
     curves = {}
     for label in ("before", "after"):
-        places = []
-        for axis in (axis for axis in work.setup.axes if axis.name in "xy"):
-            task, model = work.tasks[axis.name], work.models[axis.name]
+        places = {}
+        for axis in axes:
+            task, command = work.tasks[axis.name], commands[axis.name]
             row = work.present(axis) if label == "before" else np.array(list(gains[axis.name].values())) / work.setup.unit
-            command = planned[axis.name]
-            run = run_lanes(command, model.noise_like(command), row[None], [task.model], task.law, trace=True)
-            places.append(run.position)
-        x, y = places
-        last = slice(half, planned["x"].size - round(0.3 / work.setup.period))
-        curves[label] = (np.arctan2(y, x)[last], (np.hypot(x, y) - CIRCLE)[last])
+            noise = work.models[axis.name].noise_like(command)
+            places[axis.name] = run_lanes(command, noise, row[None], [task.model], task.law, trace=True).position
+        x, y = (places[name][phase > phase[-1] - 2.0 * math.pi] for name in "xy")
+        curves[label] = (np.arctan2(y, x), np.hypot(x, y) - CIRCLE)
     return circle_png(CIRCLE, curves)

@@ -13,10 +13,12 @@ LONGEST = 60.0
 """Longest way to either side [mm]."""
 SPEEDS = (0.02, 0.1, 0.4, 1.0)
 """Speeds of the reversals, relative to the axis' limit."""
+SLOW_STROKE = 0.2
+"""Stroke [mm] and speed [mm/s] of the reversals in which the load stops before the motor has crossed the play."""
 TURN_TIME = 0.4
 """Time of a reversal at constant speed [s]."""
-SIGNALS = ("cmd", "fb", "out")
-"""What the sampler records of each axis: command and feedback of the pid, and its output."""
+SIGNALS = {"command": "_cmd", "feedback": "", "output": "_out"}
+"""Pins of the pid that the sampler records, with the ends of their columns' names."""
 
 
 def excitation(setup: Setup) -> str:
@@ -58,15 +60,17 @@ def _reach(axis: AxisSetup, mm: float) -> float:
 
 
 def _strokes(axis: AxisSetup, reach: float, mm: float) -> list[str]:
-    """Return the reversals of one axis: two of each length and speed, and short ones at the acceleration limit."""
+    """Return the reversals of one axis: two of each length and speed, slow ones, and short ones at the acceleration limit."""
     letter, fastest, strongest = axis.name.upper(), axis.limits["velocity"], axis.limits["acceleration"]
-    lines = [f"(axis {letter}: reversals at {len(SPEEDS)} speeds, then at the acceleration limit)"]
+    lines = [f"(axis {letter}: reversals at {len(SPEEDS)} speeds, very slow ones, then at the acceleration limit)"]
     for share in SPEEDS:
         speed = share * fastest
         way = min(speed * TURN_TIME + speed**2 / strongest, reach)
         feed = f"F{_text(60.0 * speed)}"
         lines += [f"G1 {letter}{_text(way)} {feed}", f"G1 {letter}{_text(-2.0 * way)}", f"G1 {letter}{_text(2.0 * way)}"]
         lines += [f"G1 {letter}{_text(-way)}", "G4 P0.1"]
+    slow = min(SLOW_STROKE * mm, reach)
+    lines += [f"G1 {letter}{_text(sign * slow)} F{_text(60.0 * SLOW_STROKE * mm)}" for sign in (1, -1) * 4]
     for time in (0.04, 0.08, 0.15):
         way = min(max(strongest * (0.5 * time) ** 2, 0.05 * mm), reach)
         back = [f"G1 {letter}{_text(sign * way)} F{_text(60.0 * fastest)}" for sign in (1, -1, -1, 1)]
@@ -90,8 +94,7 @@ def _circles(pair: Sequence[AxisSetup], reach: dict[str, float]) -> list[str]:
 
 def sampler_columns(setup: Setup) -> list[str]:
     """Return the columns in the order of the sampler's pins, as ``x_cmd``, ``x``, ``x_out``."""
-    suffixes = {"cmd": "_cmd", "fb": "", "out": "_out"}
-    return [f"{axis.name}{suffixes[signal]}" for axis in setup.axes for signal in SIGNALS]
+    return [f"{axis.name}{end}" for axis in setup.axes for end in SIGNALS.values()]
 
 
 def sampler_lines(setup: Setup) -> str:
@@ -102,11 +105,9 @@ def sampler_lines(setup: Setup) -> str:
         f"loadrt sampler depth=16000 cfg={'f' * len(columns)}",
         "addf sampler.0 servo-thread",
     ]
-    pins = {"cmd": "command", "fb": "feedback", "out": "output"}
-    for k, column in enumerate(columns):
-        axis, signal = setup.axes[k // len(SIGNALS)], SIGNALS[k % len(SIGNALS)]
-        wired = axis.signals[pins[signal]]
-        source = wired if not wired.startswith(f"{axis.pid}.") else f"commission-{axis.name}-{signal} {wired}"
+    wired = [(axis, signal) for axis in setup.axes for signal in axis.signals.values()]
+    for k, (column, (axis, signal)) in enumerate(zip(columns, wired, strict=True)):
+        source = signal if not signal.startswith(f"{axis.pid}.") else f"commission-{column} {signal}"
         lines.append(f"net {source} => sampler.0.pin.{k}  # {column}")
     return "\n".join(lines) + "\n"
 

@@ -20,10 +20,9 @@ _REFERENCE = re.compile(r"\[(\w+)\](?:\((\w+)\)|(\w+))")
 
 
 @dataclass(frozen=True)
-class Entry:
-    """A value with its place; `line` counts from 1."""
+class Line:
+    """A line of a file, counted from 1."""
 
-    value: str
     file: Path
     line: int
 
@@ -33,12 +32,18 @@ class Entry:
         return f"{self.file.name}:{self.line}"
 
 
+@dataclass(frozen=True)
+class Entry(Line):
+    """A value."""
+
+    value: str
+
+
 @dataclass(frozen=True, eq=False)
 class Ini:
     """An INI file: values by section and key, in order."""
 
     file: Path
-    text: str
     values: Mapping[tuple[str, str], list[Entry]]
 
     def first(self, section: str, *keys: str) -> Entry | None:
@@ -57,18 +62,11 @@ class Ini:
 
 
 @dataclass(frozen=True)
-class Statement:
-    """A line of a HAL file: its words, and references to the INI file replaced in `words`."""
+class Statement(Line):
+    """The words of a HAL statement; in `words` references to the INI file are replaced."""
 
     written: tuple[str, ...]
     words: tuple[str, ...]
-    file: Path
-    line: int
-
-    @property
-    def place(self) -> str:
-        """File and line."""
-        return f"{self.file.name}:{self.line}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +85,7 @@ class AxisSetup:
     places : dict of str to Entry
         Where each gain is set: the ``setp`` line of the HAL file, or the key of the INI file that it refers to.
     last : int
-        Line of the last ``setp`` of this pid; 0 if there is none.
+        Line of the last ``setp`` of this pid in the HAL file; 0 if there is none.
     signals : dict of str to str
         HAL signals of ``command``, ``feedback`` and ``output``; pins where there is no signal.
     limits : dict of str to float
@@ -121,7 +119,6 @@ class Setup:
     ----------
     ini : Ini
     hal : Path
-    statements : tuple of Statement
     unit : float [m]
         Length of a machine unit.
     unit_name : str
@@ -134,7 +131,6 @@ class Setup:
 
     ini: Ini
     hal: Path
-    statements: tuple[Statement, ...]
     unit: float
     unit_name: str
     period: float
@@ -151,17 +147,16 @@ def read_ini(file: str | Path) -> Ini:
         If it cannot be read.
     """
     path = Path(file)
-    text = _text(path)
     values: dict[tuple[str, str], list[Entry]] = {}
     section = ""
-    for number, line in enumerate(text.splitlines(), start=1):
+    for number, line in enumerate(_text(path).splitlines(), start=1):
         bare = line.strip()
         if bare.startswith("[") and "]" in bare:
             section = bare[1 : bare.index("]")]
         elif "=" in bare and not bare.startswith(("#", ";")):
             key, _, value = bare.partition("=")
-            values.setdefault((section, key.strip()), []).append(Entry(re.split(r"\s[#;]", value)[0].strip(), path, number))
-    return Ini(path, text, values)
+            values.setdefault((section, key.strip()), []).append(Entry(path, number, re.split(r"\s[#;]", value)[0].strip()))
+    return Ini(path, values)
 
 
 def _text(path: Path) -> str:
@@ -190,14 +185,14 @@ def read_hal(file: str | Path, ini: Ini) -> tuple[Statement, ...]:
             continue
         written = tuple(word for word in bare.replace("=>", " ").replace("<=", " ").split() if word != "<=>")
         if written:
-            words = tuple(_REFERENCE.sub(lambda found: _value(ini, found), word) for word in written)
-            statements.append(Statement(written, words, path, number))
+            words = tuple(_REFERENCE.sub(lambda match: _value(ini, match), word) for word in written)
+            statements.append(Statement(path, number, written, words))
     return tuple(statements)
 
 
-def _value(ini: Ini, found: re.Match[str]) -> str:
-    entry = ini.first(found[1], found[2] or found[3])
-    return found[0] if entry is None else entry.value
+def _value(ini: Ini, match: re.Match[str]) -> str:
+    entry = ini.first(match[1], match[2] or match[3])
+    return match[0] if entry is None else entry.value
 
 
 def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
@@ -227,7 +222,7 @@ def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
     if not axes:
         raise ScenarioError("no pid is connected to a joint.N.motor-pos-cmd: a servo loop in HAL is needed", file=Path(hal_file).name)
     name = "inch" if unit == LENGTHS["inch"] else "mm"
-    return Setup(ini, Path(hal_file), statements, unit, name, (period_ns or 1e6) * 1e-9, axes, tuple(findings))
+    return Setup(ini, Path(hal_file), unit, name, (period_ns or 1e6) * 1e-9, axes, tuple(findings))
 
 
 class _Wiring:
@@ -293,7 +288,7 @@ class _Wiring:
 
     def _axis(self, letter: str, joint: int, name: str) -> AxisSetup:
         gains, places = dict.fromkeys(GAINS, 0.0), {}
-        mine = [one for pin, one in self.set.items() if pin.startswith(f"{name}.")]
+        mine = [one.line for pin, one in self.set.items() if pin.startswith(f"{name}.") and one.file == self.file]
         for gain in GAINS:
             one = self.set.get(f"{name}.{gain}")
             if one is not None:
@@ -308,7 +303,7 @@ class _Wiring:
             name,
             gains,
             places,
-            max((one.line for one in mine), default=0),
+            max(mine, default=0),
             signals,
             self._limits(letter, joint),
             None if previous is None else self._true(f"{name}.error-previous-target"),
@@ -331,7 +326,7 @@ class _Wiring:
     def _place(self, one: Statement) -> Entry:
         reference = _REFERENCE.fullmatch(one.written[2])
         entry = None if reference is None else self.ini.first(reference[1], reference[2] or reference[3])
-        return entry or Entry(one.words[2], one.file, one.line)
+        return entry or Entry(one.file, one.line, one.words[2])
 
     def _limits(self, letter: str, joint: int) -> dict[str, float]:
         sections, limits = (f"AXIS_{letter.upper()}", f"JOINT_{joint}"), {}

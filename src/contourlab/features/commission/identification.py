@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -22,8 +23,14 @@ WELL_KNOWN = 0.1
 """Largest deviation of gain, relative to itself, with which the gains can be trusted."""
 USABLE, POOR = 60.0, 95.0
 """Fit [percent] below which the model is unusable, or gets a warning."""
-PEAK = 40.0
+PEAK = 2.5
 """Height of a resonance in the spectrum of the residual over its neighbourhood."""
+SURE = 0.05
+"""Largest deviation of a resonance, relative to its frequency, with which it enters the model."""
+SLOW = 5e-4
+"""Speed [m/s] below which inertia does not matter at a reversal: the load stops, and the motor crosses the play alone."""
+STEP = 0.05
+"""Smallest part of the friction that has to return behind the play to be seen."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,17 +107,23 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
     rest = np.concatenate([_noise_at_rest(log) for log in logs])
     noise = float(rest.std()) if rest.size else _noise_in_motion(first)
     play, play_deviation = _play(logs)
+    seen = "CL892"
+    if math.isnan(play):
+        seen = "CL862"
+        play, play_deviation = _lost_motion(logs, model, noise)
     measured, simulated = _validated(logs, split, gains, model, law)
-    found = [*_quality(fit, deviations, place), *_resonance(fit, law.period, place)]
+    findings = _quality(fit, deviations, place)
+    if model.share:
+        ringing = {name: fit[name] for name in ("damping_ratio", "share")}
+        findings.append(finding("CL895", place, frequency=model.resonance, deviation=deviations["resonance"], **ringing))
     agrees = simulated < 2.0 * measured and measured < 2.0 * simulated
-    found.append(finding("CL890" if agrees else "CL889", place, simulated=simulated, measured=measured))
-    found += [] if math.isnan(play) else [finding("CL892", place, play=play, deviation=play_deviation)]
-    found += [finding("CL893", place)] if math.isnan(play) else []
+    findings.append(finding("CL890" if agrees else "CL889", place, simulated=simulated, measured=measured))
+    visible = not math.isnan(play)
+    findings.append(finding(seen, place, play=play, deviation=play_deviation) if visible else finding("CL893", place))
     share = model.friction / model.gain / max(float(np.abs(log.output).max()) for log in logs)
-    found += [finding("CL894", place, share=share)] if share > 0.15 else []
-    found += [finding("CL896", place, delay=model.delay)] if model.delay > 1.5 * law.period else []
-    fitted = fit.fit
-    return IdentifiedAxis(model, deviations, fitted, law, rest, noise, play, play_deviation, measured, simulated, tuple(found))
+    findings += [finding("CL894", place, share=share)] if share > 0.15 else []
+    findings += [finding("CL896", place, delay=model.delay)] if model.delay > 1.5 * law.period else []
+    return IdentifiedAxis(model, deviations, fit.fit, law, rest, noise, play, play_deviation, measured, simulated, tuple(findings))
 
 
 def _split(log: AxisLog) -> int:
@@ -149,17 +162,25 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, first: Fir
         delay = Free(min(max(first["delay"], low + 0.1 * period), high - 0.1 * period), low, high, period)
         fit = fit_output(model, measured, {**free, "delay": delay})
         if best is None or fit.fit > best.fit:
-            best = fit
+            best, free["delay"] = fit, delay
     assert best is not None
-    return best
+    frequency = _ringing(best, s * period)
+    if not frequency:
+        return best
+    again = {name: replace(one, start=best[name]) for name, one in free.items()}
+    again["resonance"] = Free(frequency, 0.7 * frequency, 1.4 * frequency, 0.1 * frequency)
+    again |= {"damping_ratio": Free(0.03, 1e-3, 0.5, 0.02), "share": Free(0.3, 1e-3, 20.0, 0.3)}
+    fit = fit_output(model, measured, again)
+    sure = fit.deviation("resonance") < SURE * fit["resonance"] and 4.0 * fit.deviation("share") < fit["share"]
+    return fit if sure and fit.fit > best.fit and not {"resonance", "share"} & {*fit.at_bound} else best
 
 
 def _noise_at_rest(log: AxisLog) -> Array:
     """Return the positions around their mean where the command rests, from 0.1 s after it stopped."""
-    settle, least = round(0.1 / log.period), round(0.1 / log.period)
+    settle = round(0.1 / log.period)
     still = np.concatenate([[True], np.diff(log.command) == 0.0])
     edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]]).astype(np.int8)))
-    parts = [log.measured[a + settle : b] for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a > settle + least]
+    parts = [log.measured[a + settle : b] for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a > 2 * settle]
     window = 25
 
     def around(values: Array) -> Array:
@@ -199,6 +220,50 @@ def _play(logs: Sequence[AxisLog]) -> tuple[float, float]:
     return max(float(up.mean() - down.mean()), 0.0), max(deviation, 1e-8)
 
 
+def _lost_motion(logs: Sequence[AxisLog], model: AxisModel, noise: float) -> tuple[float, float]:
+    """Return the travel after slow reversals over which the motor needs less force, and its deviation; nan if the force shows none."""
+    travels, steps, least, fastest = list[float](), list[float](), 4.0 * noise, 0.0
+    for log in logs:
+        speed = np.diff(log.command) / log.period
+        way = np.where(np.abs(speed) > 1e-6, np.sign(speed), 0.0)
+        edges = np.flatnonzero(np.diff(way)) + 1
+        strokes = list(zip([0, *edges], [*edges, way.size], strict=True))
+        for (first, turn), (_, last) in pairwise(strokes):
+            most = float(np.abs(speed[first:last]).max())
+            if not most < SLOW or not way[first] * way[turn] < 0.0 or last - turn < 0.2 / log.period:
+                continue
+            fastest = max(fastest, most)
+            travel = way[turn] * (log.measured[turn:last] - log.measured[turn])
+            whole = round(max(model.delay, 0.0) / log.period)
+            force = way[turn] * (model.gain * log.output[turn - whole : last - whole] - model.offset)
+            moved = travel > least
+            place, step = _step(travel[moved], force[moved])
+            travels.append(place)
+            steps.append(step / max(model.friction, 1e-12))
+    if len(travels) < 4:
+        return math.nan, math.nan
+    place, spread, step = float(np.mean(travels)), float(np.std(travels, ddof=1)), float(np.mean(steps))
+    if step < max(STEP, 4.0 * float(np.std(steps, ddof=1)) / math.sqrt(len(steps))) or spread > 0.2 * place or place < 2.0 * least:
+        return math.nan, math.nan
+    # The load runs on by v^2/2 over its friction before it stops.
+    onward = 0.5 * fastest**2 / (step * model.friction)
+    return place, math.hypot(spread / math.sqrt(len(travels)), 0.5 * onward)
+
+
+def _step(travel: Array, force: Array) -> tuple[float, float]:
+    """Return place and height of the step of a force over the travel, by least squares."""
+    order = np.argsort(travel)
+    travel, force = travel[order], force[order]
+    if travel.size < 50:
+        return math.nan, 0.0
+    k = np.arange(20, travel.size - 20)
+    below = np.cumsum(force)
+    total = below[-1]
+    explained = below[k - 1] ** 2 / k + (total - below[k - 1]) ** 2 / (travel.size - k)
+    best = int(k[np.argmax(explained)])
+    return float(travel[best]), float((total - below[best - 1]) / (travel.size - best) - below[best - 1] / best)
+
+
 def _validated(logs: Sequence[AxisLog], split: Sequence[int], gains: Array, model: AxisModel, law: Law) -> tuple[float, float]:
     """Return the largest error after the fitted part, measured and simulated with the gains in use."""
     measured = simulated = 0.0
@@ -210,28 +275,25 @@ def _validated(logs: Sequence[AxisLog], split: Sequence[int], gains: Array, mode
 
 
 def _quality(fit: OutputFit, deviations: Mapping[str, float], place: str) -> list[Finding]:
-    poor = [name for name in ("gain",) if name in fit.at_bound or not deviations[name] < WELL_KNOWN * fit[name]]
+    poor = ["gain"] if "gain" in fit.at_bound or not deviations["gain"] < WELL_KNOWN * fit["gain"] else []
     # Damping may be small beside the feedback; it matters only as far as it changes the feedforward.
     if not deviations["damping"] < max(WELL_KNOWN * fit["damping"], 2.0):
         poor.append("damping")
-    found = [finding("CL886", place, parameters=tuple(poor))] if poor else []
+    findings = [finding("CL886", place, parameters=tuple(poor))] if poor else []
     if fit.fit < USABLE:
-        return [*found, finding("CL886", place, parameters=(f"the motion, of which it explains {max(fit.fit, 0.0):.3g} %",))]
-    return [*found, finding("CL888", place, fit=fit.fit / 100.0)] if fit.fit < POOR else found
+        return [*findings, finding("CL886", place, parameters=(f"the motion, of which it explains {max(fit.fit, 0.0):.3g} %",))]
+    return [*findings, finding("CL888", place, fit=fit.fit / 100.0)] if fit.fit < POOR else findings
 
 
-def _resonance(fit: OutputFit, period: float, place: str) -> list[Finding]:
-    """Return a finding if the spectrum of the residual has a narrow, dominant peak."""
+def _ringing(fit: OutputFit, period: float) -> float:
+    """Return the frequency [Hz] of the highest narrow peak in the spectrum of the residual; 0 if there is none."""
     from scipy.ndimage import median_filter
     from scipy.signal import welch
 
-    if fit.measured.size < 4096 or fit.fit > 99.5:
-        return []
+    if fit.measured.size < 4096:
+        return 0.0
     frequency, power = welch(fit.measured - fit.predicted, 1.0 / period, nperseg=1024)
     ratio = power / np.maximum(median_filter(power, 61), 1e-30)
     inside = (frequency > 15.0) & (frequency < 0.4 / period)
     k = int(np.argmax(np.where(inside, ratio, 0.0)))
-    near = slice(max(k - 3, 0), k + 4)
-    if ratio[k] < PEAK or power[near].sum() < 0.3 * power[inside].sum():
-        return []
-    return [finding("CL895", place, frequency=float(frequency[k]))]
+    return float(frequency[k]) if ratio[k] > PEAK else 0.0

@@ -6,6 +6,8 @@ and with ``error-previous-target`` (on by default since 2.8) the error is counte
 The axis is v' = -damping v + gain u - offset - friction sign(v) under a held output, exact between samples, and sticks where it turns. Its
 output arrives after a whole number of periods; the rest of the delay is a shift of the measured position, x - rest v. The rest may be
 negative, down to about half a period: an axis simulated in the servo thread is ahead of a held output.
+
+A resonance adds q'' + 2 zeta w q' + w^2 q = share v' of the undamped motor: two masses with a shaft between them, seen from the motor.
 """
 
 from __future__ import annotations
@@ -17,8 +19,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.linear.margins import Margins, frequency_grid, margins
 from contourlab.arrays import Array, Flags
+from contourlab.features.tune.drive_terms import LinuxCNCGains, linuxcnc_law
 from contourlab.native.kernel import kernel
 
 GAINS = ("Pgain", "Igain", "Dgain", "FF0", "FF1", "FF2", "FF3")
@@ -38,6 +40,11 @@ class AxisModel:
     friction, offset : float [m/s^2]
     delay : float [s]
         From the output to the measured position, beyond the hold.
+    resonance : float [Hz]
+        0 for a rigid axis.
+    damping_ratio : float, below 1
+    share : float
+        Mass behind the shaft over the mass at the motor.
     """
 
     gain: float
@@ -45,25 +52,33 @@ class AxisModel:
     friction: float = 0.0
     offset: float = 0.0
     delay: float = 0.0
+    resonance: float = 0.0
+    damping_ratio: float = 0.0
+    share: float = 0.0
 
     def row(self, period: float) -> list[float]:
-        """Return the numbers that the kernels need: decay, velocity and travel per acceleration, and the parameters."""
-        decay, gained, travel = sampled(self.damping, period)
+        """Return the numbers that the kernels need: decay, velocity and travel per acceleration, the parameters, and `mode`."""
+        x = max(self.damping * period, 1e-8)  # below it the formulas lose digits
+        gained = -math.expm1(-x) / x * period
+        travel = (period - gained) / x * period
         whole = max(math.floor(self.delay / period + 0.5), 0)
-        return [decay, gained, travel, self.gain, self.friction, self.offset, float(whole), self.delay - whole * period]
+        rigid = [math.exp(-x), gained, travel, self.gain, self.friction, self.offset, float(whole), self.delay - whole * period]
+        return rigid + self.mode(period)
+
+    def mode(self, period: float) -> list[float]:
+        """Return transition (2, 2), row by row, and input (2,) of the resonance's deflection and its velocity over a period."""
+        if not self.share:
+            return [0.0] * 6
+        w, zeta = 2.0 * math.pi * self.resonance, self.damping_ratio
+        damped = w * math.sqrt(1.0 - zeta**2)
+        faded = math.exp(-zeta * w * period)
+        cosine, sine = faded * math.cos(damped * period), faded * math.sin(damped * period) / damped
+        kept = cosine + zeta * w * sine
+        return [kept, sine, -w * w * sine, cosine - zeta * w * sine, self.share * (1.0 - kept) / w**2, self.share * sine]
 
 
-def sampled(damping: float, period: float) -> tuple[float, float, float]:
-    """Return over a period the decay of a velocity, and velocity and travel per acceleration."""
-    x = damping * period
-    if abs(x) < 1e-4:
-        return math.exp(-x), period * (1.0 - 0.5 * x), period * period * (0.5 - x / 6.0)
-    gained = -math.expm1(-x) / damping
-    return math.exp(-x), gained, (period - gained) / damping
-
-
-def step(axis: Array, i: int, v: float, u: float) -> tuple[float, float]:
-    """Return velocity and travel after a period under an output."""
+def step(axis: Array, i: int, v: float, u: float) -> tuple[float, float, float]:
+    """Return velocity and travel after a period under an output, and the acceleration by output and friction."""
     push = axis[i, 3] * u - axis[i, 5]
     friction = axis[i, 4]
     if v > 0.0 or (v == 0.0 and push > friction):
@@ -71,7 +86,7 @@ def step(axis: Array, i: int, v: float, u: float) -> tuple[float, float]:
     elif v < 0.0 or push < -friction:
         push += friction
     else:
-        return 0.0, 0.0
+        return 0.0, 0.0, 0.0
     after = axis[i, 0] * v + axis[i, 1] * push
     if v * after < 0.0:
         # It turns within the period; damping does not matter in what is left of it.
@@ -79,21 +94,27 @@ def step(axis: Array, i: int, v: float, u: float) -> tuple[float, float]:
         left, travel = (1.0 - turn) * axis[i, 1], 0.5 * v * turn * axis[i, 1]
         push = axis[i, 3] * u - axis[i, 5]
         if abs(push) <= friction:
-            return 0.0, travel
+            return 0.0, travel, 0.0
         push -= friction if push > 0.0 else -friction
-        return push * left, travel + 0.5 * push * left * left
-    return after, axis[i, 1] * v + axis[i, 2] * push
+        return push * left, travel + 0.5 * push * left * left, push
+    return after, axis[i, 1] * v + axis[i, 2] * push, push
+
+
+def deflect(axis: Array, i: int, q: float, w: float, push: float) -> tuple[float, float]:
+    """Return deflection and velocity of the resonance after a period."""
+    return axis[i, 8] * q + axis[i, 9] * w + axis[i, 12] * push, axis[i, 10] * q + axis[i, 11] * w + axis[i, 13] * push
 
 
 @kernel("f8[:] f8[:,:] f8[:] f8[:]")
 def _driven(output: Array, axis: Array, start: Array, position: Array) -> None:
     """Move an axis by a recorded output."""
-    v, x = start[1], start[0]
+    v, x, q, w = start[1], start[0], 0.0, 0.0
     whole, rest = int(axis[0, 6]), axis[0, 7]
     for k in range(output.size):
-        position[k] = x - rest * v
-        v, travel = step(axis, 0, v, output[max(k - whole, 0)])
+        position[k] = x + q - rest * (v + w)
+        v, travel, push = step(axis, 0, v, output[max(k - whole, 0)])
         x += travel
+        q, w = deflect(axis, 0, q, w, push)
 
 
 @kernel("f8[:] f8[:] f8[:,:] f8[:,:] f8[:] f8[:] f8[:,:] f8[:,:]")
@@ -103,13 +124,13 @@ def _closed(command: Array, noise: Array, gains: Array, axis: Array, law: Array,
     for i in range(gains.shape[0]):
         p, integral, d = gains[i, 0], gains[i, 1], gains[i, 2]
         whole, rest = int(axis[i, 6]), axis[i, 7]
-        x, v, summed, held = command[0], 0.0, 0.0, 0.0
+        x, v, q, w, summed, held = command[0], 0.0, 0.0, 0.0, 0.0, 0.0
         last, last_rate, last_second, last_measured, last_output = command[0], 0.0, 0.0, command[0], 0.0
         largest, square, most, rough, limited, shift = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
         for k in range(memory.size):
             memory[k] = 0.0
         for k in range(command.size):
-            measured = x - rest * v + noise[k]
+            measured = x + q - rest * (v + w) + noise[k]
             if k < free:
                 shift = measured - command[k]
             target = command[k] + shift
@@ -140,8 +161,9 @@ def _closed(command: Array, noise: Array, gains: Array, axis: Array, law: Array,
                 trace[k, 1] = u
             if not largest < 1e3:
                 break
-            v, travel = step(axis, i, v, memory[(k - whole) % memory.size] if k >= whole else 0.0)
+            v, travel, push = step(axis, i, v, memory[(k - whole) % memory.size] if k >= whole else 0.0)
             x += travel
+            q, w = deflect(axis, i, q, w, push)
         figures[i, 0] = largest
         figures[i, 1] = math.sqrt(square / command.size)
         figures[i, 2] = most
@@ -229,19 +251,11 @@ def run_lanes(
 
 def law_output(command: Array, measured: Array, gains: Sequence[float], law: Law) -> Array:
     """Return the output (n,) of ``pid`` for recorded signals, in the order of `GAINS`, up to a constant of the integral and its limits."""
-    p, i, d, *ahead = gains
-    before = np.concatenate([command[:1], command[:-1]])
-    error = (before if law.previous_target else command) - measured
-
-    def slope(values: Array) -> Array:
-        return np.diff(values, prepend=values[:1]) / law.period
-
-    rate = slope(command)
-    second = slope(rate)
-    output = p * error + i * law.period * np.cumsum(error) + d * (rate - slope(measured))
-    for gain, part in zip(ahead, (command, rate, second, slope(second)), strict=True):
-        output = output + gain * part
-    return np.asarray(output)
+    p, i, d, ff0, ff1, ff2, ff3 = gains
+    output = linuxcnc_law(LinuxCNCGains(p, i, d, ff0, ff1, ff2, ff3), command, measured, law.period)
+    if law.previous_target:  # the error lags by the last step, and its integral by all of them
+        output -= p * np.diff(command, prepend=command[:1]) + i * law.period * (command - command[0])
+    return output
 
 
 # --- margins, without friction -------------------------------------------------------------------------------------------------------
@@ -253,43 +267,33 @@ ROBUST = (0.75, 1.0, 1.25)
 Complex = NDArray[np.complex128]
 
 
-def _axis_response(model: AxisModel, period: float, z: Complex) -> Complex:
-    """Return the measured position over the output at points z."""
-    decay, gained, travel, gain, _, _, whole, rest = model.row(period)
-    velocity = gained / (z - decay)
-    response: Complex = gain * ((gained * velocity + travel) / (z - 1.0) - rest * velocity) * z**-whole
-    return response
+def _axis_ratio(model: AxisModel, period: float) -> tuple[Array, Array]:
+    """Return numerator and denominator in z of the measured position over the output."""
+    decay, gained, travel, gain, _, _, whole, rest, *mode = model.row(period)
+    above = np.array([travel - rest * gained, gained**2 - travel * decay + rest * gained])
+    below = np.polymul([1.0, -decay], [1.0, -1.0])
+    if model.share:
+        m11, m12, m21, m22, b1, b2 = mode
+        ratio = [1.0, -m11 - m22, m11 * m22 - m12 * m21]
+        deflected = [b1 - rest * b2, m12 * b2 - m22 * b1 - rest * (m21 * b1 - m11 * b2)]
+        above, below = np.polyadd(np.polymul(above, ratio), np.polymul(deflected, below)), np.polymul(below, ratio)
+    return gain * above, np.concatenate([below, np.zeros(int(whole))])
 
 
-def _law_response(gains: Array, period: float, z: Complex) -> Complex:
-    """Return output over error of ``pid`` (n, k) at points z (k,)."""
+def loop_gain(gains: Array, model: AxisModel, period: float, z: Complex) -> Complex:
+    """Return the loop gain (n, k) of sets of gains (n, 7) at points z (k,)."""
     p, i, d = (gains[:, k, None] for k in range(3))
-    response: Complex = p + i * period * z / (z - 1.0) + d * (z - 1.0) / (period * z)
-    return response
-
-
-def loop_margins(gains: Array, model: AxisModel, period: float) -> Margins:
-    """Return the margins of one set of gains, in the order of `loop.GAINS` [per metre]."""
-    poles = _poles(gains, model, period)
-    grid = frequency_grid(period, poles, int(model.row(period)[6]) + 1)
-
-    def loop(w: Array) -> Complex:
-        z = np.exp(1j * w * period)
-        response: Complex = _law_response(gains[None], period, z)[0] * _axis_response(model, period, z)
-        return response
-
-    return margins(loop, grid[grid > 0.0], stable=bool(np.abs(poles).max() < 1.0))
+    above, below = _axis_ratio(model, period)
+    law = p + i * period * z / (z - 1.0) + d * (z - 1.0) / (period * z)
+    return np.asarray(law * (np.polyval(above, z) / np.polyval(below, z)))
 
 
 def _poles(gains: Array, model: AxisModel, period: float) -> Complex:
     """Return the poles of the closed loop, from the polynomials of law and axis in z."""
-    decay, gained, travel, gain, _, _, whole, rest = model.row(period)
+    above, below = _axis_ratio(model, period)
     p, i, d = gains[:3]
-    # ((gained^2 + travel (z - decay)) - rest gained (z - 1)) / ((z - decay) (z - 1) z^whole)
-    top = gain * np.array([travel - rest * gained, gained**2 - travel * decay + rest * gained])
-    below = np.concatenate([np.polymul([1.0, -decay], [1.0, -1.0]), np.zeros(int(whole))])
     law = np.array([p + i * period + d / period, -p - 2.0 * d / period, d / period])
-    return np.asarray(np.roots(np.polyadd(np.polymul(below, [1.0, -1.0, 0.0]), np.polymul(top, law))))
+    return np.asarray(np.roots(np.polyadd(np.polymul(below, [1.0, -1.0, 0.0]), np.polymul(above, law))))
 
 
 def robustly_stable(gains: Array, model: AxisModel, period: float) -> bool:
@@ -302,7 +306,7 @@ def keep_margins(gains: Array, model: AxisModel, period: float, gain_margin: flo
     """Return which sets of gains (n, 7) are stable and keep the margins [dB, deg], on a grid of frequencies."""
     w = np.geomspace(1e-4, 1.0, GRID) * math.pi / period
     z = np.exp(1j * w * period)
-    loop = _law_response(gains, period, z) * _axis_response(model, period, z)[None]
+    loop = loop_gain(gains, model, period, z)
     size, angle = np.log(np.abs(loop)), np.angle(-loop)
     crosses = (size[:, 1:] > 0.0) != (size[:, :-1] > 0.0)
     phase = np.minimum(np.abs(angle[:, 1:]), np.abs(angle[:, :-1]))

@@ -11,7 +11,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError
-from contourlab.features.commission.excitation import sampler_columns
+from contourlab.features.commission.excitation import SIGNALS, sampler_columns
 from contourlab.features.commission.hal_files import AxisSetup, Setup
 from contourlab.features.commission.loop import GAINS, Law, law_output
 from contourlab.findings import Finding, finding
@@ -65,19 +65,19 @@ def read_log(file: str | Path, setup: Setup) -> tuple[dict[str, AxisLog], list[F
     record = read_record(file)
     names = {channel.name.lower(): channel.name for channel in record.channels}
     numbered = {column: str(k + 1) for k, column in enumerate(sampler_columns(setup))} if record.format == "halsampler" else {}
-    columns, findings, outputs = [], list[Finding](), {}
+    columns, findings, recorded = [], list[Finding](), list[AxisSetup]()
     for axis in setup.axes:
         place = f"axis {axis.name}"
-        chosen = {signal: _column(names, numbered, axis, signal) for signal in ("cmd", "fb", "out", "load")}
-        if chosen["cmd"] is None or chosen["fb"] is None:
-            missing = "command" if chosen["cmd"] is None else "position"
+        chosen = {signal: _column(names, numbered, axis, signal) for signal in (*SIGNALS, "load")}
+        if chosen["command"] is None or chosen["feedback"] is None:
+            missing = "command" if chosen["command"] is None else "position"
             findings.append(finding("CL870", place, signal=missing, log=record.file.name))
             continue
-        outputs[axis.name] = chosen["out"]
-        for signal, kind in (("cmd", "reference"), ("fb", "position"), ("load", "axis_position"), ("out", "command")):
+        recorded.append(axis)
+        for signal, kind in (("command", "reference"), ("feedback", "position"), ("load", "axis_position"), ("output", "command")):
             name = chosen[signal]
             if name is not None:
-                unit = "" if signal == "out" or _unit(record, name) else setup.unit_name
+                unit = "" if signal == "output" or _unit(record, name) else setup.unit_name
                 columns.append(Column(kind, axis.name, name, unit))
     if not columns:
         wanted = ", ".join(sampler_columns(setup))
@@ -89,11 +89,10 @@ def read_log(file: str | Path, setup: Setup) -> tuple[dict[str, AxisLog], list[F
     if abs(period / setup.period - 1.0) > 0.01:
         findings.append(finding("CL871", record.file.name, period=period, ini=setup.period))
     logs = {}
-    for axis in setup.axes:
-        if axis.name in outputs:
-            column = log.result.axes.index(axis.name)
-            signals = {name: np.asarray(log.result[name][:, column]) for name in log.result.signals}
-            logs[axis.name] = _axis_log(axis, signals, record.file.name, period, setup.unit, findings)
+    for axis in recorded:
+        column = log.result.axes.index(axis.name)
+        signals = {name: np.asarray(log.result[name][:, column]) for name in log.result.signals}
+        logs[axis.name] = _axis_log(axis, signals, record.file.name, period, setup.unit, findings)
     return logs, findings
 
 
@@ -104,15 +103,16 @@ def _unit(record: Record, name: str) -> str:
 def _column(names: Mapping[str, str], numbered: Mapping[str, str], axis: AxisSetup, signal: str) -> str | None:
     """Return the column of a signal of an axis, by its usual names, its pin, or its HAL signal."""
     a, joint = axis.name, axis.joint
+    if numbered:
+        return numbered.get(f"{a}{SIGNALS[signal]}") if signal in SIGNALS else None
     usual = {
-        "cmd": (f"{a}_cmd", f"{a}-cmd", f"joint.{joint}.motor-pos-cmd", f"{axis.pid}.command", axis.signals["command"]),
-        "fb": (a, f"{a}_fb", f"{a}-fb", f"joint.{joint}.motor-pos-fb", f"{axis.pid}.feedback", axis.signals["feedback"]),
-        "out": (f"{a}_out", f"{a}-out", f"{axis.pid}.output", axis.signals["output"]),
+        "command": (f"{a}_cmd", f"{a}-cmd", f"joint.{joint}.motor-pos-cmd"),
+        "feedback": (a, f"{a}_fb", f"{a}-fb", f"joint.{joint}.motor-pos-fb"),
+        "output": (f"{a}_out", f"{a}-out"),
         "load": (f"{a}_load", f"{a}-load"),
     }
-    if numbered:
-        return numbered.get({"cmd": f"{a}_cmd", "fb": a, "out": f"{a}_out"}.get(signal, ""))
-    return next((names[name.lower()] for name in usual[signal] if name.lower() in names), None)
+    wired = (f"{axis.pid}.{signal}", axis.signals.get(signal, ""))
+    return next((names[name.lower()] for name in (*usual[signal], *wired) if name.lower() in names), None)
 
 
 def _axis_log(axis: AxisSetup, signals: Mapping[str, Array], source: str, period: float, unit: float, findings: list[Finding]) -> AxisLog:

@@ -17,6 +17,7 @@ from contourlab.features.commission.hal_files import AxisSetup, Setup
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.rendering.style import scheme_style
+from contourlab.rendering.table import Column, Table
 
 CSS = """
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 56rem; margin: 2rem auto; padding: 0 1rem; color: #1c2733 }
@@ -40,36 +41,26 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
     gains : mapping of str to mapping of str to float
         By axis and HAL's name, in machine units. A gain that the files do not set is added only if it is not zero.
     """
-    files = {setup.hal: setup.hal.read_text(encoding="utf-8", errors="replace").splitlines(keepends=True)}
-    before = {file: list(lines) for file, lines in files.items()}
-    added: dict[Path, dict[int, list[str]]] = {}
+    lines = {file: _lines(file) for file in (setup.hal, *(place.file for axis in setup.axes for place in axis.places.values()))}
+    added: dict[int, list[str]] = {}
     for axis in setup.axes:
         for name, value in gains.get(axis.name, {}).items():
             entry = axis.places.get(name)
-            if entry is None:
-                if value:
-                    added.setdefault(setup.hal, {}).setdefault(axis.last, []).append(f"setp {axis.pid}.{name} {text_of(value)}\n")
-                continue
-            if entry.file not in files:
-                files[entry.file] = entry.file.read_text(encoding="utf-8", errors="replace").splitlines(keepends=True)
-                before[entry.file] = list(files[entry.file])
-            line = files[entry.file][entry.line - 1]
-            if float(entry.value) != value:
-                files[entry.file][entry.line - 1] = _replaced(line, entry.value, text_of(value))
-    for file, by_line in added.items():
-        for number in sorted(by_line, reverse=True):
-            at = number or len(files[file])
-            if at and not files[file][at - 1].endswith("\n"):
-                files[file][at - 1] += "\n"
-            files[file][at:at] = by_line[number]
-    diffs = (difflib.unified_diff(before[file], lines, f"a/{file.name}", f"b/{file.name}") for file, lines in files.items())
-    return "".join(line if line.endswith("\n") else line + "\n" for diff in diffs for line in diff)
+            if entry is not None and float(entry.value) != value:
+                line = lines[entry.file][entry.line - 1]
+                head, rest = re.match(r"([^=#]*=\s*|\s*setp\s+\S+\s+)(.*)", line, re.DOTALL).groups()  # type: ignore[union-attr]
+                lines[entry.file][entry.line - 1] = head + rest.replace(entry.value, text_of(value), 1)
+            elif entry is None and value:
+                added.setdefault(axis.last or len(lines[setup.hal]), []).append(f"setp {axis.pid}.{name} {text_of(value)}\n")
+    for number in sorted(added, reverse=True):
+        lines[setup.hal][number:number] = added[number]
+    diffs = (difflib.unified_diff(_lines(file), new, f"a/{file.name}", f"b/{file.name}") for file, new in lines.items())
+    return "".join(line for diff in diffs for line in diff)
 
 
-def _replaced(line: str, old: str, new: str) -> str:
-    """Replace the value of a ``setp`` line or of a key of an INI file; comments stay."""
-    head, mark, rest = re.match(r"([^=#]*=\s*|\s*setp\s+\S+\s+)()(.*)", line, re.DOTALL).groups()  # type: ignore[union-attr]
-    return head + mark + rest.replace(old, new, 1)
+def _lines(file: Path) -> list[str]:
+    """Return the lines of a file, each with its end."""
+    return [f"{line}\n" for line in file.read_text(encoding="utf-8", errors="replace").splitlines()]
 
 
 def circle_png(radius: float, errors: Mapping[str, tuple[Array, Array]]) -> bytes:
@@ -96,6 +87,7 @@ def circle_png(radius: float, errors: Mapping[str, tuple[Array, Array]]) -> byte
             place.plot(np.cos(turn), np.sin(turn), color="#8a949e", linewidth=0.8)
             place.plot(drawn * np.cos(angle), drawn * np.sin(angle), color=scheme_style(i, 2)[0], linewidth=1.1)
             place.set_aspect("equal")
+            place.spines[:].set_visible(False)
             place.set(xticks=[], yticks=[], title=f"{name}: at most {figure(largest, 'um')}", xlim=(-1.35, 1.35), ylim=(-1.35, 1.35))
             place.set_xlabel(f"radius {figure(radius, 'mm')}, errors x {figure(0.25 * radius / largest)}")
         buffer = io.BytesIO()
@@ -103,43 +95,37 @@ def circle_png(radius: float, errors: Mapping[str, tuple[Array, Array]]) -> byte
     return buffer.getvalue()
 
 
-def gain_table(axes: tuple[AxisSetup, ...], columns: Mapping[str, Mapping[str, Mapping[str, float]]]) -> list[list[str]]:
-    """Return rows of axis, gain, and its value in each column; gains that are zero everywhere are left out."""
-    rows = []
+def gain_table(axes: tuple[AxisSetup, ...], columns: Mapping[str, Mapping[str, Mapping[str, float]]]) -> Table:
+    """Return a table of axis, gain, and its value in each column; gains that are zero everywhere are left out."""
+    table = Table([Column("gain", left=True), *map(Column, columns)])
     for axis in axes:
         for name in axis.gains:
             values = [gains[axis.name][name] for gains in columns.values() if axis.name in gains]
             if len(values) == len(columns) and any(values):
-                rows.append([f"{axis.name} {name}", *(text_of(value) for value in values)])
-    return rows
+                table.add(f"{axis.name} {name}", *map(text_of, values))
+    return table
 
 
 def page(
-    title: str,
-    answer: Sequence[str],
-    rows: list[list[str]],
-    heads: list[str],
-    diff: str,
-    picture: bytes | None,
-    findings: Sequence[Finding],
+    title: str, answer: Sequence[str], tables: Mapping[str, Table], diff: str, picture: bytes | None, findings: Sequence[Finding]
 ) -> str:
     """Return the report as one HTML page."""
-    table = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
-    head = "".join(f"<th>{escape(cell)}</th>" for cell in heads)
-    data = "" if picture is None else base64.b64encode(picture).decode()
-    image = f'<img alt="circle before and after" src="data:image/png;base64,{data}">' if data else ""
+    parts = [f"<p><b>{escape(line)}</b></p>" for line in answer]
+    for head, table in tables.items():
+        cells = "".join(f"<th>{escape(column.head)}</th>" for column in table.columns)
+        rows = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in table.rows)
+        parts.append(f"<h2>{escape(head)}</h2><table><tr>{cells}</tr>{rows}</table>")
+    if tables:
+        parts.append("<p>Type in the safe values first, run the program, then the proposed ones.</p>")
+    if picture is not None:
+        data = base64.b64encode(picture).decode()
+        parts.append(f'<h2>Circle, simulated at the motors</h2><img alt="circle before and after" src="data:image/png;base64,{data}">')
+    if diff:
+        parts.append(f"<h2>Changes</h2><pre>{escape(diff)}</pre>")
     remarks = "".join(
         f"<li><b>{escape(str(one))}</b> {escape(one.entry.meaning)} {escape(one.entry.remedy)}</li>"
         for one in sorted(findings, key=lambda one: ("error", "warning", "info").index(one.entry.severity))
     )
-    parts = [f"<p><b>{escape(line)}</b></p>" for line in answer]
-    if rows:
-        parts += [f"<h2>Gains</h2><table><tr>{head}</tr>{table}</table>"]
-        parts += ["<p>Type in the safe values first, run the program, then the proposed ones.</p>"]
-    if image:
-        parts += [f"<h2>Circle, simulated at the motors</h2>{image}"]
-    if diff:
-        parts += [f"<h2>Changes</h2><pre>{escape(diff)}</pre>"]
-    parts += [f"<h2>What to look at</h2><ul>{remarks}</ul>"]
+    parts.append(f"<h2>What to look at</h2><ul>{remarks}</ul>")
     head_text = f'<meta charset="utf-8"><title>{escape(title)}</title><style>{CSS}</style>'
     return f'<!doctype html><html lang="en"><head>{head_text}</head><body><h1>{escape(title)}</h1>{"".join(parts)}</body></html>\n'

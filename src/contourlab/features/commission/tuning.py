@@ -8,11 +8,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from contourlab.analysis.linear.margins import Margins
 from contourlab.arrays import Array
 from contourlab.design import search
 from contourlab.errors import ParameterError
-from contourlab.features.commission.loop import GAINS, ROBUST, AxisModel, Law, keep_margins, loop_margins, run_lanes
+from contourlab.features.commission.loop import GAINS, ROBUST, AxisModel, Law, keep_margins, run_lanes
 
 UNSEEN = 1.0
 """Delay in periods, beyond that of the model, with which the margins must hold: a log of slow motion does not show the current loop."""
@@ -119,9 +118,6 @@ class TunedAxis:
     ----------
     gains : ndarray (7,)
         In the order of `loop.GAINS`, per metre.
-    method : str
-        "sequential" or "global".
-    margins : Margins
     largest : float [m]
         Largest error on the commands.
     spread : float [m]
@@ -129,8 +125,6 @@ class TunedAxis:
     """
 
     gains: Array
-    method: str
-    margins: Margins
     largest: float
     spread: float
 
@@ -172,15 +166,12 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
 
     start, value = _placed(objective)
     start, value = _sequential(objective, start, value)
-    found = search(objective, np.vstack([start, _drawn(STARTS - 1, seed)]), budget=BUDGET, seed=seed, population=32)
-    method, point = ("global", found.point) if found.value < value else ("sequential", start)
+    starts = np.vstack([start, 0.25 + 0.5 * np.random.default_rng(seed).random((STARTS - 1, len(BOX)))])
+    optimum = search(objective, starts, budget=BUDGET, seed=seed, population=32)
+    point = optimum.point if optimum.value < value else start
     gains = np.array([float(f"{unit * gain:.4g}") / unit for gain in task.gains(point[None])[0]])
     spread = max(task.largest(gains, factor) for factor in ROBUST)
-    return TunedAxis(gains, method, loop_margins(gains, task.slower, task.law.period), task.largest(gains), spread)
-
-
-def _drawn(count: int, seed: int) -> Array:
-    return 0.25 + 0.5 * np.random.default_rng(seed).random((count, len(BOX)))
+    return TunedAxis(gains, task.largest(gains), spread)
 
 
 def _placed(objective: Callable[[Array], Array]) -> tuple[Array, float]:

@@ -1,15 +1,19 @@
 """From files and a log to gains; and logs that are not what they should be."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
 import made_commission as bench
 import numpy as np
 import pytest
+from made_two_masses import TwoMasses
 
 from contourlab.app.json_values import json_values
+from contourlab.errors import ParameterError
 from contourlab.features.commission.command import Commissioned, commission, prepare
 from contourlab.features.commission.hal_files import read_setup
+from contourlab.features.commission.tuning import TunedAxis
 
 Rows = dict[str, np.ndarray]
 
@@ -22,7 +26,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> bench.Made:
 @pytest.fixture(scope="module")
 def answered(made: bench.Made, tmp_path_factory: pytest.TempPathFactory) -> tuple[Commissioned, Path]:
     folder = tmp_path_factory.mktemp("answer")
-    return commission(made.ini, made.hal, [made.log(folder / "log1.csv")], folder / "out"), folder / "out"
+    return commission(made.ini, made.hal, [made.log(folder / "log1.csv")], folder / "out", control="twincat"), folder / "out"
 
 
 def test_first_call_writes_what_to_run(made: bench.Made, tmp_path: Path) -> None:
@@ -48,9 +52,9 @@ def test_axes_are_recovered(answered: tuple[Commissioned, Path], axis: str) -> N
 def test_gains_do_what_is_predicted(made: bench.Made, answered: tuple[Commissioned, Path]) -> None:
     result = answered[0]
     assert result.passed
-    setup = read_setup(made.ini, made.hal)
+    setup = made.setup
     for factor, limit in ((1.0, 2.0), (0.75, 40.0), (1.25, 40.0)):
-        rows = bench.simulated(setup, made.ini.parent / "excite.ngc", result.pid, factor)
+        rows = bench.simulated(setup, made.program, result.pid, factor)
         for axis in "xy":
             reached = 1e3 * np.abs(rows[f"{axis}_cmd [mm]"] - rows[f"{axis} [mm]"]).max()
             assert reached < limit * result.predicted[axis].after
@@ -88,6 +92,10 @@ def test_json_has_gains_and_prediction(answered: tuple[Commissioned, Path]) -> N
     assert values["predicted"]["y"]["before"] > 10.0 * values["predicted"]["y"]["after"] > 0.0
     assert {"CL890", "CL892"} <= {one["code"] for one in values["findings"]}
     assert "largest error" in values["answer"][0]
+    kv = values["terms"][0]
+    assert (kv["name"], kv["unit"], kv["maps"]) == ("Position control: Proportional Factor Kv", "1/s", "exact")
+    gains, model = values["pid"]["x"], bench.MODELS["x"]
+    assert kv["values"]["x"] == pytest.approx(gains["Pgain"] / (gains["Dgain"] + 1e-3 * model.damping / model.gain), rel=0.02)
 
 
 def test_safe_values_lie_half_way(answered: tuple[Commissioned, Path]) -> None:
@@ -137,11 +145,19 @@ DOCTORED: list[tuple[str, Callable[[Rows], Rows]]] = [
 ]
 
 
+@pytest.fixture
+def untuned(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Leave out the search."""
+
+    def tune(task: object, **settings: object) -> None:
+        raise ParameterError("margins", "none", "searched")
+
+    monkeypatch.setattr("contourlab.features.commission.command.tune_axis", tune)
+
+
+@pytest.mark.usefixtures("untuned")
 @pytest.mark.parametrize(("code", "doctor"), DOCTORED, ids=[f"{code}-{k}" for k, (code, _) in enumerate(DOCTORED)])
-def test_doctored_logs_are_named(
-    made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, code: str, doctor: Callable[[Rows], Rows]
-) -> None:
-    monkeypatch.setattr("contourlab.features.commission.tuning.BUDGET", 32)
+def test_doctored_logs_are_named(made: bench.Made, tmp_path: Path, code: str, doctor: Callable[[Rows], Rows]) -> None:
     log = made.log(tmp_path / "log.csv", doctor(made.rows))
     result = commission(made.ini, made.hal, [log], tmp_path / "out")
     assert code in {one.code for one in result.findings}
@@ -163,9 +179,118 @@ def test_a_wrong_period_in_the_ini_file_shows_in_a_log_without_times(made: bench
 
 
 def test_noise_is_named(made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(bench, "NOISE", 5e-6)
     monkeypatch.setattr("contourlab.features.commission.tuning.BUDGET", 32)
-    setup = read_setup(made.ini, made.hal)
-    log = made.log(tmp_path / "log.csv", bench.simulated(setup, made.ini.parent / "excite.ngc"))
+    log = made.log(tmp_path / "log.csv", bench.simulated(made.setup, made.program, noise=5e-6, axes="x"))
     result = commission(made.ini, made.hal, [log], tmp_path / "out")
-    assert "CL891" in {one.code for one in result.findings}
+    assert "CL891" in codes(result)
+
+
+# --- machines and files that are not what they should be ------------------------------------------------------------------------------
+
+
+def codes(result: Commissioned, axis: str = "axis x") -> set[str]:
+    return {one.code for one in result.findings if one.place == axis}
+
+
+def with_ini(made: bench.Made, folder: Path, **changes: str) -> Path:
+    """Return a copy of the INI file with keys of the first joint changed or added."""
+    head, joint = made.ini.read_text().split("[JOINT_0]\n")
+    for key, value in changes.items():
+        joint, count = re.subn(rf"(?m)^{key} = .*$", f"{key} = {value}", joint, count=1)
+        joint = joint if count else f"{key} = {value}\n{joint}"
+    file = folder / "rig.ini"
+    file.write_text(f"{head}[JOINT_0]\n{joint}")
+    return file
+
+
+def without_output(rows: Rows) -> Rows:
+    return {name: values for name, values in rows.items() if "out" not in name}
+
+
+@pytest.mark.usefixtures("untuned")
+@pytest.mark.parametrize(
+    ("code", "changes", "doctor"),
+    [
+        ("CL879", {"P": "0", "I": "0", "FF1": "0"}, dict),
+        ("CL884", {"P": "1.1"}, dict),
+        ("CL887", {"P": "-0.8", "I": "-0.5", "FF1": "-0.015"}, without_output),
+        ("CL899", {"BACKLASH": "0.02"}, dict),
+    ],
+)
+def test_files_that_do_not_fit_the_log_are_named(
+    made: bench.Made, tmp_path: Path, code: str, changes: dict[str, str], doctor: Callable[[Rows], Rows]
+) -> None:
+    log = made.log(tmp_path / "log.csv", doctor(made.rows))
+    result = commission(with_ini(made, tmp_path, **changes), made.hal, [log], tmp_path / "out")
+    assert code in codes(result)
+    assert code not in codes(result, "axis y")
+
+
+def wavy(n: int, amplitude: float, frequency: float, start: float) -> np.ndarray:
+    """Return a sine [m] from a share of the record on."""
+    time = bench.PERIOD * np.arange(n)
+    return amplitude * np.sin(2.0 * np.pi * frequency * time) * (time >= start * time[-1])
+
+
+@pytest.mark.usefixtures("untuned")
+@pytest.mark.parametrize(
+    ("code", "wave", "delay"),
+    [("CL888", (2e-4, 7.0, 0.0), 0.0), ("CL889", (5e-3, 2.0, 0.9), 0.0), ("CL896", (0.0, 1.0, 0.0), 2.4e-3)],
+)
+def test_an_axis_unlike_its_model_is_named(
+    made: bench.Made, tmp_path: Path, code: str, wave: tuple[float, float, float], delay: float
+) -> None:
+    n = made.rows["time [s]"].size
+    rows = bench.simulated(made.setup, made.program, noise=wavy(n, *wave), axes="x", delay=delay)
+    result = commission(made.ini, made.hal, [made.log(tmp_path / "log.csv", rows)], tmp_path / "out")
+    assert code in codes(result)
+
+
+def test_no_gains_within_the_margins(made: bench.Made, tmp_path: Path) -> None:
+    log = made.log(tmp_path / "log.csv", {name: values for name, values in made.rows.items() if not name.startswith("y")})
+    result = commission(made.ini, made.hal, [log], tmp_path / "out", margins=(80.0, 30.0))
+    assert "CL897" in codes(result)
+    assert result.pid["x"]["Pgain"] == 0.8
+
+
+def test_gains_that_depend_on_the_axis_are_named(made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    tuned = TunedAxis(np.full(7, 1e3), 2e-6, 2e-3)
+    monkeypatch.setattr("contourlab.features.commission.command.tune_axis", lambda task, **settings: tuned)
+    log = made.log(tmp_path / "log.csv", {name: values for name, values in made.rows.items() if not name.startswith("y")})
+    result = commission(made.ini, made.hal, [log], tmp_path / "out")
+    assert "CL898" in codes(result)
+    assert result.predicted["x"].spread == pytest.approx(2000.0)
+
+
+# --- what a motor shows of the load ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("untuned")
+@pytest.mark.parametrize(
+    ("plant", "code"),
+    [
+        (TwoMasses(frequency=60.0), "CL895"),
+        (TwoMasses(frequency=200.0, play=20e-6), "CL862"),
+        (TwoMasses(frequency=200.0, play=50e-6, frictions=(0.02, 0.006)), "CL862"),
+        (TwoMasses(frequency=200.0, play=20e-6, frictions=(0.03, 3e-4)), "CL893"),
+    ],
+)
+def test_resonance_and_play_are_seen_from_the_motor(made: bench.Made, tmp_path: Path, plant: TwoMasses, code: str) -> None:
+    command, axis = 1e-3 * made.rows["x_cmd [mm]"], made.setup.axes[0]
+    noise = np.random.default_rng(1).uniform(-bench.NOISE, bench.NOISE, command.size)
+    position, output = plant.measured(command, axis.gains, bench.PERIOD, noise)
+    rows = {"time [s]": made.rows["time [s]"], "x_cmd [mm]": 1e3 * command, "x [mm]": 1e3 * position, "x_out": output}
+    result = commission(made.ini, made.hal, [made.log(tmp_path / "log.csv", rows)], tmp_path / "out")
+    values = next(one.values for one in result.findings if one.code == code)
+    model = result.models["x"]
+    assert model.model.gain == pytest.approx(plant.gain, rel=0.02)
+    if code == "CL895":
+        assert values["frequency"] == model.model.resonance == pytest.approx(plant.frequency, rel=0.03)
+        assert 0.0 < values["deviation"] < 0.02 * plant.frequency
+        assert model.model.share == pytest.approx(1.0, rel=0.1)
+    elif code == "CL862":
+        assert model.play == pytest.approx(plant.play, abs=4.0 * model.play_deviation)
+        assert 0.0 < model.play_deviation < 0.1 * plant.play
+    else:
+        assert np.isnan(model.play)

@@ -35,7 +35,7 @@ def test_gains_come_from_the_ini_file_and_keep_their_places(tmp_path: Path) -> N
     assert x.gains == {"Pgain": 0.8, "Igain": 0.5, "Dgain": 0.0, "FF0": 0.0, "FF1": 0.015, "FF2": 0.0, "FF3": 0.0}
     assert x.limits == {"velocity": 200.0, "acceleration": 1000.0, "low": -200.0, "high": 200.0}
     assert x.places["Pgain"].file == setup.ini.file
-    assert setup.ini.text.splitlines()[x.places["Pgain"].line - 1] == "P = 0.8"
+    assert setup.ini.file.read_text().splitlines()[x.places["Pgain"].line - 1] == "P = 0.8"
     assert x.signals == {"command": "x-cmd", "feedback": "x-fb", "output": "x-out"}
     assert (setup.unit, setup.period, x.always_enabled) == (1e-3, 1e-3, False)
     assert [(one.code, one.place) for one in setup.findings] == [("CL852", "axis z")]

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from contourlab.analysis.linear.margins import Margins, margins
 from contourlab.features.commission.loop import (
     GAINS,
     AxisModel,
@@ -12,7 +13,7 @@ from contourlab.features.commission.loop import (
     driven,
     keep_margins,
     law_output,
-    loop_margins,
+    loop_gain,
     robustly_stable,
     run_lanes,
 )
@@ -61,9 +62,37 @@ def test_output_limit_holds() -> None:
     assert run.limited[0] > 0.1
 
 
+def loop_margins(model: AxisModel) -> Margins:
+    w = np.geomspace(1e-3, 1.0, 4000) * np.pi / PERIOD
+    return margins(lambda w: loop_gain(ROW[None], model, PERIOD, np.exp(1j * w * PERIOD))[0], w, stable=True)
+
+
+def test_a_resonance_is_in_run_and_stability_alike() -> None:
+    ringing = replace(AXIS, resonance=70.0, damping_ratio=0.01, share=0.5)
+    limit = next(k for k in np.geomspace(0.05, 5.0, 200) if not robustly_stable(k * ROW, replace(ringing, gain=AXIS.gain), PERIOD))
+    assert limit < 0.7 * next(k for k in np.geomspace(0.05, 5.0, 200) if not robustly_stable(k * ROW, AXIS, PERIOD))
+    kick = np.r_[0.0, np.full(20000, 1e-3)]
+    for share, stays in ((0.94, True), (1.06, False)):
+        # Stable means stable with a quarter more gain.
+        row = share * limit * np.where(np.arange(7) < 3, ROW, 0.0)
+        worst = max(
+            run_lanes(kick, np.zeros(kick.size), row[None], [replace(ringing, gain=k * AXIS.gain)], Law(PERIOD, False)).largest[0]
+            for k in (0.75, 1.0, 1.25)
+        )
+        assert bool(worst < 0.02) is stays
+
+
+def test_resonance_has_its_closed_form() -> None:
+    ringing = replace(AXIS, damping=0.0, resonance=40.0, damping_ratio=0.05, share=0.7)
+    n, u, w = np.arange(800), 0.1, 2.0 * np.pi * 40.0
+    time, damped = PERIOD * n, w * np.sqrt(1.0 - 0.05**2)
+    swing = 1.0 - np.exp(-0.05 * w * time) * (np.cos(damped * time) + 0.05 * w / damped * np.sin(damped * time))
+    expected = AXIS.gain * u * (0.5 * time**2 + 0.7 / w**2 * swing)
+    assert driven(np.full(n.size, u), ringing, PERIOD) == pytest.approx(expected, rel=1e-5, abs=1e-12)
+
+
 def test_margins_are_where_the_loop_becomes_unstable() -> None:
-    found = loop_margins(ROW, AXIS, PERIOD)
-    assert found.stable
+    found = loop_margins(AXIS)
     unforced = np.where(np.arange(7) < 3, ROW, 0.0)
     for share, stays in ((0.97, True), (1.03, False)):
         model = replace(AXIS, gain=share * found.gain * AXIS.gain)
@@ -77,7 +106,7 @@ def test_margins_are_where_the_loop_becomes_unstable() -> None:
 
 
 def test_stability_with_another_gain() -> None:
-    limit = loop_margins(ROW, AXIS, PERIOD).gain
+    limit = loop_margins(AXIS).gain
     assert robustly_stable(ROW, replace(AXIS, gain=0.79 * limit * AXIS.gain), PERIOD)
     assert not robustly_stable(ROW, replace(AXIS, gain=0.81 * limit * AXIS.gain), PERIOD)
 

@@ -1,0 +1,86 @@
+"""A log of a motor and a load with play and an elastic shaft between them, simulated without the model that `commission` fits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from contourlab.arrays import Array
+from contourlab.native.kernel import kernel
+
+SUBSTEPS = 50
+
+
+@dataclass(frozen=True)
+class TwoMasses:
+    """Motor and load; masses are over the moved mass, forces over it in m/s^2.
+
+    Attributes
+    ----------
+    gain : float [m/s^2 per unit of output]
+    damping : float [1/s]
+        At the motor.
+    load : float
+        Mass of the load; the motor has the rest of 1.
+    frequency : float [Hz]
+        Resonance without play.
+    damping_ratio : float
+    frictions : tuple of float [m/s^2]
+        At motor and load.
+    play : float [m]
+    """
+
+    gain: float = 2.0
+    damping: float = 25.0
+    load: float = 0.5
+    frequency: float = 60.0
+    damping_ratio: float = 0.03
+    frictions: tuple[float, float] = (0.01, 0.02)
+    play: float = 0.0
+
+    def measured(self, command: Array, gains: dict[str, float], period: float, noise: Array) -> tuple[Array, Array]:
+        """Return motor position (n,) [m] and output (n,) under HAL's pid, with gains per mm."""
+        motor, reduced = 1.0 - self.load, (1.0 - self.load) * self.load
+        w = 2.0 * np.pi * self.frequency
+        parts = [self.gain, self.damping, motor, self.load, reduced * w**2, 2.0 * self.damping_ratio * reduced * w, self.play]
+        law = [1e3 * gains[name] for name in ("Pgain", "Igain", "Dgain", "FF1", "FF2")]
+        out = np.zeros((command.size, 2))
+        _run(command, noise, np.array([*parts, *self.frictions]), np.array([*law, period]), out)
+        return out[:, 0], out[:, 1]
+
+
+def _rubbed(v: float, force: float, mass: float, friction: float, h: float) -> float:
+    """Return the velocity after a step with Coulomb friction."""
+    if v == 0.0:
+        if abs(force) <= friction:
+            return 0.0
+        return h * (force - (friction if force > 0.0 else -friction)) / mass
+    after = v + h * (force - (friction if v > 0.0 else -friction)) / mass
+    return 0.0 if after * v < 0.0 else after
+
+
+@kernel("f8[:] f8[:] f8[:] f8[:] f8[:,:]")
+def _run(command: Array, noise: Array, axis: Array, law: Array, out: Array) -> None:
+    gain, damping, motor, load, stiffness, shaft, play = axis[0], axis[1], axis[2], axis[3], axis[4], axis[5], axis[6]
+    period, summed = law[5], 0.0
+    h = period / SUBSTEPS
+    x, v, y, w = command[0], 0.0, command[0], 0.0
+    last, rate, back = command[0], 0.0, command[0]
+    for k in range(command.size):
+        seen = x + noise[k]
+        error = last - seen
+        summed += error * period
+        now = (command[k] - last) / period
+        u = law[0] * error + law[1] * summed + law[2] * (now - (seen - back) / period) + law[3] * now + law[4] * (now - rate) / period
+        out[k, 0], out[k, 1] = seen, u
+        last, rate, back = command[k], now, seen
+        for _ in range(SUBSTEPS):
+            bent = x - y
+            force = 0.0
+            if abs(bent) >= 0.5 * play:
+                force = stiffness * (bent - (0.5 * play if bent > 0.0 else -0.5 * play)) + shaft * (v - w)
+            v = _rubbed(v, gain * u - damping * v - force, motor, axis[7], h)
+            w = _rubbed(w, force, load, axis[8], h)
+            x += h * v
+            y += h * w
