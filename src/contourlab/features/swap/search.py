@@ -84,7 +84,7 @@ def restarted(
 def _gained(found: Found) -> float:
     """Return by how much the second half of a search lowered its objective."""
     runs, values = found.course.T
-    return float(values[runs <= 0.5 * runs[-1]].min() - found.value)
+    return float(values[runs <= max(0.5 * runs[-1], runs[0])].min() - found.value)
 
 
 # --- designs -----------------------------------------------------------------------------------------------------------------------------

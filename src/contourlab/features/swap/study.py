@@ -222,7 +222,7 @@ def _search_sets(search: SwapSearch, candidates: tuple[str, ...]) -> None:
 
 
 def _search_quickly(search: SwapSearch, candidates: tuple[str, ...]) -> float:
-    """Search the shared design; refine it if it is too close to tell, or find local parameters if it is not enough.
+    """Search the shared design, refine it if it is too close to tell, and find local parameters if it is not enough.
 
     Return the uncertainty of its loss: `SCATTER`, and the most that the last doubling of the budget gained, for J* of a variant (the loss
     may be larger) or for the shared design (it may be smaller).
@@ -239,8 +239,10 @@ def _search_quickly(search: SwapSearch, candidates: tuple[str, ...]) -> float:
         search.all_optima()
         refined = search.swap_loss(search.search_set(()))
         gained = np.append(variants.losses(best), abs(loss - refined))
-    elif loss > settings.full and candidates:
-        search.settings = replace(settings, budget=max(3 * settings.budget // len(settings.local or candidates), 1))
+        loss = refined
+    if loss > settings.full + uncertainty() and candidates:
+        # The budget of one search serves all sets: they start from designs that are nearly optimal.
+        search.settings = replace(settings, budget=max(settings.budget // len(settings.local or candidates), 1))
         _search_sets(search, candidates)
     search.propagate_best()
     return uncertainty()
