@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from contourlab.app import quick
 from contourlab.cli.main import main
 from contourlab.scenario import builtin_file, dump, load_scenario
 
@@ -75,6 +76,21 @@ def test_gap_and_cure_of_a_loose_stage(written: Callable[..., str], capsys: pyte
     trials = {trial["name"]: trial["part_error_rms"] for trial in found["trials"]}
     assert found["recommended"] in trials
     assert trials[found["recommended"]] <= trials["as it is"]
+
+
+def test_a_quick_answer_follows_the_beginning_within_its_own_deviation(
+    written: Callable[..., str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = written(DRIVE.replace("8000 mm/min", "2000 mm/min"))
+    whole = json.loads(output(capsys, "backlash", file, "--json"))["schemes"]["base"]
+    monkeypatch.setattr(quick, "PLANNED", 0.5)
+    found = json.loads(output(capsys, "backlash", file, "--quick", "--json"))["schemes"]["base"]
+    assert "CL387" in {one["code"] for one in found["findings"]}
+    for axis in "xy":
+        few, all_samples = found["axes"][axis], whole["axes"][axis]
+        assert few["limit_cycles"] is None and few["describing_function"] == all_samples["describing_function"]
+        alone = few["from_motor_alone"]
+        assert abs(alone["gap"] - all_samples["from_motor_alone"]["gap"]) <= 2.0 * alone["deviation"]
 
 
 @pytest.mark.slow

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from typed_commands import contents
 
+from contourlab.app import quick
 from contourlab.app.results import LIST
 from contourlab.cli.main import main
 
@@ -102,13 +103,18 @@ def test_a_sweep_of_a_single_value_is_reported_too(circle: str, capsys: pytest.C
 
 def test_a_quick_limit_lies_around_that_of_the_whole_sweep(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     words = (circle, "--division", "observer", "--vary", "message-period,delay,loss", "--longest", "30 ms", "--seeds", "2", "--json")
-    quick, whole = scheme(capsys, *words, "--quick"), scheme(capsys, *words)
-    for few, all_values in zip(quick["divisions"], whole["divisions"], strict=True):
+    coarse, whole = scheme(capsys, *words, "--quick"), scheme(capsys, *words)
+    for few, all_values in zip(coarse["divisions"], whole["divisions"], strict=True):
         for quantity, sweep in all_values["sweeps"].items():
             found = few["sweeps"][quantity]
             assert found["most"] - 1e-9 <= sweep["most"] < found["fails"] and found["coarse"]
             assert len(found["values"]) < len(sweep["values"])
-    assert [one["code"] for one in quick["findings"]] == ["CL765"]
+    assert [one["code"] for one in coarse["findings"]] == ["CL765"]
+
+
+def test_a_scheme_that_does_not_fit_into_a_minute_is_refused(circle: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(quick, "PLANNED", 1e-3)
+    assert main(["link", circle, "--quick"]) == 2
 
 
 def test_if_nothing_holds_the_reason_is_reported(circle: str, capsys: pytest.CaptureFixture[str]) -> None:

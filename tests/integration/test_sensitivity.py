@@ -11,6 +11,8 @@ from typed_commands import CIRCLE, SCHEMES, Run, drag
 
 from contourlab.cli.main import main
 from contourlab.design import evaluator
+from contourlab.errors import ParameterError
+from contourlab.features.sensitivity.study import Plan
 
 TWO = ["--parameter", "3.model_gain", "--parameter", "3.velocity_gain=0.05 full_scale*s/mm..0.2 full_scale*s/mm"]
 SMALL = [*TWO, "--values", "9", "--base", "16", "--trajectories", "4"]
@@ -35,6 +37,18 @@ def test_a_quick_study_agrees_with_the_full_one_within_its_intervals(circle: Pat
     for part, name in (("sobol", "total"), ("sobol", "first"), ("morris", "mu_star")):
         for one, other, within in zip(quick[part][name], full[part][name], quick[part][f"{name}_interval"], strict=True):
             assert abs(one - other) < 1.5 * within
+
+
+def test_a_quick_study_takes_what_fits_and_refuses_what_does_not() -> None:
+    plan, n = Plan(), 21
+    least = plan.quick(n, 1e9)
+    assert (least.base, least.values, least.trajectories) == (128, 11, 16)
+    for fits in (6000.0, 4000.0, 2000.0):
+        taken = plan.quick(n, fits)
+        assert taken.runs(n) <= fits
+    assert plan.quick(n, 4000.0).parts == plan.parts and "local" not in plan.quick(n, 2000.0).parts
+    with pytest.raises(ParameterError):
+        plan.quick(n, 1000.0)
 
 
 def test_a_study_says_what_matters_and_keeps_its_runs(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -39,8 +39,8 @@ class LearningDesign:
         First zero of the average: frequencies below it are learned.
     worst_frequency : float [rad/s]
     worst_factor : float
-        Largest ``|1 - gamma H T|``. With a delay in the loop the sign is wrong at some frequencies above the first zero. Without a filter that
-        cuts them off, a factor slightly above 1 is the best possible.
+        Largest ``|1 - gamma H T|``. With a delay in the loop the sign is wrong at some frequencies above the first zero. Without a filter
+        that cuts them off, a factor slightly above 1 is the best possible.
     """
 
     gain: float

@@ -42,7 +42,7 @@ def link(
     seeds: Annotated[
         int | None, typer.Option(help="Runs with jitter or loss; the worst counts; by default 8.", show_default=False)
     ] = None,
-    quick: Annotated[bool, typer.Option("--quick", help="Test a few values of each quantity: a limit lies between two of them.")] = False,
+    quick: Annotated[bool, typer.Option("--quick", help="Answer within a minute: few values, a limit lies between two.")] = False,
     out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,

@@ -36,7 +36,7 @@ def sensitivity(
     transform: Annotated[str, typer.Option(help="log or none: whether morris and sobol use the logarithm of the figure.")] = "log",
     servo_period: Annotated[str, typer.Option(help='Servo period in place of the machine\'s, e.g. "0.1 ms".', show_default=False)] = "",
     quick: Annotated[
-        bool, typer.Option("--quick", help="A quarter of the runs, twice the uncertainty; sets --values, --base and --trajectories.")
+        bool, typer.Option("--quick", help="Answer within a minute, with wider intervals; sets --values, --base and --trajectories.")
     ] = False,
     judge: Judge = None,
     seed: Seed = 0,
@@ -51,12 +51,11 @@ def sensitivity(
     It keeps its runs in the folder of the results: after an interrupt repeat the command, and it continues.
     """
     from contourlab.features.sensitivity.command import Request, sensitivity_of
-    from contourlab.features.sensitivity.study import PARTS, QUICK, Plan
+    from contourlab.features.sensitivity.study import PARTS, Plan
 
-    if quick:
-        values, base, trajectories = QUICK
     plan = Plan(listed(parts) or PARTS, figure, values, base, second_order, trajectories, transform, seed)
-    request = Request(plan, scheme, tuple(parameter or ()), width, distribution, tuple(deviation or ()), servo_period, threads, judge)
+    given = (tuple(parameter or ()), width, distribution, tuple(deviation or ()), servo_period, threads, judge, quick)
+    request = Request(plan, scheme, *given)
     result = sensitivity_of(file, out, request, plugins=tuple(plugin or ()), plots=tuple(plots or ()), progress=wants_progress(as_json))
     if as_json:
         emit_json(result)

@@ -58,7 +58,7 @@ def swap(
         ),
     ] = None,
     budget: Annotated[int, typer.Option(help="Candidates of each search.")] = 8000,
-    quick: Annotated[bool, typer.Option("--quick", help="A quarter of the budget; states the uncertainty.")] = False,
+    quick: Annotated[bool, typer.Option("--quick", help="Answer within a minute, with its uncertainty.")] = False,
     seed: Seed = 0,
     threads: Threads = None,
     gain_margin: GainMargin = 6.0,

@@ -31,7 +31,7 @@ class BacklashOutcome:
 
 
 def backlash_scenario(
-    file: str | Path, *, schemes: Sequence[str] = (), plugins: Sequence[str | Path] = (), progress: bool = False
+    file: str | Path, *, schemes: Sequence[str] = (), plugins: Sequence[str | Path] = (), quick: bool = False, progress: bool = False
 ) -> BacklashOutcome:
     """Study the backlash of the schemes of a scenario.
 
@@ -43,6 +43,8 @@ def backlash_scenario(
         As in `contourlab.features.run.schemes.compare_schemes`; all by default.
     plugins : sequence of str or Path
         Python files with components.
+    quick : bool
+        Whether to answer within a minute; see `backlash_study`.
     progress : bool
         Whether to show a bar.
 
@@ -64,9 +66,9 @@ def backlash_scenario(
         for case in cases:
             stages.begin(f"planning {case.name}")
             reference = case.reference()
-            studies[case.name] = backlash_study(
-                case.name, case.machine, case.controller, reference, seed=case.seed, stage=stages.begin, progress=stages.advance
-            )
+            given = {"quick": 1.0 / len(cases) if quick else None, "stage": stages.begin, "progress": stages.advance}
+            study = backlash_study(case.name, case.machine, case.controller, reference, seed=case.seed, **given)  # type: ignore[arg-type]
+            studies[case.name] = study
     return outcome
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles
 from contourlab.analysis.backlash.lure import axis_backlash_loop
 from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit, find_orbits
+from contourlab.app.quick import affordable, beginning
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.plant.two_inertia import TwoInertia
@@ -30,6 +31,8 @@ from contourlab.units import from_si, to_si
 
 SIGNALS = ("reference", "arc_length", "axis_position", "axis_velocity", "tool_position", "motor_position", "applied_command")
 OBSERVED = ("gap_estimate", "gap_deviation", "gap_confidence")
+RUNS = 3
+"""Runs without a gap observer: as it is, and two compensations."""
 WORTH = 0.02
 """Smallest share of the error that a recommended compensation must remove."""
 
@@ -77,7 +80,7 @@ class AxisGap:
     describing_function : tuple of Cycle or None
         None for a loop that switches its controller or has no linear model.
     limit_cycles : tuple of Cycle or None
-        Exact, without friction.
+        Exact, without friction; None also in a quick study.
     feedback : str
         Feedback of the position loop.
     """
@@ -138,6 +141,7 @@ def backlash_study(
     reference: Reference,
     *,
     seed: int = 0,
+    quick: float | None = None,
     stage: Callable[[str], None] | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> BacklashStudy:
@@ -151,6 +155,9 @@ def backlash_study(
         See `contourlab.loop.simulate`.
     seed : int
         Seed of all noise.
+    quick : float, optional
+        Share of the time of a quick answer. The gap observers, and if need be all runs, then follow only the beginning of the motion, and
+        limit cycles come from the describing function alone.
     stage : callable, optional
         Called with the name of each stage.
     progress : callable, optional
@@ -165,9 +172,9 @@ def backlash_study(
     """
     begin = stage or (lambda title: None)
 
-    def run(tried: Controller, extra: tuple[str, ...] = ()) -> Result:
-        report = None if progress is None else lambda done: progress(done, reference.n_sample)
-        return simulate(machine, tried, reference, seed=seed, signals=(*SIGNALS, *extra), progress=report)
+    def run(tried: Controller, motion: Reference, extra: tuple[str, ...] = ()) -> Result:
+        report = None if progress is None else lambda done: progress(done, motion.n_sample)
+        return simulate(machine, tried, motion, seed=seed, signals=(*SIGNALS, *extra), progress=report)
 
     loose = loose_axes(machine)
     chains = [axis for axis in machine.axes if axis.plant.two_sided and not isinstance(axis.plant, TwoInertia)]
@@ -178,17 +185,23 @@ def backlash_study(
     begin(f"simulating {name} with gap observers")
     watched, refused = _watched(machine, controller, loose)
     observed = any(loop.gap_observer is not None for loop in watched.axes.values())
-    result = run(watched, OBSERVED if observed else ())
     findings = [finding("CL380", place=f"axis {axis}") for axis in refused]
+    part = reference
+    if quick is not None:
+        part = _fitting(watched, reference, run, 0.5 * quick)
+        reference = _fitting(controller, reference, run, 0.5 * quick / RUNS)
+        findings.append(finding("CL387", observed=part.n_sample * part.servo_period, run=reference.n_sample * reference.servo_period))
+    seen_alone = run(watched, part, OBSERVED if observed else ())
+    result = seen_alone if part.n_sample == reference.n_sample else run(controller, reference)
     axes = {}
     for axis in loose:
         begin(f"finding limit cycles of axis {axis.name}")
-        seen = observed and axis.name not in refused
-        axes[axis.name] = _axis_gap(machine, controller, axis, result, seen, findings)
+        alone = seen_alone if observed and axis.name not in refused else None
+        axes[axis.name] = _axis_gap(machine, controller, axis, result, alone, findings, exact=quick is None)
     judged = judge(result, reference)
     first = summarise(judged, reference).part_error
     begin(f"simulating {name} with compensations")
-    tried = in_threads(lambda one: _tried(*one, lambda: run(_with(controller, one[1])), reference), _candidates(machine, axes))
+    tried = in_threads(lambda one: _tried(*one, lambda: run(_with(controller, one[1]), reference), reference), _candidates(machine, axes))
     trials = [Trial("as it is", first.rms, first.max), *tried]
     best = min(trials, key=lambda trial: math.inf if trial.part_error_rms is None else trial.part_error_rms)
     if best.part_error_rms is None or best.part_error_rms > (1.0 - WORTH) * first.rms:
@@ -196,6 +209,12 @@ def backlash_study(
     findings += _conclusions(axes, [axis.name for axis in chains])
     snippet = _toml(best.parts, machine) if best.parts else None
     return BacklashStudy(axes, _on_circles(judged, reference, machine), tuple(trials), best.name, snippet, tuple(findings))
+
+
+def _fitting(controller: Controller, reference: Reference, run: Callable[[Controller, Reference], Result], share: float) -> Reference:
+    """Return the beginning of a motion that a run follows within a share of the time of a quick answer, or all of it."""
+    fits = share * affordable(lambda motion: run(controller, motion), reference, threads=1)
+    return beginning(reference, max(int(fits * reference.n_sample), 2))
 
 
 def loose_axes(machine: Machine) -> list[Axis]:
@@ -247,31 +266,34 @@ def _uses_load(loop: AxisController) -> bool:
     return bool(ports & {"load_position", "load_velocity", "gap_estimate"})
 
 
-def _axis_gap(machine: Machine, controller: Controller, axis: Axis, result: Result, observed: bool, findings: list[Finding]) -> AxisGap:
+def _axis_gap(
+    machine: Machine, controller: Controller, axis: Axis, result: Result, observed: Result | None, findings: list[Finding], *, exact: bool
+) -> AxisGap:
     place, j, plant = f"axis {axis.name}", machine.axis_names.index(axis.name), machine.loaded_plant(axis.name)
     assert isinstance(plant, TwoInertia)
     loop = controller.axes[axis.name]
     motor, load, velocity = (result[name][:, j] for name in ("motor_position", "axis_position", "axis_velocity"))
     gap = _gap_where_it_turns(plant, velocity, load)
-    pair = alone = predicted = exact = None
+    pair = alone = predicted = orbits = None
     try:
         friction, stiffness = _friction_of(axis, plant, velocity)
         seen = lost_motion_from_pair(motor, load, friction=friction, stiffness=stiffness)
         pair = FromPair(seen.lost_motion, seen.lost_motion_deviation, seen.gap)
     except ResultError as error:
         findings.append(finding("CL381", place=place, reason=str(error)))
-    if "gap_estimate" in result.signals and observed:
-        alone = FromMotor(*(float(result[name][-1, j]) for name in OBSERVED))
+    if observed is not None and "gap_estimate" in observed.signals:
+        alone = FromMotor(*(float(observed[name][-1, j]) for name in OBSERVED))
         if alone.confidence >= SURE and abs(alone.gap - gap) > max(3.0 * alone.deviation, 0.25 * gap):
             findings.append(finding("CL382", place=place, seen=alone.gap, gap=gap))
     try:
         model = axis_backlash_loop(axis, loop, machine.servo_period, machine.carried_mass(axis.name))
         prediction = predict_limit_cycles(model) if model.contact_a is None else None
         predicted = None if prediction is None else tuple(_cycle(cycle, cycle.validity) for cycle in prediction)
-        exact = tuple(_cycle(orbit) for orbit in find_orbits(model, prediction=prediction).orbits)
+        if exact:
+            orbits = tuple(_cycle(orbit) for orbit in find_orbits(model, prediction=prediction).orbits)
     except ComponentError as error:
         findings.append(finding("CL383", place=place, reason=str(error)))
-    return AxisGap(gap, lost_motion_of(axis), pair, alone, predicted, exact, loop.feedback)
+    return AxisGap(gap, lost_motion_of(axis), pair, alone, predicted, orbits, loop.feedback)
 
 
 def _friction_of(axis: Axis, plant: TwoInertia, velocity: Array) -> tuple[float, float]:
@@ -312,7 +334,8 @@ def _conclusions(axes: Mapping[str, AxisGap], others: list[str]) -> Iterator[Fin
     over_load = [axis for axis, gap in axes.items() if gap.feedback == "load"]
     if over_load:
         yield finding("CL385", axes=over_load)
-    hunting = [axis for axis, gap in axes.items() if gap.limit_cycles is not None and any(cycle.stable for cycle in gap.limit_cycles)]
+    cycles = {axis: gap.describing_function if gap.limit_cycles is None else gap.limit_cycles for axis, gap in axes.items()}
+    hunting = [axis for axis, known in cycles.items() if any(cycle.stable for cycle in known or ())]
     if hunting:
         yield finding("CL386", axes=hunting)
     if others:

@@ -6,25 +6,30 @@ import json
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from contourlab.app.checkpoint import said_if_interrupted
 from contourlab.app.json_values import json_values
+from contourlab.app.quick import affordable, too_slow
 from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
 from contourlab.components.link.network import Network
 from contourlab.errors import DivergenceError, ParameterError, UnitError
 from contourlab.features.link import cost
-from contourlab.features.link.cost import WAYS, allowed_error, divided, division_cost
+from contourlab.features.link.cost import WAYS, DivisionCost, allowed_error, divided, division_cost
+from contourlab.features.link.grid import FEW
 from contourlab.features.link.result import FIGURES, LinkResult, SchemeCost, link_charts, scheme_text
 from contourlab.features.link.sweep import QUANTITIES, SEEDS, LinkSetting
+from contourlab.findings import finding
 from contourlab.loop import DIVISIONS
+from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.units import to_si
 
 if TYPE_CHECKING:
+    from contourlab.feed import Reference
     from contourlab.loop import Controller
     from contourlab.rendering.charts import Chart
     from contourlab.scenario import Case
@@ -59,7 +64,7 @@ class LinkOptions:
     seeds : int, optional
         Runs with jitter or loss, by default `contourlab.features.link.sweep.SEEDS`.
     quick : bool
-        Whether to test few values: each limit then lies between two of them.
+        Whether to test only as many values as fit into a minute: each limit then lies between two of them.
     """
 
     divisions: tuple[str, ...] = ()
@@ -129,12 +134,16 @@ def link_scenario(
     with said_if_interrupted(lambda: "\n\n".join(texts_so_far())), staged(folder, "summary.json", inputs=scenario.inputs) as stage:
         with shown(progress) as stages:
             stages.expect(sum(1 + len(list(_controllers(case.controller, options, settings))) for case in cases))
-            for case in cases:
-                stages.begin(f"planning {case.name}")
-                for cost_so_far in _scheme_costs(case, options, settings, stages):
-                    costs[case.name] = cost_so_far
+            schemes_ready = (_ready(case, options, settings, stages) for case in cases)
+            chosen = _chosen(list(schemes_ready), settings) if options.quick else schemes_ready
+            for scheme in chosen:
+                for cost_so_far in scheme.costs(settings, stages):
+                    costs[scheme.case.name] = cost_so_far
         texts = texts_so_far()
-        result = LinkResult(scenario.name, costs)
+        left_out = [case.name for case in cases if case.name not in costs]
+        findings = (finding("CL766", schemes=left_out),) if left_out else ()
+        texts += [paragraphs(map(str, findings))] if findings else []
+        result = LinkResult(scenario.name, costs, findings)
         write_text_atomic(stage / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
         if plots:
             from contourlab.rendering.plots import write_charts
@@ -144,24 +153,63 @@ def link_scenario(
                 charts += link_charts(name if len(costs) > 1 else "", of_scheme)
             files = write_charts(charts, stage / "plots", plots)
             texts.append("\n".join(f"plot: {Path(folder) / written.relative_to(stage)}" for written in files))
-    return LinkResult(scenario.name, costs, "\n\n".join(texts))
+    return replace(result, text="\n\n".join(texts))
 
 
-def _scheme_costs(case: Case, options: LinkOptions, settings: LinkSettings, stages: Stages) -> Iterator[SchemeCost]:
-    """Yield the cost of a scheme's divisions so far, after each."""
+@dataclass(frozen=True)
+class _Scheme:
+    """A scheme ready to be divided; `fits` is the number of its batches that fit into a quick answer."""
+
+    case: Case
+    figure: str
+    whole: float
+    settings: list[tuple[str, LinkSetting]]
+    fits: float
+
+    def share(self, settings: LinkSettings, few: int) -> float:
+        """Return the share of the time of a quick answer that the scheme takes with some values per doubling."""
+        given = (settings.quantities, settings.longest)
+        return sum(replace(setting, few=few).batches(*given) for _, setting in self.settings) / self.fits
+
+    def costs(self, settings: LinkSettings, stages: Stages) -> Iterator[SchemeCost]:
+        """Yield the cost of the divisions so far, after each."""
+        costs: list[DivisionCost] = []
+        for label, setting in self.settings:
+            stages.begin(f"{self.case.name}: {label}")
+            costs.append(division_cost(setting, settings.quantities, settings.longest, stages.advance))
+            yield SchemeCost(self.figure, self.whole, setting.allowed, tuple(costs))
+
+
+def _ready(case: Case, options: LinkOptions, settings: LinkSettings, stages: Stages) -> _Scheme:
+    stages.begin(f"planning {case.name}")
     machine, reference, figure = case.machine, case.reference(), FIGURES[options.figure]
+
+    def whole(motion: Reference) -> float:
+        return cost.undivided_error(machine, case.controller, motion, figure, seed=case.seed, moving=case.moving)
+
     try:
-        whole = cost.undivided_error(machine, case.controller, reference, figure, seed=case.seed, moving=case.moving)
+        fits = affordable(whole, reference) if options.quick else math.inf
+        undivided = whole(reference)
     except DivergenceError as error:
         error.add_note(f"Scheme {case.name!r} diverges without links. Choose other schemes with --schemes.")
         raise
-    allowed = allowed_error(whole, settings.within, settings.allowed)
-    costs = []
-    for label, controller in _controllers(case.controller, options, settings):
-        stages.begin(f"{case.name}: {label}")
-        setting = LinkSetting(machine, controller, reference, figure, allowed, settings.seeds, case.seed, case.moving, options.quick)
-        costs.append(division_cost(setting, settings.quantities, settings.longest, stages.advance))
-        yield SchemeCost(figure, whole, allowed, tuple(costs))
+    allowed = allowed_error(undivided, settings.within, settings.allowed)
+    given = (reference, figure, allowed, settings.seeds, case.seed, case.moving)
+    divided = [(label, LinkSetting(machine, made, *given)) for label, made in _controllers(case.controller, options, settings)]
+    return _Scheme(case, figure, undivided, divided, fits)
+
+
+def _chosen(schemes: Sequence[_Scheme], settings: LinkSettings) -> Iterator[_Scheme]:
+    """Yield the schemes of a quick answer: all, with as many values per doubling as fit, or else those that fit with the fewest."""
+    few = next((few for few in FEW if sum(scheme.share(settings, few) for scheme in schemes) <= 1.0), FEW[-1])
+    spent = 0.0
+    for scheme in schemes:
+        share = scheme.share(settings, few)
+        if spent + share <= 1.0:
+            spent += share
+            yield replace(scheme, settings=[(label, replace(setting, few=few)) for label, setting in scheme.settings])
+    if spent == 0.0:
+        raise too_slow(min(scheme.share(settings, few) for scheme in schemes), 1.0)
 
 
 def _controllers(controller: Controller, options: LinkOptions, settings: LinkSettings) -> Iterator[tuple[str, Controller]]:

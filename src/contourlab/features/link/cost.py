@@ -316,7 +316,7 @@ def division_cost(
     period = next(iter(setting.networks.values())).message_period
     unstable = setting.growth("message_period", period) >= 1.0
     timed = {"message_period", "delay"} & set(quantities)
-    findings = [*_on_links(setting), *(_on_stability(setting) if timed and not setting.coarse else ())]
+    findings = [*_on_links(setting), *(_on_stability(setting) if timed and not setting.few else ())]
     return DivisionCost(divisions, ways, local, error, unstable, sweeps, tuple(findings))
 
 

@@ -6,23 +6,27 @@ import math
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError
 
 LOSSES = np.linspace(0.0, 0.98, 50)
-FEW_LOSSES = LOSSES[[0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 49]]
 EACH = 128
 """Every multiple of the servo period is tested up to this one."""
 FARTHER = 64
 """Values per doubling above `EACH`."""
-FEW = 4
-"""Values per doubling of a coarse grid, and the multiple of the servo period up to which it has each one."""
+FEW = (4, 2, 1)
+"""Values per doubling of a quick grid, and the multiple of the servo period up to which it has each one: the most that fit."""
 
 
-def times(quantity: str, period: float, longest: float, coarse: bool = False) -> Array:
+def losses(few: int = 0) -> Array:
+    """Return the shares of lost messages to test; `few` as in `times`, with half as many values."""
+    return LOSSES[_multiples(max(few // 2, 1), max(few // 2, 1), len(LOSSES) - 1)] if few else LOSSES
+
+
+def times(quantity: str, period: float, longest: float, few: int = 0) -> Array:
     """Return the times to test [s]: each multiple of the servo period up to `EACH`, then `FARTHER` values per doubling.
 
-    Grids of different length agree where they overlap, so a limit does not depend on `longest`. A coarse grid has `FEW` for both numbers.
+    Grids of different length agree where they overlap, so a limit does not depend on `longest`.
 
     Parameters
     ----------
@@ -30,7 +34,8 @@ def times(quantity: str, period: float, longest: float, coarse: bool = False) ->
         ``message_period`` begins at one servo period, other times begin at 0.
     period, longest : float [s]
         Servo period, and the last value.
-    coarse : bool
+    few : int
+        For a quick grid, one of `FEW`: it replaces both numbers. 0 for the whole grid.
 
     Raises
     ------
@@ -39,14 +44,17 @@ def times(quantity: str, period: float, longest: float, coarse: bool = False) ->
     """
     if not longest >= period:
         raise ParameterError("longest", f"{longest:g}", f">= the servo period, {period:g}", "s")
-    last = math.floor(longest / period + 1e-9)
-    start, farther = (FEW, FEW) if coarse else (EACH, FARTHER)
-    parts = [np.arange(min(start, last) + 1)]
+    ticks = _multiples(*((few, few) if few else (EACH, FARTHER)), math.floor(longest / period + 1e-9)).astype(float)
+    return np.asarray(period * (ticks[1:] if quantity == "message_period" else ticks))
+
+
+def _multiples(each: int, farther: int, last: int) -> Index:
+    """Return 0 and each number up to `each`, then `farther` per doubling, and `last`."""
+    parts, start = [np.arange(min(each, last) + 1)], each
     while start < last:
         parts.append(np.arange(start, min(2 * start, last) + 1, start // farther))
         start *= 2
-    ticks = np.unique(np.concatenate([*parts, [last]])).astype(float)
-    return np.asarray(period * (ticks[1:] if quantity == "message_period" else ticks))
+    return np.unique(np.concatenate([*parts, [last]]))
 
 
 def passed_over(values: Array, bad: Flags, unknown: Flags, period: float, most: int) -> Array:

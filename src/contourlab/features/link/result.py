@@ -103,6 +103,7 @@ class LinkResult:
 
     name: str
     schemes: dict[str, SchemeCost]
+    findings: tuple[Finding, ...] = ()
     text: str = field(default="", metadata={"json": False})
 
 

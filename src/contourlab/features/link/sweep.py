@@ -14,7 +14,7 @@ from contourlab.arrays import Array, Flags
 from contourlab.components.contract import Component
 from contourlab.components.link.network import Network
 from contourlab.errors import ComponentError, ParameterError
-from contourlab.features.link.grid import EACH, FEW, FEW_LOSSES, LOSSES, passed_over, times
+from contourlab.features.link.grid import EACH, losses, passed_over, times
 from contourlab.features.run.causes.idealise import perfect_sensing, undisturbed, unlimited, without_friction
 from contourlab.feed import Reference
 from contourlab.feed.judged import Judged
@@ -153,8 +153,9 @@ class LinkSetting:
         Number of runs with jitter or loss (the worst counts), and the first seed, also used for all other noise.
     moving : bool
         See `contourlab.loop.simulate_batch`.
-    coarse : bool
-        Whether to test few values, none between the last that holds and the first that fails, and no limits of stability.
+    few : int
+        For a quick sweep, values per doubling, one of `contourlab.features.link.grid.FEW`: none between the last that holds and the first
+        that fails, and no limits of stability. 0 for a whole sweep.
 
     Raises
     ------
@@ -170,7 +171,7 @@ class LinkSetting:
     seeds: int = SEEDS
     seed: int = 0
     moving: bool = False
-    coarse: bool = False
+    few: int = 0
 
     def __post_init__(self) -> None:
         if self.figure not in FIGURES:
@@ -190,6 +191,14 @@ class LinkSetting:
     def runs(self, quantity: str) -> int:
         """Return the number of runs of each value while a quantity is varied."""
         return self.seeds if self.by_chance(quantity) else 1
+
+    def values(self, quantity: str, longest: float) -> Array:
+        """Return the values of a quantity to test, up to a longest time [s]."""
+        return losses(self.few) if quantity == "loss" else times(quantity, self.machine.servo_period, longest, self.few)
+
+    def batches(self, quantities: Sequence[str], longest: float) -> int:
+        """Return the largest number of batches of `CHUNK` runs that a quick sweep of some quantities takes."""
+        return 1 + sum(math.ceil(len(self.values(name, longest)) / max(CHUNK // self.runs(name), 1)) for name in quantities)
 
     def columns(self, quantity: str, values: Array, seeds: int) -> dict[str, Array]:
         """Return the parameter values of the lanes: each value, on all links, for each seed."""
@@ -218,7 +227,7 @@ class LinkSetting:
     def repeats(self, quantity: str, values: Array) -> Array:
         """Return the error of a lap of the ideal machine over that of the lap before."""
         laps = self.reference.laps
-        if len(laps) < 2 or self.coarse or self.by_chance(quantity):
+        if len(laps) < 2 or self.few or self.by_chance(quantity):
             return np.full(len(values), math.nan)
         columns = self.columns(quantity, values, 1)
         of_laps = (replace(self.reference, chosen=Judged((lap,), "lap")) for lap in laps[-2:])
@@ -271,7 +280,7 @@ def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
 
     The sweep ends early if the error is too large at all `CHUNK` values of a chunk, and either the stability limits are found or `EACH`
     values are tested. Multiples of the servo period between the last value that holds and the first that fails are then tested too.
-    A coarse sweep tests fewer values, and ends soon after the first that fails.
+    A quick sweep tests fewer values, and ends soon after the first that fails.
 
     Parameters
     ----------
@@ -288,10 +297,8 @@ def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
     """
     if quantity not in QUANTITIES:
         raise ParameterError("quantity", repr(quantity), "one of " + ", ".join(QUANTITIES))
-    period, coarse = setting.machine.servo_period, setting.coarse
-    losses = FEW_LOSSES if coarse else LOSSES
-    values = losses if quantity == "loss" else times(quantity, period, longest, coarse)
-    size = max(CHUNK // setting.runs(quantity), FEW) if coarse else CHUNK
+    values, coarse = setting.values(quantity, longest), setting.few > 0
+    size = max(CHUNK // setting.runs(quantity), 1) if coarse else CHUNK
     parts: list[tuple[Array, ...]] = []
     for i in range(0, len(values), size):
         chunk = values[i : i + size]
@@ -336,7 +343,7 @@ def _joined(setting: LinkSetting, quantity: str, parts: Sequence[tuple[Array, ..
     columns = [np.concatenate(column[::-1]) for column in zip(*parts, strict=True)]
     _, order = np.unique(columns[0], return_index=True)
     found = {name: column[order] for name, column in zip(COLUMNS, columns, strict=True)}
-    return LinkSweep(quantity, **found, allowed=setting.allowed, asked=asked, coarse=setting.coarse)
+    return LinkSweep(quantity, **found, allowed=setting.allowed, asked=asked, coarse=setting.few > 0)
 
 
 def _closed_in(setting: LinkSetting, sweep: LinkSweep, parts: list[tuple[Array, ...]]) -> LinkSweep:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from contourlab.app.checkpoint import resumable, run_identity
 from contourlab.app.json_values import json_values
+from contourlab.app.quick import affordable
 from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
 from contourlab.design import Evaluator, Space
@@ -19,12 +21,13 @@ from contourlab.features.run.command import check_plots
 from contourlab.features.run.schemes import loaded
 from contourlab.features.sensitivity.indices import distributions
 from contourlab.features.sensitivity.runs import Kept, Runs
-from contourlab.features.sensitivity.study import Plan, Study, holds, sensitivity_study
+from contourlab.features.sensitivity.study import Plan, Study, holds, present_values, sensitivity_study
 from contourlab.features.sensitivity.text import tables
 from contourlab.features.sensitivity.verdict import Ranking, ranking, verdict
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.loop import parameters_of, simulate
+from contourlab.loop.batch import LANES
 from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
 
@@ -58,6 +61,8 @@ class Request:
     threads : int, optional
     judge : str, optional
         Moves to judge; by default as in the scenario.
+    quick : bool
+        Whether to run only as much of the plan as fits into a minute.
     """
 
     plan: Plan = field(default_factory=Plan)
@@ -69,6 +74,7 @@ class Request:
     servo_period: str = ""
     threads: int | None = None
     judge: str | None = None
+    quick: bool = False
 
     def __post_init__(self) -> None:
         if self.threads is not None and self.threads < 1:
@@ -155,7 +161,8 @@ def sensitivity_of(
             study, runs = _studied(case, request, Path(out) / KEPT, stages)
         kept = () if runs.kept is None else runs.kept.findings("runs", runs.reused)
         doubts = [finding("CL675", doubtful=runs.doubtful, runs=runs.made + runs.reused)] if runs.doubtful else []
-        findings = (*_on_case(case, left_out), *kept, *doubts, *verdict(study))
+        findings = (*_on_case(case, left_out), *kept, *_on_quick(request, study), *doubts, *verdict(study))
+        request = replace(request, plan=study.plan)
         name, period = case.machine.name, case.machine.servo_period
         result = Sensitivity(str(file), request, case.name, name, period, runs.made, runs.reused, study, ranking(study), findings)
         write_text_atomic(stage / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
@@ -169,10 +176,10 @@ def sensitivity_of(
 
 def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tuple[Study, Runs]:
     machine, controller = case.machine, case.controller
-    space = Space.chosen(machine, controller, request.parameters, request.width)
+    plan, space = request.plan, Space.chosen(machine, controller, request.parameters, request.width)
     drawn = distributions(space, request.distribution, request.deviations)
-    request.plan.check(len(space.numbers))
-    stages.expect(2 + len(request.plan.parts))
+    plan.check(len(space.numbers))
+    stages.expect(2 + request.quick + len(plan.parts))
     stages.begin("planning the motion")
     reference = case.reference()
     evaluator = Evaluator(machine, controller, reference, moving=case.moving, seed=case.seed, threads=request.threads, effort=False)
@@ -181,11 +188,16 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
     if not holds(space, runs):
         # A single run reports where and when it fails.
         simulate(machine, controller, reference, seed=case.seed, moving=case.moving)
+    if request.quick:
+        stages.begin("timing a run")
+        one = present_values(space)
+        fits = affordable(lambda motion: replace(evaluator, reference=motion)(one), reference, request.threads)
+        plan = plan.quick(len(space.numbers), LANES * fits)
     known = parameters_of(machine, controller)
     accepted = {name: known[name][0].parameters[known[name][1]] for name in space.names}
     limits = {name: (parameter.minimum, parameter.maximum) for name, parameter in accepted.items()}
-    level = _failure_level(case, reference, request.plan)
-    return sensitivity_study(space, runs, request.plan, drawn, level, limits=limits, stage=stages.begin), runs
+    level = _failure_level(case, reference, plan)
+    return sensitivity_study(space, runs, plan, drawn, level, limits=limits, stage=stages.begin), runs
 
 
 def _failure_level(case: Case, reference: Reference, plan: Plan) -> float:
@@ -194,6 +206,15 @@ def _failure_level(case: Case, reference: Reference, plan: Plan) -> float:
     if plan.figure != "integral":
         return limit
     return float(limit * reference.judged.samples.size * case.machine.servo_period)
+
+
+def _on_quick(request: Request, study: Study) -> Iterator[Finding]:
+    plan = study.plan
+    if request.quick:
+        wider = round(math.sqrt(request.plan.base / plan.base), 1)
+        yield finding("CL653", values=plan.values, base=plan.base, trajectories=plan.trajectories, wider=wider)
+        if plan.parts != tuple(request.plan.parts):
+            yield finding("CL654")
 
 
 def _on_case(case: Case, left_out: tuple[str, ...]) -> Iterator[Finding]:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from contourlab.app.quick import too_slow
 from contourlab.arrays import Array
 from contourlab.design import Space
 from contourlab.errors import ParameterError
-from contourlab.features.sensitivity.curves import Curve, curves
+from contourlab.features.sensitivity.curves import FINE, Curve, curves
 from contourlab.features.sensitivity.indices import (
     HIDDEN,
     Distribution,
@@ -24,13 +25,15 @@ from contourlab.features.sensitivity.indices import (
     sample,
     sobol_indices,
 )
-from contourlab.features.sensitivity.local import Local, local
+from contourlab.features.sensitivity.local import STEPS, Local, local
 from contourlab.features.sensitivity.runs import FIGURES, Figure, Runs
 
 PARTS = ("curves", "local", "morris", "sobol")
 TRANSFORMS = ("log", "none")
-QUICK = (11, 128, 16)
-"""Values of a curve, N of Saltelli's sampling and trajectories of a quick study."""
+QUICK = (128, 64, 32, 16)
+"""N of Saltelli's sampling in a quick study: the largest that fits; the smallest is the least that the indices permit."""
+QUICK_VALUES = 11
+"""Values of a curve in a quick study."""
 
 
 @dataclass(frozen=True)
@@ -87,6 +90,35 @@ class Plan:
         """Raise `ParameterError` if the study is not possible with `n` parameters."""
         if "sobol" in self.parts and n < 2:
             raise ParameterError("--parameter", f"{n}", "two or more for Sobol indices; with one, use --parts curves,local")
+
+    def runs(self, n: int) -> int:
+        """Return the largest number of runs that the study takes with `n` parameters."""
+        runs = {
+            "curves": n * (self.values + 2 * FINE + 1),
+            "local": 2 * STEPS * n + 1 + 4 * n**2,
+            "morris": self.trajectories * (n + 1),
+            "sobol": self.base * ((2 if self.second else 1) * n + 2),
+        }
+        return sum(runs[part] for part in self.parts)
+
+    def quick(self, n: int, fits: float) -> Plan:
+        """Return the largest quick study of `n` parameters whose runs fit; without the small changes if it does not fit otherwise.
+
+        Raises
+        ------
+        ParameterError
+            If no quick study fits.
+        """
+        for plan in self._quick_plans():
+            if plan.runs(n) <= fits:
+                return plan
+        raise too_slow(plan.runs(n), fits)
+
+    def _quick_plans(self) -> Iterator[Plan]:
+        fewer = tuple(part for part in self.parts if part != "local")
+        for parts in dict.fromkeys((tuple(self.parts), fewer or ("local",))):
+            for base in QUICK:
+                yield replace(self, parts=parts, values=QUICK_VALUES, base=base, trajectories=max(base // 8, 4))
 
     @property
     def judged(self) -> Figure:

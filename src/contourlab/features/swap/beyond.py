@@ -135,6 +135,7 @@ def network_cost(
     within: float = 0.1,
     longest: float = 0.1,
     seeds: int = SEEDS,
+    few: int = 0,
     progress: Callable[[int, int], None] | None = None,
 ) -> NetworkCost:
     """Run a design over a network; the controllers of all axes have the same division.
@@ -154,6 +155,8 @@ def network_cost(
         Longest message period to test.
     seeds : int
         Runs with jitter or loss: the worst counts.
+    few : int
+        See `LinkSetting`.
     progress : callable, optional
         Called with the number of variants done and in all.
 
@@ -168,7 +171,7 @@ def network_cost(
         whole = undivided_error(machine, controller, reference, figure, seed=variants.seed, moving=variants.moving)
         allowed = allowed_error(whole, within, floor=variants.floor)
         over = divided(controller, division, ways, link)
-        setting = LinkSetting(machine, over, reference, figure, allowed, seeds, variants.seed, variants.moving)
+        setting = LinkSetting(machine, over, reference, figure, allowed, seeds, variants.seed, variants.moving, few)
         cost = division_cost(setting, (PERIOD,), longest)
         costs.append(VariantCost(variant.name, whole, allowed, cost.error, cost.unstable, cost.sweeps[PERIOD]))
         if progress is not None:

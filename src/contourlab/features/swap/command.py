@@ -3,29 +3,33 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from contourlab.app.checkpoint import Checkpoint, resumable, run_identity
 from contourlab.app.json_values import json_values
+from contourlab.app.quick import affordable, too_slow
 from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
 from contourlab.design import Space
 from contourlab.design.guards import Bounds
 from contourlab.errors import ParameterError
 from contourlab.features.link.command import USUAL_LONGEST, LinkOptions, LinkSettings, positive_quantity, read_options
+from contourlab.features.link.grid import FEW
 from contourlab.features.run.command import RunOutcome, check_plots, file_names
 from contourlab.features.swap.beyond import NetworkCost, coverage, least_division, network_cost
 from contourlab.features.swap.linear import METHODS, linear_swap
 from contourlab.features.swap.pictures import matrices, write_matrices
 from contourlab.features.swap.result import swap_result, text_of
 from contourlab.features.swap.search import SwapSettings
-from contourlab.features.swap.study import SwapStudy, quick_study, swap_study
+from contourlab.features.swap.study import SwapStudy, swap_study
 from contourlab.features.swap.variants import OBJECTIVES, Variants, variants_of
 from contourlab.features.swap.warm_start import WarmStarts, warm_starts
 from contourlab.findings import Finding, finding
+from contourlab.loop.batch import LANES
 from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
@@ -34,10 +38,8 @@ if TYPE_CHECKING:
 
 SEARCHES = "searches"
 """Folder of the checkpoint, inside the folder of the results."""
-QUICK = 4
-"""Divisor of the budget of a quick study."""
 LEAST = 200
-"""Smallest budget of a quick study, and of a search within the coverage."""
+"""Smallest budget of a search within the coverage."""
 PLACES = 8
 """Points of a region at which J* is searched."""
 
@@ -55,7 +57,7 @@ class SwapOptions:
     local : sequence of str
         Sets of local parameters to test instead of searching for one; names separated by commas.
     quick : bool
-        Whether to use a quarter of the budget and state the uncertainty.
+        Whether to use as much of the budget as fits into a minute, and state the uncertainty.
     gain_margin, phase_margin
         In dB and degrees.
     region : sequence of str
@@ -136,15 +138,12 @@ def swap_scenario(
         raise ParameterError("--longest", options.network.longest or USUAL_LONGEST, f"at least the servo period, {period * 1e3:g} ms")
     searches = Path(out) / SEARCHES
     with resumable(searches, "searches"), shown(progress) as stages, staged(out, "swap.json", inputs=ready.inputs) as folder:
-        checkpoint = Checkpoint(searches, _identity(ready))
-        searches_most = 2 * len(variants) + len(ready.candidates) + 4  # the elimination may need fewer
-        stages.expect(searches_most * (2 if options.quick else 1))
-        stage = _stage(stages, variants)
-
-        def study_with(chosen: SwapSettings) -> SwapStudy:
-            return swap_study(variants, ready.candidates, chosen, stage, checkpoint)
-
-        study = quick_study(study_with, settings) if options.quick else study_with(settings)
+        if settings.quick:
+            stages.begin("timing a run")
+            settings = replace(settings, budget=_quick_budget(variants, settings.budget))
+        checkpoint = Checkpoint(searches, _identity(ready, settings))
+        stages.expect(2 * len(variants) + len(ready.candidates) + 4)  # the elimination may need fewer
+        study = swap_study(variants, ready.candidates, settings, _stage(stages, variants), checkpoint)
         covered = None
         if ready.region is not None:
             stages.begin("coverage of the region")
@@ -163,6 +162,20 @@ def swap_scenario(
         summary = json_values(result)
         write_text_atomic(folder / "swap.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
         return RunOutcome(result.passed, summary, "\n\n".join(lines))
+
+
+def _quick_budget(variants: Variants, most: int) -> int:
+    """Return the candidates of a search that fit into a quick study, rounded down to a power of 2 so that it hardly depends on the timing.
+
+    A half of the time is for J* of each variant and for the shared design, which has twice the budget; the other half for refining them.
+    """
+    column = variants.space.columns(variants.space.start[None])
+    one = variants.evaluators[0]
+    batches = affordable(lambda reference: replace(one, reference=reference)(column), variants.reference, variants.threads)
+    fits = batches * LANES / (2 * 3 * len(variants))
+    if fits < 4 * LANES:
+        raise too_slow(4 * LANES, fits)
+    return min(most, 1 << int(math.log2(fits)))
 
 
 def _stage(stages: Stages, variants: Variants) -> Callable[[str, int], None]:
@@ -193,6 +206,7 @@ def _networks(study: SwapStudy, options: LinkOptions, settings: LinkSettings, st
         for ways in settings.ways:
             stages.begin(f"network: {division} in the axis, {ways}")
             limits = {"within": settings.within, "longest": settings.longest, "seeds": settings.seeds, "progress": stages.advance}
+            limits["few"] = FEW[0] if study.settings.quick else 0
             costs.append(network_cost(study.variants, choice.points, local, division, ways, settings.network, **limits))  # type: ignore[arg-type]
     return tuple(costs)
 
@@ -242,16 +256,16 @@ class _Prepared:
     inputs: tuple[str | Path, ...]
 
 
-def _identity(ready: _Prepared) -> str:
+def _identity(ready: _Prepared, settings: SwapSettings) -> str:
     """Return a text of everything that determines the searches."""
-    variants, settings = ready.variants, ready.settings
+    variants = ready.variants
     machines = [variant.machine for variant in variants]
     given = {"seed": variants.seed, "moving": variants.moving}
     runs = run_identity(machines, variants.controller, variants.reference, **given, rooms=("analysis", "design", "features/swap"))  # type: ignore[arg-type]
     local = None if settings.local is None else [sorted(names) for names in settings.local]
     known = [[sorted(values.items()) for values in design] for design in settings.known]
     names = [f"{variant.name} {variant.modules}" for variant in variants]
-    search = [settings.budget, settings.seed, settings.full, settings.exhaustive, local, known]
+    search = [settings.budget, settings.seed, settings.full, settings.exhaustive, settings.quick, local, known]
     words = [variants.objective, variants.floor, variants.bounds, variants.space.numbers, ready.candidates, *names, *search]
     return "\n".join([runs, *map(repr, words)])
 
@@ -287,8 +301,8 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
     )
     candidates = tuple(name for name in variants.space.names if variants.members[0].module(name) and _may_move(controller, name))
     local, starts = _local_sets(variants, candidates, options.local), warm_starts(variants, options.origins, options.plugins)
-    budget = max(options.budget // QUICK, LEAST) if options.quick else options.budget
-    settings = SwapSettings(budget, options.seed, exhaustive=options.exhaustive, local=local, known=starts.designs)
+    search = {"exhaustive": options.exhaustive, "local": local, "known": starts.designs, "quick": options.quick}
+    settings = SwapSettings(options.budget, options.seed, **search)  # type: ignore[arg-type]
     region = None
     if options.region:
         region = Space.chosen(machine, controller, options.region, options.width, called="--region", machine_only=True)
@@ -312,6 +326,7 @@ def _check(options: SwapOptions) -> None:
         (options.threads is not None and options.threads < 1, "--threads", options.threads, "1 or more"),
         (places is not None and (places < 1 or places & (places - 1)), "--places", places, "a power of 2"),
         (options.objective not in OBJECTIVES, "--objective", repr(options.objective), "one of " + ", ".join(OBJECTIVES)),
+        (options.exhaustive and options.quick, "--exhaustive", "given with --quick", "left out: there are too many sets for a minute"),
         (options.exhaustive and options.local, "--exhaustive", "given with --local", "left out: it tries all sets, --local only a few"),
         (options.tolerance and not options.region, "--tolerance", options.tolerance, "given with --region: it limits J there"),
         (places is not None and not options.region, "--places", places, "given with --region: it counts points there"),

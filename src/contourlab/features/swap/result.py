@@ -147,6 +147,8 @@ def _findings(
             yield finding("CL721", name)
     for cost in networks:
         yield from _on_network(study.variants, cost)
+    if networks and study.settings.quick:
+        yield finding("CL765")
     if coverage is not None:
         low, high = coverage.interval
         yield finding("CL717", share=coverage.share, low=low, high=high, covered=coverage.covered, points=len(coverage.points))

@@ -14,6 +14,8 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.design import Found, Space, search
 from contourlab.errors import ParameterError
 from contourlab.features.swap.variants import BROKEN, Variant, Variants, losses
+from contourlab.loop.batch import LANES
+from contourlab.threads import in_threads
 
 Objective = Callable[[Array], Array]
 WarmStart = tuple[Mapping[str, float], ...]
@@ -46,6 +48,8 @@ class SwapSettings:
         The only sets to test.
     known : tuple of WarmStart
         Additional starts of every search. Missing parameters keep the scenario's values.
+    quick : bool
+        Whether each search starts from the best known design only, and the searches for one variant run side by side.
     """
 
     budget: int = 8000
@@ -54,23 +58,33 @@ class SwapSettings:
     exhaustive: bool = False
     local: tuple[frozenset[str], ...] | None = None
     known: tuple[WarmStart, ...] = ()
+    quick: bool = False
 
 
-def restarted(objective: Objective, starts: Array, budget: int, seed: int, step: float = ALONE, target: float = -math.inf) -> Found:
+def restarted(
+    objective: Objective, starts: Array, budget: int, seed: int, step: float = ALONE, target: float = -math.inf, size: int = POPULATION
+) -> Found:
     """Search from all starts (n_start, n), then restart from the best until `budget` candidates are tried or `target` is reached.
 
-    Each restart has a smaller first step, and generations twice as large as the one before: encoder counts make the objective rough near
-    its optimum (Auger & Hansen, CEC 2005).
+    The first generations have `size` candidates for each start. Each restart has a smaller first step, and generations twice as large as
+    before: encoder counts make the objective rough near its optimum (Auger & Hansen, CEC 2005).
     """
     first = max(int(EXPLORED * budget), 1)
-    found = search(objective, starts, budget=first, seed=seed, spread=step, population=POPULATION, target=target)
-    runs, size, turn = found.runs, POPULATION, 1
+    found = search(objective, starts, budget=first, seed=seed, spread=step, population=size, target=target)
+    runs, turn, course = found.runs, 1, [found.course]
     while budget - runs > size and found.value > target:
         options = {"seed": seed + 1000 * turn, "spread": RESTARTS[min(turn, len(RESTARTS)) - 1], "population": size, "target": target}
         more = search(objective, found.point[None], budget=budget - runs, **options)  # type: ignore[arg-type]
         found = replace(found, point=more.point, value=more.value)
+        course.append(more.course + np.array([runs, 0.0]))
         runs, size, turn = runs + more.runs, 2 * size, turn + 1
-    return replace(found, runs=runs)
+    return replace(found, runs=runs, course=np.vstack(course))
+
+
+def _gained(found: Found) -> float:
+    """Return by how much the second half of a search lowered its objective."""
+    runs, values = found.course.T
+    return float(values[runs <= max(0.5 * runs[-1], runs[0])].min() - found.value)
 
 
 # --- designs -----------------------------------------------------------------------------------------------------------------------------
@@ -212,6 +226,8 @@ class SwapSearch:
         Optimum of each variant alone.
     designs : dict
         The best shared design found for each set of local parameters.
+    gained : float
+        By how much the second half of the latest search of a shared design lowered its largest loss.
     """
 
     variants: Variants
@@ -221,6 +237,7 @@ class SwapSearch:
     optima: list[Optimum] = field(default_factory=list)
     designs: dict[frozenset[str], Design] = field(default_factory=dict)
     searches: int = 0
+    gained: float = math.nan
 
     def variant_optimum(self, i: int, *, again: bool = False) -> Optimum:
         """Search the best design of variant `i` alone; `again` starts around J* but not at it, to confirm it independently."""
@@ -239,6 +256,23 @@ class SwapSearch:
         name = f"{variants.names[i]} alone"
         values = self._searched(f"{name}, again" if again else name, settings.budget, 1, made)["values"]
         return Optimum(float(values[-1]), values[:-1])
+
+    def all_optima(self) -> Array:
+        """Search the best design of each variant, all at once; return by how much the second halves lowered J over J_tol (n_variant,)."""
+        variants, seed = self.variants, self.settings.seed + 10 * self.searches
+
+        def made(budget: int) -> dict[str, Array]:
+            def alone(i: int) -> Found:
+                return restarted(variants.objective_of(i), variants.best_points[i][None], budget, seed + i, SHARED, size=LANES)
+
+            found = in_threads(alone, range(len(variants)), variants.threads)
+            values = np.array([one.value for one in found])
+            gained = np.array([_gained(one) for one in found])
+            return {"values": np.where(values < BROKEN, values * variants.floor, math.inf), "gained": gained}
+
+        arrays = self._searched("each variant alone", self.settings.budget, len(variants), made)
+        self.optima = [Optimum(value, np.array([value])) for value in arrays["values"].tolist()]
+        return arrays["gained"]
 
     def search_set(self, local: Iterable[str], target: float = -math.inf) -> Design:
         """Search the shared design for a set of local parameters; keep and return the best.
@@ -260,13 +294,16 @@ class SwapSearch:
             optima, own = variants.best_points, np.array([name in chosen for name in variants.space.names])
             starts = [self.inherit_best(chosen).points, *(np.where(own, optima, point) for point in optima[: STARTS - 3]), optima]
             rows = np.array([shared.gathered(start) for start in (*starts, np.tile(variants.space.start, (len(variants), 1)))])
-            found = restarted(objective, rows, budget, self.settings.seed + 10 * self.searches + 5, SHARED, target)
+            seed = self.settings.seed + 10 * self.searches + 5
+            quick = self.settings.quick
+            found = restarted(objective, rows[:1] if quick else rows, budget, seed, SHARED, target, LANES if quick else POPULATION)
             points = shared.spread(found.point[None])
             values, broken = variants.values(points)
-            return {"points": points[:, 0], "values": np.where(broken > 0.0, np.inf, values)[:, 0]}
+            return {"points": points[:, 0], "values": np.where(broken > 0.0, np.inf, values)[:, 0], "gained": np.array(_gained(found))}
 
         budget = self.settings.budget * (1 if chosen else 2)
         arrays = self._searched(f"local: {self.short(chosen)}", budget, len(variants), made)
+        self.gained = float(arrays["gained"])
         design, known = Design(chosen, arrays["points"], arrays["values"]), self.designs.get(chosen)
         if known is None or self.swap_loss(design) < self.swap_loss(known):
             self.designs[chosen] = design

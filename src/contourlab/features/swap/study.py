@@ -168,16 +168,21 @@ def swap_study(
         If no design of a variant keeps the guards.
     """
     search = SwapSearch(variants, settings, stage, checkpoint)
-    start = np.tile(variants.space.start, (len(variants), 1))
+    uncertainty, start = None, np.tile(variants.space.start, (len(variants), 1))
     values, broken = variants.values(start[:, None], whole=True)
     for points in search.known:
         variants.values(points[:, None])
-    search.optima = [search.variant_optimum(i) for i in range(len(variants))]
+    if settings.quick:
+        uncertainty = _search_quickly(search, candidates)
+    else:
+        search.optima = [search.variant_optimum(i) for i in range(len(variants))]
     for name, best in zip(variants.names, variants.best, strict=True):
         if not math.isfinite(best):
             raise ParameterError("guards", name, "kept by some design within the bounds: ask for smaller margins, or give wider bounds")
-    _search_sets(search, candidates)
-    _settle(search)
+    if not settings.quick:
+        _search_sets(search, candidates)
+        search.search_set(())
+        _settle(search)
     crossed = [variants.values(np.tile(point, (len(variants), 1, 1))) for point in variants.best_points]
     breaks = tuple(name for name, worst in zip(variants.names, broken[:, 0], strict=True) if worst > 0.0)
     # Nothing local first, everything local last.
@@ -190,29 +195,8 @@ def swap_study(
         tuple(_choice(variants, search.short(local), search.designs[local]) for local in sets),
         np.array([np.where(broken[:, 0] > 0.0, np.inf, values[:, 0]) for values, broken in crossed]),
         breaks,
+        uncertainty,
     )
-
-
-def quick_study(study_with: Callable[[SwapSettings], SwapStudy], settings: SwapSettings) -> SwapStudy:
-    """Run a study with half the budget, then one with the whole budget that starts from its designs.
-
-    The uncertainty is the sum of what the second study changed, relative to J* as in a loss: J* itself, and J of the shared design; and
-    `SCATTER`.
-
-    Parameters
-    ----------
-    study_with : callable
-        Runs a study of the same variants with some settings; see `swap_study`.
-    settings : SwapSettings
-    """
-    half = study_with(replace(settings, budget=settings.budget // 2))
-    variants, shared = half.variants, half.base.values
-    best = variants.best.copy()
-    designs = tuple(tuple(map(variants.space.values, points)) for points in (variants.best_points, half.base.points))
-    study = study_with(replace(settings, known=(*settings.known, *designs)))
-    with np.errstate(invalid="ignore"):
-        moved = (best - variants.best + np.abs(shared - study.base.values)) / np.maximum(variants.best, variants.floor)
-    return replace(study, uncertainty=SCATTER + float(np.where(np.isnan(moved), math.inf, moved).max()))
 
 
 def _choice(variants: Variants, name: str, design: Design) -> Choice:
@@ -235,7 +219,33 @@ def _search_sets(search: SwapSearch, candidates: tuple[str, ...]) -> None:
         search.search_set(candidates)
     elif candidates:
         search.backward_elimination(candidates)
-    search.search_set(())
+
+
+def _search_quickly(search: SwapSearch, candidates: tuple[str, ...]) -> float:
+    """Search the shared design, refine it if it is too close to tell, and find local parameters if it is not enough.
+
+    Return the uncertainty of its loss: `SCATTER`, and the most that the last doubling of the budget gained, for J* of a variant (the loss
+    may be larger) or for the shared design (it may be smaller).
+    """
+    variants, settings = search.variants, search.settings
+    alone, loss = search.all_optima(), search.swap_loss(search.search_set(()))
+    gained = np.append(alone * variants.floor / np.maximum(variants.best, variants.floor), search.gained)
+
+    def uncertainty() -> float:
+        return SCATTER + float(gained.max())
+
+    if not abs(loss - settings.full) > uncertainty():
+        best = variants.best.copy()
+        search.all_optima()
+        refined = search.swap_loss(search.search_set(()))
+        gained = np.append(variants.losses(best), abs(loss - refined))
+        loss = refined
+    if loss > settings.full + uncertainty() and candidates:
+        # The budget of one search serves all sets: they start from designs that are nearly optimal.
+        search.settings = replace(settings, budget=max(settings.budget // len(settings.local or candidates), 1))
+        _search_sets(search, candidates)
+    search.propagate_best()
+    return uncertainty()
 
 
 def _settle(search: SwapSearch) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, product
@@ -108,6 +109,7 @@ class Variants:
     best: Array = field(init=False)
     best_points: Array = field(init=False)
     tried: int = field(init=False, default=0)
+    _lock: threading.Lock = field(init=False, repr=False, default_factory=threading.Lock)
 
     def __post_init__(self) -> None:
         if self.objective not in OBJECTIVES:
@@ -183,7 +185,8 @@ class Variants:
         run = [np.full(len(over), True) if whole else over < 0.0 for over in excess]
         chosen = [{name: values[r] for name, values in column.items()} for column, r in zip(columns, run, strict=True)]
         judged = [self._judged(*args) for args in zip(which, points, excess, run, self._figures(which, chosen), strict=True)]
-        self.tried += sum(map(len, points))
+        with self._lock:
+            self.tried += sum(map(len, points))
         if self.progress is not None:
             self.progress(self.tried)
         return np.array([values for values, _ in judged]), np.array([broken for _, broken in judged])

@@ -21,7 +21,7 @@ from contourlab.features.swap.beyond import coverage, network_cost
 from contourlab.features.swap.pictures import drawing, matrices
 from contourlab.features.swap.result import swap_result, text_of
 from contourlab.features.swap.search import SharedSpace, SwapSearch, SwapSettings, merged
-from contourlab.features.swap.study import SwapStudy, quick_study, swap_study
+from contourlab.features.swap.study import SwapStudy, swap_study
 from contourlab.features.swap.variants import Variant, Variants, losses, variants_of
 from contourlab.feed import uniform
 from contourlab.geometry import contour
@@ -64,12 +64,19 @@ def test_a_quick_study_holds_its_own_uncertainty() -> None:
     others = [("other", rigid("other", 1.01))]
     variants = variants_under(others)
     candidates = tuple(name for name in variants.space.names if variants.members[0].module(name))
-    quick = quick_study(lambda settings: swap_study(variants, candidates, settings), SwapSettings(budget=200))
+    quick = swap_study(variants, candidates, SwapSettings(budget=200, quick=True))
     whole = studied(others)
     assert quick.uncertainty is not None and abs(quick.base.swap_loss - whole.base.swap_loss) <= quick.uncertainty < 0.03
     assert not quick.unsure and quick.verdict.code == whole.verdict.code
     near = replace(quick, settings=replace(quick.settings, full=quick.base.swap_loss + 0.5 * quick.uncertainty))
     assert near.unsure and near.verdict.code == "CL704"
+
+
+def test_a_quick_study_finds_local_parameters_where_one_controller_is_not_enough() -> None:
+    variants = variants_under([("strong", rigid("other", 2.0))])
+    quick = swap_study(variants, (AHEAD,), SwapSettings(budget=300, quick=True))
+    assert not quick.full and not quick.unsure
+    assert quick.recommended is not None and quick.recommended.local == (AHEAD,)
 
 
 def test_a_copy_of_the_axis_loses_nothing() -> None:
