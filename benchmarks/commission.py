@@ -37,9 +37,13 @@ def machine(generator: np.random.Generator) -> dict[str, Plant]:
     return {a: Plant(*(between(*ends) for ends in ranges), int(generator.choice([1, 20]))) for a in "xy"}
 
 
-def largest(log: Path) -> dict[str, float]:
-    """Return the largest |command - motor position| [um] of each axis."""
+def largest(log: Path, like: Path | None = None) -> dict[str, float]:
+    """Return the largest |command - motor position| [um] of each axis, of a log whose commands reach as far as those of another."""
     rows = np.loadtxt(log, delimiter=",", skiprows=1)
+    if like is not None:
+        wanted = np.ptp(np.loadtxt(like, delimiter=",", skiprows=1)[:, 1:3], axis=0)
+        if not np.allclose(np.ptp(rows[:, 1:3], axis=0), wanted, rtol=0.01):
+            raise RigError("the program ended early: is the machine too busy for LinuxCNC?")
     return {a: 1e3 * float(np.abs(rows[:, 1 + k] - rows[:, 3 + k]).max()) for k, a in enumerate("xy")}
 
 
@@ -57,7 +61,7 @@ def answer(plants: dict[str, Plant], folder: Path) -> list[str]:
     for share in (1.0, 0.75, 1.25):
         scaled = {a: replace(plant, gain=share * plant.gain) for a, plant in plants.items()}
         try:
-            runs[share] = largest(Rig(scaled, result.pid).run(program, folder / f"{share}.csv"))
+            runs[share] = largest(Rig(scaled, result.pid).run(program, folder / f"{share}.csv"), folder / "log.csv")
         except RigError as error:
             runs[share] = dict.fromkeys("xy", float("nan"))
             print(f"gain x {share}: {error}", file=sys.stderr)

@@ -13,7 +13,7 @@ from contourlab.app.json_values import json_values
 from contourlab.errors import ParameterError
 from contourlab.features.commission.command import Commissioned, commission, prepare
 from contourlab.features.commission.hal_files import read_setup
-from contourlab.features.commission.tuning import TunedAxis
+from contourlab.features.commission.tuning import AxisTask, TunedAxis
 
 Rows = dict[str, np.ndarray]
 
@@ -260,6 +260,28 @@ def test_gains_that_depend_on_the_axis_are_named(made: bench.Made, tmp_path: Pat
     result = commission(made.ini, made.hal, [log], tmp_path / "out")
     assert "CL898" in codes(result)
     assert result.predicted["x"].spread == pytest.approx(2000.0)
+
+
+@pytest.mark.parametrize("always", [True, False])
+def test_noise_while_the_control_is_off_counts_only_for_a_pid_that_is_always_enabled(
+    made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, always: bool
+) -> None:
+    tasks: list[AxisTask] = []
+
+    def tune(task: AxisTask, **settings: object) -> None:
+        tasks.append(task)
+        raise ParameterError("margins", "none", "searched")
+
+    monkeypatch.setattr("contourlab.features.commission.command.tune_axis", tune)
+    hal = tmp_path / "rig.hal"
+    connected, fixed = "net x-enable joint.0.amp-enable-out => pid.x.enable", "setp pid.x.enable 1"
+    hal.write_text(made.hal.read_text().replace(connected, fixed if always else connected))
+    noise = 1e3 * np.random.default_rng(3).uniform(-bench.NOISE, bench.NOISE, 300)
+    off = {"x_cmd [mm]": noise, "x [mm]": noise}
+    rows = {name: np.concatenate([off.get(name, np.zeros(300)), values]) for name, values in made.rows.items() if name[0] in "tx"}
+    rows["time [s]"] = bench.PERIOD * np.arange(rows["x_out"].size)
+    commission(made.ini, hal, [made.log(tmp_path / "log.csv", rows)], tmp_path / "out")
+    assert [len(task.off) > 0 for task in tasks] == [always]
 
 
 # --- what a motor shows of the load ---------------------------------------------------------------------------------------------------
