@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from contourlab.rendering.table import Column, Table
+from contourlab.rendering.table import Column, Table, page_width
 
 NAME = "controller.axes.x.controller.position_gain"
 CELLS = st.text("abcdefghij.0123456789", min_size=1, max_size=12)
@@ -50,3 +50,18 @@ def test_every_word_is_printed_whole(rows: list[tuple[str, str, str, str]], widt
 def test_a_row_with_too_few_cells_is_refused() -> None:
     with pytest.raises(ValueError):
         wide().add("1")
+
+
+def test_the_page_is_as_wide_as_columns_says_and_80_without_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "57")
+    assert page_width() == 57
+    monkeypatch.delenv("COLUMNS")
+    assert page_width() == 80
+
+
+def test_a_word_in_a_column_of_prose_is_never_cut_but_a_head_may_take_lines() -> None:
+    table = Table([Column("a", left=True), Column("with observer and modified reference"), Column("c", prose=True)])
+    table.add("x", "1.5", "controller_acceleration_feedforward and more words")
+    lines = table.text(60).splitlines()
+    assert any("controller_acceleration_feedforward" in line for line in lines)
+    assert any("observer" in line and "reference" not in line for line in lines) and max(map(len, lines)) <= 60
