@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -158,11 +158,11 @@ def link_scenario(
 
 @dataclass(frozen=True)
 class _Scheme:
-    """A scheme ready to be divided; `fits` is the number of its batches that fit into a quick answer."""
+    """A scheme ready to be divided; `undivided` returns its error, and `fits` batches of it fit into a quick answer."""
 
     case: Case
     figure: str
-    whole: float
+    undivided: Callable[[], float]
     settings: list[tuple[str, LinkSetting]]
     fits: float
 
@@ -173,30 +173,30 @@ class _Scheme:
 
     def costs(self, settings: LinkSettings, stages: Stages) -> Iterator[SchemeCost]:
         """Yield the cost of the divisions so far, after each."""
+        undivided = self.undivided()
+        allowed = allowed_error(undivided, settings.within, settings.allowed)
         costs: list[DivisionCost] = []
         for label, setting in self.settings:
             stages.begin(f"{self.case.name}: {label}")
+            setting.allowed = allowed
             costs.append(division_cost(setting, settings.quantities, settings.longest, stages.advance))
-            yield SchemeCost(self.figure, self.whole, setting.allowed, tuple(costs))
+            yield SchemeCost(self.figure, undivided, allowed, tuple(costs))
 
 
 def _ready(case: Case, options: LinkOptions, settings: LinkSettings, stages: Stages) -> _Scheme:
     stages.begin(f"planning {case.name}")
     machine, reference, figure = case.machine, case.reference(), FIGURES[options.figure]
 
-    def whole(motion: Reference) -> float:
-        return cost.undivided_error(machine, case.controller, motion, figure, seed=case.seed, moving=case.moving)
+    def whole(motion: Reference = reference) -> float:
+        try:
+            return cost.undivided_error(machine, case.controller, motion, figure, seed=case.seed, moving=case.moving)
+        except DivergenceError as error:
+            error.add_note(f"Scheme {case.name!r} diverges without links. Choose other schemes with --schemes.")
+            raise
 
-    try:
-        fits = affordable(whole, reference) if options.quick else math.inf
-        undivided = whole(reference)
-    except DivergenceError as error:
-        error.add_note(f"Scheme {case.name!r} diverges without links. Choose other schemes with --schemes.")
-        raise
-    allowed = allowed_error(undivided, settings.within, settings.allowed)
-    given = (reference, figure, allowed, settings.seeds, case.seed, case.moving)
+    given = (reference, figure, math.nan, settings.seeds, case.seed, case.moving)
     divided = [(label, LinkSetting(machine, made, *given)) for label, made in _controllers(case.controller, options, settings)]
-    return _Scheme(case, figure, undivided, divided, fits)
+    return _Scheme(case, figure, whole, divided, affordable(whole, reference) if options.quick else math.inf)
 
 
 def _chosen(schemes: Sequence[_Scheme], settings: LinkSettings) -> Iterator[_Scheme]:
