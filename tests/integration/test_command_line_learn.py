@@ -102,7 +102,7 @@ def test_the_text_shows_trials_and_the_forecast(contourlab: Run, tmp_path: Path)
         (["learn", "s.toml", "--schemes", "coupled"], "no scheme learns"),
         (["learn", "s.toml", "--schemes", "ilc", "--trials", "0"], "--trials = 0: must be 1 or more"),
         (["learn", "s.toml", "--schemes", "ilc", "--table", "nowhere.nc"], "nowhere.nc: cannot be read as a learned table"),
-        (["learn", "part.ngc"], "not a scenario"),
+        (["learn", "part.ngc"], "part.ngc: no such file"),
         (["learn", "nowhere.toml"], "nowhere.toml: cannot be read"),
     ],
 )  # fmt: skip
