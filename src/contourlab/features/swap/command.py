@@ -167,7 +167,7 @@ def swap_scenario(
 def _quick_budget(variants: Variants, most: int) -> int:
     """Return the candidates of a search that fit into a quick study, rounded down to a power of 2 so that it hardly depends on the timing.
 
-    A half of the time is for J* of each variant and for the shared design, which has twice the budget; the other half for refining them.
+    Twice, J* of each variant and the shared design, which has twice the budget, are searched from the beginning.
     """
     column = variants.space.columns(variants.space.start[None])
     one = variants.evaluators[0]

@@ -81,12 +81,6 @@ def restarted(
     return replace(found, runs=runs, course=np.vstack(course))
 
 
-def _gained(found: Found) -> float:
-    """Return by how much the second half of a search lowered its objective."""
-    runs, values = found.course.T
-    return float(values[runs <= max(0.5 * runs[-1], runs[0])].min() - found.value)
-
-
 # --- designs -----------------------------------------------------------------------------------------------------------------------------
 
 
@@ -226,8 +220,6 @@ class SwapSearch:
         Optimum of each variant alone.
     designs : dict
         The best shared design found for each set of local parameters.
-    gained : float
-        By how much the second half of the latest search of a shared design lowered its largest loss.
     """
 
     variants: Variants
@@ -237,7 +229,6 @@ class SwapSearch:
     optima: list[Optimum] = field(default_factory=list)
     designs: dict[frozenset[str], Design] = field(default_factory=dict)
     searches: int = 0
-    gained: float = math.nan
 
     def variant_optimum(self, i: int, *, again: bool = False) -> Optimum:
         """Search the best design of variant `i` alone; `again` starts around J* but not at it, to confirm it independently."""
@@ -258,7 +249,7 @@ class SwapSearch:
         return Optimum(float(values[-1]), values[:-1])
 
     def all_optima(self) -> Array:
-        """Search the best design of each variant, all at once; return by how much the second halves lowered J over J_tol (n_variant,)."""
+        """Search the best design of each variant, all at once; return its J (n_variant,)."""
         variants, seed = self.variants, self.settings.seed + 10 * self.searches
 
         def made(budget: int) -> dict[str, Array]:
@@ -267,12 +258,9 @@ class SwapSearch:
 
             found = in_threads(alone, range(len(variants)), variants.threads)
             values = np.array([one.value for one in found])
-            gained = np.array([_gained(one) for one in found])
-            return {"values": np.where(values < BROKEN, values * variants.floor, math.inf), "gained": gained}
+            return {"values": np.where(values < BROKEN, values * variants.floor, math.inf)}
 
-        arrays = self._searched("each variant alone", self.settings.budget, len(variants), made)
-        self.optima = [Optimum(value, np.array([value])) for value in arrays["values"].tolist()]
-        return arrays["gained"]
+        return self._searched("each variant alone", self.settings.budget, len(variants), made)["values"]
 
     def search_set(self, local: Iterable[str], target: float = -math.inf) -> Design:
         """Search the shared design for a set of local parameters; keep and return the best.
@@ -299,11 +287,10 @@ class SwapSearch:
             found = restarted(objective, rows[:1] if quick else rows, budget, seed, SHARED, target, LANES if quick else POPULATION)
             points = shared.spread(found.point[None])
             values, broken = variants.values(points)
-            return {"points": points[:, 0], "values": np.where(broken > 0.0, np.inf, values)[:, 0], "gained": np.array(_gained(found))}
+            return {"points": points[:, 0], "values": np.where(broken > 0.0, np.inf, values)[:, 0]}
 
         budget = self.settings.budget * (1 if chosen else 2)
         arrays = self._searched(f"local: {self.short(chosen)}", budget, len(variants), made)
-        self.gained = float(arrays["gained"])
         design, known = Design(chosen, arrays["points"], arrays["values"]), self.designs.get(chosen)
         if known is None or self.swap_loss(design) < self.swap_loss(known):
             self.designs[chosen] = design

@@ -222,30 +222,35 @@ def _search_sets(search: SwapSearch, candidates: tuple[str, ...]) -> None:
 
 
 def _search_quickly(search: SwapSearch, candidates: tuple[str, ...]) -> float:
-    """Search the shared design, refine it if it is too close to tell, and find local parameters if it is not enough.
+    """Search twice from the beginning, keep the better, and find local parameters if the shared design is not enough.
 
-    Return the uncertainty of its loss: `SCATTER`, and the most that the last doubling of the budget gained, for J* of a variant (the loss
-    may be larger) or for the shared design (it may be smaller).
+    Return the uncertainty of its loss: `SCATTER`, and the largest of the distances of either search's own loss from that of both together,
+    and of what the searches for one variant alone miss of J*.
     """
     variants, settings = search.variants, search.settings
-    alone, loss = search.all_optima(), search.swap_loss(search.search_set(()))
-    gained = np.append(alone * variants.floor / np.maximum(variants.best, variants.floor), search.gained)
-
-    def uncertainty() -> float:
-        return SCATTER + float(gained.max())
-
-    if not abs(loss - settings.full) > uncertainty():
-        best = variants.best.copy()
-        search.all_optima()
-        refined = search.swap_loss(search.search_set(()))
-        gained = np.append(variants.losses(best), abs(loss - refined))
-        loss = refined
-    if loss > settings.full + uncertainty() and candidates:
+    best, best_points = variants.best, variants.best_points
+    alone, points, designs, own = [], [], [], []
+    for _ in range(2):
+        variants.best, variants.best_points = best.copy(), best_points.copy()
+        search.designs.clear()
+        alone.append(search.all_optima())
+        design = search.search_set(())
+        designs.append(design)
+        points.append(variants.best_points)
+        own.append(search.swap_loss(design))
+    for one in points:
+        variants.values(one[:, None])
+    search.optima = [Optimum(float(values.min()), values) for values in np.transpose(alone)]
+    design = search.designs[design.local] = min(designs, key=search.swap_loss)
+    loss = search.swap_loss(design)
+    short = variants.losses(np.min(alone, axis=0))
+    uncertainty = SCATTER + max(*short, *(abs(one - loss) if one != loss else 0.0 for one in own))  # both may be infinite
+    if loss > settings.full + uncertainty and candidates:
         # The budget of one search serves all sets: they start from designs that are nearly optimal.
         search.settings = replace(settings, budget=max(settings.budget // len(settings.local or candidates), 1))
         _search_sets(search, candidates)
     search.propagate_best()
-    return uncertainty()
+    return uncertainty
 
 
 def _settle(search: SwapSearch) -> None:

@@ -64,7 +64,7 @@ def test_a_quick_study_holds_its_own_uncertainty() -> None:
     others = [("other", rigid("other", 1.01))]
     variants = variants_under(others)
     candidates = tuple(name for name in variants.space.names if variants.members[0].module(name))
-    quick = swap_study(variants, candidates, SwapSettings(budget=200, quick=True))
+    quick = swap_study(variants, candidates, SwapSettings(budget=400, quick=True))
     whole = studied(others)
     assert quick.uncertainty is not None and abs(quick.base.swap_loss - whole.base.swap_loss) <= quick.uncertainty < 0.03
     assert not quick.unsure and quick.verdict.code == whole.verdict.code
