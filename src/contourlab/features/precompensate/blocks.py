@@ -177,13 +177,11 @@ def _word_end(line: str, at: int) -> int:
             depth += 1
         elif sign in "]>":
             depth -= 1
-        elif depth == 0 and sign in "(;@^":
-            break
-        elif depth == 0 and sign == "#" and not assigned and line[at + 1 : end].strip(" +-") != "" and line[end - 1] != "#":
+        elif depth == 0 and (sign in "(;@^" or (sign == "#" and not assigned and line[at + 1 : end].strip(" +-#"))):
             break
         elif depth == 0 and sign.isalpha():
             function = re.match(r"[A-Za-z]+\s*\[", line[end:])
-            if function is None or line[at + 1 : end].strip(" =+-#") and not assigned:
+            if function is None or (line[at + 1 : end].strip(" =+-#") and not assigned):
                 break
             end += function.end() - 1
             continue

@@ -19,7 +19,7 @@ from contourlab.features.measure.log_choice import LogChoice, positive
 from contourlab.features.precompensate.blocks import Source, parse_blocks, read_blocks
 from contourlab.features.precompensate.contour import Contour, contour_of
 from contourlab.features.precompensate.law import CUTOFF, Run, learn, proposed, smoother, spread
-from contourlab.features.precompensate.passes import PassFigures, Passes, digest_of, load, save
+from contourlab.features.precompensate.passes import Passes, PassFigures, digest_of, load, save
 from contourlab.features.precompensate.result import LeftMove, Precompensated
 from contourlab.features.precompensate.runs import Measured, open_run, run_of
 from contourlab.features.precompensate.writing import Written, write_corrected
@@ -32,9 +32,8 @@ from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
 MARK = "(contourlab precompensate: pass "
 """How a corrected program begins."""
-FROM_BAND = 0.75
-"""Share of the band of cycle time from which the next pass is smoother, and by what factor."""
 SMOOTHER = 0.8
+"""Factor on the cutoff after a pass that took too long."""
 POOR = 0.5
 """Unexplained share of the following error from which the model of the loop is doubted."""
 COVERED = 0.98
@@ -216,7 +215,6 @@ def _simulated(program: Program, machine: Machine, controller: Controller, seed:
     result = simulate(machine, controller, reference, seed=seed, trial=trial)
     columns = [machine.axis_names.index(axis) for axis in machine.axis_names if axis in "xyz"]
     command, motor, load = (np.asarray(result[name][:, columns]) for name in ("reference", "position", "tool_position"))
-    # The motion ends in place: a rest lets the last error settle and be seen.
     return Measured(machine.servo_period, command, motor, load, "model")
 
 
@@ -311,14 +309,16 @@ class _Work:
             findings += [finding("CL917", share=covered)] if covered < COVERED else []
         learned = learn(passes.learned, runs, list(passes.loops), nodes, passes.cutoff)
         self.passes = replace(passes, figures=(*passes.figures, figures), learned=learned)
+        if self.passes.best == number:
+            self.passes = replace(self.passes, held=learned.tried)
         best = self.passes.figures[self.passes.best]
         if number and best.number != number and figures.in_time:
             findings.append(finding("CL914", number=number, rms=figures.rms, best=best.number, least=best.rms))
         slower = run.duration / first - 1.0
-        if slower > FROM_BAND * limit:
+        if not figures.in_time:
             cutoff = SMOOTHER * passes.cutoff
-            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, run, nodes, cutoff))
-            findings += [] if figures.in_time else [finding("CL911", number=number, change=slower, band=limit)]
+            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, self.passes.held, run, nodes, cutoff))
+            findings.append(finding("CL911", number=number, change=slower, band=limit))
         return findings
 
     def propose(self) -> list[Finding]:

@@ -12,7 +12,7 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.features.precompensate.blocks import Source
 from contourlab.feed import Route, route_from_program
 from contourlab.geometry import Path
-from contourlab.program import Arc, Feed, Move, Spline
+from contourlab.program import Arc, Dwell, Feed, Move, Spline
 from contourlab.program.moves import PLANE_AXES
 
 FINEST = 5e-6
@@ -92,7 +92,7 @@ def contour_of(source: Source, axes: Sequence[str], period: float) -> Contour:
 
 def _flat(move: Move, columns: Sequence[int]) -> Move:
     """Return a move without motion of other axes than some; an arc that leaves their plane becomes a line, which is not corrected."""
-    if len(columns) == 3 or not hasattr(move, "end"):
+    if len(columns) == 3 or isinstance(move, Dwell):
         return move
     start, end = (tuple(value if k in columns else 0.0 for k, value in enumerate(point)) for point in (move.start, move.end))
     if isinstance(move, Arc):

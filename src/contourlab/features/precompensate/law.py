@@ -35,7 +35,7 @@ ORDER = 4
 """Slope of the low-pass: |Q| = 1/(1 + (f/f_c)^ORDER)."""
 NEAR = 0.5
 """Time over which an error counts for its place, times the cutoff."""
-RESTS = 1.0 / 15.0
+RESTS = 1.0 / 10.0
 """Error over the first error, both rms, up to which a place is left as it is."""
 STICKING = 1e-4
 """Speed [m/s] over which friction changes its sign in the fit."""
@@ -269,18 +269,19 @@ def _nearby(values: Array, period: float, cutoff: float) -> Array:
 
 def proposed(learned: Learned, cap: float) -> tuple[Array, Array]:
     """Return the correction of the next pass (n_node, n_axis) [m], and at which nodes (n_node,) the cap held it."""
-    rest = np.clip((np.sqrt(np.maximum(learned.error, 0.0)) - learned.rests) / max(learned.rests, 1e-300), 0.0, 1.0)
+    rest = np.clip((np.sqrt(np.maximum(learned.error, 0.0)) - learned.rests) / max(2.0 * learned.rests, 1e-300), 0.0, 1.0)
     tried = learned.kept + (learned.gain * rest)[:, None] * learned.step
     size = np.linalg.norm(tried, axis=1)
     capped = size > cap
     return tried * np.where(capped, cap / np.maximum(size, 1e-300), 1.0)[:, None], capped
 
 
-def smoother(learned: Learned, run: Run, nodes: Array, cutoff: float) -> Learned:
-    """Return what is learned, with correction and step below a lower cutoff [Hz]: a smoother path takes less time."""
+def smoother(learned: Learned, held: Array | None, run: Run, nodes: Array, cutoff: float) -> Learned:
+    """Return what is learned, gone back to a correction (n_node, n_axis) [m], with half the step, below a lower cutoff [Hz]."""
 
     def smooth(values: Array) -> Array:
         in_time = np.column_stack([np.interp(run.place, nodes, column) for column in values.T])
         return run.at(nodes, filtered(in_time, run.period, low_pass(cutoff), 3.0 / cutoff))
 
-    return replace(learned, kept=smooth(learned.kept), step=smooth(learned.step), cutoff=cutoff)
+    kept = learned.kept if held is None else held
+    return replace(learned, kept=kept, step=smooth(learned.step), gain=0.5 * learned.gain, cutoff=cutoff)

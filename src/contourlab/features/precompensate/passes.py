@@ -5,12 +5,13 @@ from __future__ import annotations
 import hashlib
 import io
 import json
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.precompensate.law import Learned, Loop
 from contourlab.features.precompensate.writing import Written
@@ -66,6 +67,8 @@ class Passes:
         The programs of passes 1, 2, ...
     logs : tuple of str
         Digests of the logs.
+    held : ndarray (n_node, n_axis) or None [m]
+        Correction of the best pass.
     """
 
     digest: str
@@ -75,7 +78,8 @@ class Passes:
     figures: tuple[PassFigures, ...] = ()
     learned: Learned | None = None
     written: tuple[Written, ...] = ()
-    logs: tuple[str, ...] = field(default=())
+    logs: tuple[str, ...] = ()
+    held: Array | None = None
 
     @property
     def best(self) -> int:
@@ -118,6 +122,8 @@ def save(passes: Passes, folder: Path) -> None:
     arrays: dict[str, Any] = {"about": np.array(json.dumps(about))}
     for number, written in enumerate(passes.written):
         arrays |= {f"corrected_{number}": written.corrected_arc, f"programmed_{number}": written.programmed_arc}
+    if passes.held is not None:
+        arrays["held"] = passes.held
     if passes.learned is not None:
         arrays |= {f"learned_{name}": np.asarray(value) for name, value in vars(passes.learned).items()}
     content = io.BytesIO()
@@ -143,19 +149,21 @@ def load(folder: Path, none: Passes) -> Passes:
             about = json.loads(str(arrays["about"]))
             names = Learned.__dataclass_fields__
             learned = {name: arrays[f"learned_{name}"] for name in names if f"learned_{name}" in arrays}
+            held = arrays.get("held")
             written = tuple(
                 Written(text, arrays[f"corrected_{k}"], arrays[f"programmed_{k}"], n_line, shortest)
                 for k, (text, n_line, shortest) in enumerate(about["texts"])
             )
-        figures = tuple(
-            PassFigures(**{**one, "velocity": tuple(one["velocity"]), "acceleration": tuple(one["acceleration"])}) for one in about["figures"]
-        )
+        shown: list[dict[str, Any]] = [
+            {name: tuple(value) if isinstance(value, list) else value for name, value in one.items()} for one in about["figures"]
+        ]
+        figures = tuple(PassFigures(**one) for one in shown)
         passes = Passes(
             about["digest"], tuple(about["axes"]), tuple(Loop(**loop) for loop in about["loops"]), about["cutoff"], figures, None, written,
-            tuple(about["logs"]),
+            tuple(about["logs"]), held,
         )  # fmt: skip
         if learned:
-            known = {name: float(value) if value.ndim == 0 else value for name, value in learned.items()}
+            known: dict[str, Any] = {name: float(value) if value.ndim == 0 else value for name, value in learned.items()}
             passes = replace(passes, learned=Learned(**known))
     except (OSError, ValueError, KeyError, TypeError, EOFError) as error:
         raise ResultError(f"{file}: is damaged: use a new folder with --passes") from error

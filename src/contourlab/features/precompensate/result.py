@@ -96,7 +96,8 @@ class Precompensated:
     def text(self) -> str:
         """What does not repeat, the passes, and what was written."""
         repeats = "unknown from one run" if self.not_repeating is None else f"{figure(self.not_repeating, 'um')} rms"
-        table = Table([Column("pass"), Column("rms [um]"), Column("largest [um]"), Column("cycle time [s]"), Column("change"), Column("", left=True)])
+        heads = ("pass", "rms [um]", "largest [um]", "cycle time [s]", "change")
+        table = Table([*map(Column, heads), Column("", left=True)])
         for one in self.passes:
             change = f"{100.0 * (one.duration / self.passes[0].duration - 1.0):+.2f} %"
             marks = "best" if one.number == self.best else "" if one.in_time else "too slow"
@@ -105,6 +106,7 @@ class Precompensated:
         what = f"pass {self.written}" if self.written else "the program as it was"
         first = f"\nwritten: {self.out}, {what}"
         if self.written:
-            first += f": {self.lines} lines, path displaced by up to {figure(self.correction, 'um')}, filtered at {figure(self.cutoff, 'Hz')}"
+            size, cutoff = figure(self.correction, "um"), figure(self.cutoff, "Hz")
+            first += f": {self.lines} lines, path displaced by up to {size}, filtered at {cutoff}"
         more = paragraphs(map(str, self.findings))
         return "\n".join([*lines, first, *(["", more] if more else [])])

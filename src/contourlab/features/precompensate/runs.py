@@ -13,7 +13,7 @@ from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.features.measure.log_choice import LogChoice
 from contourlab.features.measure.measured_path import moving, progress_along
-from contourlab.features.precompensate.contour import Contour
+from contourlab.features.precompensate.contour import Contour, chunks
 from contourlab.features.precompensate.law import Loop, Run, fit_loop
 from contourlab.features.precompensate.writing import Written
 from contourlab.logs import Column, Columns, Log, read_columns, read_record, result_of
@@ -31,6 +31,8 @@ AFTER = 0.3
 """Time after the last motion of the command that is looked at [s]."""
 WINDOW = 1e-3
 """Distance along the path around a command's progress in which its place is searched [m]."""
+AT_END = 1e-9
+"""Distance of a foot point from the end of a corrected part at which it is that end [m]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +104,8 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
     load = of(axes, "tool_position", "axis_position") if motor is not None else of(axes, "tool_position", "axis_position", "position")
     if not axes or command is None or (motor is None and load is None):
         missing = "commanded" if not axes or command is None else "measured"
-        raise LogError(f"has no {missing} position: name it, as --column 'reference.x=NAME [mm]' or 'position.x=NAME [mm]'", file=choice.file)
+        cure = "name it, as --column 'reference.x=NAME [mm]' or 'position.x=NAME [mm]'"
+        raise LogError(f"has no {missing} position: {cure}", file=choice.file)
     if load is not None:
         return Measured(result.servo_period, command, load if motor is None else motor, load, "load"), axes, log
     assert motor is not None
@@ -158,12 +161,19 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
     place = np.append(place, np.full(stop - first - len(place), place[-1]))
     farthest = float(np.linalg.norm(measured.command[first:stop] - load, axis=1).max())
     foot = contour.path.foot_point(load, place, min(4.0 * farthest + 1e-4, 0.25 * contour.path.length))
+    off = foot.position - load
+    ends = contour.path.breaks[sorted({end for part in chunks(contour) for end in part})]
+    nearest = ends[np.clip(np.searchsorted(0.5 * (ends[1:] + ends[:-1]), foot.arc_length), 0, len(ends) - 1)]
+    at_end = np.abs(np.asarray(foot.arc_length) - nearest) < AT_END
+    tangent = np.asarray(contour.path.tangent(foot.arc_length))
+    # Before its start and beyond its end, what a part lacks along its own direction is a matter of time, not of the path.
+    off -= np.where(at_end, (off * tangent).sum(axis=1), 0.0)[:, None] * tangent
     on = contour.is_corrected(place) & contour.is_corrected(np.asarray(foot.arc_length))
     steps = np.diff(measured.command[first : stop + 1], axis=0, prepend=command[:1])[: stop - first]
     return Run(
         period=period,
         place=place,
-        error=np.where(on[:, None], foot.position - load, 0.0),
+        error=np.where(on[:, None], off, 0.0),
         moves=on & (steps != 0.0).any(axis=1),
         duration=(last - first) * period,
         velocity=np.abs(steps).max(axis=0) / period,

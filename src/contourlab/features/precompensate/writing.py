@@ -78,14 +78,14 @@ def write_corrected(contour: Contour, correction: Array, tolerance: float) -> Wr
     breaks = contour.path.breaks
     done = set()
     for curve, number in enumerate(contour.route.source_line.tolist()):
-        lines = replaced.get(number - 1)
-        if lines is None:
+        new = replaced.get(number - 1)
+        if new is None:
             arcs.append(arcs[-1] + float(breaks[curve + 1] - breaks[curve]))
             places.append(float(breaks[curve + 1]))
             at = contour.path.position(breaks[curve + 1 : curve + 2])[0]
         elif number not in done:
             done.add(number)
-            for point, place in zip(lines.points, lines.places, strict=True):
+            for point, place in zip(new.points, new.places, strict=True):
                 arcs.append(arcs[-1] + float(np.linalg.norm(point - at)))
                 places.append(place)
                 at = point
@@ -107,14 +107,14 @@ def _replacing(
         points, places = np.vstack([points, points[-1:]]), np.append(places, places[-1])
         points[-1, columns] = contour.positions[index[-1]]
     digits = 6 if block.millimetres else 8
-    shown = np.round([block.shown(tuple(point)) for point in points.tolist()], digits)  # type: ignore[arg-type]
+    shown = np.round([block.shown(tuple(point)) for point in points.tolist()], digits)
     moved = np.append(True, (np.diff(shown[:, columns], axis=0) != 0.0).any(axis=1))
     shown, points, places = shown[moved], points[moved], places[moved]
     kept = polygon_corners(shown, tolerance * (1e3 if block.millimetres else 1.0 / 0.0254))[1:]
     lines = _Lines()
     varies = np.ptp(shown, axis=0) > 0.0
     for k in kept.tolist():
-        words = [f"{letter}{value:.{digits}f}".rstrip("0").rstrip(".") for letter, value, v in zip("XYZ", shown[k], varies, strict=True) if v]
+        words = [f"{'XYZ'[j]}{shown[k, j]:.{digits}f}".rstrip("0").rstrip(".") for j in np.flatnonzero(varies)]
         lines.text.append("G1 " + " ".join(words))
         lines.points.append(points[k, columns])
         lines.places.append(float(places[k]))
