@@ -87,17 +87,10 @@ def test_bad_input(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pyte
     assert Path("part.ngc").read_text() == PART
 
 
-PARTS = {
-    "circle": PART,
-    "pocket": "G21 G90 G64 P0.002\nG1 X20 F1500\nG3 X25 Y5 I0 J5\nG1 Y20\nX0\nY0\nM2\n",
-}
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize("name", PARTS)
-def test_from_a_model(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], name: str) -> None:
+def test_from_a_model(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.chdir(tmp_path)
-    Path("part.ngc").write_text(PARTS[name])
+    Path("part.ngc").write_text("G21 G90 G64 P0.002\nG1 X20 Y0 F1500\nG3 X20 Y0 I-20 J0\nG3 X20 Y0 I-20 J0\nG1 X0 Y0\nM2\n")
     machine = ("--machine", "ubc/table", "--controller", "ubc/lead-lag-controller")
     result = printed(capsys, "precompensate", "part.ngc", *machine, "--out", "out.ngc", "--repeat", "8")
     assert result["gain"] > 5.0

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import shutil
-import subprocess
-import tempfile
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -21,17 +19,13 @@ from contourlab.features.precompensate.contour import Contour, contour_of
 from contourlab.features.precompensate.law import CUTOFF, Run, learn, proposed, smoother, spread
 from contourlab.features.precompensate.passes import Passes, PassFigures, digest_of, load, save
 from contourlab.features.precompensate.result import LeftMove, Precompensated
-from contourlab.features.precompensate.runs import Measured, open_run, run_of
-from contourlab.features.precompensate.writing import Written, write_corrected
-from contourlab.feed import LimitReport, Reference, blended, limit_report, plan, route_from_program
+from contourlab.features.precompensate.runs import Measured, limits_of, open_run, run_of, simulated
+from contourlab.features.precompensate.writing import MARK, Written, complaint, marked, write_corrected
 from contourlab.findings import Finding, finding
-from contourlab.loop import Controller, Machine, simulate
-from contourlab.program import Program, Reading
+from contourlab.loop import Controller, Machine
+from contourlab.program import Reading
 from contourlab.result import write_text_atomic
-from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
-MARK = "(contourlab precompensate: pass "
-"""How a corrected program begins."""
 SMOOTHER = 0.8
 """Factor on the cutoff after a pass that took too long."""
 POOR = 0.5
@@ -196,7 +190,7 @@ def precompensate_from_model(
     rest: float | None = None
     for k in range(options.repeat + 1):
         progress(f"pass {k}")
-        trials = [_simulated(work.driven.source.program, machine, controller, seed, trial) for trial in ((0, 1) if k == 0 else (k + 1,))]
+        trials = [simulated(work.driven.source.program, machine, controller, seed, trial) for trial in ((0, 1) if k == 0 else (k + 1,))]
         runs = [work.run(one) for one in trials]
         rest = spread(runs) if k == 0 else rest
         more = work.learn(trials[0], runs)
@@ -208,27 +202,6 @@ def precompensate_from_model(
     result = work.result(out, "model", rest, findings, proceed=False)
     write_text_atomic(out, work.text(result.written))
     return result
-
-
-def _simulated(program: Program, machine: Machine, controller: Controller, seed: int, trial: int) -> Measured:
-    reference = planned(program, machine)
-    result = simulate(machine, controller, reference, seed=seed, trial=trial)
-    columns = [machine.axis_names.index(axis) for axis in machine.axis_names if axis in "xyz"]
-    command, motor, load = (np.asarray(result[name][:, columns]) for name in ("reference", "position", "tool_position"))
-    return Measured(machine.servo_period, command, motor, load, "model")
-
-
-def planned(program: Program, machine: Machine) -> Reference:
-    """Return the motion of a program on a machine.
-
-    Raises
-    ------
-    ProgramError, FeedError
-        If it cannot be planned.
-    """
-    limits = machine.planner_limits()
-    route = route_from_program(program, machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
-    return plan(blended(route, limits), limits, machine.servo_period)
 
 
 class _Work:
@@ -309,15 +282,13 @@ class _Work:
             findings += [finding("CL917", share=covered)] if covered < COVERED else []
         learned = learn(passes.learned, runs, list(passes.loops), nodes, passes.cutoff)
         self.passes = replace(passes, figures=(*passes.figures, figures), learned=learned)
-        if self.passes.best == number:
-            self.passes = replace(self.passes, held=learned.tried)
         best = self.passes.figures[self.passes.best]
         if number and best.number != number and figures.in_time:
             findings.append(finding("CL914", number=number, rms=figures.rms, best=best.number, least=best.rms))
         slower = run.duration / first - 1.0
         if not figures.in_time:
             cutoff = SMOOTHER * passes.cutoff
-            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, self.passes.held, run, nodes, cutoff))
+            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, run, nodes, cutoff))
             findings.append(finding("CL911", number=number, change=slower, band=limit))
         return findings
 
@@ -328,7 +299,7 @@ class _Work:
         tried, capped = proposed(learned, self.settings.cap)
         written = write_corrected(self.contour, tried, self.settings.tolerance)
         number = len(self.passes.written) + 1
-        written = replace(written, text=_marked(written.text, number, self.part.name))
+        written = replace(written, text=marked(written.text, number, self.part.name))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
         contour = self.contour_again(written)
         findings = [finding("CL910", cap=self.settings.cap, share=float(capped.mean()))] if capped.any() else []
@@ -340,7 +311,7 @@ class _Work:
         """Plan the written program on the machine, and compare what it needs with the program itself."""
         machine = self.machine
         assert machine is not None
-        before, after = (_report(one.source.program, machine) for one in (self.contour, contour))
+        before, after = (limits_of(one.source.program, machine) for one in (self.contour, contour))
         findings = []
         for kind in ("velocity", "acceleration", "jerk"):
             for old, new in zip(getattr(before, kind), getattr(after, kind), strict=True):
@@ -353,10 +324,10 @@ class _Work:
         """Let LinuxCNC's interpreter read the written program, where it is installed."""
         if shutil.which("rs274") is None or self.reading.dialect != "linuxcnc":
             return []
-        if _complaint("\n".join(self.contour.source.lines) + "\n", self.part.parent):
+        if complaint("\n".join(self.contour.source.lines) + "\n", self.part.parent):
             return []
-        complaint = _complaint(written.text, self.part.parent)
-        return [finding("CL916", message=complaint)] if complaint else []
+        message = complaint(written.text, self.part.parent)
+        return [finding("CL916", message=message)] if message else []
 
     def text(self, number: int) -> str:
         """Return the program of a pass."""
@@ -404,31 +375,3 @@ def _largest(correction: Array) -> float:
 
 def _events(source: Source) -> list[tuple[str, float | None]]:
     return [(event.word, event.value) for event in source.program.events]
-
-
-def _marked(text: str, number: int, name: str) -> str:
-    """Return a program with a comment that says what it is, after an opening %."""
-    plain = "".join(letter if letter.isalnum() or letter in "._-" else "_" for letter in name)
-    head, rest = ("%\n", text[2:]) if text.startswith("%\n") else ("", text)
-    return f"{head}{MARK}{number} of {plain})\n{rest}"
-
-
-def _report(program: Program, machine: Machine) -> LimitReport:
-    return limit_report(planned(program, machine), machine.planner_limits())
-
-
-def _complaint(text: str, folder: Path) -> str:
-    """Return what LinuxCNC's interpreter says against a program; empty for nothing."""
-    with tempfile.TemporaryDirectory() as name:
-        file = Path(name, "program.ngc")
-        file.write_text(text, encoding="utf-8", errors="replace")
-        try:
-            ran = subprocess.run(
-                ["rs274", "-g", str(file)], capture_output=True, text=True, errors="replace", timeout=60, cwd=folder, check=False
-            )
-        except (OSError, subprocess.TimeoutExpired):
-            return ""
-    lines = [line.strip() for line in ran.stderr.splitlines() if line.strip()]
-    return "" if ran.returncode == 0 else (lines[-1] if lines else f"code {ran.returncode}")[:200]
-
-

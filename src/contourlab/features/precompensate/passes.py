@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.precompensate.law import Learned, Loop
 from contourlab.features.precompensate.writing import Written
@@ -67,8 +66,6 @@ class Passes:
         The programs of passes 1, 2, ...
     logs : tuple of str
         Digests of the logs.
-    held : ndarray (n_node, n_axis) or None [m]
-        Correction of the best pass.
     """
 
     digest: str
@@ -79,7 +76,6 @@ class Passes:
     learned: Learned | None = None
     written: tuple[Written, ...] = ()
     logs: tuple[str, ...] = ()
-    held: Array | None = None
 
     @property
     def best(self) -> int:
@@ -122,8 +118,6 @@ def save(passes: Passes, folder: Path) -> None:
     arrays: dict[str, Any] = {"about": np.array(json.dumps(about))}
     for number, written in enumerate(passes.written):
         arrays |= {f"corrected_{number}": written.corrected_arc, f"programmed_{number}": written.programmed_arc}
-    if passes.held is not None:
-        arrays["held"] = passes.held
     if passes.learned is not None:
         arrays |= {f"learned_{name}": np.asarray(value) for name, value in vars(passes.learned).items()}
     content = io.BytesIO()
@@ -149,7 +143,6 @@ def load(folder: Path, none: Passes) -> Passes:
             about = json.loads(str(arrays["about"]))
             names = Learned.__dataclass_fields__
             learned = {name: arrays[f"learned_{name}"] for name in names if f"learned_{name}" in arrays}
-            held = arrays.get("held")
             written = tuple(
                 Written(text, arrays[f"corrected_{k}"], arrays[f"programmed_{k}"], n_line, shortest)
                 for k, (text, n_line, shortest) in enumerate(about["texts"])
@@ -160,7 +153,7 @@ def load(folder: Path, none: Passes) -> Passes:
         figures = tuple(PassFigures(**one) for one in shown)
         passes = Passes(
             about["digest"], tuple(about["axes"]), tuple(Loop(**loop) for loop in about["loops"]), about["cutoff"], figures, None, written,
-            tuple(about["logs"]), held,
+            tuple(about["logs"]),
         )  # fmt: skip
         if learned:
             known: dict[str, Any] = {name: float(value) if value.ndim == 0 else value for name, value in learned.items()}

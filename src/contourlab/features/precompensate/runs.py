@@ -16,10 +16,13 @@ from contourlab.features.measure.measured_path import moving, progress_along
 from contourlab.features.precompensate.contour import Contour, chunks
 from contourlab.features.precompensate.law import Loop, Run, fit_loop
 from contourlab.features.precompensate.writing import Written
+from contourlab.feed import LimitReport, Reference, blended, limit_report, plan, route_from_program
 from contourlab.logs import Column, Columns, Log, read_columns, read_record, result_of
 from contourlab.logs.load import about
 from contourlab.logs.mapping import once, parse_columns
-from contourlab.loop import Machine
+from contourlab.loop import Controller, Machine, simulate
+from contourlab.program import Program
+from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
 NAMES = (
     ("reference", ("{}_cmd", "{}-cmd", "{}_command")),
@@ -179,3 +182,30 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
         velocity=np.abs(steps).max(axis=0) / period,
         acceleration=np.abs(np.diff(steps, axis=0)).max(axis=0) / period**2,
     )
+
+
+def simulated(program: Program, machine: Machine, controller: Controller, seed: int, trial: int) -> Measured:
+    """Simulate a run of a program."""
+    reference = planned(program, machine)
+    result = simulate(machine, controller, reference, seed=seed, trial=trial)
+    columns = [machine.axis_names.index(axis) for axis in machine.axis_names if axis in "xyz"]
+    command, motor, load = (np.asarray(result[name][:, columns]) for name in ("reference", "position", "tool_position"))
+    return Measured(machine.servo_period, command, motor, load, "model")
+
+
+def planned(program: Program, machine: Machine) -> Reference:
+    """Return the motion of a program on a machine.
+
+    Raises
+    ------
+    ProgramError, FeedError
+        If it cannot be planned.
+    """
+    limits = machine.planner_limits()
+    route = route_from_program(program, machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
+    return plan(blended(route, limits), limits, machine.servo_period)
+
+
+def limits_of(program: Program, machine: Machine) -> LimitReport:
+    """Return what a program needs of the limits of a machine."""
+    return limit_report(planned(program, machine), machine.planner_limits())

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import subprocess
+import tempfile
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 
@@ -12,6 +15,8 @@ from contourlab.features.precompensate.contour import Contour, chunks, node_rang
 from contourlab.geometry.thinning import polygon_corners
 from contourlab.program import Mode, Spline
 
+MARK = "(contourlab precompensate: pass "
+"""How a corrected program begins."""
 _CONTROLS = {"exact_path": "G61", "exact_stop": "G61.1"}
 _SMOOTH = 1e-9
 
@@ -159,3 +164,25 @@ def _text(contour: Contour, replaced: dict[int, _Lines]) -> str:
     for number, line in enumerate(source.lines, 1):
         written += by_line.get(number, [line])
     return "\n".join(written) + "\n"
+
+
+def marked(text: str, number: int, name: str) -> str:
+    """Return a program with a comment that says what it is, after an opening %."""
+    plain = "".join(letter if letter.isalnum() or letter in "._-" else "_" for letter in name)
+    head, rest = ("%\n", text[2:]) if text.startswith("%\n") else ("", text)
+    return f"{head}{MARK}{number} of {plain})\n{rest}"
+
+
+def complaint(text: str, folder: Path) -> str:
+    """Return what LinuxCNC's interpreter says against a program; empty for nothing."""
+    with tempfile.TemporaryDirectory() as name:
+        file = Path(name, "program.ngc")
+        file.write_text(text, encoding="utf-8", errors="replace")
+        try:
+            ran = subprocess.run(
+                ["rs274", "-g", str(file)], capture_output=True, text=True, errors="replace", timeout=60, cwd=folder, check=False
+            )
+        except (OSError, subprocess.TimeoutExpired):
+            return ""
+    lines = [line.strip() for line in ran.stderr.splitlines() if line.strip()]
+    return "" if ran.returncode == 0 else (lines[-1] if lines else f"code {ran.returncode}")[:200]
