@@ -18,7 +18,7 @@ _NOT_TOUCHED = re.compile(r"G\s*0*(4|10|28|30|53|92)(\.\d)?(?![\d.])|M\s*0*(0|1|
 """Codes that a corrected line may not hold: they act at its end, or on its axis words."""
 _SPLINE_START = re.compile(r"G\s*0*5\.2", re.IGNORECASE)
 _MOTION = re.compile(r"G\s*0*([0123]|5(\.[123])?)(?![\d.])", re.IGNORECASE)
-_GEOMETRY = "XYZIJKR@^"
+_GEOMETRY = "XYZIJKRL@^"
 
 
 @dataclass(frozen=True)

@@ -94,7 +94,7 @@ def test_helices_keep_their_height() -> None:
 
 
 def test_splines_are_replaced_whole() -> None:
-    text = "G21 G90\nF300\nG5.2 X3 Y-1 P2\nX5 Y-10 P1 (second)\nX3 Y-20 P1\nX0 Y-25 P1\nG5.3\nG0 X0 Y0\nM2\n"
+    text = "G21 G90\nF300\nG5.2 X3 Y-1 P2 L3\nX5 Y-10 P1 (second)\nX3 Y-20 P1\nX0 Y-25 P1\nG5.3\nG0 X0 Y0\nM2\n"
     written, reasons = corrected(text)
     assert reasons == ["", "-"]
     assert "G5" not in written
