@@ -37,6 +37,7 @@ from contourlab.cli.commands.machines import machines
 from contourlab.cli.commands.measure import measure
 from contourlab.cli.commands.new import new
 from contourlab.cli.commands.notch import notch
+from contourlab.cli.commands.precompensate import precompensate
 from contourlab.cli.commands.refine import refine
 from contourlab.cli.commands.reproduce import reproduce
 from contourlab.cli.commands.run import run as run_command
@@ -74,6 +75,7 @@ app.command("interpolate", rich_help_panel="Measure")(interpolate)
 app.command("tune", rich_help_panel="Tune")(tune)
 app.command("notch", rich_help_panel="Tune")(notch)
 app.add_typer(commission, name="commission", rich_help_panel="Tune")
+app.command("precompensate", rich_help_panel="Tune")(precompensate)
 app.command("sensitivity", rich_help_panel="Tune")(sensitivity)
 app.command("swap", rich_help_panel="Tune")(swap)
 app.command("export", rich_help_panel="Tune")(export)

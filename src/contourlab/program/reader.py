@@ -164,6 +164,11 @@ class Reader:
             self._known.add(str(error))
             self.problems.append(error)
 
+    @property
+    def repeating(self) -> bool:
+        """Whether a loop or a subprogram is running."""
+        return self._walker.repeating
+
     def count_lines(self) -> int:
         """Return the number of lines of the program; reads those after its end."""
         self._n_read += sum(1 for _ in self._lines)

@@ -25,6 +25,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.machines.command import Shipped
     from contourlab.features.measure.summary import MeasuredSummary
     from contourlab.features.notch.command import Notched
+    from contourlab.features.precompensate.result import Precompensated
     from contourlab.features.refine.command import Refinement
     from contourlab.features.run.demo import Demo
     from contourlab.features.run.summary import Summary
@@ -54,6 +55,7 @@ def results() -> dict[str, Any]:
         "machines": Shipped | tuple[Shipped, ...] | tuple[Path, ...],
         "measure": MeasuredSummary,
         "notch": Notched,
+        "precompensate": Precompensated,
         "refine": Refinement,
         "reproduce": tuple[Row, ...],
         "run": Summary,

@@ -1,0 +1,1 @@
+"""Correct a part program by the contour error that repeats."""

@@ -1,0 +1,191 @@
+"""The moves of a program with what it takes to write each of them again: its lines, units, offsets and modes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from contourlab.program import Arc, Dwell, Feed, Move, Point, Program, Reader, Reading, Spline
+from contourlab.program.coordinates import Frame
+from contourlab.program.moves import PLANE_AXES
+from contourlab.program.reader import read_text, split_lines
+from contourlab.program.vocabulary import CYCLES
+
+_COMMENT = re.compile(r"\([^()]*\)|;.*")
+_NOT_TOUCHED = re.compile(r"G\s*0*(4|10|28|30|53|92)(\.\d)?(?![\d.])|M\s*0*(0|1|2|30|60|98|99)(?!\d)|^\s*/", re.IGNORECASE)
+"""Codes that a corrected line may not hold: they act at its end, or on its axis words."""
+_SPLINE_START = re.compile(r"G\s*0*5\.2", re.IGNORECASE)
+_MOTION = re.compile(r"G\s*0*([0123]|5(\.[123])?)(?![\d.])", re.IGNORECASE)
+_GEOMETRY = "XYZIJKRL@^"
+
+
+@dataclass(frozen=True)
+class Block:
+    """A move and its place in the program.
+
+    Attributes
+    ----------
+    move : Move
+    lines : (int, int)
+        First and last line of the program that describe it, from 1.
+    frame : Frame
+        Offsets in force.
+    millimetres, absolute : bool
+    feed_mode : str
+        As `contourlab.program.state.FeedMode`.
+    reason : str
+        Why it cannot be corrected; empty if it can.
+    """
+
+    move: Move
+    lines: tuple[int, int]
+    frame: Frame
+    millimetres: bool
+    absolute: bool
+    feed_mode: str
+    reason: str
+
+    def shown(self, axes: Point) -> Point:
+        """Return an axis position [m] in the numbers of the program."""
+        scale = 1000.0 if self.millimetres else 1.0 / 0.0254
+        x, y, z = self.frame.point(axes)
+        return (x * scale, y * scale, z * scale)
+
+
+@dataclass(frozen=True)
+class Source:
+    """A program as text and as blocks.
+
+    Attributes
+    ----------
+    program : Program
+    lines : tuple of str
+    blocks : tuple of Block
+        One for each move.
+    """
+
+    program: Program
+    lines: tuple[str, ...]
+    blocks: tuple[Block, ...]
+
+
+def read_blocks(file: Path, reading: Reading, axes: Sequence[str]) -> Source:
+    """Read a program.
+
+    Parameters
+    ----------
+    file : Path
+    reading : Reading
+    axes : sequence of str
+        Axes that can be corrected.
+
+    Raises
+    ------
+    ProgramError
+        If it cannot be read.
+    """
+    lines = split_lines(read_text(file))
+    return _source(lines, file, replace(reading, folder=file.parent) if reading.folder is None else reading, axes)
+
+
+def parse_blocks(text: str, name: str, reading: Reading, axes: Sequence[str]) -> Source:
+    """Read a program from text; see `read_blocks`."""
+    return _source(split_lines(text), name, reading, axes)
+
+
+def _source(lines: list[str], name: str | Path, reading: Reading, axes: Sequence[str]) -> Source:
+    reader = Reader(lines, name, reading)
+    columns = ["xyz".index(axis) for axis in axes]
+    blocks: list[Block] = []
+    count: dict[int, int] = {}
+    for move in reader.moves():
+        state, line = reader.state, move.source_line
+        first = line
+        if isinstance(move, Spline) and not _motion_of(lines[line - 1]).startswith("5.1"):
+            first = next((k for k in range(line, 0, -1) if _SPLINE_START.search(lines[k - 1])), line)
+        reason = "inside a loop or subprogram" if reader.repeating else _reason(move, columns, lines[first - 1 : line], state.motion)
+        if state.diameter and not reason:
+            reason = "in diameters (G7)"
+        frame = Frame(state.frame.system, state.frame.origin, state.frame.rotation, state.frame.shift, state.frame.tool, state.frame.plain)
+        blocks.append(Block(move, (first, line), frame, state.millimetres, state.absolute, state.feed_mode, reason))
+        count[line] = count.get(line, 0) + 1
+    blocks = [replace(b, reason=b.reason or "several moves in a line") if count[b.lines[1]] > 1 else b for b in blocks]
+    program = Program(str(name), tuple(b.move for b in blocks), tuple(lines), tuple(reader.state.events), tuple(reader.notices))
+    return Source(program, tuple(lines), tuple(blocks))
+
+
+def _motion_of(line: str) -> str:
+    found = _MOTION.search(_COMMENT.sub("", line))
+    return found[1] if found else ""
+
+
+def _reason(move: Move, columns: Sequence[int], lines: Sequence[str], motion: int | None) -> str:
+    """Return why a move cannot be corrected; "-" for one that does not cut along the corrected axes."""
+    if isinstance(move, Dwell) or not isinstance(move, Feed | Arc | Spline):
+        return "-"
+    if isinstance(move, Arc):
+        if not set(PLANE_AXES[move.plane][:2]) <= set(columns):
+            return "an arc in a plane that the log does not hold"
+    elif not isinstance(move, Spline) and all(move.start[k] == move.end[k] for k in columns):
+        return "-"
+    if motion in CYCLES:
+        return "a canned cycle"
+    if any(_NOT_TOUCHED.search(_COMMENT.sub("", line)) for line in lines):
+        return "with another code that acts on its line"
+    return ""
+
+
+def without_motion(line: str) -> str:
+    """Return a line without its motion: axis words, centres, radii and motion codes; the rest stays.
+
+    >>> without_motion("N10 G17 G2 (arc) X9 Y[3+1] I-2. F200 M8")
+    'N10 G17 (arc) F200 M8'
+    """
+    blend = re.search(r"G\s*0*64(?!\d)", _COMMENT.sub("", line), re.IGNORECASE)
+    dropped = _GEOMETRY + ("" if blend else "PQ")
+    kept, at = [], 0
+    while at < len(line):
+        letter = line[at]
+        if letter in "(;":
+            end = line.find(")", at) + 1 if letter == "(" else len(line)
+            kept.append(line[at : end or len(line)])
+            at = end or len(line)
+            continue
+        if not (letter.isalpha() or letter in "@^#"):
+            kept.append(letter)
+            at += 1
+            continue
+        end = _word_end(line, at)
+        word = line[at:end]
+        if letter.upper() not in dropped and not (letter in "gG" and _MOTION.fullmatch(word.strip())):
+            kept.append(word)
+        elif kept and kept[-1] == " ":
+            kept.pop()
+        at = end
+    return "".join(kept).strip()
+
+
+def _word_end(line: str, at: int) -> int:
+    """Return the end of a word, an assignment included: the next letter, sign of a comment, or axis sign outside brackets."""
+    end, depth = at + 1, 0
+    assigned = line[at] == "#"
+    while end < len(line):
+        sign = line[end]
+        if sign in "[<":
+            depth += 1
+        elif sign in "]>":
+            depth -= 1
+        elif depth == 0 and (sign in "(;@^" or (sign == "#" and not assigned and line[at + 1 : end].strip(" +-#"))):
+            break
+        elif depth == 0 and sign.isalpha():
+            function = re.match(r"[A-Za-z]+\s*\[", line[end:])
+            if function is None or (line[at + 1 : end].strip(" =+-#") and not assigned):
+                break
+            end += function.end() - 1
+            continue
+        end += 1
+    while line[end - 1] == " ":
+        end -= 1
+    return end

@@ -1,0 +1,377 @@
+"""``contourlab precompensate``: correct a part program by the contour error that repeats, from logs or from a model."""
+
+from __future__ import annotations
+
+import shutil
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from contourlab.app.results import check_file
+from contourlab.arrays import Array
+from contourlab.errors import ParameterError, ProgramError, ResultError
+from contourlab.features.measure.log_choice import LogChoice, positive
+from contourlab.features.precompensate.blocks import Source, parse_blocks, read_blocks
+from contourlab.features.precompensate.contour import Contour, contour_of
+from contourlab.features.precompensate.law import CUTOFF, Run, learn, proposed, smoother, spread
+from contourlab.features.precompensate.passes import Passes, PassFigures, digest_of, load, save
+from contourlab.features.precompensate.result import LeftMove, Precompensated
+from contourlab.features.precompensate.runs import Measured, limits_of, open_run, run_of, simulated
+from contourlab.features.precompensate.writing import MARK, Written, complaint, marked, write_corrected
+from contourlab.findings import Finding, finding
+from contourlab.loop import Controller, Machine
+from contourlab.program import Reading
+from contourlab.result import write_text_atomic
+
+SMOOTHER = 0.8
+"""Factor on the cutoff after a pass that took too long."""
+POOR = 0.5
+"""Unexplained share of the following error from which the model of the loop is doubted."""
+COVERED = 0.98
+NODE_TIME = 1e-3
+"""Least time between nodes at the programmed feed [s]."""
+
+
+@dataclass(frozen=True)
+class Options:
+    """Options as typed.
+
+    Attributes
+    ----------
+    tolerance : str
+        Of the short lines.
+    cap : str
+        Of the displacement.
+    band : str
+        Of the cycle time, as a share.
+    repeat : int
+        Passes to simulate.
+    """
+
+    tolerance: str = "0.5 um"
+    cap: str = "1 mm"
+    band: str = "2 %"
+    repeat: int = 5
+
+
+@dataclass(frozen=True)
+class _Settings:
+    tolerance: float
+    cap: float
+    band: float
+
+
+def _settings(options: Options) -> _Settings:
+    tolerance = positive("--tolerance", options.tolerance, "m", 'a length with its unit, such as "0.5 um"')
+    cap = positive("--cap", options.cap, "m", 'a length with its unit, such as "1 mm"')
+    band = positive("--band", options.band, "", 'a share, such as "2 %"')
+    if options.repeat < 1:
+        raise ParameterError("--repeat", str(options.repeat), "1 or more")
+    return _Settings(tolerance, cap, band)
+
+
+def precompensate_from_logs(
+    part: str | Path,
+    logs: Sequence[LogChoice],
+    out: str | Path,
+    *,
+    passes: str | Path | None = None,
+    machine: Machine | None = None,
+    options: Options | None = None,
+    reading: Reading | None = None,
+) -> Precompensated:
+    """Learn from the logs of one pass, and write the program of the next.
+
+    Parameters
+    ----------
+    part : str or Path
+        The program as it was before any correction.
+    logs : sequence of LogChoice
+        Runs of the same pass, with commanded and measured positions.
+    out : str or Path
+        Program to write.
+    passes : str or Path, optional
+        Folder that keeps what was learned; without it, the logs are of `part` itself.
+    machine : Machine, optional
+        For play behind the motors, and for the limits of the axes.
+    options : Options, optional
+    reading : Reading, optional
+
+    Raises
+    ------
+    ProgramError, LogError, ResultError
+        If a file cannot be read, or a log does not follow the program.
+    ParameterError, OutputError
+        If an option is out of range, or a file cannot be written.
+    """
+    options, reading = options or Options(), reading or Reading(require_end=False)
+    settings, part, out = _settings(options), Path(part), Path(out)
+    check_file(out, [part, *(file for log in logs for file in log.files)], "--out")
+    opened = [open_run(log, machine) for log in logs]
+    measured, axes, _ = opened[0]
+    if any(other[1] != axes for other in opened):
+        raise ParameterError("--log", "axes differ", f"logs of the axes {', '.join(axes)}")
+    work = _Work(part, axes, settings, reading, machine, max(NODE_TIME, measured.period))
+    digests = tuple(digest_of(Path(log.file).read_bytes()) for log in logs)
+    if passes is not None:
+        work.passes = load(Path(passes), work.passes)
+        if used := [log.file for log, digest in zip(logs, digests, strict=True) if digest in work.passes.logs]:
+            raise ParameterError("--log", str(used[0]), "the log of the last written pass: this one was used before")
+    runs = [work.run(one) for one, _, _ in opened]
+    findings = list(_log_findings(measured, runs, machine))
+    findings += work.learn(measured, runs)
+    work.passes = replace(work.passes, logs=(*work.passes.logs, *digests))
+    proceed = work.passes.helps
+    if proceed:
+        findings += work.propose()
+    result = work.result(out, measured.source, spread(runs), findings, proceed)
+    write_text_atomic(out, work.text(result.written))
+    if passes is not None:
+        save(work.passes, Path(passes))
+    return result
+
+
+def _log_findings(measured: Measured, runs: Sequence[Run], machine: Machine | None) -> list[Finding]:
+    findings = []
+    rest = spread(list(runs))
+    if rest is None:
+        findings.append(finding("CL905"))
+    elif rest > runs[0].rms / 3.0:
+        findings.append(finding("CL906", rest=rest, rms=runs[0].rms))
+    if measured.source == "motor":
+        findings.append(finding("CL907"))
+    elif measured.source == "motor and model" and machine is not None:
+        findings.append(finding("CL908", machine=machine.name))
+    return findings
+
+
+def precompensate_from_model(
+    part: str | Path,
+    machine: Machine,
+    controller: Controller,
+    out: str | Path,
+    *,
+    options: Options | None = None,
+    reading: Reading | None = None,
+    seed: int = 0,
+    progress: Callable[[str], None] = lambda stage: None,
+) -> Precompensated:
+    """Simulate pass after pass, and write the best program.
+
+    Parameters
+    ----------
+    part, out, options, reading
+        See `precompensate_from_logs`.
+    machine : Machine
+    controller : Controller
+    seed : int
+        Of all noise, which differs from pass to pass.
+    progress : callable, optional
+        Called with each pass.
+
+    Raises
+    ------
+    ProgramError, FeedError
+        If the program cannot be read or planned.
+    DivergenceError
+        If a loop diverges.
+    ParameterError, OutputError
+        If an option is out of range, or the file cannot be written.
+    """
+    options, reading = options or Options(), reading or Reading(require_end=False)
+    settings, part, out = _settings(options), Path(part), Path(out)
+    check_file(out, [part], "--out")
+    axes = tuple(axis for axis in machine.axis_names if axis in "xyz")
+    work = _Work(part, axes, settings, reading, machine, max(NODE_TIME, machine.servo_period))
+    findings: list[Finding] = []
+    rest: float | None = None
+    for k in range(options.repeat + 1):
+        progress(f"pass {k}")
+        trials = [simulated(work.driven.source.program, machine, controller, seed, trial) for trial in ((0, 1) if k == 0 else (k + 1,))]
+        runs = [work.run(one) for one in trials]
+        rest = spread(runs) if k == 0 else rest
+        more = work.learn(trials[0], runs)
+        if k == options.repeat or not work.passes.helps:
+            findings += more
+            break
+        more += work.propose()
+        findings += [one for one in more if str(one) not in map(str, findings)]
+    result = work.result(out, "model", rest, findings, proceed=False)
+    write_text_atomic(out, work.text(result.written))
+    return result
+
+
+class _Work:
+    """A program, its passes so far, and the program of the pass that was run last."""
+
+    def __init__(
+        self, part: Path, axes: Sequence[str], settings: _Settings, reading: Reading, machine: Machine | None, period: float
+    ) -> None:
+        self.part, self.settings, self.reading, self.machine = part, settings, reading, machine
+        source = read_blocks(part, reading, axes)
+        if any(MARK in line for line in source.lines[:2]):
+            raise ProgramError("is a corrected program: give the one before any correction, and the folder with --passes", file=part)
+        self.contour = contour_of(source, axes, period)
+        if not self.contour.corrected.any():
+            raise ProgramError(f"no cutting move along {', '.join(axes)} can be corrected", file=part)
+        known = repr((tuple(axes), period, settings.tolerance))
+        self.passes = Passes(digest_of(part.read_bytes(), known.encode()), tuple(axes))
+        self.last: Run | None = None
+
+    @property
+    def driven(self) -> Contour:
+        """The contour of the last written program."""
+        if not self.passes.written:
+            return self.contour
+        return self.contour_again(self.passes.written[-1])
+
+    def contour_again(self, written: Written) -> Contour:
+        """Read a written program, and check that it is the corrected path and nothing else."""
+        source = parse_blocks(written.text, f"corrected {self.part.name}", self._beside(), self.contour.axes)
+        contour = contour_of(source, self.contour.axes, self.contour.period)
+        breaks = np.asarray(contour.path.breaks)
+        if len(breaks) != len(written.corrected_arc) or np.abs(breaks - written.corrected_arc).max() > 1e-6 + 1e-6 * breaks[-1]:
+            raise ProgramError("cannot be corrected: the written program would move differently elsewhere", file=self.part)
+        if _events(source) != _events(self.contour.source):
+            raise ProgramError("cannot be corrected: the written program would lose a code", file=self.part)
+        return contour
+
+    def _beside(self) -> Reading:
+        return replace(self.reading, folder=self.part.parent) if self.reading.folder is None else self.reading
+
+    def run(self, measured: Measured) -> Run:
+        """Return what a run of the last written program shows.
+
+        Raises
+        ------
+        ResultError
+            If it is a run of the program itself, although corrected ones were written.
+        """
+        written = self.passes.written[-1] if self.passes.written else None
+        driven = self.driven
+        run = run_of(self.contour, measured, driven, written)
+        if written is not None and len(self.passes.figures) > len(self.passes.written):
+            raise ResultError("all passes were learned from: run the program written last, or use a new folder with --passes")
+        return run
+
+    def learn(self, measured: Measured, runs: list[Run]) -> list[Finding]:
+        """Learn from the runs of a pass; return the findings."""
+        passes, run, nodes = self.passes, runs[0], self.contour.nodes
+        self.last = run
+        number, findings = len(passes.figures), list[Finding]()
+        limit = self.settings.band
+        first = passes.figures[0].duration if passes.figures else run.duration
+        rms = float(np.sqrt(np.mean([one.rms**2 for one in runs])))
+        figures = PassFigures(
+            number, rms, max(one.largest for one in runs), run.duration, tuple(run.velocity.tolist()), tuple(run.acceleration.tolist()),
+            run.duration <= (1.0 + limit) * first,
+        )  # fmt: skip
+        if not passes.loops:
+            loops = tuple(measured.loops())
+            cutoff = CUTOFF * min(loop.bandwidth for loop in loops)
+            passes = replace(passes, loops=loops, cutoff=min(cutoff, 0.2 / measured.period))
+            findings += [
+                finding("CL913", f"axis {axis}", share=loop.unexplained)
+                for axis, loop in zip(passes.axes, loops, strict=True)
+                if loop.unexplained > POOR
+            ]
+            covered = (run.place[-1] - run.place[0]) / self.contour.path.length
+            findings += [finding("CL917", share=covered)] if covered < COVERED else []
+        learned = learn(passes.learned, runs, list(passes.loops), nodes, passes.cutoff)
+        self.passes = replace(passes, figures=(*passes.figures, figures), learned=learned)
+        best = self.passes.figures[self.passes.best]
+        if number and best.number != number and figures.in_time:
+            findings.append(finding("CL914", number=number, rms=figures.rms, best=best.number, least=best.rms))
+        slower = run.duration / first - 1.0
+        if not figures.in_time:
+            cutoff = SMOOTHER * passes.cutoff
+            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, run, nodes, cutoff))
+            findings.append(finding("CL911", number=number, change=slower, band=limit))
+        return findings
+
+    def propose(self) -> list[Finding]:
+        """Write the program of the next pass; return the findings."""
+        learned = self.passes.learned
+        assert learned is not None
+        tried, capped = proposed(learned, self.settings.cap)
+        written = write_corrected(self.contour, tried, self.settings.tolerance)
+        number = len(self.passes.written) + 1
+        written = replace(written, text=marked(written.text, number, self.part.name))
+        self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
+        contour = self.contour_again(written)
+        findings = [finding("CL910", cap=self.settings.cap, share=float(capped.mean()))] if capped.any() else []
+        if self.machine is not None and set(self.machine.axis_names) >= set(self.contour.axes):
+            findings += self._limits(contour)
+        return [*findings, *self._interpreted(written)]
+
+    def _limits(self, contour: Contour) -> list[Finding]:
+        """Plan the written program on the machine, and compare what it needs with the program itself."""
+        machine = self.machine
+        assert machine is not None
+        before, after = (limits_of(one.source.program, machine) for one in (self.contour, contour))
+        findings = []
+        for kind in ("velocity", "acceleration", "jerk"):
+            for old, new in zip(getattr(before, kind), getattr(after, kind), strict=True):
+                if new.ratio > max(1.005, 1.005 * old.ratio):
+                    axis = machine.axis_names[new.axis]
+                    findings.append(finding("CL912", kind=kind, axis=axis, use=new.ratio, before=old.ratio, machine=machine.name))
+        return findings
+
+    def _interpreted(self, written: Written) -> list[Finding]:
+        """Let LinuxCNC's interpreter read the written program, where it is installed."""
+        if shutil.which("rs274") is None or self.reading.dialect != "linuxcnc":
+            return []
+        if complaint("\n".join(self.contour.source.lines) + "\n", self.part.parent):
+            return []
+        message = complaint(written.text, self.part.parent)
+        return [finding("CL916", message=message)] if message else []
+
+    def text(self, number: int) -> str:
+        """Return the program of a pass."""
+        if number:
+            return self.passes.written[number - 1].text
+        return "\n".join(self.contour.source.lines) + "\n"
+
+    def result(self, out: Path, position: str, rest: float | None, findings: Sequence[Finding], proceed: bool) -> Precompensated:
+        """Return the result."""
+        passes, learned = self.passes, self.passes.learned
+        assert learned is not None
+        number = len(passes.written) if proceed else passes.best
+        written = passes.written[number - 1] if number else None
+        left = [LeftMove(b.lines[0], b.reason) for b in self.contour.source.blocks if b.reason not in ("", "-")]
+        reasons = Counter(one.reason for one in left)
+        more = [
+            finding("CL909", count=count, reason=reason, line=next(one.line for one in left if one.reason == reason))
+            for reason, count in reasons.items()
+        ]
+        if not passes.helps:
+            more.append(finding("CL915", best=passes.best))
+        return Precompensated(
+            program=self.part.name,
+            out=str(out),
+            position=position,
+            axes=passes.axes,
+            not_repeating=rest,
+            passes=passes.figures,
+            best=passes.best,
+            written=number,
+            status="next pass" if proceed else "done",
+            bandwidth={axis: loop.bandwidth for axis, loop in zip(passes.axes, passes.loops, strict=True) if np.isfinite(loop.bandwidth)},
+            cutoff=passes.cutoff,
+            correction=_largest(learned.tried if proceed else learned.kept),
+            lines=0 if written is None else written.n_line,
+            shortest_line=None if written is None else written.shortest,
+            left=tuple(left),
+            findings=(*findings, *more),
+        )
+
+
+def _largest(correction: Array) -> float:
+    return float(np.linalg.norm(correction, axis=1).max())
+
+
+def _events(source: Source) -> list[tuple[str, float | None]]:
+    return [(event.word, event.value) for event in source.program.events]

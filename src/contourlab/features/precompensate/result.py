@@ -1,0 +1,112 @@
+"""The result of a correction, as JSON and as text."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+from contourlab.features.precompensate.passes import PassFigures
+from contourlab.figures import figure
+from contourlab.findings import Finding
+from contourlab.rendering.table import Column, Table, paragraphs
+
+_HIDDEN: dict[str, Any] = {"json": False}
+
+
+@dataclass(frozen=True)
+class LeftMove:
+    """A cutting move that stays as programmed.
+
+    Attributes
+    ----------
+    line : int
+    reason : str
+    """
+
+    line: int
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class Precompensated:
+    """A corrected program, and what the passes before it showed.
+
+    Attributes
+    ----------
+    program, out : str
+    position : str
+        What counted as the tool's position: ``"load"``, ``"motor and model"``, ``"motor"`` or ``"model"``.
+    axes : tuple of str
+    not_repeating : float or None [m]
+        Rms of what differs between runs of the last pass; None if one run cannot tell.
+    passes : tuple of PassFigures
+        All that were run.
+    best : int
+        The best of them.
+    written : int
+        The pass that `out` holds.
+    status : str
+        ``"next pass"``: run it; ``"done"``: no further pass helps, and it is the best one.
+    bandwidth : dict of str to float [Hz]
+        Of the loop of each axis that moves.
+    cutoff : float [Hz]
+        Of the robustness filter.
+    correction : float [m]
+        Largest displacement of the path.
+    lines : int
+        Short lines in the written program.
+    shortest_line : float or None [s]
+        Shortest time of one at its feed.
+    left : tuple of LeftMove
+    findings : tuple of Finding
+    """
+
+    json_derived: ClassVar = ("gain",)
+
+    program: str
+    out: str
+    position: str
+    axes: tuple[str, ...]
+    not_repeating: float | None
+    passes: tuple[PassFigures, ...]
+    best: int
+    written: int
+    status: str
+    bandwidth: dict[str, float]
+    cutoff: float
+    correction: float
+    lines: int
+    shortest_line: float | None
+    left: tuple[LeftMove, ...]
+    findings: tuple[Finding, ...]
+    next_command: str = field(default="", metadata=_HIDDEN)
+
+    @property
+    def gain(self) -> float | None:
+        """Rms error of the program itself over that of the best pass."""
+        best = self.passes[self.best].rms
+        return self.passes[0].rms / best if best else None
+
+    @property
+    def passed(self) -> bool:
+        """Whether no finding is an error."""
+        return all(one.entry.severity != "error" for one in self.findings)
+
+    @property
+    def text(self) -> str:
+        """What does not repeat, the passes, and what was written."""
+        repeats = "unknown from one run" if self.not_repeating is None else f"{figure(self.not_repeating, 'um')} rms"
+        heads = ("pass", "rms [um]", "largest [um]", "cycle time [s]", "change")
+        table = Table([*map(Column, heads), Column("", left=True)])
+        for one in self.passes:
+            change = f"{100.0 * (one.duration / self.passes[0].duration - 1.0):+.2f} %"
+            marks = "best" if one.number == self.best else "" if one.in_time else "too slow"
+            table.add(str(one.number), f"{1e6 * one.rms:.2f}", f"{1e6 * one.largest:.1f}", f"{one.duration:.3f}", change, marks)
+        lines = [f"does not repeat: {repeats}", f"position: {self.position}, axes {', '.join(self.axes)}", "", table.text()]
+        what = f"pass {self.written}" if self.written else "the program as it was"
+        first = f"\nwritten: {self.out}, {what}"
+        if self.written:
+            size, cutoff = figure(self.correction, "um"), figure(self.cutoff, "Hz")
+            first += f": {self.lines} lines, path displaced by up to {size}, filtered at {cutoff}"
+        more = paragraphs(map(str, self.findings))
+        return "\n".join([*lines, first, *(["", more] if more else [])])

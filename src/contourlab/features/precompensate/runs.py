@@ -1,0 +1,211 @@
+"""Runs of a pass: from a log, or simulated."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from contourlab.arrays import Array
+from contourlab.errors import LogError
+from contourlab.features.measure.log_choice import LogChoice
+from contourlab.features.measure.measured_path import moving, progress_along
+from contourlab.features.precompensate.contour import Contour, chunks
+from contourlab.features.precompensate.law import Loop, Run, fit_loop
+from contourlab.features.precompensate.writing import Written
+from contourlab.feed import LimitReport, Reference, blended, limit_report, plan, route_from_program
+from contourlab.logs import Column, Columns, Log, read_columns, read_record, result_of
+from contourlab.logs.load import about
+from contourlab.logs.mapping import once, parse_columns
+from contourlab.loop import Controller, Machine, simulate
+from contourlab.program import Program
+from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+
+NAMES = (
+    ("reference", ("{}_cmd", "{}-cmd", "{}_command")),
+    ("position", ("{}", "{}_fb", "{}-fb")),
+    ("axis_position", ("{}_load", "{}-load")),
+)
+"""Names of columns in logs of HAL."""
+AFTER = 0.3
+"""Time after the last motion of the command that is looked at [s]."""
+WINDOW = 1e-3
+"""Distance along the path around a command's progress in which its place is searched [m]."""
+AT_END = 1e-9
+"""Distance of a foot point from the end of a corrected part at which it is that end [m]."""
+
+
+@dataclass(frozen=True, eq=False)
+class Measured:
+    """The signals of a run.
+
+    Attributes
+    ----------
+    period : float [s]
+    command, motor, load : ndarray (n, n_axis) [m]
+        Load: the position that counts.
+    source : str
+        ``"load"``, ``"motor and model"``, ``"motor"`` or ``"model"``: where `load` is from.
+    """
+
+    period: float
+    command: Array
+    motor: Array
+    load: Array
+    source: str
+
+    def loops(self) -> list[Loop]:
+        """Fit the loop of each axis."""
+        return [fit_loop(*pair, self.period) for pair in zip(self.command.T, self.motor.T, strict=True)]
+
+
+def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measured, tuple[str, ...], Log]:
+    """Read a log with commanded and measured positions.
+
+    Parameters
+    ----------
+    choice : LogChoice
+    machine : Machine, optional
+        Its play applies where the log has the position of the motor only.
+
+    Returns
+    -------
+    Measured
+    axes : tuple of str
+    Log
+
+    Raises
+    ------
+    LogError
+        If it cannot be read, or an axis has no commanded or measured position.
+    """
+    mapping = read_columns(choice.mapping) if choice.mapping is not None else Columns()
+    typed = once((*parse_columns(choice.columns), *mapping.columns), "--column")
+    record = read_record(choice.file, choice.format or mapping.format)
+    names = {channel.name.lower(): channel.name for channel in record.channels}
+    known = {(column.signal, column.axis) for column in typed}
+    guesses = [
+        Column(signal, axis, names[form.format(axis)])
+        for axis in "xyz"
+        for signal, forms in NAMES
+        for form in forms
+        if form.format(axis) in names and (signal, axis) not in known
+    ]
+    with about(choice.file):
+        log = result_of(record, replace(mapping, columns=(*typed, *guesses)))
+    result = log.result
+
+    def of(axes: Sequence[str], *signals: str) -> Array | None:
+        columns = [result.axes.index(axis) for axis in axes]
+        return next((np.asarray(result[s][:, columns]) for s in signals if s in result and np.isfinite(result[s][:, columns]).all()), None)
+
+    axes = tuple(choice.axes) or tuple(axis for axis in result.axes if axis in "xyz" and of([axis], "reference") is not None)
+    command, motor = of(axes, "reference"), of(axes, "motor_position", "position")
+    load = of(axes, "tool_position", "axis_position") if motor is not None else of(axes, "tool_position", "axis_position", "position")
+    if not axes or command is None or (motor is None and load is None):
+        missing = "commanded" if not axes or command is None else "measured"
+        cure = "name it, as --column 'reference.x=NAME [mm]' or 'position.x=NAME [mm]'"
+        raise LogError(f"has no {missing} position: {cure}", file=choice.file)
+    if load is not None:
+        return Measured(result.servo_period, command, load if motor is None else motor, load, "load"), axes, log
+    assert motor is not None
+    gaps = [0.0 if machine is None or axis not in machine.axis_names else _gap(machine.axis(axis).plant) for axis in axes]
+    load = np.column_stack([behind_play(column, gap) for column, gap in zip(motor.T, gaps, strict=True)])
+    return Measured(result.servo_period, command, motor, load, "motor and model" if any(gaps) else "motor"), axes, log
+
+
+def _gap(plant: Any) -> float:
+    """Return the play of a plant [m]."""
+    turn = 2.0 * math.pi / plant.lead if getattr(plant, "lead", 0.0) else math.inf
+    return float(getattr(plant, "backlash_gap", 0.0) + getattr(plant, "backlash_angle", 0.0) / turn)
+
+
+def behind_play(motor: Array, gap: float) -> Array:
+    """Return the load's position (n,) [m] behind a play [m], from the middle of the gap.
+
+    >>> behind_play(np.array([0.0, 3.0, 2.0, 0.0]), 2.0)
+    array([0., 2., 2., 1.])
+    """
+    load, at = motor.copy(), float(motor[0])
+    for k, position in enumerate(motor.tolist() if gap else ()):
+        at = min(max(at, position - gap / 2.0), position + gap / 2.0)
+        load[k] = at
+    return load
+
+
+def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, written: Written | None = None) -> Run:
+    """Return what a run shows.
+
+    Parameters
+    ----------
+    contour : Contour
+        As programmed.
+    measured : Measured
+    driven, written : Contour and Written, optional
+        The corrected program that was run; by default the program itself.
+
+    Raises
+    ------
+    ResultError
+        If the command does not follow the path.
+    """
+    period = measured.period
+    first, last = moving(measured.command)
+    stop = min(last + round(AFTER / period), len(measured.command))
+    command, load = measured.command[first : last + 1], measured.load[first:stop]
+    path = contour.path if driven is None else driven.path
+    progress, _ = progress_along(path, command)
+    place = np.maximum.accumulate(np.asarray(path.foot_point(command, progress, WINDOW).arc_length))
+    if written is not None:
+        place = np.interp(place, written.corrected_arc, written.programmed_arc)
+    place = np.append(place, np.full(stop - first - len(place), place[-1]))
+    farthest = float(np.linalg.norm(measured.command[first:stop] - load, axis=1).max())
+    foot = contour.path.foot_point(load, place, min(4.0 * farthest + 1e-4, 0.25 * contour.path.length))
+    off = foot.position - load
+    ends = contour.path.breaks[sorted({end for part in chunks(contour) for end in part})]
+    nearest = ends[np.clip(np.searchsorted(0.5 * (ends[1:] + ends[:-1]), foot.arc_length), 0, len(ends) - 1)]
+    at_end = np.abs(np.asarray(foot.arc_length) - nearest) < AT_END
+    tangent = np.asarray(contour.path.tangent(foot.arc_length))
+    # Before its start and beyond its end, what a part lacks along its own direction is a matter of time, not of the path.
+    off -= np.where(at_end, (off * tangent).sum(axis=1), 0.0)[:, None] * tangent
+    on = contour.is_corrected(place) & contour.is_corrected(np.asarray(foot.arc_length))
+    steps = np.diff(measured.command[first : stop + 1], axis=0, prepend=command[:1])[: stop - first]
+    return Run(
+        period=period,
+        place=place,
+        error=np.where(on[:, None], off, 0.0),
+        moves=on & (steps != 0.0).any(axis=1),
+        duration=(last - first) * period,
+        velocity=np.abs(steps).max(axis=0) / period,
+        acceleration=np.abs(np.diff(steps, axis=0)).max(axis=0) / period**2,
+    )
+
+
+def simulated(program: Program, machine: Machine, controller: Controller, seed: int, trial: int) -> Measured:
+    """Simulate a run of a program."""
+    reference = planned(program, machine)
+    result = simulate(machine, controller, reference, seed=seed, trial=trial)
+    columns = [machine.axis_names.index(axis) for axis in machine.axis_names if axis in "xyz"]
+    command, motor, load = (np.asarray(result[name][:, columns]) for name in ("reference", "position", "tool_position"))
+    return Measured(machine.servo_period, command, motor, load, "model")
+
+
+def planned(program: Program, machine: Machine) -> Reference:
+    """Return the motion of a program on a machine.
+
+    Raises
+    ------
+    ProgramError, FeedError
+        If it cannot be planned.
+    """
+    limits = machine.planner_limits()
+    route = route_from_program(program, machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
+    return plan(blended(route, limits), limits, machine.servo_period)
+
+
+def limits_of(program: Program, machine: Machine) -> LimitReport:
+    """Return what a program needs of the limits of a machine."""
+    return limit_report(planned(program, machine), machine.planner_limits())

@@ -1,0 +1,188 @@
+"""Write a program again with a corrected path: short lines in place of the corrected moves, all other text as it is."""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from contourlab.arrays import Array, Index
+from contourlab.features.precompensate.blocks import Block, without_motion
+from contourlab.features.precompensate.contour import Contour, chunks, node_range
+from contourlab.geometry.thinning import polygon_corners
+from contourlab.program import Mode, Spline
+
+MARK = "(contourlab precompensate: pass "
+"""How a corrected program begins."""
+_CONTROLS = {"exact_path": "G61", "exact_stop": "G61.1"}
+_SMOOTH = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Written:
+    """A corrected program.
+
+    Attributes
+    ----------
+    text : str
+    corrected_arc : ndarray (n,) [m]
+        Places along its path, rising: the end of each of its curves, after 0.
+    programmed_arc : ndarray (n,) [m]
+        The same places along the programmed path.
+    n_line : int
+        Lines that replace corrected moves.
+    shortest : float [s]
+        Shortest time of such a line at its feed.
+    """
+
+    text: str
+    corrected_arc: Array
+    programmed_arc: Array
+    n_line: int
+    shortest: float
+
+
+@dataclass(eq=False)
+class _Lines:
+    """Lines that replace a block, and the places where they end."""
+
+    text: list[str] = field(default_factory=list)
+    points: list[Array] = field(default_factory=list)
+    places: list[float] = field(default_factory=list)
+
+
+def write_corrected(contour: Contour, correction: Array, tolerance: float) -> Written:
+    """Return the program whose path is the programmed one plus a correction.
+
+    Parameters
+    ----------
+    contour : Contour
+    correction : ndarray (n_node, n_axis) [m]
+        Displacement of each node. A corrected part begins and ends at its programmed points.
+    tolerance : float [m]
+        Largest distance of a written line from the corrected path.
+    """
+    replaced: dict[int, _Lines] = {}
+    blocks, shortest = contour.source.blocks, np.inf
+    for first, last in chunks(contour):
+        start = contour.path.position(contour.path.breaks[first : first + 1])[0]
+        numbers = contour.route.source_line[first:last]
+        for k in np.unique(numbers).tolist():
+            curves = first + np.flatnonzero(numbers == k)
+            index = node_range(contour, int(curves[0]), int(curves[-1]))
+            ends = curves[-1] == last - 1
+            lines = _replacing(contour, blocks[k - 1], index, correction, start, tolerance, ends)
+            steps = np.linalg.norm(np.diff(np.vstack([start, *lines.points]), axis=0), axis=1)
+            shortest = min(shortest, float(steps.min(initial=np.inf)) / float(contour.route.feedrate[curves[0]]))
+            replaced[k - 1] = lines
+            start = lines.points[-1] if lines.points else start
+    arcs, places, at = [0.0], [0.0], np.asarray(contour.path.position(np.zeros(1))[0])
+    breaks = contour.path.breaks
+    done = set()
+    for curve, number in enumerate(contour.route.source_line.tolist()):
+        new = replaced.get(number - 1)
+        if new is None:
+            arcs.append(arcs[-1] + float(breaks[curve + 1] - breaks[curve]))
+            places.append(float(breaks[curve + 1]))
+            at = contour.path.position(breaks[curve + 1 : curve + 2])[0]
+        elif number not in done:
+            done.add(number)
+            for point, place in zip(new.points, new.places, strict=True):
+                arcs.append(arcs[-1] + float(np.linalg.norm(point - at)))
+                places.append(place)
+                at = point
+    n_line = sum(len(lines.points) for lines in replaced.values())
+    return Written(_text(contour, replaced), np.array(arcs), np.array(places), n_line, shortest)
+
+
+def _replacing(
+    contour: Contour, block: Block, index: Index, correction: Array, start: Array, tolerance: float, ends: bool
+) -> _Lines:
+    """Return the lines of one block, from where the block before ended."""
+    columns = ["xyz".index(axis) for axis in contour.axes]
+    move, places = block.move, contour.nodes[index]
+    share = (places - places[0]) / (places[-1] - places[0])
+    points = np.array(move.start) + share[:, None] * (np.array(move.end) - np.array(move.start))  # type: ignore[union-attr]
+    points[:, columns] = contour.positions[index] + correction[index]
+    points[0, columns] = start
+    if ends:
+        points, places = np.vstack([points, points[-1:]]), np.append(places, places[-1])
+        points[-1, columns] = contour.positions[index[-1]]
+    digits = 6 if block.millimetres else 8
+    shown = np.round([block.shown(tuple(point)) for point in points.tolist()], digits)
+    moved = np.append(True, (np.diff(shown[:, columns], axis=0) != 0.0).any(axis=1))
+    shown, points, places = shown[moved], points[moved], places[moved]
+    kept = polygon_corners(shown, tolerance * (1e3 if block.millimetres else 1.0 / 0.0254))[1:]
+    lines = _Lines()
+    varies = np.ptp(shown, axis=0) > 0.0
+    for k in kept.tolist():
+        words = [f"{'XYZ'[j]}{shown[k, j]:.{digits}f}".rstrip("0").rstrip(".") for j in np.flatnonzero(varies)]
+        lines.text.append("G1 " + " ".join(words))
+        lines.points.append(points[k, columns])
+        lines.places.append(float(places[k]))
+    _with_modes(lines, block, move.mode, ends or _turns(contour, places[-1]), tolerance)  # type: ignore[union-attr]
+    return lines
+
+
+def _turns(contour: Contour, place: float) -> bool:
+    """Return whether the programmed path has a corner at a place."""
+    corners = np.asarray(contour.path.corners)
+    return bool(corners.size and np.abs(corners - place).min() < _SMOOTH)
+
+
+def _with_modes(lines: _Lines, block: Block, mode: Mode, corner: bool, tolerance: float) -> None:
+    """Add the codes that let short lines run as one move, and those that restore the modes of the program."""
+    code = _CONTROLS.get(mode.control or "")
+    if code is not None and len(lines.text) > 1:
+        blend = 2.0 * tolerance * (1e3 if block.millimetres else 1.0 / 0.0254)
+        stops = corner or mode.control == "exact_stop"
+        lines.text.insert(0, f"G64 P{blend:.6f}")
+        lines.text.insert(len(lines.text) - int(stops), code)
+    if not block.absolute:
+        lines.text = ["G90", *lines.text, "G91"]
+    if block.feed_mode == "inverse_time":
+        feed = block.move.feedrate * 60.0 * (1e3 if block.millimetres else 1.0 / 0.0254)  # type: ignore[union-attr]
+        lines.text = [f"G94 F{feed:.6f}", *lines.text, "G93"]
+
+
+def _text(contour: Contour, replaced: dict[int, _Lines]) -> str:
+    """Return the program with the lines of some blocks replaced."""
+    source = contour.source
+    by_line: dict[int, list[str]] = {}
+    for k, lines in replaced.items():
+        first, last = source.blocks[k].lines
+        texts = [without_motion(source.lines[number - 1]) for number in range(first, last + 1)]
+        for number, text in zip(range(first, last + 1), texts, strict=True):
+            if isinstance(source.blocks[k].move, Spline) and number != first:
+                text = text if "(" in text or ";" in text else ""
+            by_line[number] = [text] if text else []
+        by_line[last] += lines.text
+    written: list[str] = []
+    for number, line in enumerate(source.lines, 1):
+        written += by_line.get(number, [line])
+    return "\n".join(written) + "\n"
+
+
+def marked(text: str, number: int, name: str) -> str:
+    """Return a program with a comment that says what it is, after an opening %."""
+    plain = "".join(letter if letter.isalnum() or letter in "._-" else "_" for letter in name)
+    head, rest = ("%\n", text[2:]) if text.startswith("%\n") else ("", text)
+    return f"{head}{MARK}{number} of {plain})\n{rest}"
+
+
+def complaint(text: str, folder: Path) -> str:
+    """Return what LinuxCNC's interpreter says against a program; empty for nothing."""
+    with tempfile.TemporaryDirectory() as name:
+        file = Path(name, "program.ngc")
+        file.write_text(text, encoding="utf-8", errors="replace")
+        try:
+            ran = subprocess.run(
+                ["rs274", "-g", str(file)], capture_output=True, text=True, errors="replace", timeout=60, cwd=folder, check=False
+            )
+        except (OSError, subprocess.TimeoutExpired):
+            return ""
+    lines = [line.strip() for line in ran.stderr.splitlines() if line.strip()]
+    return "" if ran.returncode == 0 else (lines[-1] if lines else f"code {ran.returncode}")[:200]

@@ -1,0 +1,97 @@
+"""``contourlab precompensate`` as typed."""
+
+import itertools
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from contourlab.cli.main import main
+from contourlab.feed import AxisLimits, plan, route_from_program
+from contourlab.program import Reading, parse_program
+
+PART = "G21 G90 G64 P0.002\nN10 G1 X10 Y0 F1500 (in)\nN20 G3 X10 Y0 I-10 J0\nN30 G1 X0 Y0\nM2\n"
+LIMITS = AxisLimits(np.full(2, 0.2), np.full(2, 1.0))
+
+
+def log_of(program: str, file: Path, columns: str = "load") -> Path:
+    """Write the log of axes that lag by a second-order loop of 8 Hz (p'' = w^2 (c - p) + 1.4 w (c' - p'))."""
+    from scipy.signal import lsim
+
+    route = route_from_program(parse_program(program, reading=Reading(require_end=False)), ("x", "y"), default_tolerance=2e-6)
+    from contourlab.feed import blended
+
+    reference = plan(blended(route, LIMITS), LIMITS, 1e-3)
+    command = reference.block(0, reference.n_sample).position
+    command = np.vstack([np.repeat(command[:1], 100, axis=0), command, np.repeat(command[-1:], 400, axis=0)])
+    time = 1e-3 * np.arange(len(command))
+    w = 2.0 * np.pi * 8.0
+    position = np.column_stack([lsim(([1.4 * w, w * w], [1.0, 1.4 * w, w * w]), column, time)[1] for column in command.T])
+    head = "time [s],x_cmd [mm],y_cmd [mm],x [mm],y [mm]" + (",x_load [mm],y_load [mm]" if columns == "load" else "")
+    rows = np.column_stack([time, 1e3 * command, 1e3 * position, *([1e3 * position] if columns == "load" else [])])
+    np.savetxt(file, rows, delimiter=",", header=head, comments="", fmt="%.7f")
+    return file
+
+
+def printed(capsys: pytest.CaptureFixture[str], *words: str) -> dict:
+    assert main([*words, "--json"]) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+def test_pass_after_pass_from_logs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text(PART)
+    program = PART
+    for k in range(4):
+        log = log_of(program, Path(f"run-{k}.csv"))
+        words = ("precompensate", "part.ngc", "--log", str(log), "--passes", "passes", "--out", f"part-{k + 1}.ngc")
+        result = printed(capsys, *words)
+        program = Path(f"part-{k + 1}.ngc").read_text()
+    rms = [one["rms"] for one in result["passes"]]
+    assert result["position"] == "load"
+    assert "CL905" in [one["code"] for one in result["findings"]]
+    assert rms[3] < rms[0] / 5.0, rms
+    assert all(later < before for before, later in itertools.pairwise(rms)), rms
+    assert all(abs(one["duration"] / result["passes"][0]["duration"] - 1.0) < 0.02 for one in result["passes"])
+    assert [line for line in program.splitlines() if line.startswith("N")] == ["N10 F1500 (in)", "N20", "N30"]
+    # The same log again, another program in the folder, and a corrected program are refused; nothing is written.
+    for words in ("part.ngc --log run-3.csv", "part-1.ngc --log run-1.csv", "part.ngc --log run-2.csv --tolerance 1um"):
+        assert main(["precompensate", *words.split(), "--passes", "passes", "--out", "no.ngc"]) == 2
+        assert not Path("no.ngc").exists()
+
+
+def test_motor_only_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text(PART)
+    log_of(PART, Path("run.csv"), "motor")
+    result = printed(capsys, "precompensate", "part.ngc", "--log", "run.csv", "--log", "run.csv", "--out", "out.ngc")
+    assert result["position"] == "motor"
+    assert "CL907" in [one["code"] for one in result["findings"]]
+    assert result["not_repeating"] == 0.0
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        [], ["--log", "none.csv"], ["--machine", "xyz"], ["--log", "run.csv", "--controller", "c.toml"],
+        ["--log", "run.csv", "--cap", "3"], ["--log", "run.csv", "--out", "part.ngc"],
+    ],
+)  # fmt: skip
+def test_bad_input(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text(PART)
+    log_of(PART, Path("run.csv"))
+    assert main(["precompensate", "part.ngc", "--out", "out.ngc", *words]) == 2
+    assert not Path("out.ngc").exists()
+    assert Path("part.ngc").read_text() == PART
+
+
+@pytest.mark.slow
+def test_from_a_model(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text("G21 G90 G64 P0.002\nG1 X20 Y0 F1500\nG3 X20 Y0 I-20 J0\nG3 X20 Y0 I-20 J0\nG1 X0 Y0\nM2\n")
+    machine = ("--machine", "ubc/table", "--controller", "ubc/lead-lag-controller")
+    result = printed(capsys, "precompensate", "part.ngc", *machine, "--out", "out.ngc", "--repeat", "8")
+    assert result["gain"] > 5.0
+    assert result["passes"][result["best"]]["in_time"]

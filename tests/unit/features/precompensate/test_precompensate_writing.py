@@ -1,0 +1,115 @@
+"""Corrected programs: only the path of cutting moves changes."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from contourlab.errors import ProgramError
+from contourlab.features.precompensate.blocks import parse_blocks, read_blocks, without_motion
+from contourlab.features.precompensate.contour import contour_of
+from contourlab.features.precompensate.writing import write_corrected
+from contourlab.program import Feed, Reading, parse_program
+
+READING = Reading(require_end=False)
+AXES = ("x", "y")
+TOLERANCE = 0.5e-6
+
+
+def corrected(text: str, size: float = 50e-6, reading: Reading = READING) -> tuple[str, list[str]]:
+    """Return a program whose path is displaced by a constant vector, and the reasons of moves that stay."""
+    source = parse_blocks(text, "part", reading, AXES)
+    contour = contour_of(source, AXES, 1e-3)
+    written = write_corrected(contour, np.full((len(contour.nodes), 2), size), TOLERANCE)
+    again = contour_of(parse_blocks(written.text, "again", reading, AXES), AXES, 1e-3)
+    np.testing.assert_allclose(again.path.breaks, written.corrected_arc, atol=1e-8)
+    assert [event.word for event in again.source.program.events] == [event.word for event in source.program.events]
+    return written.text, [block.reason for block in source.blocks]
+
+
+@pytest.mark.parametrize(
+    ("line", "kept"),
+    [
+        ("N10 G1 X1 Y2 F300 (out) M8", "N10 F300 (out) M8"),
+        ("G2X1.5Y-2I[3*[1+1]]J#<depth>", ""),
+        ("#5=3 G1 X#5 Y[sin[30]+#5]", "#5=3"),
+        ("g91 g1 @-.0025 ^4.5", "g91"),
+        ("G64 P0.01 G1 X2", "G64 P0.01"),
+        ("G17 G2 X1 R2 P2 S900 ; X9", "G17 S900 ; X9"),
+    ],
+)
+def test_motion_leaves_the_rest_of_a_line(line: str, kept: str) -> None:
+    assert without_motion(line) == kept
+
+
+def test_lines_and_comments_stay_and_the_path_is_displaced() -> None:
+    text = "%\nN1 G21 G90 (start)\nN2 G0 X10 Y0 Z5\nN3 G1 Z0 F100\nN4 G3 X0 Y10 I-10 J0 F600 M8 (arc)\nN5 G0 Z5\nN6 M2\n%\n"
+    written, reasons = corrected(text)
+    lines = written.splitlines()
+    assert [line for line in lines if line.startswith("N")] == [
+        "N1 G21 G90 (start)", "N2 G0 X10 Y0 Z5", "N3 G1 Z0 F100", "N4 F600 M8 (arc)", "N5 G0 Z5", "N6 M2",
+    ]  # fmt: skip
+    assert reasons == ["-", "-", "", "-"]
+    moves = [move for move in parse_program(written).moves if isinstance(move, Feed)][1:]
+    points = np.array([move.end for move in moves[:-2]])[:, :2] - 50e-6
+    assert np.abs(np.hypot(*points.T) - 0.01).max() < 2e-9  # vertices lie on the displaced arc
+    assert moves[-1].end == (0.0, 0.01, 0.0)  # it ends where it was programmed
+    assert {round(move.feedrate, 9) for move in moves} == {0.01}
+
+
+@pytest.mark.parametrize(
+    "modes",
+    ["G20 G90", "G21 G91", "G54 G10 L2 P1 X3 Y4 R30\nG21 G90", "G92 X7 Y1\nG21 G90", "G21 G90 G93", "G21 G90 G61", "G21 G90 G61.1"],
+)
+def test_every_mode_gives_the_same_displacement(modes: str) -> None:
+    text = f"{modes}\nG1 X1 Y0.5 F60\nG2 X2 Y0 I0.2 J-0.6 F60\nG1 Y-1 F60\nG0 X0 Y0\nM2\n"
+    try:
+        parse_program(text)
+    except ProgramError:
+        text = f"{modes}\nG1 X1 Y0.5 F60\nG1 X2 Y0 F60\nG1 Y-1 F60\nG0 X0 Y0\nM2\n"
+    source = parse_blocks(text, "part", READING, AXES)
+    contour = contour_of(source, AXES, 1e-3)
+    written, _ = corrected(text)
+    path = contour_of(parse_blocks(written, "again", READING, AXES), AXES, 1e-3).path
+    points = path.position(np.asarray(path.breaks)[1:-3])
+    foot = contour.path.foot_point(points - 50e-6, np.asarray(path.breaks)[1:-3], 1e-3)
+    assert foot.distance.max() < 1e-8
+    last = parse_program(text).moves[-1].end
+    assert parse_program(written).moves[-1].end == pytest.approx(last, abs=1e-9)
+
+
+def test_exact_stops_stay_at_corners_only() -> None:
+    written, _ = corrected("G21 G90 G61\nG1 F600 X10\nG3 X20 Y10 I0 J10\nG1 X0\nM2\n")
+    exact = [move.mode.control == "exact_path" for move in parse_program(written).moves]
+    assert sum(exact) == 2  # the corner at X20 Y10, and the end
+    assert not exact[0]
+
+
+def test_helices_keep_their_height() -> None:
+    written, _ = corrected("G21 G90\nG1 X10 F600\nG3 X-10 Y0 Z-4 I-10 J0\nM2\n")
+    moves = [move for move in parse_program(written).moves if move.end[2] < 0.0]
+    angles = np.array([np.arctan2(move.end[1] - 50e-6, move.end[0] - 50e-6) for move in moves[:-2]])
+    heights = np.array([move.end[2] for move in moves[:-2]])
+    np.testing.assert_allclose(heights, -4e-3 * angles / np.pi, atol=2e-8)
+
+
+def test_splines_are_replaced_whole() -> None:
+    text = "G21 G90\nF300\nG5.2 X3 Y-1 P2 L3\nX5 Y-10 P1 (second)\nX3 Y-20 P1\nX0 Y-25 P1\nG5.3\nG0 X0 Y0\nM2\n"
+    written, reasons = corrected(text)
+    assert reasons == ["", "-"]
+    assert "G5" not in written
+    assert "(second)" in written
+
+
+def test_cycles_loops_and_dwells_are_untouched() -> None:
+    text = "G21 G90\nG1 X5 F600\nG81 X10 Y10 Z-2 R1\nX20\nG80\no1 repeat [2]\nG91 G1 X1\nG90\no1 endrepeat\nG4 P0.5\nG1 X0 Y0\nM2\n"
+    written, reasons = corrected(text)
+    assert "inside a loop or subprogram" in reasons
+    for line in text.splitlines()[2:10]:
+        assert line in written.splitlines()
+
+
+def test_a_corrected_program_is_recognised_by_its_moves(tmp_path: Path) -> None:
+    file = tmp_path / "part.ngc"
+    file.write_text("G21 G90\nG1 X5 F600 M2\n")
+    assert read_blocks(file, READING, AXES).blocks[0].reason == "with another code that acts on its line"
