@@ -10,7 +10,7 @@ from contourlab.errors import MissingPackageError
 EXTRAS = {
     "cvxpy": "design", "ezdxf": "cad", "svgelements": "cad", "pyarrow": "parquet", "pyarrow.parquet": "parquet", "pyarrow.csv": "parquet",
     "pyarrow.dataset": "parquet",
-    "duckdb": "sweep", "distributed": "cluster", "dask_jobqueue": "cluster",
+    "duckdb": "sweep", "dask": "cluster", "distributed": "cluster", "dask_jobqueue": "cluster",
 }  # fmt: skip
 """The extra that installs each module."""
 

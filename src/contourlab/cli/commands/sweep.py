@@ -81,7 +81,7 @@ def query(
     """Ask a store in SQL, such as "SELECT scheme, avg(part_error_max) FROM results GROUP BY scheme"."""
     from contourlab.features.sweep.query import rows
     from contourlab.features.sweep.store import read_store
-    from contourlab.features.sweep.text import rows_text
+    from contourlab.features.sweep.summary import rows_text
 
     names, found = rows(read_store(store), sql)
     if as_json:
@@ -106,7 +106,7 @@ def worst(
     """List the worst variants with their parameters; with --rerun, write the report of one."""
     from contourlab.features.sweep.query import worst as worst_of
     from contourlab.features.sweep.store import read_store
-    from contourlab.features.sweep.text import rows_text
+    from contourlab.features.sweep.summary import rows_text
 
     if number is not None:
         from contourlab.features.run.command import RunOptions
@@ -133,8 +133,8 @@ def merge(
     as_json: Json = False,
 ) -> int:
     """Join the stores of one study that several machines have filled."""
-    from contourlab.features.sweep.command import summary
     from contourlab.features.sweep.store import merge as merged
+    from contourlab.features.sweep.summary import summary
 
     show_result(summary(merged(stores, out)), as_json)
     return 0
@@ -150,10 +150,5 @@ def export(
     from contourlab.features.sweep.query import export as exported
     from contourlab.features.sweep.store import read_store
 
-    opened = read_store(store)
-    exported(opened, to)
-    if as_json:
-        emit_json({"file": str(to), "variants": opened.done, "of": opened.variants})
-    else:
-        say(f"{to}: {opened.done} of {opened.variants} variants")
+    show_result(exported(read_store(store), to), as_json)
     return 0

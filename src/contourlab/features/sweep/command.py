@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -16,12 +16,12 @@ from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
 from contourlab.features.sweep.executors import check_executor, run_chunks
-from contourlab.features.sweep.query import Spread, Yield, counts, spreads, variant, yield_of
+from contourlab.features.sweep.query import variant
 from contourlab.features.sweep.store import Store, read_store, writing
 from contourlab.features.sweep.structures import Structured
 from contourlab.features.sweep.study import study_of
-from contourlab.features.sweep.text import summary_text
-from contourlab.findings import Finding, finding
+from contourlab.features.sweep.summary import SweepSummary, summary
+from contourlab.findings import finding
 from contourlab.result import write_text_atomic
 from contourlab.scenario import Scenario, dump, parse_scenario
 
@@ -66,52 +66,6 @@ class SweepOptions:
         if not first < last or first >= count:
             raise ParameterError("--chunks", repr(self.chunks), f"FIRST:END, from 0:{count} for all; the end is not included")
         return range(first, min(last, count))
-
-
-@dataclass(frozen=True)
-class SweepSummary:
-    """What a store holds.
-
-    Attributes
-    ----------
-    store : str
-    variants, done : int
-        Variants of the study, and in the store.
-    chunks, chunks_done, chunks_made : int
-        Chunks of the study, in the store, and of this call.
-    columns : mapping of str to str
-        What varies, with SI units.
-    statuses : mapping of str to int
-        Number of variants that ended ``ok``, ``diverged`` or were ``refused``; ``unsure`` counts those whose error is an upper bound.
-    within : Yield or None
-        The yield.
-    figures : mapping of str to Spread
-    elapsed, cpu_seconds : float [s]
-        Time of all calls that wrote into the store, and processor time of its workers.
-    rate : float [1/s]
-        Variants per elapsed second.
-    findings : tuple of Finding
-    """
-
-    store: str
-    variants: int
-    done: int
-    chunks: int
-    chunks_done: int
-    chunks_made: int
-    columns: Mapping[str, str]
-    statuses: Mapping[str, int]
-    within: Yield | None = field(metadata={"json": "yield"})
-    figures: Mapping[str, Spread]
-    elapsed: float
-    cpu_seconds: float
-    rate: float
-    findings: tuple[Finding, ...]
-
-    @property
-    def text(self) -> str:
-        """Text for the terminal."""
-        return summary_text(self)
 
 
 def sweep_study(
@@ -191,32 +145,6 @@ def show(folder: str | Path) -> SweepSummary:
         If it is no store, or damaged.
     """
     return summary(read_store(folder))
-
-
-def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> SweepSummary:
-    """Return what a store holds, after `made` new chunks."""
-    has_rows = bool(store.parts)
-    statuses = counts(store) if has_rows else {}
-    times = store.times()
-    remarks = [finding("CL931", done=store.done, variants=store.variants)] if store.done < store.variants else []
-    remarks += [finding("CL932", count=statuses["refused"])] if statuses.get("refused") else []
-    remarks += [finding("CL933", count=statuses["unsure"])] if statuses.get("unsure") else []
-    return SweepSummary(
-        store=str(store.folder),
-        variants=store.variants,
-        done=store.done,
-        chunks=store.chunks,
-        chunks_done=len(store.parts),
-        chunks_made=made,
-        columns=store.columns,
-        statuses=statuses,
-        within=yield_of(store) if has_rows else None,
-        figures=spreads(store) if has_rows else {},
-        elapsed=times["elapsed"],
-        cpu_seconds=times["cpu_seconds"],
-        rate=times["variants"] / times["elapsed"] if times["elapsed"] else 0.0,
-        findings=(*findings, *remarks),
-    )
 
 
 def rerun(folder: str | Path, number: int, options: RunOptions) -> RunOutcome:

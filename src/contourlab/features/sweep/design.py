@@ -9,7 +9,7 @@ import numpy as np
 from contourlab.arrays import Array
 
 DESIGNS = ("random", "sobol", "latin-hypercube", "grid", "list")
-SCRAMBLE = (1 << 64) - 1
+SCRAMBLE = 1 << 64
 """Number in place of that of a chunk, for what all chunks share."""
 
 
@@ -88,4 +88,4 @@ class Design:
 
 
 def _generator(seed: int, chunk: int) -> np.random.Generator:
-    return np.random.Generator(np.random.Philox(key=np.array([seed, chunk], dtype=np.uint64)))
+    return np.random.Generator(np.random.Philox(np.random.SeedSequence([seed, chunk])))

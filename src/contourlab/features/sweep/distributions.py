@@ -11,8 +11,8 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.contract import Parameter
-from contourlab.errors import ContourlabError, UnitError
-from contourlab.scenario.quantities import read_number, show_bound
+from contourlab.errors import ContourlabError, ScenarioError, UnitError
+from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tree import Leaf, Node, Table, hint
 
 FORMS = {
@@ -79,18 +79,22 @@ def _flat(table: Table, prefix: str) -> list[tuple[str, Table]]:
     for name, node in table.entries.items():
         key = f"{prefix}.{name}" if prefix else name
         if isinstance(node, Leaf):
-            if prefix and not any(isinstance(other, Table) for other in table.entries.values()):
-                raise node.error(f"unknown distribution: {hint(name, (*FORMS, *OPTIONS))}")
-            raise node.error(f"{node.value!r:.60} is not a distribution: write {{ normal = {FORMS['normal'].partition('],')[0]}] }}")
+            raise _no_distribution(node)
         is_entry = any(isinstance(inner, Leaf) for inner in node.entries.values()) or any(kind in node.entries for kind in FORMS)
         pairs += [(key, node)] if is_entry else _flat(node, key)
     return pairs
 
 
+def _no_distribution(node: Leaf) -> ScenarioError:
+    return node.error(f'{node.value!r:.60} is not a distribution: write {{ normal = ["80 kg", "4 kg"] }}')
+
+
 def _variation(key: str, table: Table) -> Variation:
     kinds = [name for name in table.entries if name in FORMS]
-    for name in table.entries:
+    for name, node in table.entries.items():
         if name not in FORMS and name not in OPTIONS:
+            if isinstance(node, Leaf) and not isinstance(node.value, list):
+                raise _no_distribution(node)
             raise table.error(f"unknown key: {hint(name, (*FORMS, *OPTIONS))}", name)
     if len(kinds) != 1:
         raise table.error(f"{len(kinds)} distributions: write one of {', '.join(FORMS)}")
@@ -195,7 +199,7 @@ class Distribution:
         peak = self.numbers[1]
         rising = low + np.sqrt(p * (high - low) * (peak - low))
         falling = high - np.sqrt((1.0 - p) * (high - low) * (high - peak))
-        return np.where(p * (high - low) < peak - low, rising, falling)
+        return np.asarray(np.where(p * (high - low) < peak - low, rising, falling))
 
     def _ends(self) -> tuple[float, float]:
         """Return the cumulative probabilities of the ends."""
@@ -251,8 +255,7 @@ def distribution(variation: Variation, parameter: Parameter, present: float) -> 
         return Distribution(kind, tuple(numbers), weights=variation.weights)
     made = Distribution(kind, tuple(numbers), low, high)
     if made.beyond > 1.0 - 1e-9 or (kind not in ("normal", "lognormal") and (numbers[0] >= high or numbers[-1] <= low)):
-        shown = show_bound(low, high, False, parameter.display or parameter.unit)
-        raise table.error(f"no value of this distribution is {shown}: move it, or widen within", variation.kind)
+        raise table.error(f"lies outside of the bounds, {parameter.bound or 'finite'} or within: move it", variation.kind)
     return made
 
 

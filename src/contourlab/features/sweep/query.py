@@ -170,7 +170,28 @@ def quoted(name: str) -> str:
     return '"' + name.replace('"', '""') + '"'
 
 
-def export(store: Store, file: Path) -> None:
+@dataclass(frozen=True)
+class Export:
+    """A file of rows.
+
+    Attributes
+    ----------
+    file : Path
+    done, variants : int
+        Rows of the file, and variants of the study.
+    """
+
+    file: Path
+    done: int
+    variants: int
+
+    @property
+    def text(self) -> str:
+        """Text for the terminal."""
+        return f"{self.file}: {self.done} of {self.variants} variants"
+
+
+def export(store: Store, file: Path) -> Export:
     """Write one row per variant, in their order, as CSV or Parquet; the same results give the same bytes.
 
     Raises
@@ -188,10 +209,14 @@ def export(store: Store, file: Path) -> None:
     schema, is_csv = store.schema, suffix == ".csv"
     if is_csv:
         schema = arrow.schema([field.with_name(head) for field, head in zip(store.schema, heads, strict=True)])
-    with replacing(file) as temporary:
-        with csv.CSVWriter(str(temporary), schema) if is_csv else parquet.ParquetWriter(temporary, schema, compression="zstd") as writer:
-            for number in sorted(store.parts):
-                writer.write_table(parquet.read_table(store.parts[number], schema=store.schema).rename_columns(schema.names))
+
+    def opened(path: Path) -> Any:
+        return csv.CSVWriter(str(path), schema) if is_csv else parquet.ParquetWriter(path, schema, compression="zstd")
+
+    with replacing(file) as temporary, opened(temporary) as writer:
+        for number in sorted(store.parts):
+            writer.write_table(parquet.read_table(store.parts[number], schema=store.schema).rename_columns(schema.names))
+    return Export(file, store.done, store.variants)
 
 
 def _unit(field: Any) -> str:

@@ -31,7 +31,7 @@ MOST = 256
 ROOMS = ("features/sweep/chunk", "features/sweep/design", "features/sweep/distributions")
 """Modules besides those of a run that decide the figures."""
 WORTH_SAYING = 1e-4
-"""Share of a distribution beyond the bounds of its parameter that is reported."""
+"""Least share of a distribution beyond the bounds of its parameter that is reported."""
 
 
 @dataclass(frozen=True)
@@ -166,11 +166,10 @@ def _is_choice(variation: Variation, known: Mapping[str, Any]) -> bool:
         return False
     try:
         matching(variation.key, known, "vary")
-    except ParameterError:
+    except ParameterError as error:
         if variation.kind == "values":
             return True
-        cure = "write values = [...], as for every key that is no number of the machine or its controller"
-        raise variation.table.error(cure, variation.kind) from None
+        raise variation.table.error(f"must be {error.bound}; another key of the scenario takes values = [...] only") from None
     return False
 
 
