@@ -1,4 +1,4 @@
-"""Small studies for the tests of `sweep`: half a second of motion, chunks of 32 variants."""
+"""Small studies for the tests of `sweep`: two seconds of motion, chunks of 32 variants."""
 
 from __future__ import annotations
 
@@ -15,12 +15,13 @@ machine = "builtin:ghaffari/a3a1"
 controller = "builtin:ghaffari/calibrated"
 [contour]
 name = "circle"
-radius = "5 mm"
+radius = "20 mm"
 [feed]
 law = "uniform"
-frequency = "2 Hz"
+frequency = "0.5 Hz"
 [run]
-tolerance = "16 um"
+tolerance = "27.8 um"
+start = "moving"
 [schemes."position loop"]
 controller.axes."*".observer = "none"
 controller.estimator = "none"

@@ -199,7 +199,9 @@ def _submitted(client: Any, key: str, study: Study, number: int) -> Any:
 @contextmanager
 def _client(executor: str, workers: int | None) -> Iterator[Any]:
     distributed = extra_module("distributed")
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)
+    for name in logging.root.manager.loggerDict:
+        if name.partition(".")[0] == "distributed":  # each of its loggers has a level of its own
+            logging.getLogger(name).setLevel(logging.CRITICAL)
     if executor.startswith("dask://"):
         address = "tcp://" + executor.removeprefix("dask://")
         try:

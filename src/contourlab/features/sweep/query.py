@@ -75,7 +75,7 @@ def wilson(passed: int, judged: int) -> tuple[float, float]:
     z, share = 1.959963984540054, passed / judged
     centre = (share + z * z / (2 * judged)) / (1 + z * z / judged)
     half = z / (1 + z * z / judged) * math.sqrt(share * (1 - share) / judged + z * z / (4 * judged**2))
-    return max(centre - half, 0.0), min(centre + half, 1.0)
+    return (max(centre - half, 0.0) if passed else 0.0), (min(centre + half, 1.0) if passed < judged else 1.0)
 
 
 @contextmanager

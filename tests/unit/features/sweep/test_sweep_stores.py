@@ -43,13 +43,13 @@ def test_a_study_has_the_figures_of_a_batch(whole: Path, capsys: Capture) -> Non
     names = {name.partition(" [")[0]: name for name in rows[0]}
     columns = {name: [float(row[names[name]]) for row in rows] for name in names if name.startswith("axes.")}
     assert set(columns) == {"axes.1.friction.coulomb", "axes.3.friction.coulomb", "axes.1.plant.gain"}
-    batch = simulate_batch(case.machine, case.controller, case.reference(), columns)
+    batch = simulate_batch(case.machine, case.controller, case.reference(), columns, moving=case.moving)
     largest = np.array([float(row["contour_error_max [m]"]) for row in rows])
     assert np.array_equal(largest, batch.figures["contour_error_max"])
     shown = asked(capsys, "show", "whole")
-    assert shown["statuses"] == {"ok": 100, "unsure": 0}
+    assert shown["statuses"] == {"ok": 100, "unsure": int(np.count_nonzero(batch.unsure))}
     assert shown["figures"]["contour_error_max"]["median"] == pytest.approx(np.median(largest), rel=1e-12)
-    passed = int(np.count_nonzero(largest <= 16e-6))
+    passed = int(np.count_nonzero(largest <= 27.8e-6))
     assert (shown["yield"]["passed"], shown["yield"]["judged"]) == (passed, 100) and 0 < passed < 100
     (row,) = asked(capsys, "worst", "whole", "1", "--figure", "contour_error_max")
     assert row["variant"] == int(np.argmax(largest))
@@ -83,7 +83,10 @@ def test_a_damaged_file_is_found_and_computed_again(whole: Path, capsys: Capture
     assert exported(whole) == rows
 
 
-@pytest.mark.parametrize("change", [("seed = 3", "seed = 4"), ('"20 %"', '"21 %"'), ("chunk = 32", "chunk = 64"), ("all of it", "position loop")])
+CHANGES = [("seed = 3", "seed = 4"), ('"20 %"', '"21 %"'), ("chunk = 32", "chunk = 64"), ("all of it", "position loop")]
+
+
+@pytest.mark.parametrize("change", CHANGES)
 def test_the_store_of_another_study_is_refused(whole: Path, capsys: Capture, change: tuple[str, str]) -> None:
     Path("study.toml").write_text(STUDY.replace(*change))
     before = {path.name for path in whole.iterdir()}
@@ -176,22 +179,22 @@ STRUCTURES = """\
 scenario = "scenario.toml"
 design = "grid"
 chunk = 32
-signals = ["contour_error_estimate", "position"]
+signals = ["command", "position"]
 figures = ["contour_error_max", "command_energy", "cycle_time"]
 [vary]
 scheme = { values = ["position loop", "all of it"] }
 "feed.frequency" = { values = ["2 Hz", "4 Hz"] }
-"controller.axes.*.velocity" = { values = [{ kind = "filtered-difference", bandwidth = "3000 rad/s" }, "none"] }
+"controller.axes.*.velocity" = { values = [{ kind = "filtered-difference", bandwidth = "3000 rad/s" }, "true"] }
 "axes.*.plant.gain" = { uniform = ["90 %", "110 %"], steps = 3, together = true }
 "axes.1.friction.coulomb" = { values = ["0 full_scale", "100 %"] }
 """
 
 
 def test_schemes_motions_and_kinds_of_components_vary_with_numbers(study: Path, capsys: Capture) -> None:
-    text = STRUCTURES.replace("contour_error_estimate", "command")
-    study.write_text(text)
+    study.write_text(STRUCTURES)
     assert asked(capsys, "study.toml", "--out", "store")["variants"] == 2 * 2 * 2 * 3 * 2
-    sql = 'SELECT count(*) AS n, min("axes.3.plant.gain") AS least, scheme, "feed.frequency" AS f, cycle_time AS t FROM results GROUP BY ALL'
+    names = 'scheme, "axes.3.plant.gain", "feed.frequency" AS f, cycle_time AS t'
+    sql = f"SELECT count(*) AS n, {names} FROM results GROUP BY ALL"
     found = asked(capsys, "query", "store", f"{sql} ORDER BY ALL")
     assert {row["n"] for row in found} == {4} and len(found) == 12
     assert {(row["f"], round(row["t"], 6)) for row in found} == {(2.0, 0.5), (4.0, 0.25)}
@@ -203,13 +206,15 @@ def test_schemes_motions_and_kinds_of_components_vary_with_numbers(study: Path, 
 
 
 def test_variants_that_diverge_or_are_refused_are_rows(study: Path, capsys: Capture) -> None:
-    gains = '"controller.axes.1.controller.position_gain" = { values = ["100 %", "4000 %"] }'
-    forces = '"axes.1.friction.breakaway" = { values = ["100 %", "50 %"] }'
+    limits = '"axes.1.limits.following_error" = { values = ["10 mm", "1 um"] }'
+    structure = '"controller.axes.1.controller.structure" = { values = ["ipv"] }'
+    gains = '"controller.axes.1.controller.integral_gain" = { values = ["100 %", "0 1/s"] }'
     text = STUDY.replace("variants = 100\n", 'design = "grid"\n').partition("[vary]")[0]
-    study.write_text(f"{text}[vary]\n{gains}\n{forces}\n")
+    study.write_text(f"{text}[vary]\n{limits}\n{structure}\n{gains}\n")
     result = asked(capsys, "study.toml", "--out", "store")
     rows = asked(capsys, "query", "store", "SELECT status, failed_at, contour_error_max FROM results ORDER BY variant")
-    assert [row["status"] for row in rows] == ["ok", "refused", "diverged", "refused"] or result["statuses"]["diverged"] == 2
+    assert [row["status"] for row in rows] == ["ok", "refused", "diverged", "refused"]
+    assert result["yield"]["judged"] == 2 and "CL932" in {found["code"] for found in result["findings"]}
     for row in rows:
         assert (row["contour_error_max"] is not None) == (row["status"] == "ok")
         assert (row["failed_at"] is not None) == (row["status"] == "diverged")
@@ -220,10 +225,9 @@ def test_a_variant_runs_again_into_a_report(whole: Path, capsys: Capture) -> Non
     words = ["worst", "whole", "--rerun", str(row["variant"]), "--out", "report"]
     summary = asked(capsys, *words, code=1)
     assert summary["passed"] is False and Path("report/report.html").exists()
-    (scheme,) = summary["schemes"].values() if isinstance(summary["schemes"], dict) else summary["schemes"]
     again = load_scenario(f"report/variant-{row['variant']}.toml").base
     assert again.machine.axis("1").plant.gain == row["axes.1.plant.gain"]
     signals = Result.load(next(Path("report/signals").glob("*.nc")))
     assert np.abs(signals["contour_error"]).max() == pytest.approx(row["contour_error_max"], rel=1e-6)
-    assert json.loads(Path("report/summary.json").read_text())["passed"] is False and scheme is not None
+    assert json.loads(Path("report/summary.json").read_text())["passed"] is False
     assert main(["sweep", "worst", "whole", "--rerun", "100"]) == 2
