@@ -179,7 +179,7 @@ class Distribution:
         [80.0]
         """
         if self.kind == "values":
-            return np.asarray(self.numbers)[chosen(places, len(self.numbers), self.weights)]
+            return np.asarray(np.asarray(self.numbers)[chosen(places, len(self.numbers), self.weights)])
         p = np.clip(np.asarray(places, dtype=float), *TAILS)
         return np.asarray(np.clip(self._inverse(p), self.low, self.high))
 
@@ -199,7 +199,7 @@ class Distribution:
         peak = self.numbers[1]
         rising = low + np.sqrt(p * (high - low) * (peak - low))
         falling = high - np.sqrt((1.0 - p) * (high - low) * (high - peak))
-        return np.asarray(np.where(p * (high - low) < peak - low, rising, falling))
+        return np.where(p * (high - low) < peak - low, rising, falling)
 
     def _ends(self) -> tuple[float, float]:
         """Return the cumulative probabilities of the ends."""
