@@ -6,6 +6,7 @@ import hashlib
 import logging
 import os
 import pickle
+import shutil
 import signal
 import threading
 from collections.abc import Callable, Iterable, Iterator
@@ -213,10 +214,36 @@ def _client(executor: str, workers: int | None) -> Iterator[Any]:
         return
     count = workers or os.cpu_count() or 1
     if executor == "slurm":
-        cluster = extra_module("dask_jobqueue").SLURMCluster()
-        cluster.scale(jobs=count)
+        cluster = _slurm(count)
     else:
         extra_module("dask").config.set(QUIET)
-        cluster = distributed.LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None, silence_logs=logging.CRITICAL)
+        with _deaf():
+            cluster = distributed.LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None, silence_logs=logging.CRITICAL)
     with cluster, distributed.Client(cluster) as client:
         yield client
+
+
+@contextmanager
+def _deaf() -> Iterator[None]:
+    """Let processes that the block starts leave Ctrl-C to this one."""
+    if threading.current_thread() is not threading.main_thread():  # which cannot set it
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _slurm(jobs: int) -> Any:
+    """Return a cluster of Slurm jobs, as the user's ``jobqueue.yaml`` describes them."""
+    if shutil.which("sbatch") is None:
+        raise EngineError("no sbatch on this machine: type the command where you submit Slurm jobs")
+    try:
+        cluster = extra_module("dask_jobqueue").SLURMCluster(scheduler_options={"dashboard_address": ":0"})
+    except ValueError as error:
+        where = "set cores and memory under jobqueue: slurm: in ~/.config/dask/jobqueue.yaml"
+        raise EngineError(f"Slurm: {' '.join(str(error).split())}: {where}") from error
+    cluster.scale(jobs=jobs)
+    return cluster

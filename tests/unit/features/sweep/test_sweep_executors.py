@@ -36,14 +36,30 @@ def parts(store: str) -> dict[str, int]:
     return {path.name: path.stat().st_mtime_ns for path in Path(store).glob("part-*.parquet")}
 
 
+SBATCH = """#!/bin/sh
+cp "$1" job-$$.sh
+exec 3> job-$$.log
+sh job-$$.sh >&3 2>&3 &
+echo "Submitted batch job $!"
+"""
+"""A stand-in for Slurm: runs the job at once, in the background."""
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("executor", ["processes", "dask-local"])
-def test_executors_give_the_same_bytes(study: Path, executor: str) -> None:
+@pytest.mark.parametrize("executor", ["processes", "dask-local", *(["slurm"] if sys.platform == "linux" else [])])
+def test_executors_give_the_same_bytes(study: Path, executor: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, text in (("sbatch", SBATCH), ("scancel", '#!/bin/sh\nkill "$@"\n')):
+        Path(name).write_text(text)
+        Path(name).chmod(0o755)
+    Path("jobqueue.yaml").write_text('jobqueue: {slurm: {cores: 1, memory: 1GB, interface: lo, job-extra-directives: []}}\n')
+    monkeypatch.setenv("PATH", f"{Path.cwd()}{os.pathsep}{os.environ['PATH']}")
+    monkeypatch.setenv("DASK_CONFIG", str(Path.cwd()))
     assert main(["sweep", "study.toml", "--out", "threads"]) == 0
     done = subprocess.run(
         [*MODULE, "contourlab", "sweep", "study.toml", "--executor", executor, "--workers", "2", "--out", "other"],
         capture_output=True,
         text=True,
+        timeout=300,
     )
     assert (done.returncode, done.stderr) == (0, "")
     assert set(parts("threads")) == set(parts("other"))
