@@ -15,7 +15,7 @@ SITE := $(VENV)/.site
 PIP := $(BIN)/python -m pip install --disable-pip-version-check -c constraints.txt
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo programs learning backlash test check lint types imports doctests docs package bench fuzz clean
+.PHONY: help install demo programs learning backlash sweep-demo test check lint types imports doctests docs package bench fuzz clean
 
 help:
 	@echo "make demo     run the demonstration; results in results/demo"
@@ -28,6 +28,7 @@ help:
 	@echo "make bench    measure the speed of the engine on this machine"
 	@echo "make programs run every part program of a folder; make programs PROGRAMS=my/folder"
 	@echo "make learning measure cost and benefit of learning and cross-coupling; reports in results/learning"
+	@echo "make sweep-demo  ask which of 10,000 machines of a series will make the part; store in results/sweep-demo"
 	@echo "make backlash measure the cost of backlash in the loop, and all schemes on real parts"
 	@echo "make install  only make $(VENV); with another Python: make install PYTHON=python3.12"
 	@echo "make clean    remove $(VENV) and all generated files"
@@ -97,6 +98,11 @@ programs: $(STAMP)
 
 learning: $(STAMP)
 	$(BIN)/python benchmarks/learning.py $(ARGS)
+
+# A second call continues where the first one was stopped.
+sweep-demo: $(STAMP)
+	$(BIN)/contourlab sweep examples/sweep-production-line.toml --out results/sweep-demo --resume $(ARGS)
+	$(BIN)/contourlab sweep worst results/sweep-demo 5
 
 backlash: $(STAMP)
 	$(BIN)/python benchmarks/backlash.py $(ARGS)

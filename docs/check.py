@@ -48,7 +48,7 @@ def command_lines(text: str) -> Iterator[list[str]]:
 def unknown_words(words: list[str]) -> Iterator[str]:
     """Yield commands, options and targets that the program does not have."""
     if words[0] == "make":
-        rules = re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
+        rules = re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
         yield from (f"make {word}: no such target" for word in words[1:] if "=" not in word and word not in rules)
         return
     command: Any = typer.main.get_command(app)
@@ -59,6 +59,9 @@ def unknown_words(words: list[str]) -> Iterator[str]:
             if word.partition("=")[0] not in options:
                 yield f"{place}: no option {word}"
         elif hasattr(command, "commands"):
+            if word not in command.commands and hasattr(command, "default"):
+                command, place = command.commands[command.default], f"{place} {command.default}"
+                continue
             if word not in command.commands:
                 yield f"{place}: no command {word}"
                 return

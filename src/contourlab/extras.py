@@ -7,7 +7,11 @@ from typing import Any
 
 from contourlab.errors import MissingPackageError
 
-EXTRAS = {"cvxpy": "design", "ezdxf": "cad", "svgelements": "cad", "pyarrow": "parquet", "pyarrow.parquet": "parquet"}
+EXTRAS = {
+    "cvxpy": "design", "ezdxf": "cad", "svgelements": "cad", "pyarrow": "parquet", "pyarrow.parquet": "parquet", "pyarrow.csv": "parquet",
+    "pyarrow.dataset": "parquet",
+    "duckdb": "sweep", "dask": "cluster", "distributed": "cluster", "dask_jobqueue": "cluster",
+}  # fmt: skip
 """The extra that installs each module."""
 
 
@@ -22,4 +26,4 @@ def extra_module(name: str) -> Any:
     try:
         return import_module(name)
     except ModuleNotFoundError as error:
-        raise MissingPackageError(name.partition(".")[0], EXTRAS[name]) from error
+        raise MissingPackageError(name.partition(".")[0].replace("_", "-"), EXTRAS[name]) from error

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
+from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -140,7 +141,7 @@ def run_identity(
 
     known = list(machines)
     texts = [dump(machine) for machine in known] + [dump(controller, known[0]), reference.digest, f"seed {seed}, moving {moving}"]
-    return "\n".join([*texts, *_plugins(known, controller), *_program((*_ROOMS, *rooms))])
+    return "\n".join([*texts, *_plugins(known, controller), *program_identity(tuple(rooms))])
 
 
 def _plugins(machines: Iterable[Machine], controller: Controller) -> list[str]:
@@ -157,12 +158,13 @@ def _plugins(machines: Iterable[Machine], controller: Controller) -> list[str]:
     return [f"{Path(file).name} {hashlib.sha256(Path(file).read_bytes()).hexdigest()}" for file in files if file is not None]
 
 
-def _program(rooms: Iterable[str]) -> list[str]:
-    """Return the versions of contourlab, cma and numpy, and a digest of the source of the rooms."""
+@cache
+def program_identity(rooms: tuple[str, ...]) -> list[str]:
+    """Return the versions of contourlab, cma and numpy, and a digest of the source of a run's rooms and of further ones."""
     import contourlab
 
     root, digest = Path(contourlab.__file__).parent, hashlib.sha256()
-    for room in rooms:
+    for room in (*_ROOMS, *rooms):
         single = root / f"{room}.py"
         for file in [single] if single.exists() else sorted((root / room).rglob("*.py")):
             digest.update(file.relative_to(root).as_posix().encode() + b"\0" + file.read_bytes())

@@ -224,7 +224,7 @@ def _clean_up(folder: Path) -> None:
         with suppress(OSError):
             stage.rmdir()  # only if empty: killed before it was held, or after
         with suppress(OSError), (stage / _HELD).open("r+b") as stream:
-            _lock(stream)
+            lock(stream)
             undone = _undo(stage, folder)
             _remove(stage)
             what = "the results from before it are back" if undone else "its unfinished results are removed"
@@ -239,7 +239,7 @@ def _remove(stage: Path) -> None:
     shutil.rmtree(stage, ignore_errors=True)
 
 
-def _lock(stream: BinaryIO) -> None:
+def lock(stream: BinaryIO) -> None:
     """Lock a file until it is closed or its process ends; OSError if another process holds it, or the file system has no locks."""
     if sys.platform != "win32":
         import fcntl
@@ -274,7 +274,7 @@ def _held_stage(folder: Path) -> tuple[Path, BinaryIO]:
         with suppress(FileNotFoundError, BlockingIOError):  # another process removes it before it is locked
             stream = (stage / _HELD).open("wb")
             try:
-                _lock(stream)
+                lock(stream)
             except BlockingIOError:
                 stream.close()
                 raise

@@ -44,6 +44,7 @@ from contourlab.cli.commands.run import run as run_command
 from contourlab.cli.commands.schema import schema
 from contourlab.cli.commands.sensitivity import sensitivity
 from contourlab.cli.commands.swap import swap
+from contourlab.cli.commands.sweep import sweep
 from contourlab.cli.commands.tune import tune
 from contourlab.cli.output import say, silence
 from contourlab.errors import ContourlabError, ParameterError, error_text
@@ -66,6 +67,7 @@ app.command("learn", rich_help_panel="Simulate")(learn)
 app.command("analyse", rich_help_panel="Simulate")(analyse)
 app.command("backlash", rich_help_panel="Simulate")(backlash)
 app.command("link", rich_help_panel="Simulate")(link)
+app.add_typer(sweep, name="sweep", rich_help_panel="Simulate")
 app.command("measure", rich_help_panel="Measure")(measure)
 app.command("circle", rich_help_panel="Measure")(circle)
 app.command("limits", rich_help_panel="Measure")(limits)

@@ -104,7 +104,7 @@ def simulate_batch(
     Lanes compute ``exp`` and its like by polynomials, to the last digits only. Encoder counts amplify the difference: the largest contour
     errors of `simulate` and of a variant may differ by 0.1 um.
     """
-    columns, n = _checked(machine, controller, variants)
+    columns, n = checked_variants(machine, controller, variants)
     check_view(view, reference.path)
     view = view or view_of(reference.path)
     compiled = jit_enabled(jit)
@@ -159,7 +159,14 @@ def _advance_all(
     return np.where(seen >= 0, seen, broken).astype(np.int64).ravel()
 
 
-def _checked(machine: Machine, controller: Controller, variants: Mapping[str, ArrayLike]) -> tuple[dict[str, Array], int]:
+def checked_variants(machine: Machine, controller: Controller, variants: Mapping[str, ArrayLike]) -> tuple[dict[str, Array], int]:
+    """Return the columns of all parameters that differ, and the number of variants, as `simulate_batch` checks them first.
+
+    Raises
+    ------
+    ParameterError
+        If a name is unknown, a value or a combination of values out of range, or the arrays differ in length.
+    """
     if not isinstance(variants, Mapping):
         raise ParameterError("variants", f"{variants!r:.60}", "a mapping from names of parameters to numbers")
     known = parameters_of(machine, controller)

@@ -12,8 +12,10 @@ from contourlab.errors import OutputError
 
 
 @contextlib.contextmanager
-def replacing(file: str | Path) -> Iterator[Path]:
+def replacing(file: str | Path, *, durable: bool = False) -> Iterator[Path]:
     """Yield a temporary file beside `file`; rename it to `file` if the block succeeds, else remove it.
+
+    If `durable`, the file is on the disk when the block ends, and survives a power failure.
 
     Raises
     ------
@@ -33,7 +35,11 @@ def replacing(file: str | Path) -> Iterator[Path]:
             umask = os.umask(0)
             os.umask(umask)
             temporary.chmod(0o666 & ~umask)
+            if durable:
+                _sync(temporary)
             temporary.replace(target)
+            if durable and os.name != "nt":  # Windows has no handles of folders
+                _sync(target.parent)
         except OSError as error:
             raise OutputError(f"{target}: cannot be written: {error.strerror or error}") from error
     finally:
@@ -41,9 +47,17 @@ def replacing(file: str | Path) -> Iterator[Path]:
             temporary.unlink(missing_ok=True)
 
 
-def write_bytes_atomic(file: str | Path, data: bytes) -> None:
-    """Write a file whole or not at all."""
-    with replacing(file) as temporary:
+def _sync(path: Path) -> None:
+    handle = os.open(path, os.O_RDWR if path.is_file() else os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def write_bytes_atomic(file: str | Path, data: bytes, *, durable: bool = False) -> None:
+    """Write a file whole or not at all; see `replacing`."""
+    with replacing(file, durable=durable) as temporary:
         temporary.write_bytes(data)
 
 

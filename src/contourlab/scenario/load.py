@@ -222,6 +222,37 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scena
     return _scenario(reader, content, Path(content.file))
 
 
+def changed_case(file: str | Path, scheme: str, changes: Table, plugins: Sequence[str | Path] = ()) -> Case:
+    """Return the case of a scenario, or of one of its schemes, with other tables and keys.
+
+    Parameters
+    ----------
+    file : str or Path
+        Or ``builtin:`` and the name of a shipped one.
+    scheme : str
+        Empty for the base.
+    changes : Table
+        As in a scheme, and ``contour`` or ``program``, which replaces the motion.
+    plugins : sequence of str or Path
+        Python files with further components.
+
+    Raises
+    ------
+    ScenarioError, ProgramError
+        As `load_scenario`; or if there is no such scheme.
+    """
+    reader, content = _open(_in_folder(Path(file)) if Path(file).is_dir() else file, plugins)
+    schemes = content.table("schemes")
+    if scheme and scheme not in schemes.entries:
+        raise content.error(f"no scheme {scheme!r}: {hint(scheme, schemes.entries)}", "schemes")
+    motion = changes.only("contour", "program").entries
+    if motion:
+        content = replace(content, entries={**content.without("contour", "program").entries, **motion})
+    table = merge(schemes.table(scheme) if scheme else Table(), changes.without(*motion))
+    name = scheme or "base"
+    return _scenario(reader, content.having(schemes=Table({name: table}, content.file, "schemes")), Path(content.file)).cases()[0]
+
+
 def scenario_from_parts(
     program: str | Path | None,
     machine: str | Path,

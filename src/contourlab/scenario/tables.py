@@ -66,7 +66,9 @@ Text = Annotated[str, Field(min_length=1, max_length=200)]
 Letter = Literal["x", "y", "z"]
 
 
-class _Strict(BaseModel):
+class StrictTable(BaseModel):
+    """A table of fixed shape: unknown keys and values of another type are faults."""
+
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
     needed: ClassVar[tuple[str, ...]] = ()
     """Required keys that are read elsewhere."""
@@ -74,7 +76,7 @@ class _Strict(BaseModel):
     """Optional keys that are read elsewhere."""
 
 
-class ScenarioTable(_Strict):
+class ScenarioTable(StrictTable):
     """The top of a scenario."""
 
     needed = ("machine", "controller")
@@ -82,7 +84,7 @@ class ScenarioTable(_Strict):
     name: Text | None = None
 
 
-class MachineTable(_Strict):
+class MachineTable(StrictTable):
     """``[machine]``."""
 
     parts = ("squareness", "correlations")
@@ -91,7 +93,7 @@ class MachineTable(_Strict):
     axes: Annotated[list[Name], Field(min_length=1, max_length=64)]
 
 
-class LimitsTable(_Strict):
+class LimitsTable(StrictTable):
     """``[axes.x.limits]``."""
 
     velocity: Annotated[float | None, _limit("velocity", "m/s", "mm/min")] = None
@@ -101,7 +103,7 @@ class LimitsTable(_Strict):
     travel: Annotated[tuple[float, ...] | None, _numbers("m", "mm")] = None
 
 
-class ErrorTable(_Strict):
+class ErrorTable(StrictTable):
     """``[axes.x.error]``."""
 
     position: Annotated[tuple[float, ...], _numbers("m", "mm")] = ()
@@ -109,7 +111,7 @@ class ErrorTable(_Strict):
     repeatability: Spread = 0.0
 
 
-class AxisTable(_Strict):
+class AxisTable(StrictTable):
     """``[axes.x]``."""
 
     needed = AXIS_SLOTS[:1]
@@ -120,14 +122,14 @@ class AxisTable(_Strict):
     substeps: Annotated[int, Field(ge=1, le=1000)] = 1
 
 
-class ControllerTable(_Strict):
+class ControllerTable(StrictTable):
     """``[controller]``."""
 
     needed = ("axes",)
     parts = ("estimator", "coupling")
 
 
-class AxisControllerTable(_Strict):
+class AxisControllerTable(StrictTable):
     """``[controller.axes.x]``."""
 
     needed = ("controller",)
@@ -137,21 +139,21 @@ class AxisControllerTable(_Strict):
     local: list[str] = []
 
 
-class LinkTable(_Strict):
+class LinkTable(StrictTable):
     """``[controller.axes.x.link]``."""
 
     parts = ("down", "up")
     division: Literal["drive", "observer", "controller"]
 
 
-class ZeroPhaseTable(_Strict):
+class ZeroPhaseTable(StrictTable):
     """``feedforward = {kind = "zpetc"}`` without coefficients, which are designed for the loop."""
 
     kind: str
     radius: Annotated[float, _number("", minimum=0.0, maximum=1.0, exclusive=True)] = 0.9
 
 
-class ProgramTable(_Strict):
+class ProgramTable(StrictTable):
     """``[program]``."""
 
     file: Annotated[str, Field(min_length=1)]
@@ -164,7 +166,7 @@ class ProgramTable(_Strict):
     fit: bool = False
 
 
-class ContourFileTable(_Strict):
+class ContourFileTable(StrictTable):
     """``[contour]`` with ``file``."""
 
     file: Annotated[str, Field(min_length=1)]
@@ -180,7 +182,7 @@ class ContourFileTable(_Strict):
     offset: Annotated[tuple[float, ...], _numbers("m", "mm")] = ()
 
 
-class FeedTable(_Strict):
+class FeedTable(StrictTable):
     """``[feed]``."""
 
     law: Literal["planned", "uniform"] = "planned"
@@ -194,7 +196,7 @@ class FeedTable(_Strict):
     curvature_step: Part = 1.0
 
 
-class RunTable(_Strict):
+class RunTable(StrictTable):
     """``[run]``."""
 
     signals: list[str] | None = None
@@ -205,7 +207,7 @@ class RunTable(_Strict):
     changes: list[Any] = []
 
 
-class ChangeTable(_Strict):
+class ChangeTable(StrictTable):
     """An item of ``changes`` in ``[run]``."""
 
     at: Moment
@@ -213,7 +215,7 @@ class ChangeTable(_Strict):
     handover_time: Annotated[float, _number("s", "ms", minimum=0.0)] = 0.01
 
 
-class LearningTable(_Strict):
+class LearningTable(StrictTable):
     """``[learning]``."""
 
     needed = ("law",)
@@ -223,7 +225,7 @@ class LearningTable(_Strict):
     table: Annotated[str, Field(min_length=1)] | None = None
 
 
-Model = TypeVar("Model", bound=_Strict)
+Model = TypeVar("Model", bound=StrictTable)
 
 
 def read_table(model: type[Model], table: Table) -> Model:

@@ -31,6 +31,8 @@ def results() -> dict[str, Any]:
     from contourlab.features.run.summary import Summary
     from contourlab.features.sensitivity.command import Sensitivity
     from contourlab.features.swap.result import SwapResult
+    from contourlab.features.sweep.query import Export
+    from contourlab.features.sweep.summary import SweepSummary
     from contourlab.features.tune.command import Calibration
     from contourlab.findings import Entry
     from contourlab.papers.rows import Row
@@ -61,6 +63,7 @@ def results() -> dict[str, Any]:
         "run": Summary,
         "sensitivity": Sensitivity,
         "swap": SwapResult,
+        "sweep": SweepSummary | Export | Summary | tuple[dict[str, Any], ...],
         "tune": Calibration,
     }
 

@@ -1,0 +1,154 @@
+"""``contourlab sweep``: studies of thousands to millions of variants, and questions to their stores."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from typer.core import TyperGroup
+
+from contourlab.cli.options import Json, Out, Plugins
+from contourlab.cli.output import conclude, emit_json, say, show_result, suggest, wants_progress
+
+
+class StudyFirst(TyperGroup):
+    """A group whose command ``run`` may be left out: ``sweep study.toml`` runs a study."""
+
+    default = "run"
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Put the default command in front of anything that is neither a command nor help."""
+        if args and args[0] not in self.commands and args[0] not in ("--help", "-h"):
+            args = [self.default, *args]
+        return super().parse_args(ctx, args)
+
+
+sweep = typer.Typer(
+    cls=StudyFirst, help="Run studies of thousands to millions of variants; ask their stores. `run` may be left out.", no_args_is_help=True
+)
+StoreFolder = Annotated[Path, typer.Argument(metavar="STORE", help="Folder of a store.", show_default=False)]
+
+
+@sweep.callback()
+def _sweep() -> None:
+    """Run studies of thousands to millions of variants; ask their stores. `run` may be left out."""
+
+
+@sweep.command("run")
+def run(
+    study: Annotated[Path, typer.Argument(metavar="STUDY", help="A study (.toml).", show_default=False)],
+    out: Out = Path("store"),
+    resume: Annotated[bool, typer.Option("--resume", help="Continue a store; starts an empty one.")] = False,
+    executor: Annotated[
+        str, typer.Option(help="threads, processes, dask-local, dask://HOST:PORT or slurm; the results are the same.")
+    ] = "threads",
+    workers: Annotated[
+        int | None, typer.Option(help="Threads, processes or jobs; by default one per processor.", show_default=False)
+    ] = None,
+    chunks: Annotated[
+        str,
+        typer.Option(metavar="FIRST:END", help="Run only these chunks, to share a study between machines; then merge.", show_default=False),
+    ] = "",
+    as_json: Json = False,
+    plugin: Plugins = None,
+) -> int:
+    """Run a study into a store. Finished chunks stay, whatever happens."""
+    from contourlab.features.sweep.command import SweepOptions, sweep_study
+
+    options = SweepOptions(executor, workers, resume, chunks)
+    result = sweep_study(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
+    show_result(result, as_json)
+    suggest(as_json, "sweep", "worst", out)
+    return 0
+
+
+@sweep.command("show")
+def show(store: StoreFolder, as_json: Json = False) -> int:
+    """Show what a store holds: yield, distribution of each figure, time."""
+    from contourlab.features.sweep.command import show as shown
+
+    show_result(shown(store), as_json)
+    return 0
+
+
+@sweep.command("query")
+def query(
+    store: StoreFolder,
+    sql: Annotated[str, typer.Argument(metavar="SQL", help="DuckDB SQL over the view results, in SI.", show_default=False)],
+    as_json: Json = False,
+) -> int:
+    """Ask a store in SQL, such as "SELECT scheme, avg(part_error_max) FROM results GROUP BY scheme"."""
+    from contourlab.features.sweep.query import rows
+    from contourlab.features.sweep.store import read_store
+    from contourlab.features.sweep.summary import rows_text
+
+    names, found = rows(read_store(store), sql)
+    if as_json:
+        emit_json([dict(zip(names, row, strict=True)) for row in found])
+    else:
+        say(rows_text(names, found))
+    return 0
+
+
+@sweep.command("worst")
+def worst(
+    store: StoreFolder,
+    count: Annotated[int, typer.Argument(metavar="[COUNT]", min=1, help="Number of variants.")] = 10,
+    figure: Annotated[str, typer.Option(help="Figure that decides.")] = "part_error_max",
+    number: Annotated[
+        int | None, typer.Option("--rerun", metavar="VARIANT", help="Run this variant into a full report.", show_default=False)
+    ] = None,
+    out: Out = Path("results"),
+    as_json: Json = False,
+    plugin: Plugins = None,
+) -> int:
+    """List the worst variants with their parameters; with --rerun, write the report of one."""
+    from contourlab.features.sweep.query import worst as worst_of
+    from contourlab.features.sweep.store import read_store
+    from contourlab.features.sweep.summary import rows_text
+
+    if number is not None:
+        from contourlab.features.run.command import RunOptions
+        from contourlab.features.sweep.command import rerun
+
+        return conclude(rerun(store, number, RunOptions(out, tuple(plugin or ()), progress=wants_progress(as_json))), as_json)
+    opened = read_store(store)
+    found = worst_of(opened, count, figure)
+    if as_json:
+        emit_json(found)
+    else:
+        names = ["variant", figure, *opened.columns, "status"]
+        units = {**opened.columns, **opened.figures}
+        say(rows_text(names, [[row[name] for name in names] for row in found], units))
+    if found:
+        suggest(as_json, "sweep", "worst", store, "--rerun", found[0]["variant"], "--out", "worst")
+    return 0
+
+
+@sweep.command("merge")
+def merge(
+    stores: Annotated[list[Path], typer.Argument(metavar="STORE...", help="Stores of one study.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="New folder for the store.", show_default=False)],
+    as_json: Json = False,
+) -> int:
+    """Join the stores of one study that several machines have filled."""
+    from contourlab.features.sweep.store import merge as merged
+    from contourlab.features.sweep.summary import summary
+
+    show_result(summary(merged(stores, out)), as_json)
+    return 0
+
+
+@sweep.command("export")
+def export(
+    store: StoreFolder,
+    to: Annotated[Path, typer.Option("--to", metavar="FILE", help="File that ends in .csv or .parquet.", show_default=False)],
+    as_json: Json = False,
+) -> int:
+    """Write one row per variant, in their order, in SI."""
+    from contourlab.features.sweep.query import export as exported
+    from contourlab.features.sweep.store import read_store
+
+    show_result(exported(read_store(store), to), as_json)
+    return 0

@@ -1,0 +1,1 @@
+"""Studies of thousands to millions of variants: a study file, a store, and questions to the store."""

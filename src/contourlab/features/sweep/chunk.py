@@ -1,0 +1,148 @@
+"""The variants of one chunk, simulated: the unit of work of every executor."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from time import perf_counter, process_time
+from typing import Any
+
+import numpy as np
+
+from contourlab.arrays import Array, Flags, Index
+from contourlab.errors import ParameterError
+from contourlab.features.sweep.distributions import chosen
+from contourlab.features.sweep.structures import Structure
+from contourlab.features.sweep.study import Study
+from contourlab.loop import parameters_of
+from contourlab.loop.batch import checked_variants, simulate_batch
+
+OK, DIVERGED, REFUSED = STATUSES = ("ok", "diverged", "refused")
+"""Status of a variant: judged; left its following-error limit or became non-finite; a combination that a component refuses."""
+
+
+@dataclass(frozen=True)
+class Chunk:
+    """Results of a chunk.
+
+    Attributes
+    ----------
+    number : int
+    columns : mapping of str to ndarray (n_variant,)
+        Choices, parameters and figures in SI, ``status``, ``failed_at`` [s] and ``unsure``; nan where there is no value.
+    signals : mapping of str to ndarray (n_variant, n_sample, n_axis)
+        nan beyond the end of a run.
+    seconds, cpu_seconds : float [s]
+        Time and processor time of the work.
+    """
+
+    number: int
+    columns: Mapping[str, Any]
+    signals: Mapping[str, Array]
+    seconds: float
+    cpu_seconds: float
+
+
+def run_chunk(study: Study, number: int, threads: int | None = None, progress: Callable[[float], None] | None = None) -> Chunk:
+    """Simulate the variants of a chunk. The numbers depend on the study and the number of the chunk alone.
+
+    Parameters
+    ----------
+    study : Study
+    number : int
+    threads : int, optional
+        By default one per processor.
+    progress : callable, optional
+        Called with the share done.
+    """
+    began, cpu = perf_counter(), process_time()
+    places = study.design.places(number)
+    n = len(places)
+    codes = [np.asarray(choice.codes)[chosen(places[:, choice.dimension], len(choice.codes), choice.weights)] for choice in study.choices]
+    names = [name for name in study.columns if name not in {choice.key for choice in study.choices}]
+    columns: dict[str, Any] = {name: np.full(n, np.nan) for name in (*names, *study.figures, "failed_at", "unsure")}
+    columns["status"] = np.full(n, STATUSES.index(REFUSED))
+    signals: dict[str, Array] = {}
+    done = 0
+    for combo, structure in study.structures.items():
+        rows = np.flatnonzero(np.all([code == label for code, label in zip(codes, combo, strict=True)], axis=0)) if combo else np.arange(n)
+        if not rows.size:
+            continue
+        given = {name: drawn.values(places[rows, i]) for name, i, drawn in structure.numbers}
+        for name, values in given.items():
+            columns[name][rows] = values
+        accepted = _accepted(structure, given, len(rows))
+        if accepted.any():
+            first, share = done, len(rows) / n
+            tell = None if progress is None else (lambda part, first=first, share=share: progress(first / n + share * part))
+            _simulate(study, structure, given, rows, accepted, columns, signals, threads, tell)
+        done += len(rows)
+    for choice, code in zip(study.choices, codes, strict=True):
+        columns[choice.key] = np.array(choice.labels, dtype=object if isinstance(choice.labels[0], str) else float)[code]
+    return Chunk(number, columns, signals, perf_counter() - began, process_time() - cpu)
+
+
+def _accepted(structure: Structure, given: Mapping[str, Array], n: int) -> Flags:
+    """Return which variants all components accept, by halves: combinations that a component refuses are rare."""
+    accepted = np.ones(n, dtype=bool)
+    if not given:
+        return accepted
+
+    def check(start: int, stop: int) -> None:
+        try:
+            checked_variants(structure.machine, structure.controller, {name: values[start:stop] for name, values in given.items()})
+        except ParameterError:
+            if stop - start == 1:
+                accepted[start] = False
+                return
+            middle = (start + stop) // 2
+            check(start, middle)
+            check(middle, stop)
+
+    check(0, n)
+    return accepted
+
+
+def _simulate(
+    study: Study,
+    structure: Structure,
+    given: Mapping[str, Array],
+    rows: Index,
+    accepted: Flags,
+    columns: dict[str, Any],
+    signals: dict[str, Array],
+    threads: int | None,
+    progress: Callable[[float], None] | None,
+) -> None:
+    """Simulate the accepted variants of a structure, and write their rows of the columns and signals."""
+    rows, reference = rows[accepted], structure.reference
+    batch = simulate_batch(
+        structure.machine,
+        structure.controller,
+        reference,
+        {name: values[accepted] for name, values in given.items()} or _unchanged(structure, len(rows)),
+        keep=study.signals,
+        threads=threads,
+        part=any(name.startswith("part_") for name in study.figures),
+        effort=any(name in study.figures for name in ("command_energy", "command_largest", "limited_share")),
+        view=structure.view,
+        seed=structure.seed,
+        moving=structure.moving,
+        progress=None if progress is None else (lambda sample: progress(sample / reference.n_sample)),
+    )
+    for name in study.figures:
+        columns[name][rows] = reference.duration if name == "cycle_time" else batch.figures[name]
+    failed = batch.failed_at >= 0
+    columns["status"][rows] = np.where(failed, STATUSES.index(DIVERGED), STATUSES.index(OK))
+    columns["failed_at"][rows] = np.where(failed, batch.failed_at * structure.machine.servo_period, np.nan)
+    columns["unsure"][rows] = batch.unsure
+    longest = max(other.reference.n_sample for other in study.structures.values())
+    for name, values in batch.signals.items():
+        whole = signals.setdefault(name, np.full((len(columns["status"]), longest, values.shape[1]), np.nan))
+        whole[rows, : values.shape[0]] = np.moveaxis(values, 2, 0)
+
+
+def _unchanged(structure: Structure, n: int) -> dict[str, Array]:
+    """Return one parameter at its own value, for variants that differ in choices only."""
+    name, (part, parameter) = next(iter(parameters_of(structure.machine, structure.controller).items()))
+    return {name: np.full(n, float(getattr(part, parameter)))}

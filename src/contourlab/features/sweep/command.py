@@ -1,0 +1,178 @@
+"""``contourlab sweep``: run a study into a store; show, merge and export stores; rerun single variants."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+from contourlab.app.stages import shown
+from contourlab.design.values import with_values
+from contourlab.errors import ParameterError
+from contourlab.extras import extra_module
+from contourlab.features.run.command import RunOptions, RunOutcome, run_session
+from contourlab.features.sweep.executors import check_executor, run_chunks
+from contourlab.features.sweep.query import variant
+from contourlab.features.sweep.store import Store, read_store, writing
+from contourlab.features.sweep.structures import Structured
+from contourlab.features.sweep.study import study_of
+from contourlab.features.sweep.summary import SweepSummary, summary
+from contourlab.findings import finding
+from contourlab.result import write_text_atomic
+from contourlab.scenario import Scenario, dump, parse_scenario
+
+
+@dataclass(frozen=True)
+class SweepOptions:
+    """Options of the command.
+
+    Attributes
+    ----------
+    executor : str
+        One of `contourlab.features.sweep.executors.EXECUTORS`, or ``dask://HOST:PORT``.
+    workers : int, optional
+        Threads, processes or jobs; by default one for each processor.
+    resume : bool
+        Whether to continue a store.
+    chunks : str
+        Chunks to run, as ``0:50``, the end excluded; empty for all.
+    """
+
+    executor: str = "threads"
+    workers: int | None = None
+    resume: bool = False
+    chunks: str = ""
+
+    def __post_init__(self) -> None:
+        if self.workers is not None and self.workers < 1:
+            raise ParameterError("--workers", f"{self.workers}", "1 or more")
+
+    def chosen(self, count: int) -> range:
+        """Return the chunks to run, of `count`.
+
+        Raises
+        ------
+        ParameterError
+            If they are not a range of the study.
+        """
+        if not self.chunks:
+            return range(count)
+        match = re.fullmatch(r"(\d{0,12}):(\d{0,12})", self.chunks)
+        first, last = (int(match[1] or 0), int(match[2] or count)) if match else (0, 0)
+        if not first < last or first >= count:
+            raise ParameterError("--chunks", repr(self.chunks), f"FIRST:END, from 0:{count} for all; the end is not included")
+        return range(first, min(last, count))
+
+
+def sweep_study(
+    file: str | Path, out: str | Path, options: SweepOptions, *, plugins: Sequence[str | Path] = (), progress: bool = False
+) -> SweepSummary:
+    """Run the variants of a study that are not in its store yet.
+
+    Parameters
+    ----------
+    file : str or Path
+        A study.
+    out : str or Path
+        Folder of the store.
+    options : SweepOptions
+    plugins : sequence of str or Path
+        Python files with components.
+    progress : bool
+        Whether to show a bar.
+
+    Raises
+    ------
+    ContourlabError
+        If the study, an option or the folder is invalid, the disk is full, or a cluster is lost. Finished chunks stay.
+    """
+    for package in ("duckdb", "pyarrow.parquet"):
+        extra_module(package)
+    check_executor(options.executor)
+    made = 0
+    with shown(progress) as stages:
+        stages.begin("planning the motions")
+        study, structured = study_of(file, plugins, stages.advance)
+        wanted = options.chosen(study.design.chunks)
+        with writing(out, study, lambda: _structures(structured), resume=options.resume) as store, _kept(store):
+            todo = [number for number in wanted if number not in store.parts]
+            total, size = sum(len(study.design.numbers(number)) for number in todo), study.design.chunk
+            done, last = 0, perf_counter()
+            stages.begin("running variants")
+            tell = lambda share: stages.advance(done + int(share * size), total)  # noqa: E731
+            for chunk in run_chunks(study, todo, options.executor, options.workers, tell):
+                store.write(chunk)
+                now = perf_counter()
+                store.log(chunk, now - last)
+                last, made, done = now, made + 1, done + len(chunk.columns["status"])
+                stages.advance(done, total)
+        damaged = (finding("CL930", count=len(store.damaged)),) if store.damaged else ()
+        stages.begin("reading the store")
+        return summary(store, made, (*study.findings, *damaged))
+
+
+@contextmanager
+def _kept(store: Store) -> Iterator[None]:
+    """If the block is interrupted, add a note to the interrupt."""
+    try:
+        yield
+    except KeyboardInterrupt as stop:
+        kept = f"{len(store.parts)} of {store.chunks} chunks are kept in {store.folder}."
+        stop.add_note(f"{kept} Repeat the command with --resume to continue.")
+        raise
+
+
+def _structures(made: Structured) -> list[dict[str, Any]]:
+    """Return choices and scenario of each structure, for the manifest."""
+    found = []
+    for combo, case in made.cases.items():
+        choices = {choice.key: choice.labels[code] for choice, code in zip(made.choices, combo, strict=True)}
+        text = dump(Scenario(case.name, Path(), replace(case, learning=None)))
+        found.append({"choices": choices, "scenario": text})
+    return found
+
+
+def show(folder: str | Path) -> SweepSummary:
+    """Return what a store holds.
+
+    Raises
+    ------
+    ResultError
+        If it is no store, or damaged.
+    """
+    return summary(read_store(folder))
+
+
+def rerun(folder: str | Path, number: int, options: RunOptions) -> RunOutcome:
+    """Write the scenario of a variant into a folder, run it, and write its report.
+
+    Parameters
+    ----------
+    folder : str or Path
+        A store.
+    number : int
+        Number of the variant.
+    options : RunOptions
+        With the folder of the results.
+
+    Raises
+    ------
+    ContourlabError
+        If the variant is not in the store, cannot be built or diverges, or the folder cannot be written.
+    """
+    store = read_store(folder)
+    row = variant(store, number)
+    structure = next(one for one in store.manifest["structures"] if all(row[key] == label for key, label in one["choices"].items()))
+    base = parse_scenario(structure["scenario"], f"{folder}: variant {number}", options.plugins).base
+    values = {name: row[name] for name in store.columns if name not in structure["choices"] and row[name] is not None}
+    machine, controller = with_values(base.machine, base.controller, values)
+    run = base.run if store.manifest["tolerance"] is None else replace(base.run, tolerance=store.manifest["tolerance"])
+    case = replace(base, machine=machine, controller=controller, run=run)
+    scenario = Scenario(f"variant {number}", Path(f"variant-{number}.toml"), case)
+    file = options.out / f"variant-{number}.toml"
+    write_text_atomic(file, dump(scenario))
+    return run_session(scenario, options, command=options.command("run", file, {}))

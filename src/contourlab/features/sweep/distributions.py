@@ -1,0 +1,300 @@
+"""Distributions of a varied parameter: read from a study file, cut at the bounds of the parameter, inverted at probabilities."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from contourlab.arrays import Array
+from contourlab.components.contract import Parameter
+from contourlab.errors import ContourlabError, ScenarioError, UnitError
+from contourlab.scenario.quantities import read_number
+from contourlab.scenario.tree import Leaf, Node, Table, hint
+
+FORMS = {
+    "normal": '["80 kg", "4 kg"], mean and standard deviation',
+    "lognormal": '["80 kg", 0.2], median and standard deviation of the logarithm',
+    "uniform": '["70 kg", "90 kg"], lowest and highest value',
+    "log-uniform": '["70 kg", "90 kg"], lowest and highest value, both above 0',
+    "triangular": '["70 kg", "80 kg", "95 kg"], lowest, likeliest and highest value',
+    "values": '["70 kg", "80 kg"]',
+}
+"""Kinds of distributions, each with its form in a study file."""
+OPTIONS = ("within", "weights", "steps", "together")
+TAILS = (2.0**-60, 1.0 - 2.0**-53)
+"""Probabilities nearest to 0 and 1, so that the inverse of a distribution without ends stays finite."""
+
+
+@dataclass(frozen=True)
+class Variation:
+    """An entry of ``[vary]``, as written.
+
+    Attributes
+    ----------
+    key : str
+        Name or pattern of parameters, or a key of the scenario file.
+    table : Table
+        Kind of distribution, and options.
+    kind : str
+        One of `FORMS`.
+    items : tuple
+        Numbers of the distribution as written; choices may be tables.
+    weights : tuple of float
+        Relative probabilities of `items`; empty for equal ones.
+    steps : int
+        Number of evenly spaced values of a grid; 0 for none.
+    together : bool
+        Whether all parameters that a pattern matches share one draw.
+    """
+
+    key: str
+    table: Table
+    kind: str
+    items: tuple[Any, ...]
+    weights: tuple[float, ...] = ()
+    steps: int = 0
+    together: bool = False
+
+
+def read_variations(table: Table) -> tuple[Variation, ...]:
+    """Read ``[vary]``; keys may be quoted, ``"axes.x.plant.mass"``, or tables in tables, as TOML reads bare dotted keys.
+
+    Raises
+    ------
+    ScenarioError
+        If an entry is not a distribution; gives file and key.
+    """
+    variations = [_variation(key, node) for key, node in _flat(table, "")]
+    if not variations:
+        raise table.error('write what varies, such as "axes.x.plant.mass" = { normal = ["80 kg", "4 kg"] }')
+    return tuple(variations)
+
+
+def _flat(table: Table, prefix: str) -> list[tuple[str, Table]]:
+    pairs = []
+    for name, node in table.entries.items():
+        key = f"{prefix}.{name}" if prefix else name
+        if isinstance(node, Leaf):
+            raise _no_distribution(node)
+        is_entry = any(isinstance(inner, Leaf) for inner in node.entries.values()) or any(kind in node.entries for kind in FORMS)
+        pairs += [(key, node)] if is_entry else _flat(node, key)
+    return pairs
+
+
+def _no_distribution(node: Leaf) -> ScenarioError:
+    return node.error(f'{node.value!r:.60} is not a distribution: write {{ normal = ["80 kg", "4 kg"] }}')
+
+
+def _variation(key: str, table: Table) -> Variation:
+    kinds = [name for name in table.entries if name in FORMS]
+    for name, node in table.entries.items():
+        if name not in FORMS and name not in OPTIONS:
+            if isinstance(node, Leaf) and not isinstance(node.value, list):
+                raise _no_distribution(node)
+            raise table.error(f"unknown key: {hint(name, (*FORMS, *OPTIONS))}", name)
+    if len(kinds) != 1:
+        raise table.error(f"{len(kinds)} distributions: write one of {', '.join(FORMS)}")
+    kind = kinds[0]
+    items, count = _list(table, kind), {"values": 0, "triangular": 3}.get(kind, 2)
+    if not items or (count and len(items) != count):
+        raise table.error(f"write {kind} = {FORMS[kind]}", kind)
+    weights = tuple(_weight(table, item) for item in _list(table, "weights"))
+    if weights and (kind != "values" or len(weights) != len(items) or not sum(weights) > 0.0):
+        raise table.error("write one weight for each of the values, not all 0", "weights")
+    steps = _whole(table, "steps")
+    if steps and kind not in ("uniform", "log-uniform"):
+        raise table.error("applies to uniform and log-uniform only: leave this out", "steps")
+    together = _plain(table, "together", False)
+    if not isinstance(together, bool):
+        raise table.error("write true or false", "together")
+    return Variation(key, table, kind, items, weights, steps, together)
+
+
+def _plain(table: Table, name: str, default: Any) -> Any:
+    node = table.get(name)
+    return default if node is None else node.plain()
+
+
+def _list(table: Table, name: str) -> tuple[Any, ...]:
+    items = _plain(table, name, [])
+    if not isinstance(items, list):
+        raise table.error(f"write a list: {name} = {FORMS.get(name, '[...]')}", name)
+    return tuple(items)
+
+
+def _weight(table: Table, item: Any) -> float:
+    if isinstance(item, bool) or not isinstance(item, int | float) or not 0.0 <= item < math.inf:
+        raise table.error(f"{item!r} is not a weight: write a number, 0 or more", "weights")
+    return float(item)
+
+
+def _whole(table: Table, name: str) -> int:
+    value = _plain(table, name, 0)
+    if isinstance(value, bool) or not isinstance(value, int) or (name in table.entries and value < 2):
+        raise table.error("write a whole number, 2 or more", name)
+    return value
+
+
+# --- distributions of one parameter ----------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Distribution:
+    """The distribution of one parameter.
+
+    Attributes
+    ----------
+    kind : str
+        One of `FORMS`.
+    numbers : tuple of float [SI]
+        As in the study file; of ``"lognormal"`` the second has no unit.
+    low, high : float [SI]
+        Ends, inclusive.
+    weights : tuple of float
+        Relative probabilities of values; empty for equal ones.
+    """
+
+    kind: str
+    numbers: tuple[float, ...]
+    low: float = -math.inf
+    high: float = math.inf
+    weights: tuple[float, ...] = ()
+
+    @property
+    def beyond(self) -> float:
+        """Share of the distribution beyond its ends; the rest is scaled up to 1."""
+        if self.kind not in ("normal", "lognormal"):
+            return 0.0
+        first, last = self._ends()
+        return float(first + 1.0 - last)
+
+    def values(self, places: Array) -> Array:
+        """Return the values [SI] at cumulative probabilities from 0 to 1.
+
+        >>> Distribution("normal", (80.0, 4.0), low=0.0).values(np.array([0.5])).tolist()
+        [80.0]
+        """
+        if self.kind == "values":
+            return np.asarray(np.asarray(self.numbers)[chosen(places, len(self.numbers), self.weights)])
+        p = np.clip(np.asarray(places, dtype=float), *TAILS)
+        return np.asarray(np.clip(self._inverse(p), self.low, self.high))
+
+    def _inverse(self, p: Array) -> Array:
+        if self.kind in ("normal", "lognormal"):
+            from scipy.special import ndtri
+
+            first, last = self._ends()
+            z = ndtri(first + (last - first) * p)
+            centre, spread = self.numbers
+            return np.asarray(centre + spread * z if self.kind == "normal" else centre * np.exp(spread * z))
+        low, high = self.numbers[0], self.numbers[-1]
+        if self.kind == "uniform":
+            return low + (high - low) * p
+        if self.kind == "log-uniform":
+            return np.asarray(low * (high / low) ** p)
+        peak = self.numbers[1]
+        rising = low + np.sqrt(p * (high - low) * (peak - low))
+        falling = high - np.sqrt((1.0 - p) * (high - low) * (high - peak))
+        return np.where(p * (high - low) < peak - low, rising, falling)
+
+    def _ends(self) -> tuple[float, float]:
+        """Return the cumulative probabilities of the ends."""
+        from scipy.special import ndtr
+
+        centre, spread = self.numbers
+        ends = np.array([self.low, self.high])
+        if self.kind == "lognormal":
+            with np.errstate(divide="ignore"):
+                ends, centre = np.log(np.maximum(ends, 0.0)), math.log(centre)
+        first, last = ndtr((ends - centre) / spread)
+        return float(first), float(last)
+
+
+def chosen(places: Array, count: int, weights: Sequence[float] = ()) -> np.ndarray[Any, np.dtype[np.int64]]:
+    """Return the numbers of choices, from 0, at cumulative probabilities from 0 to 1."""
+    if not weights:
+        return np.minimum((np.asarray(places) * count).astype(np.int64), count - 1)
+    ends = np.cumsum(weights) / np.sum(weights)
+    return np.minimum(np.searchsorted(ends, places, side="right"), int(np.flatnonzero(weights)[-1])).astype(np.int64)
+
+
+def distribution(variation: Variation, parameter: Parameter, present: float) -> Distribution:
+    """Return the distribution of one parameter, cut at its bounds.
+
+    Parameters
+    ----------
+    variation : Variation
+    parameter : Parameter
+        With the units of its plant.
+    present : float [SI]
+        Value in the scenario, for values in ``%`` of it.
+
+    Raises
+    ------
+    ScenarioError
+        If a number cannot be read or is out of range; gives file and key.
+    """
+    table, kind = variation.table, variation.kind
+    try:
+        numbers = [_number(item, parameter, present, bare=kind == "lognormal" and i == 1) for i, item in enumerate(variation.items)]
+        _check(kind, numbers)
+        if kind in ("values", "uniform", "log-uniform", "triangular"):
+            for number in numbers:
+                parameter.check(number)
+        if variation.steps:
+            numbers = _spaced(kind, numbers, variation.steps)
+            kind = "values"
+    except ContourlabError as error:
+        raise table.error(str(error), variation.kind) from error
+    low, high = _bounds(table, parameter, present)
+    if kind == "values":
+        return Distribution(kind, tuple(numbers), weights=variation.weights)
+    made = Distribution(kind, tuple(numbers), low, high)
+    if made.beyond > 1.0 - 1e-9 or (kind not in ("normal", "lognormal") and (numbers[0] >= high or numbers[-1] <= low)):
+        raise table.error(f"lies outside of the bounds, {parameter.bound or 'finite'} or within: move it", variation.kind)
+    return made
+
+
+def _number(item: Any, parameter: Parameter, present: float, bare: bool = False) -> float:
+    if bare:
+        return read_number(item, "")
+    if isinstance(item, str) and item.rstrip().endswith("%"):
+        if present == 0.0 or not math.isfinite(present):
+            raise UnitError(f"{item!r}: the scenario's value is {present:g}, which has no percentage: write a quantity")
+        return present * read_number(item.rstrip()[:-1], "") / 100.0
+    return read_number(item, parameter.unit, parameter.display)
+
+
+def _check(kind: str, numbers: Sequence[float]) -> None:
+    """Refuse numbers that make no distribution."""
+    first, last = numbers[0], numbers[-1]
+    if kind in ("normal", "lognormal") and not last > 0.0:
+        raise UnitError("write a standard deviation above 0")
+    if kind in ("lognormal", "log-uniform") and not first > 0.0:
+        raise UnitError(f"write values above 0, or the distribution {kind.removeprefix('log-').removeprefix('log')}")
+    if kind in ("uniform", "log-uniform", "triangular") and not (first < last and list(numbers) == sorted(numbers)):
+        raise UnitError("write the values in order, the lowest first")
+
+
+def _spaced(kind: str, numbers: Sequence[float], steps: int) -> list[float]:
+    spaced = np.linspace if kind == "uniform" else np.geomspace
+    return [float(number) for number in spaced(numbers[0], numbers[1], steps)]
+
+
+def _bounds(table: Table, parameter: Parameter, present: float) -> tuple[float, float]:
+    low = math.nextafter(parameter.minimum, math.inf) if parameter.exclusive else parameter.minimum
+    within: Node | None = table.get("within")
+    if within is None:
+        return low, parameter.maximum
+    items = _list(table, "within")
+    try:
+        ends = [_number(item, parameter, present) for item in items]
+    except ContourlabError as error:
+        raise table.error(str(error), "within") from error
+    if len(ends) != 2 or not ends[0] < ends[1]:
+        raise table.error('write the lowest and the highest value: ["70 kg", "90 kg"]', "within")
+    return max(low, ends[0]), min(parameter.maximum, ends[1])

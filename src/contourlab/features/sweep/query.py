@@ -1,0 +1,224 @@
+"""Questions to a store: summary, SQL, worst variants, export."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from contourlab.errors import ParameterError, error_text
+from contourlab.extras import extra_module
+from contourlab.features.sweep.store import Store
+from contourlab.result.atomic import replacing
+
+QUANTILES = {"minimum": 0.0, "p5": 0.05, "median": 0.5, "p95": 0.95, "p99": 0.99, "maximum": 1.0}
+JUDGED = "part_error_max"
+"""The figure that a tolerance bounds, as in ``contourlab run``."""
+
+
+@dataclass(frozen=True)
+class Spread:
+    """The distribution of a figure over the variants that ended.
+
+    Attributes
+    ----------
+    unit : str
+        SI unit of the figure.
+    mean, minimum, p5, median, p95, p99, maximum : float or None [unit]
+        None without a variant that ended.
+    """
+
+    unit: str
+    mean: float | None
+    minimum: float | None
+    p5: float | None
+    median: float | None
+    p95: float | None
+    p99: float | None
+    maximum: float | None
+
+
+@dataclass(frozen=True)
+class Yield:
+    """The share of variants within the tolerance.
+
+    Attributes
+    ----------
+    figure : str
+    tolerance : float [m]
+    passed, judged : int
+        A variant that diverged is judged, and fails. A refused one is not judged.
+    share, low, high : float
+        Share, and its Wilson interval of 95 %.
+    """
+
+    figure: str
+    tolerance: float
+    passed: int
+    judged: int
+    share: float
+    low: float
+    high: float
+
+
+def wilson(passed: int, judged: int) -> tuple[float, float]:
+    """Return the Wilson interval of 95 % of a share.
+
+    >>> [round(end, 4) for end in wilson(98, 100)]
+    [0.93, 0.9945]
+    """
+    if not judged:
+        return 0.0, 1.0
+    z, share = 1.959963984540054, passed / judged
+    centre = (share + z * z / (2 * judged)) / (1 + z * z / judged)
+    half = z / (1 + z * z / judged) * math.sqrt(share * (1 - share) / judged + z * z / (4 * judged**2))
+    return (max(centre - half, 0.0) if passed else 0.0), (min(centre + half, 1.0) if passed < judged else 1.0)
+
+
+@contextmanager
+def connected(store: Store) -> Iterator[Any]:
+    """Yield a DuckDB connection with the view ``results``, which can read nothing else and write nothing."""
+    duckdb, dataset = extra_module("duckdb"), extra_module("pyarrow.dataset")
+    files = [str(store.parts[number]) for number in sorted(store.parts)]
+    options = {"enable_external_access": "false", "python_enable_replacements": "false"}
+    with duckdb.connect(":memory:", config=options) as connection:
+        connection.register("results", dataset.dataset(files, schema=store.schema, format="parquet"))
+        connection.execute("SET lock_configuration = true")
+        yield connection
+
+
+def rows(store: Store, sql: str, most: int | None = None) -> tuple[list[str], list[tuple[Any, ...]]]:
+    """Return the names of the columns and the rows of a query over ``results``.
+
+    Raises
+    ------
+    ParameterError
+        If the query fails.
+    """
+    duckdb = extra_module("duckdb")
+    with connected(store) as connection:
+        try:
+            answer = connection.execute(sql)
+            names = [column[0] for column in answer.description or ()]
+            return names, answer.fetchall() if most is None else answer.fetchmany(most)
+        except duckdb.Error as error:
+            raise ParameterError("query", repr(sql), f"SQL over the view results: {error_text(error)}") from error
+
+
+def spreads(store: Store) -> dict[str, Spread]:
+    """Return the distribution of each figure."""
+    figures = {}
+    for name, unit in store.figures.items():
+        column = quoted(name)
+        places = ", ".join(f"{share}" for share in QUANTILES.values())
+        (mean, values), *_ = rows(store, f"SELECT avg({column}), quantile_cont({column}, [{places}]) FROM results")[1]
+        figures[name] = Spread(unit, mean, **dict(zip(QUANTILES, values or [None] * len(QUANTILES), strict=True)))
+    return figures
+
+
+def counts(store: Store) -> dict[str, int]:
+    """Return the number of variants of each status, and ``unsure``."""
+    sql = "SELECT status, count(*), count(*) FILTER (unsure > 0) FROM results GROUP BY status ORDER BY status"
+    found = rows(store, sql)[1]
+    return {status: count for status, count, _ in found} | {"unsure": sum(unsure for *_, unsure in found)}
+
+
+def yield_of(store: Store) -> Yield | None:
+    """Return the share of variants within the tolerance; None without a tolerance or its figure."""
+    tolerance = store.manifest["tolerance"]
+    if tolerance is None or JUDGED not in store.figures:
+        return None
+    sql = f"SELECT count(*) FILTER ({JUDGED} <= {float(tolerance)!r}), count(*) FILTER (status <> 'refused') FROM results"
+    (passed, judged), *_ = rows(store, sql)[1]
+    return Yield(JUDGED, tolerance, passed, judged, passed / judged if judged else math.nan, *wilson(passed, judged))
+
+
+def worst(store: Store, count: int, figure: str) -> list[dict[str, Any]]:
+    """Return the rows of the variants with the largest figure; those that diverged first.
+
+    Raises
+    ------
+    ParameterError
+        If the store has no such figure.
+    """
+    if figure not in store.figures:
+        raise ParameterError("--figure", repr(figure), f"one of {', '.join(store.figures)}")
+    sql = f"SELECT * FROM results WHERE status <> 'refused' ORDER BY status = 'diverged' DESC, {quoted(figure)} DESC, variant LIMIT {count}"
+    names, found = rows(store, sql)
+    return [dict(zip(names, row, strict=True)) for row in found]
+
+
+def variant(store: Store, number: int) -> dict[str, Any]:
+    """Return the row of a variant.
+
+    Raises
+    ------
+    ParameterError
+        If it is not in the store.
+    """
+    names, found = rows(store, f"SELECT * FROM results WHERE variant = {number:d}")
+    if not found:
+        raise ParameterError("--rerun", f"{number}", "the number of a variant in the store")
+    return dict(zip(names, found[0], strict=True))
+
+
+def quoted(name: str) -> str:
+    """Return a name of a column as SQL writes it."""
+    return '"' + name.replace('"', '""') + '"'
+
+
+@dataclass(frozen=True)
+class Export:
+    """A file of rows.
+
+    Attributes
+    ----------
+    file : Path
+    done, variants : int
+        Rows of the file, and variants of the study.
+    """
+
+    file: Path
+    done: int
+    variants: int
+
+    @property
+    def text(self) -> str:
+        """Text for the terminal."""
+        return f"{self.file}: {self.done} of {self.variants} variants"
+
+
+def export(store: Store, file: Path) -> Export:
+    """Write one row per variant, in their order, as CSV or Parquet; the same results give the same bytes.
+
+    Raises
+    ------
+    ParameterError
+        If the name of the file ends in neither.
+    OutputError
+        If it cannot be written.
+    """
+    parquet, csv, arrow = (extra_module(name) for name in ("pyarrow.parquet", "pyarrow.csv", "pyarrow"))
+    suffix = file.suffix.lower()
+    if suffix not in (".csv", ".parquet"):
+        raise ParameterError("--to", repr(str(file)), "a file that ends in .csv or .parquet")
+    heads = [f"{field.name} [{unit}]" if (unit := _unit(field)) else field.name for field in store.schema]
+    schema, is_csv = store.schema, suffix == ".csv"
+    if is_csv:
+        schema = arrow.schema([field.with_name(head) for field, head in zip(store.schema, heads, strict=True)])
+
+    def opened(path: Path) -> Any:
+        return csv.CSVWriter(str(path), schema) if is_csv else parquet.ParquetWriter(path, schema, compression="zstd")
+
+    with replacing(file) as temporary, opened(temporary) as writer:
+        for number in sorted(store.parts):
+            writer.write_table(parquet.read_table(store.parts[number], schema=store.schema).rename_columns(schema.names))
+    return Export(file, store.done, store.variants)
+
+
+def _unit(field: Any) -> str:
+    metadata: Mapping[bytes, bytes] = field.metadata or {}
+    return metadata.get(b"unit", b"").decode()

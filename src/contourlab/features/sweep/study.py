@@ -1,0 +1,264 @@
+"""Study files: which scenario, what varies and how, which figures to keep."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from importlib.metadata import version
+from itertools import product
+from pathlib import Path
+from typing import Annotated, Literal
+
+import numpy as np
+from pydantic import Field
+
+from contourlab.app.checkpoint import program_identity
+from contourlab.errors import ParameterError, ScenarioError
+from contourlab.features.sweep.design import Design
+from contourlab.features.sweep.distributions import read_variations
+from contourlab.features.sweep.structures import ROOMS, Choice, Structure, Structured, structured
+from contourlab.findings import Finding, finding
+from contourlab.loop.batch_result import FIGURE_UNITS
+from contourlab.loop.parameters import matching
+from contourlab.loop.simulate import UNITS as SIGNALS
+from contourlab.scenario import Case
+from contourlab.scenario.files import BUILTIN, shipped_hint
+from contourlab.scenario.load import changed_case, load_scenario
+from contourlab.scenario.tables import Distance, StrictTable, Text, read_table
+from contourlab.scenario.tree import Table, hint, read_tree
+
+UNITS = {**FIGURE_UNITS, "cycle_time": "s"}
+"""SI unit of each figure that a study can keep."""
+DEFAULT = ("part_error_max", "contour_error_max", "contour_error_rms", "contour_error_integral", "tracking_error_max", "cycle_time")
+JUDGED = "part_error_max"
+"""The figure that a tolerance bounds, as in `contourlab run`."""
+CHUNK = 2048
+"""Variants of a chunk, unless the study says another number or keeps signals."""
+SIGNAL_BYTES = 1 << 26
+"""Largest memory of the kept signals of a chunk, unless the smallest chunk needs more."""
+LANES = 32
+MOST = 10**12
+"""Largest number of variants."""
+
+
+class StudyTable(StrictTable):
+    """The top of a study file."""
+
+    needed = ("vary",)
+    parts = ("correlations",)
+    scenario: Text
+    scheme: Text | None = None
+    variants: Annotated[int | None, Field(ge=1, le=MOST)] = None
+    design: Literal["random", "sobol", "latin-hypercube", "grid", "list"] = "random"
+    seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
+    chunk: Annotated[int | None, Field(ge=LANES, le=1 << 16)] = None
+    figures: list[str] = list(DEFAULT)
+    signals: list[str] = []
+    tolerance: Distance | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """A study, read and checked; a chunk needs nothing else, so it can be sent to another machine.
+
+    Attributes
+    ----------
+    file, text : str
+        Study file and its content.
+    design : Design
+    choices : tuple of Choice
+    structures : mapping of tuple of int to Structure
+        By the chosen values of the choices.
+    columns : mapping of str to str
+        Varied parameters and choices, in the order of the file, each with its SI unit.
+    figures, signals : tuple of str
+    tolerance : float [m] or None
+    plugins : tuple of str
+        Python files with components.
+    identity : mapping of str to str
+        What decides the results: ``program``, ``scenario`` and ``study``.
+    findings : tuple of Finding
+    """
+
+    file: str
+    text: str
+    design: Design
+    choices: tuple[Choice, ...]
+    structures: Mapping[tuple[int, ...], Structure]
+    columns: Mapping[str, str]
+    figures: tuple[str, ...]
+    signals: tuple[str, ...] = ()
+    tolerance: float | None = None
+    plugins: tuple[str, ...] = ()
+    identity: Mapping[str, str] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
+
+
+def load_study(file: str | Path, plugins: Sequence[str | Path] = (), progress: Callable[[int, int], None] | None = None) -> Study:
+    """Read a study file, and plan the motion of each structure.
+
+    Parameters
+    ----------
+    file : str or Path
+    plugins : sequence of str or Path
+        Python files with components.
+    progress : callable, optional
+        Called with the structures built and in all.
+
+    Raises
+    ------
+    ScenarioError
+        If the study or its scenario is invalid; gives file and key.
+    """
+    return study_of(file, plugins, progress)[0]
+
+
+def study_of(
+    file: str | Path, plugins: Sequence[str | Path] = (), progress: Callable[[int, int], None] | None = None
+) -> tuple[Study, Structured]:
+    """Read a study file; return it with the cases of its structures. See `load_study`."""
+    path = Path(file)
+    if path.suffix.lower() != ".toml":
+        raise ScenarioError("not a study: its name must end in .toml", file=file)
+    content = read_tree(path)
+    if "vary" not in content.entries and "machine" in content.entries:
+        raise ScenarioError("this is a scenario: write a study that names it, with scenario = ... and [vary]", file=file)
+    plain = read_table(StudyTable, content)
+    variations = read_variations(content.table("vary"))
+    name = plain.scenario if plain.scenario.startswith(BUILTIN) else str(path.parent / plain.scenario)
+    if not name.startswith(BUILTIN) and not Path(name).exists():
+        raise content.error(f"no file {plain.scenario!r} in {path.parent.as_posix()}{shipped_hint(plain.scenario)}", "scenario")
+    scenario = load_scenario(name, plugins)
+    if plain.scheme and plain.scheme not in (known := [case.name for case in scenario.cases()]):
+        raise content.error(f"no scheme {plain.scheme!r}: {hint(plain.scheme, known)}", "scheme")
+    base = scenario.case(plain.scheme) if plain.scheme else scenario.base
+
+    def case_of(scheme: str, changes: Table) -> Case:
+        return changed_case(name, scheme or plain.scheme or "", changes, plugins)
+
+    made = structured(variations, base, case_of, listed=plain.design == "list", progress=progress)
+    chosen = plain.scheme or any(choice.key == "scheme" for choice in made.choices)
+    left_out = () if chosen or not scenario.all_cases else tuple(repr(case.name) for case in scenario.cases() if case.name != "base")
+    study = Study(
+        file=str(file),
+        text=path.read_text(encoding="utf-8-sig"),
+        design=_design(plain, content, made),
+        choices=made.choices,
+        structures=made.structures,
+        columns=made.units,
+        figures=_known(content, "figures", plain.figures, UNITS),
+        signals=_known(content, "signals", plain.signals, SIGNALS),
+        tolerance=base.tolerance if plain.tolerance is None else plain.tolerance,
+        plugins=tuple(str(Path(plugin).resolve()) for plugin in plugins),
+        findings=(*([finding("CL920", schemes=left_out)] if left_out else []), *made.findings),
+    )
+    return replace(study, identity=_identity(study)), made
+
+
+def _known(content: Table, key: str, names: Sequence[str], known: Mapping[str, str]) -> tuple[str, ...]:
+    for name in names:
+        if name not in known:
+            raise content.error(f"no {key.removesuffix('s')} {name!r}: {hint(name, known)}", key)
+    if len(set(names)) < len(names) or (key in content.entries and not names):
+        raise content.error("write one or more names, each once", key)
+    return tuple(names)
+
+
+# --- the design ------------------------------------------------------------------------------------------------------------------------
+
+
+def _design(plain: StudyTable, content: Table, made: Structured) -> Design:
+    levels = tuple(count for _, count in made.dimensions)
+    variants = plain.variants
+    if plain.design in ("grid", "list"):
+        if 0 in levels:
+            continuous = made.dimensions[levels.index(0)][0][0]
+            raise content.error(f"{continuous}: a {plain.design} needs values = [...]" + _steps(plain.design), "vary")
+        if plain.design == "list" and len(set(levels)) > 1:
+            raise content.error(f"lists of {sorted(set(levels))} values: a list needs as many of each", "vary")
+        if variants is not None:
+            raise content.error(f"a {plain.design} has as many variants as its values give: leave this out", "variants")
+        variants = math.prod(levels) if plain.design == "grid" else levels[0]
+        if variants > MOST:
+            raise content.error(f"{variants} variants: {MOST} are the most", "vary")
+    elif variants is None:
+        raise content.error("1 key is missing: variants")
+    chunk = _chunk(plain, content, made)
+    factor = _factor(content, made, plain.design)
+    return Design(plain.design, variants, chunk, levels if plain.design in ("grid", "list") else (0,) * len(levels), plain.seed, factor)
+
+
+def _steps(design: str) -> str:
+    return ", or steps = 21 beside uniform" if design == "grid" else ""
+
+
+def _chunk(plain: StudyTable, content: Table, made: Structured) -> int:
+    """Return the variants of a chunk: a power of two, smaller where signals are kept."""
+    if plain.chunk is not None:
+        if plain.chunk & (plain.chunk - 1):
+            raise content.error(f"{plain.chunk} is not a power of two: write {1 << plain.chunk.bit_length()}", "chunk")
+        return plain.chunk
+    if not plain.signals:
+        return CHUNK
+    row = max(structure.reference.n_sample * structure.reference.n_axis for structure in made.structures.values())
+    fits = SIGNAL_BYTES // (8 * row * len(plain.signals))
+    return min(max(1 << max(fits, 1).bit_length() - 1, LANES), CHUNK)
+
+
+def _factor(content: Table, made: Structured, design: str) -> tuple[tuple[float, ...], ...]:
+    """Return the factor of the correlations, given as ``correlations = [["axes.x.plant.mass", "axes.y.plant.mass", 0.8]]``."""
+    node = content.get("correlations")
+    if node is None:
+        return ()
+    if design not in ("random", "sobol", "latin-hypercube"):
+        raise content.error(f"a {design} has none: leave this out", "correlations")
+    dimension = {name: i for i, (names, _) in enumerate(made.dimensions) for name in names}
+    matrix = np.eye(len(made.dimensions))
+    items = node.plain()
+    if not isinstance(items, list):
+        raise content.error(f"write a list: [{EXAMPLE}, ...]", "correlations")
+    for item in items:
+        if not (isinstance(item, list) and len(item) == 3 and all(isinstance(name, str) for name in item[:2])):
+            raise content.error(f"{item!r:.80}: write two varied parameters and a coefficient, {EXAMPLE}", "correlations")
+        if isinstance(item[2], bool) or not isinstance(item[2], int | float) or not -1.0 < item[2] < 1.0:
+            raise content.error(f"{item[2]!r:.40} is not a coefficient: write a number between -1 and 1", "correlations")
+        try:
+            pairs = [[dimension[name] for name in matching(word, dimension, "correlations", "[vary]")] for word in item[:2]]
+        except ParameterError as error:
+            raise content.error(f"{error.value}: must be {error.bound}", "correlations") from error
+        for i, j in product(*pairs):
+            if i == j:
+                raise content.error(f"{item!r:.80}: both are one draw: name two", "correlations")
+            matrix[i, j] = matrix[j, i] = item[2]
+    try:
+        factor = np.linalg.cholesky(matrix)
+    except np.linalg.LinAlgError:
+        raise content.error("these correlations contradict each other: make them smaller", "correlations") from None
+    return tuple(tuple(row) for row in factor.tolist())
+
+
+EXAMPLE = '["axes.x.plant.mass", "axes.y.plant.mass", 0.8]'
+
+
+# --- identity --------------------------------------------------------------------------------------------------------------------------
+
+
+def program() -> str:
+    """Return the version and source of the program, and the versions of the libraries that decide the results."""
+    return "; ".join([*program_identity(ROOMS), f"scipy {version('scipy')}"])
+
+
+def _identity(study: Study) -> dict[str, str]:
+    """Return digests of all that decides the results: program, scenario, and what the study varies and keeps."""
+    scenario = hashlib.sha256()
+    numbers = []
+    for combo, structure in study.structures.items():
+        scenario.update(f"{combo}\n{structure.identity}\n".encode())
+        numbers.append([list(combo), [(name, i, asdict(drawn)) for name, i, drawn in structure.numbers]])
+    choices = [asdict(choice) for choice in study.choices]
+    settings = {"design": asdict(study.design), "choices": choices, "numbers": numbers, "keep": [*study.figures, *study.signals]}
+    digest = hashlib.sha256(json.dumps(settings, sort_keys=True).encode()).hexdigest()
+    return {"program": program(), "scenario": scenario.hexdigest(), "study": digest}

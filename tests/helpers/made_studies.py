@@ -1,0 +1,61 @@
+"""Small studies for the tests of `sweep`: two seconds of motion, chunks of 32 variants."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from contourlab.cli.main import main
+
+SCENARIO = """\
+machine = "builtin:ghaffari/a3a1"
+controller = "builtin:ghaffari/calibrated"
+[contour]
+name = "circle"
+radius = "20 mm"
+[feed]
+law = "uniform"
+frequency = "0.5 Hz"
+[run]
+tolerance = "27.8 um"
+start = "moving"
+[schemes."position loop"]
+controller.axes."*".observer = "none"
+controller.estimator = "none"
+controller.coupling = "none"
+[schemes."all of it"]
+"""
+STUDY = """\
+scenario = "scenario.toml"
+scheme = "all of it"
+variants = 100
+chunk = 32
+seed = 3
+[vary]
+"axes.*.friction.coulomb" = { normal = ["100 %", "20 %"] }
+"axes.1.plant.gain" = { uniform = ["90 %", "110 %"] }
+"""
+
+
+def made_study(folder: Path, text: str = STUDY, name: str = "study.toml") -> Path:
+    """Write a study and its scenario; return the study."""
+    (folder / "scenario.toml").write_text(SCENARIO, encoding="utf-8")
+    (folder / name).write_text(text, encoding="utf-8")
+    return folder / name
+
+
+def asked(capsys: pytest.CaptureFixture[str], *words: str, code: int = 0) -> Any:
+    """Run ``contourlab sweep`` with ``--json`` and return what it prints."""
+    capsys.readouterr()
+    assert main(["sweep", *words, "--json"]) == code
+    return json.loads(capsys.readouterr().out)
+
+
+def exported(store: Path) -> bytes:
+    """Return the rows of a store as CSV."""
+    file = store.with_suffix(".csv")
+    assert main(["sweep", "export", str(store), "--to", str(file)]) == 0
+    return file.read_bytes()

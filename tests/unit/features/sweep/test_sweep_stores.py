@@ -1,0 +1,234 @@
+"""Stores as typed: resumed, divided, damaged, foreign, locked, full; and questions to them."""
+
+from __future__ import annotations
+
+import csv
+import errno
+import io
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_studies import STUDY, asked, exported, made_study
+
+from contourlab import load_scenario, simulate_batch
+from contourlab.cli.main import main
+from contourlab.features.sweep.store import read_store
+from contourlab.result import Result
+
+Capture = pytest.CaptureFixture[str]
+
+
+@pytest.fixture
+def study(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return made_study(tmp_path)
+
+
+@pytest.fixture
+def whole(study: Path) -> Path:
+    """A finished store."""
+    assert main(["sweep", "study.toml", "--out", "whole"]) == 0
+    return Path("whole")
+
+
+def test_a_study_has_the_figures_of_a_batch(whole: Path, capsys: Capture) -> None:
+    rows = list(csv.DictReader(io.StringIO(exported(whole).decode())))
+    assert [int(row["variant"]) for row in rows] == list(range(100))
+    case = load_scenario("scenario.toml").case("all of it")
+    names = {name.partition(" [")[0]: name for name in rows[0]}
+    columns = {name: [float(row[names[name]]) for row in rows] for name in names if name.startswith("axes.")}
+    assert set(columns) == {"axes.1.friction.coulomb", "axes.3.friction.coulomb", "axes.1.plant.gain"}
+    batch = simulate_batch(case.machine, case.controller, case.reference(), columns, moving=case.moving)
+    largest = np.array([float(row["contour_error_max [m]"]) for row in rows])
+    assert np.array_equal(largest, batch.figures["contour_error_max"])
+    shown = asked(capsys, "show", "whole")
+    assert shown["statuses"] == {"ok": 100, "unsure": int(np.count_nonzero(batch.unsure))}
+    assert shown["figures"]["contour_error_max"]["median"] == pytest.approx(np.median(largest), rel=1e-12)
+    passed = int(np.count_nonzero(largest <= 27.8e-6))
+    assert (shown["yield"]["passed"], shown["yield"]["judged"]) == (passed, 100) and 0 < passed < 100
+    (row,) = asked(capsys, "worst", "whole", "1", "--figure", "contour_error_max")
+    assert row["variant"] == int(np.argmax(largest))
+
+
+def test_parts_make_the_whole(whole: Path, capsys: Capture) -> None:
+    words = ["study.toml", "--out", "half", "--chunks"]
+    first = asked(capsys, *words, "0:2")
+    assert (first["done"], first["chunks_made"]) == (64, 2) and "CL931" in {found["code"] for found in first["findings"]}
+    assert asked(capsys, "study.toml", "--out", "rest", "--chunks", "1:")["done"] == 68
+    assert asked(capsys, "merge", "half", "rest", "--out", "both")["done"] == 100
+    rest = asked(capsys, "study.toml", "--out", "half", "--resume")
+    assert (rest["chunks_made"], rest["chunks_done"]) == (2, 4)
+    assert exported(Path("half")) == exported(Path("both")) == exported(whole)
+    assert asked(capsys, "study.toml", "--out", "new", "--resume", "--workers", "1")["chunks_made"] == 4
+    assert asked(capsys, "study.toml", "--out", "new", "--resume")["chunks_made"] == 0
+    assert {path.name for path in Path("new").glob("part-*")} == {path.name for path in whole.glob("part-*")}
+
+
+def test_a_damaged_file_is_found_and_computed_again(whole: Path, capsys: Capture) -> None:
+    rows = exported(whole)
+    file = sorted(whole.glob("part-*"))[2]
+    data = bytearray(file.read_bytes())
+    data[len(data) // 2] ^= 1
+    file.write_bytes(data)
+    for words in (["show", "whole"], ["export", "whole", "--to", "a.csv"], ["merge", "whole", "--out", "other"]):
+        assert main(["sweep", *words]) == 2
+        assert capsys.readouterr().err.startswith(f"contourlab: {file}")
+    again = asked(capsys, "study.toml", "--out", "whole", "--resume")
+    assert again["chunks_made"] == 1 and "CL930" in {found["code"] for found in again["findings"]}
+    assert exported(whole) == rows
+
+
+CHANGES = [("seed = 3", "seed = 4"), ('"20 %"', '"21 %"'), ("chunk = 32", "chunk = 64"), ("all of it", "position loop")]
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_the_store_of_another_study_is_refused(whole: Path, capsys: Capture, change: tuple[str, str]) -> None:
+    Path("study.toml").write_text(STUDY.replace(*change))
+    before = {path.name for path in whole.iterdir()}
+    assert main(["sweep", "study.toml", "--out", "whole", "--resume"]) == 2
+    assert main(["sweep", "study.toml", "--out", "other", "--chunks", "0:1"]) == 0
+    assert main(["sweep", "merge", "whole", "other", "--out", "both"]) == 2
+    assert {path.name for path in whole.iterdir()} == before
+
+
+def test_a_comment_or_another_tolerance_is_the_same_study(whole: Path, capsys: Capture) -> None:
+    Path("study.toml").write_text('# a comment\ntolerance = "10 um"\n' + STUDY)
+    assert asked(capsys, "study.toml", "--out", "whole", "--resume")["chunks_made"] == 0
+
+
+def test_folders_that_are_no_store_of_this_study_stay(whole: Path, capsys: Capture) -> None:
+    Path("full").mkdir()
+    Path("full/notes.txt").write_text("mine")
+    for words in (["--out", "whole"], ["--out", "full"], ["--out", "full", "--resume"], ["--out", "full/notes.txt"]):
+        assert main(["sweep", "study.toml", *words]) == 2
+    assert [path.name for path in Path("full").iterdir()] == ["notes.txt"]
+    assert main(["sweep", "show", "full"]) == 2
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such locks")
+def test_two_writers_at_once_are_refused(whole: Path, capsys: Capture) -> None:
+    hold = "import fcntl, sys; s = open('whole/.lock', 'ab'); fcntl.flock(s, fcntl.LOCK_EX); print(flush=True); sys.stdin.read()"
+    with subprocess.Popen([sys.executable, "-c", hold], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as other:
+        assert other.stdout is not None
+        other.stdout.readline()
+        assert main(["sweep", "study.toml", "--out", "whole", "--resume"]) == 2
+        other.communicate()
+    assert main(["sweep", "study.toml", "--out", "whole", "--resume"]) == 0
+
+
+def test_a_full_disk_keeps_what_is_finished(study: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
+    write, written = Path.write_bytes, []
+
+    def full(path: Path, data: bytes) -> int:
+        if "part-000002" in path.name:
+            write(path, data[: len(data) // 2])
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        written.append(path.name)
+        return write(path, data)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "write_bytes", full)
+        assert main(["sweep", "study.toml", "--out", "store"]) == 2
+    assert os.strerror(errno.ENOSPC) in capsys.readouterr().err
+    assert sorted(read_store("store").parts) == [0, 1] and not list(Path("store").glob(".*.part"))
+    assert asked(capsys, "study.toml", "--out", "store", "--resume")["chunks_made"] == 2
+
+
+def test_an_interrupt_keeps_what_is_finished(study: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
+    from contourlab.features.sweep import executors
+
+    run = executors.run_chunk
+
+    def interrupted(study: object, number: int, *rest: object) -> object:
+        if number == 2:
+            raise KeyboardInterrupt
+        return run(study, number, *rest)  # type: ignore[arg-type]
+
+    with monkeypatch.context() as patch:
+        patch.setattr(executors, "run_chunk", interrupted)
+        assert main(["sweep", "study.toml", "--out", "store"]) == 130
+    assert "--resume" in capsys.readouterr().err
+    assert asked(capsys, "study.toml", "--out", "store", "--resume")["chunks_made"] == 2
+
+
+def test_sql_reads_the_results_and_nothing_else(whole: Path, capsys: Capture) -> None:
+    (row,) = asked(capsys, "query", "whole", "SELECT count(*) AS n, min(variant) AS first FROM results")
+    assert row == {"n": 100, "first": 0}
+    secret = Path("secret.csv")
+    secret.write_text("a\n1\n")
+    for sql in (
+        f"SELECT * FROM '{secret}'",
+        f"SELECT * FROM read_csv('{secret.resolve()}')",
+        "COPY (SELECT 1) TO 'out.csv'",
+        "SET enable_external_access = true",
+        "ATTACH 'other.db'",
+        "INSTALL httpfs",
+        "SELECT * FROM nothing",
+        "DROP VIEW results; SELECT * FROM found",
+    ):
+        assert main(["sweep", "query", "whole", sql]) == 2, sql
+    assert not Path("out.csv").exists() and not Path("other.db").exists()
+
+
+STRUCTURES = """\
+scenario = "scenario.toml"
+design = "grid"
+chunk = 32
+signals = ["command", "position"]
+figures = ["contour_error_max", "command_energy", "cycle_time"]
+[vary]
+scheme = { values = ["position loop", "all of it"] }
+"feed.frequency" = { values = ["0.5 Hz", "0.25 Hz"] }
+"controller.axes.*.velocity" = { values = [{ kind = "filtered-difference", bandwidth = "3000 rad/s" }, "true"] }
+"axes.*.plant.gain" = { uniform = ["90 %", "110 %"], steps = 3, together = true }
+"axes.1.friction.coulomb" = { values = ["0 full_scale", "100 %"] }
+"""
+
+
+def test_schemes_motions_and_kinds_of_components_vary_with_numbers(study: Path, capsys: Capture) -> None:
+    study.write_text(STRUCTURES)
+    assert asked(capsys, "study.toml", "--out", "store")["variants"] == 2 * 2 * 2 * 3 * 2
+    names = 'scheme, "axes.3.plant.gain", "feed.frequency" AS f, cycle_time AS t'
+    sql = f"SELECT count(*) AS n, {names} FROM results GROUP BY ALL"
+    found = asked(capsys, "query", "store", f"{sql} ORDER BY ALL")
+    assert {row["n"] for row in found} == {4} and len(found) == 12
+    assert {(row["f"], round(row["t"], 6)) for row in found} == {(0.5, 2.0), (0.25, 4.0)}
+    import xarray
+
+    with xarray.open_dataset(next(Path("store").glob("signals-000000-*.nc"))) as kept:
+        assert kept["position"].shape == (32, 4000, 2)
+        ends = np.isfinite(kept["position"].values[:, :, 0]).sum(axis=1)  # each motion at its own length
+        assert ends.tolist() == [2000] * 12 + [4000] * 12 + [2000] * 8
+
+
+def test_variants_that_diverge_or_are_refused_are_rows(study: Path, capsys: Capture) -> None:
+    limits = '"axes.1.limits.following_error" = { values = ["10 mm", "1 um"] }'
+    structure = '"controller.axes.1.controller.structure" = { values = ["ipv"] }'
+    gains = '"controller.axes.1.controller.integral_gain" = { values = ["100 %", "0 1/s"] }'
+    text = STUDY.replace("variants = 100\n", 'design = "grid"\n').partition("[vary]")[0]
+    study.write_text(f"{text}[vary]\n{limits}\n{structure}\n{gains}\n")
+    result = asked(capsys, "study.toml", "--out", "store")
+    rows = asked(capsys, "query", "store", "SELECT status, failed_at, contour_error_max FROM results ORDER BY variant")
+    assert [row["status"] for row in rows] == ["ok", "refused", "diverged", "refused"]
+    assert result["yield"]["judged"] == 2 and "CL932" in {found["code"] for found in result["findings"]}
+    for row in rows:
+        assert (row["contour_error_max"] is not None) == (row["status"] == "ok")
+        assert (row["failed_at"] is not None) == (row["status"] == "diverged")
+
+
+def test_a_variant_runs_again_into_a_report(whole: Path, capsys: Capture) -> None:
+    (row,) = asked(capsys, "worst", "whole", "1")
+    words = ["worst", "whole", "--rerun", str(row["variant"]), "--out", "report"]
+    summary = asked(capsys, *words, code=1)
+    assert summary["passed"] is False and Path("report/report.html").exists()
+    again = load_scenario(f"report/variant-{row['variant']}.toml").base
+    assert again.machine.axis("1").plant.gain == row["axes.1.plant.gain"]
+    signals = Result.load(next(Path("report/signals").glob("*.nc")))
+    assert np.abs(signals["contour_error"]).max() == pytest.approx(row["contour_error_max"], rel=1e-6)
+    assert json.loads(Path("report/summary.json").read_text())["passed"] is False
+    assert main(["sweep", "worst", "whole", "--rerun", "100"]) == 2
