@@ -11,9 +11,9 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.contract import Parameter
-from contourlab.errors import ContourlabError, ScenarioError, UnitError
+from contourlab.errors import ContourlabError, ScenarioError, UnitError, hint
 from contourlab.scenario.quantities import read_number
-from contourlab.scenario.tree import Leaf, Node, Table, hint
+from contourlab.scenario.tree import Leaf, Node, Table
 
 FORMS = {
     "normal": '["80 kg", "4 kg"], mean and standard deviation',

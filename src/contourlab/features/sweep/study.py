@@ -16,7 +16,7 @@ import numpy as np
 from pydantic import Field
 
 from contourlab.app.checkpoint import program_identity
-from contourlab.errors import ParameterError, ScenarioError
+from contourlab.errors import ParameterError, ScenarioError, hint
 from contourlab.features.sweep.design import Design
 from contourlab.features.sweep.distributions import read_variations
 from contourlab.features.sweep.structures import ROOMS, Choice, Structure, Structured, structured
@@ -28,7 +28,7 @@ from contourlab.scenario import Case
 from contourlab.scenario.files import BUILTIN, shipped_hint
 from contourlab.scenario.load import changed_case, load_scenario
 from contourlab.scenario.tables import Distance, StrictTable, Text, read_table
-from contourlab.scenario.tree import Table, hint, read_tree
+from contourlab.scenario.tree import Table, read_tree
 
 UNITS = {**FIGURE_UNITS, "cycle_time": "s"}
 """SI unit of each figure that a study can keep."""
