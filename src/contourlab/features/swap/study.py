@@ -244,7 +244,7 @@ def _search_quickly(search: SwapSearch, candidates: tuple[str, ...]) -> float:
     design = search.designs[design.local] = min(designs, key=search.swap_loss)
     loss = search.swap_loss(design)
     short = variants.losses(np.min(alone, axis=0))
-    uncertainty = SCATTER + max(*short.tolist(), *(abs(one - loss) if one != loss else 0.0 for one in own))  # both may be infinite
+    uncertainty: float = SCATTER + max(*short.tolist(), *(abs(one - loss) if one != loss else 0.0 for one in own))  # both may be infinite
     if loss > settings.full + uncertainty and candidates:
         # The budget of one search serves all sets: they start from designs that are nearly optimal.
         search.settings = replace(settings, budget=max(settings.budget // len(settings.local or candidates), 1))

@@ -128,7 +128,7 @@ def varied(entry: str, top: str = "") -> str:
         (varied('"axes.1.plant.gain" = { values = ["100 %"] }', "design = 'grid'"), "variants"),
         (varied('"axes.1.plant.gain" = { values = ["100 %"] }', "scheme = 'none of it'"), "scheme"),
         (varied('"axes.1.plant.gain" = { values = ["100 %"] }', "correlations = [['1.plant.gain', '3.plant.gain', 0.5]]"), "correlations"),
-        (varied('"*.plant.gain" = { values = ["100 %"] }', "correlations = [['1.plant.gain', '3.plant.gain', 2]]"), "correlations"),
+        (varied('"axes.*.plant.gain" = { values = ["100 %"] }', "correlations = [['1.plant.gain', '3.plant.gain', 2]]"), "correlations"),
         (varied('"axes.1.plant.gain" = { values = ["100 %"] }').replace("scenario.toml", "nowhere.toml"), "scenario"),
         (varied('"axes.1.plant.gain" = { values = ["100 %"] }').replace("variants = 10\n", ""), ""),
         (varied('"axes.1.plant.gain" = { uniform = ["90 %", "110 %"] }', "design = 'list'").replace("variants = 10\n", ""), "vary"),
