@@ -78,6 +78,7 @@ def test_gap_and_cure_of_a_loose_stage(written: Callable[..., str], capsys: pyte
     assert trials[found["recommended"]] <= trials["as it is"]
 
 
+@pytest.mark.slow
 def test_a_quick_answer_follows_the_beginning_within_its_own_deviation(
     written: Callable[..., str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -106,6 +106,7 @@ def test_the_text_shows_trials_and_the_forecast(contourlab: Run, tmp_path: Path)
         (["learn", "nowhere.toml"], "nowhere.toml: cannot be read"),
     ],
 )  # fmt: skip
+@pytest.mark.slow
 def test_invalid_commands_are_refused(contourlab: Run, tmp_path: Path, words: list[str], message: str) -> None:
     write(tmp_path)
     said = contourlab(*words)

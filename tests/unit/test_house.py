@@ -75,6 +75,7 @@ def test_the_version_is_the_same_everywhere():
     assert {contourlab.__version__, importlib.metadata.version("contourlab"), citation[1], newest[1]} == {project}
 
 
+@pytest.mark.slow
 def test_no_file_mentions_the_machine_it_was_written_on():
     # Assembled here, so that this file does not match.
     folders = "|".join(("home", "work", "root", "Users", "tmp"))
@@ -139,6 +140,7 @@ def test_the_documented_exception_tree_is_complete():
         assert kind.exit_code == (3 if kind is errors.DivergenceError else 2)
 
 
+@pytest.mark.slow
 def test_the_component_of_the_contributing_guide_keeps_the_contract(tmp_path: Path):
     guide = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     block = next(found for found in re.findall(r"```python\n(.*?)```", guide, re.DOTALL) if "(Component)" in found)

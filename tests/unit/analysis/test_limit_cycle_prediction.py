@@ -54,6 +54,7 @@ def test_all_solutions_are_found() -> None:
         assert 1.0 + complex(harmonic(cycle.ratio, 0.0)) * complex(loop.transfer(cycle.frequency)) == pytest.approx(0.0, abs=1e-8)
 
 
+@pytest.mark.slow
 def test_shaft_damping_moves_the_cycle_continuously() -> None:
     """The grid search for little damping finds the closed-form solution; both solve 1 + N G = 0."""
     for feedback in (p_pi_cascade(120.0, 5.0), p_pi_cascade(30.0, 2.0)):

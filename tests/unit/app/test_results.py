@@ -219,6 +219,7 @@ with staged(place, "summary.json") as stage:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no locks")
 @pytest.mark.parametrize("when", ["before", "after"])
+@pytest.mark.slow
 def test_a_kill_at_any_change_of_the_folder_is_cleaned_up(tmp_path: Path, when: str) -> None:
     """A process ends before or after each of its changes in turn; the next run removes its folder and keeps one whole set of results."""
     new = dict.fromkeys(("summary.json", "report.html", "plots/more.svg"), "new")

@@ -13,6 +13,7 @@ EVERY = [pytest.param(kind, id=f"{kind.family}/{kind.kind}") for kind in compone
 
 
 @pytest.mark.parametrize("kind", EVERY)
+@pytest.mark.slow
 def test_a_component_keeps_the_contract(kind: type[Component]) -> None:
     checks = check_component(kind)
     assert len(checks) >= 2 and len(set(checks)) == len(checks)

@@ -61,6 +61,7 @@ def test_the_normal_law(z: float) -> None:
 
 
 @given(st.floats(-5e-5, 5e-5), st.floats(1e-8, 2e-5))
+@pytest.mark.slow
 def test_friction_and_flank_are_moments_of_the_normal_law(x: float, s: float) -> None:
     """Mean, slope and residual variance of max(x + s n, 0), by quadrature."""
     n = np.linspace(-9.0, 9.0, 40_001)
@@ -74,6 +75,7 @@ def test_friction_and_flank_are_moments_of_the_normal_law(x: float, s: float) ->
 
 
 @given(st.floats(-3e-3, 3e-3), st.floats(0.0, 2e-3), st.floats(1e-5, 1e-3))
+@pytest.mark.slow
 def test_moments_of_the_speed_after_friction(speed: float, threshold: float, s: float) -> None:
     """Mean, slope and residual variance, by quadrature; without friction the speed is unchanged and adds no noise."""
     n = np.linspace(-9.0, 9.0, 40_001)

@@ -156,6 +156,7 @@ def drag(tmp_path: Path) -> Path:
     return write(tmp_path, next(block for block in blocks("python") if "class Drag(Component)" in block), "drag.py")
 
 
+@pytest.mark.slow
 def test_the_command_in_the_guide_works(drag: Path) -> None:
     line = next(line for block in blocks("sh") for line in block.splitlines() if "--plugin" in line)
     program, *arguments = line.split()
@@ -168,6 +169,7 @@ def test_the_command_in_the_guide_works(drag: Path) -> None:
     assert all(word in done.stdout for word in ("friction/drag", "Resistance", "coefficient"))
 
 
+@pytest.mark.slow
 def test_the_code_in_the_guide_works(drag: Path) -> None:
     lines = next(block for block in blocks("python") if "load_plugin" in block)
     done = subprocess.run([sys.executable, "-c", lines], cwd=drag.parent, capture_output=True, text=True, timeout=60)

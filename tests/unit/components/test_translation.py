@@ -27,6 +27,7 @@ RUNTIME = {"cortex-m7": {"__fixdfdi", "__floatundidf", "__floatdidf"}, "wasm32":
 
 
 @pytest.mark.parametrize("to", LANGUAGES)
+@pytest.mark.slow
 def test_every_component_is_printed(to: str) -> None:
     for kind in KINDS:
         text = translate(kind(**kind.example), to, n_axis=2)

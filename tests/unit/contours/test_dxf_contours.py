@@ -239,6 +239,7 @@ def test_two_thousand_splines_are_read_in_seconds(tmp_path: File) -> None:
     assert time.perf_counter() - start < 30.0  # about 4 s on an idle machine
 
 
+@pytest.mark.slow
 def test_ten_thousand_lines_are_read_in_a_moment(tmp_path: File) -> None:
     """Twice as many lines may take twice as long and some more, not four times."""
     took = []

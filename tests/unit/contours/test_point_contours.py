@@ -99,6 +99,7 @@ def test_errors_in_units_and_settings(tmp_path: File) -> None:
         read_contour(tmp_path / "latin.csv")
 
 
+@pytest.mark.slow
 def test_the_spline_converges_with_the_sixth_order() -> None:
     """Against the original ellipse; doubling the points leaves 1/64 of the error (1/16 with chord lengths as parameter)."""
     u = np.linspace(0.01, 6.2, 77)
@@ -127,6 +128,7 @@ def test_a_closed_spline_is_smooth_where_it_closes() -> None:
     angle=st.floats(0.1, 3.0),
 )
 @settings(max_examples=60)
+@pytest.mark.slow
 def test_every_point_lies_on_the_path(steps: list[tuple[float, float, float]], n_axis: int, angle: float) -> None:
     points = 1e-3 * np.cumsum(np.array([(0.0, 0.0, 0.0), *steps]), axis=0)[:, :n_axis]
     fit = fit_points(points, None, angle)

@@ -40,6 +40,7 @@ def broken(controller: cl.Controller, bounds: Bounds) -> list[str]:
     ("side", "bandwidth", "bounds"),
     [("motor", 80.0, Bounds()), ("load", 60.0, Bounds()), ("load", 150.0, Bounds()), ("motor", 150.0, Bounds(8.0, 40.0))],
 )
+@pytest.mark.slow
 def test_the_margins_are_kept_with_the_notch_and_not_without(side: str, bandwidth: float, bounds: Bounds) -> None:
     machine, controller = loop(side, bandwidth)
     design, made = design_notch(machine, controller, "x", bounds)
@@ -52,6 +53,7 @@ def test_the_margins_are_kept_with_the_notch_and_not_without(side: str, bandwidt
     assert design.largest_after > 1.3 * design.largest_before
 
 
+@pytest.mark.slow
 def test_a_second_design_replaces_the_first_and_keeps_other_filters() -> None:
     machine, controller = loop("motor", 80.0)
     smooth = make("filter", "low-pass", frequency=500.0)

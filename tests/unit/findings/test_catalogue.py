@@ -48,6 +48,7 @@ def test_names_are_unique():
     assert len(set(names)) == len(names)
 
 
+@pytest.mark.slow
 def test_every_finding_in_the_code_has_its_entry_and_values():
     wrong = []
     for where, code, names in made():

@@ -44,6 +44,7 @@ def test_length_and_position_by_another_quadrature(axes: int, lowest: int, phase
     phase=st.floats(-10.0, 10.0),
     place=st.floats(0.0, 1.0),
 )
+@pytest.mark.slow
 def test_it_is_closed_smooth_and_by_arc_length(axes: int, lowest: int, phase: float, place: float) -> None:
     if abs(math.cos(lowest * phase)) < 0.1:
         return

@@ -464,6 +464,7 @@ def test_a_capture_names_its_channels(tmp_path: Path) -> None:
     assert record.channels[1].values == pytest.approx(2.0 * t)
 
 
+@pytest.mark.slow
 def test_parquet(tmp_path: Path) -> None:
     arrow = pytest.importorskip("pyarrow")
     from pyarrow import parquet
@@ -499,6 +500,7 @@ def test_a_result_of_contourlab(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", [name for name in FORMATS if name != "contourlab"])
+@pytest.mark.slow
 def test_every_reader_refuses_random_bytes(tmp_path: Path, kind: str) -> None:
     file = tmp_path / "a.bin"
     for content in (b"\x00\x01\x02\x03" * 200, b"hello\nworld\n", b"MATLAB 5.0 MAT-file" + b"\xff" * 200, b"<trace><rec/>"):

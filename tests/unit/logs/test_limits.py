@@ -34,6 +34,7 @@ def test_a_library_that_does_not_end_is_stopped(mat: Path, monkeypatch: pytest.M
         read_record(mat)
 
 
+@pytest.mark.slow
 def test_memory_is_limited(tmp_path: Path) -> None:
     """A file of 100 kB with 800 MB of zeros."""
     savemat(tmp_path / "a.mat", {"x": np.zeros(100_000_000, dtype=np.int8)}, do_compression=True)

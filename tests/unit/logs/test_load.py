@@ -219,6 +219,7 @@ def jittering(size: float, lost: list[int] | np.ndarray, seed: int = 1, n: int =
 
 
 @given(st.floats(0.1, 0.4), st.integers(0, 2**31))
+@pytest.mark.slow
 def test_jitter_is_not_taken_for_gaps(size: float, seed: int) -> None:
     """Steps of up to 1.8 periods, one lost sample and a gap of 40."""
     time, _ = jittering(size, [1200, *range(3000, 3040)], seed)

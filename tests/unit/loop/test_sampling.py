@@ -82,6 +82,7 @@ def test_a_program_with_lines_arcs_helix_dwell_and_a_piece_shorter_than_a_sample
 
 @settings(max_examples=60, deadline=None)
 @given(data=st.data())
+@pytest.mark.slow
 def test_any_block_is_a_part_of_the_whole(data: st.DataObject) -> None:
     reference = program()
     start = data.draw(st.integers(0, reference.n_sample))

@@ -126,6 +126,7 @@ def figures(found: CircleBacklash) -> list[float]:
 
 
 @given(scale=st.floats(1e-2, 1e2), shift=st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)), start=st.integers(0, 719))
+@pytest.mark.slow
 def test_units_position_and_start_do_not_matter(scale: float, shift: tuple[float, float], start: int) -> None:
     runs = [measured(sense, n=720, **EVERYTHING) for sense in (1.0, -1.0)]
     one = backlash_from_circle(runs[0], CENTRE, RADIUS, opposite=runs[1])

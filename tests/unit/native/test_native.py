@@ -46,6 +46,7 @@ def test_other_arrays_are_refused(table: np.ndarray) -> None:
         sums(table, np.empty(5), 1.0, np.zeros(1, np.int64))
 
 
+@pytest.mark.slow
 def test_a_kernel_that_allocates_memory_is_refused() -> None:
     with pytest.raises(EngineError, match=r"greedy.*array"):
         greedy(np.empty(5), 1.0)

@@ -59,6 +59,7 @@ def test_invalid_values_are_refused(tmp_path: Path, changed: dict[str, object], 
     assert str(refused.value).startswith(str(file))
 
 
+@pytest.mark.slow
 def test_files_that_are_not_logs_name_the_requirements(tmp_path: Path) -> None:
     text, folder = tmp_path / "text.mat", tmp_path / "folder"
     text.write_text("no matrix\n" * 50, encoding="utf-8")

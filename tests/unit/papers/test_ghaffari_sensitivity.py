@@ -51,5 +51,6 @@ def test_gains_of_the_position_loop_matter_less_than_the_model(rows: Sequence[Ro
         assert max(of["K_P"], of["K_I"]) < 0.2 * of["a_hat"]
 
 
+@pytest.mark.slow
 def test_figures_are_drawn(tmp_path: Path) -> None:
     assert [file.name for file in draw(tmp_path, ("svg",))] == [f"ghaffari-fig-{figure}.svg" for figure in ("6a", "6b", "7", "8", "9")]

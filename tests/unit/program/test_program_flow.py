@@ -201,6 +201,7 @@ def test_the_tape_keeps_lines_that_may_run_again() -> None:
     assert tape.line(10) is None
 
 
+@pytest.mark.slow
 def test_a_long_program_is_not_kept_in_memory() -> None:
     """Ten times as many lines, including loops, need no more memory."""
 

@@ -14,6 +14,7 @@ from contourlab.rendering.overview import write_overview
 
 
 @pytest.mark.parametrize("amplitudes", [(8e-6,), (8e-6, 2e-6), (8e-6, 6e-6, 4e-6, 2e-6, 1e-6)])
+@pytest.mark.slow
 def test_the_report_fits_on_one_page(amplitudes: tuple[float, ...], tmp_path: Path) -> None:
     data = replace(synthetic.report(amplitudes), title="100 $ of _parts_ {x}")
     content = write_page(data, tmp_path / "report.pdf").read_bytes()

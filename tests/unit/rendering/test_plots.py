@@ -15,6 +15,7 @@ from contourlab.rendering.plots import write_charts, write_plots
 MAGIC = {"png": b"\x89PNG\r\n", "svg": b"<?xml", "pdf": b"%PDF-"}
 
 
+@pytest.mark.slow
 def test_every_picture_in_every_format(square, tmp_path):
     files = write_plots(square, tmp_path / "new", ("png", "svg", "pdf"))
     names = {file.stem for file in files}
@@ -23,6 +24,7 @@ def test_every_picture_in_every_format(square, tmp_path):
         assert file.read_bytes().startswith(MAGIC[file.suffix[1:]])
 
 
+@pytest.mark.slow
 def test_circle_and_bode_are_drawn(single, tmp_path):
     names = {file.stem for file in write_plots(single, tmp_path)}
     assert {"circle-0", "bode-0", "bode-1"} <= names

@@ -74,6 +74,7 @@ def test_the_table_shows_the_end_and_the_cost(learned: ReportData) -> None:
     assert rows["computing time per servo tick"] == ["200", "250"]
 
 
+@pytest.mark.slow
 def test_page_and_plots_contain_the_picture(learned: ReportData, tmp_path: Path) -> None:
     page = render_html(learned)
     assert 'id="trials"' in page and "converged, best trial 17 of 30." in page

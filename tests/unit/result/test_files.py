@@ -55,6 +55,7 @@ def assert_identical(one: Result, other: Result) -> None:
 
 @settings(max_examples=60, deadline=None)
 @given(result=results())
+@pytest.mark.slow
 def test_round_trip(result: Result) -> None:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "run.nc"

@@ -81,6 +81,7 @@ def test_errors_name_their_key(text: str, words: str) -> None:
     assert "controller.axes" in str(refusal.value)
 
 
+@pytest.mark.slow
 def test_local_parameters_are_those_of_the_part_in_the_axis() -> None:
     text = TOP.replace("link = LINK", f'local = ["observer.model_gain"], link = {NETWORK}')
     assert parse_scenario(text).controller.axes["1"].local_parameters == ("observer.model_gain",)

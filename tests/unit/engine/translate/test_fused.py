@@ -22,6 +22,7 @@ TICKS = 300
 
 
 @pytest.mark.parametrize("name", CASES)
+@pytest.mark.slow
 def test_nodes_one_by_one_give_the_same_bits(name: str) -> None:
     case = cl.load_scenario(f"builtin:{name}").cases()[-1]
     feed = Feed(case.machine, case.controller, case.reference(), None, None)

@@ -250,6 +250,7 @@ def collecting(a: float, b: float) -> float:
         (doubling, 1, "more than"),
     ],
 )
+@pytest.mark.slow
 def test_what_cannot_be_translated_is_refused_with_its_line(function: Any, line: int, reason: str) -> None:
     with pytest.raises(EngineError) as refusal:
         graph_of(step_of(function))

@@ -38,6 +38,7 @@ def causes(*, pitch: float | None = None, **made: object) -> dict[str, Cause]:
     ],
     ids=lambda value: value if isinstance(value, str) else "",
 )
+@pytest.mark.slow
 def test_each_cause_comes_back(sizes: dict[str, float], name: str, value: float, adds: float) -> None:
     found = causes(**sizes)
     largest = max(found.values(), key=lambda cause: cause.contribution)
@@ -69,6 +70,7 @@ def test_a_given_pitch_is_used() -> None:
 
 @settings(max_examples=8)
 @given(start=st.floats(-3.0, 3.0), first=st.booleans())
+@pytest.mark.slow
 def test_start_angle_and_order_of_senses_do_not_matter(start: float, first: bool) -> None:
     found = causes(start=start, senses=(first, not first), x=8e-6, square=1e-4, lag=1e-4)
     assert found["backlash x"].value == pytest.approx(8e-6, rel=0.01)
@@ -85,6 +87,7 @@ def test_one_sense_does_not_separate_squareness_from_servo_mismatch() -> None:
     assert clockwise["squareness or servo mismatch"].contribution < 1e-7
 
 
+@pytest.mark.slow
 def test_deviations_are_those_of_repeated_measurements() -> None:
     turned, values, stated = np.arange(0.0, 2.0 * math.pi, 2e-3), [], []
     for seed in range(24):

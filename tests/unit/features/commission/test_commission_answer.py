@@ -38,6 +38,7 @@ def test_first_call_writes_what_to_run(made: bench.Made, tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize("axis", ["x", "y"])
+@pytest.mark.slow
 def test_axes_are_recovered(answered: tuple[Commissioned, Path], axis: str) -> None:
     true, found = bench.MODELS[axis], answered[0].models[axis]
     for name, tolerance in (("gain", 0.01), ("damping", 0.01), ("friction", 0.03)):
@@ -157,6 +158,7 @@ def untuned(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("untuned")
 @pytest.mark.parametrize(("code", "doctor"), DOCTORED, ids=[f"{code}-{k}" for k, (code, _) in enumerate(DOCTORED)])
+@pytest.mark.slow
 def test_doctored_logs_are_named(made: bench.Made, tmp_path: Path, code: str, doctor: Callable[[Rows], Rows]) -> None:
     log = made.log(tmp_path / "log.csv", doctor(made.rows))
     result = commission(made.ini, made.hal, [log], tmp_path / "out")
@@ -165,6 +167,7 @@ def test_doctored_logs_are_named(made: bench.Made, tmp_path: Path, code: str, do
     assert all(one.place.removeprefix("axis ") not in result.pid for one in wrong)
 
 
+@pytest.mark.slow
 def test_a_wrong_period_in_the_ini_file_shows_in_a_log_without_times(made: bench.Made, tmp_path: Path) -> None:
     ini = tmp_path / "wrong.ini"
     ini.write_text(made.ini.read_text().replace("SERVO_PERIOD = 1000000", "SERVO_PERIOD = 2000000"))
@@ -178,6 +181,7 @@ def test_a_wrong_period_in_the_ini_file_shows_in_a_log_without_times(made: bench
     assert not result.pid
 
 
+@pytest.mark.slow
 def test_noise_is_named(made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("contourlab.features.commission.tuning.BUDGET", 32)
     log = made.log(tmp_path / "log.csv", bench.simulated(made.setup, made.program, noise=5e-6, axes="x"))
@@ -217,6 +221,7 @@ def without_output(rows: Rows) -> Rows:
         ("CL899", {"BACKLASH": "0.02"}, dict),
     ],
 )
+@pytest.mark.slow
 def test_files_that_do_not_fit_the_log_are_named(
     made: bench.Made, tmp_path: Path, code: str, changes: dict[str, str], doctor: Callable[[Rows], Rows]
 ) -> None:
@@ -237,6 +242,7 @@ def wavy(n: int, amplitude: float, frequency: float, start: float) -> np.ndarray
     ("code", "wave", "delay"),
     [("CL888", (2e-4, 7.0, 0.0), 0.0), ("CL889", (5e-3, 2.0, 0.9), 0.0), ("CL896", (0.0, 1.0, 0.0), 2.4e-3)],
 )
+@pytest.mark.slow
 def test_an_axis_unlike_its_model_is_named(
     made: bench.Made, tmp_path: Path, code: str, wave: tuple[float, float, float], delay: float
 ) -> None:
@@ -246,6 +252,7 @@ def test_an_axis_unlike_its_model_is_named(
     assert code in codes(result)
 
 
+@pytest.mark.slow
 def test_no_gains_within_the_margins(made: bench.Made, tmp_path: Path) -> None:
     log = made.log(tmp_path / "log.csv", {name: values for name, values in made.rows.items() if not name.startswith("y")})
     result = commission(made.ini, made.hal, [log], tmp_path / "out", margins=(80.0, 30.0))
@@ -253,6 +260,7 @@ def test_no_gains_within_the_margins(made: bench.Made, tmp_path: Path) -> None:
     assert result.pid["x"]["Pgain"] == 0.8
 
 
+@pytest.mark.slow
 def test_gains_that_depend_on_the_axis_are_named(made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     tuned = TunedAxis(np.full(7, 1e3), 2e-6, 2e-3)
     monkeypatch.setattr("contourlab.features.commission.command.tune_axis", lambda task, **settings: tuned)
@@ -263,6 +271,7 @@ def test_gains_that_depend_on_the_axis_are_named(made: bench.Made, tmp_path: Pat
 
 
 @pytest.mark.parametrize("always", [True, False])
+@pytest.mark.slow
 def test_noise_while_the_control_is_off_counts_only_for_a_pid_that_is_always_enabled(
     made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, always: bool
 ) -> None:

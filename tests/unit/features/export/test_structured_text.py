@@ -36,6 +36,7 @@ def test_it_computes_the_commands_of_plain_python(tmp_path: Path, case: str) -> 
         np.testing.assert_array_equal(block, python)
 
 
+@pytest.mark.slow
 def test_twincat_holds_the_same_block(tmp_path: Path) -> None:
     made = exported("observer/disturbance-observer").control
     text = twincat(made)

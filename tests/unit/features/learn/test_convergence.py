@@ -148,6 +148,7 @@ def test_learning_reduces_the_contour_error_of_the_paper_eightfold(coupled: floa
     assert "CL300" in {one.code for one in run.findings}
 
 
+@pytest.mark.slow
 def test_every_law_learns() -> None:
     """Each law, with sensible settings, removes most of the error within 25 trials."""
     stiffness = 1.0 / (0.05 * TIME_CONSTANT)
@@ -221,6 +222,7 @@ def test_with_a_low_q_a_wrong_model_still_converges() -> None:
     assert all(b > 1.1 * a for a, b in pairwise(astray[2:]))
 
 
+@pytest.mark.slow
 def test_a_drive_at_its_limit_does_not_wind_the_table_up() -> None:
     """The move needs 1.3 times the drive's limit: over a hundred trials the table stays within the drive's range."""
     reference = there_and_rest(move=1.0)

@@ -135,6 +135,7 @@ def test_the_worst_seed_counts(machine: cl.Machine, controller: cl.Controller, c
     assert (again.value, again.error) == (many.value, many.error)
 
 
+@pytest.mark.slow
 def test_a_larger_allowed_error_never_needs_more_messages(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     rates = [message_rate(machine, controller, circle, "controller", within=within).rate for within in (0.05, 0.2, 0.5)]
     assert rates[0] >= rates[1] >= rates[2]

@@ -93,6 +93,7 @@ def test_one_machine_under_two_controllers_shares_its_numbers(result: Result) ->
     assert {one.run for one in found.after} == {"log", "soft"}
 
 
+@pytest.mark.slow
 def test_deviations_match_the_scatter_over_many_logs() -> None:
     """Thirty logs with noise correlated over ten rows: the estimates scatter by their stated deviation."""
     from scipy.signal import lfilter

@@ -94,6 +94,7 @@ def test_the_proposed_change_is_the_best_and_its_figure_is_that_of_a_run() -> No
     assert largest(one, best.controller) == pytest.approx(best.worst)
 
 
+@pytest.mark.slow
 def test_changes_build_on_each_other_until_the_tolerance_is_reached() -> None:
     rubbing = machine(friction=make("friction", "coulomb", coulomb=30.0, breakaway=30.0, stribeck_velocity=1e-3))
     _, best = improved(rubbing, controller(), 0.0)

@@ -57,6 +57,7 @@ def test_without_the_gap_its_compensation_is_zero_too() -> None:
     assert again is tight and same is controller
 
 
+@pytest.mark.slow
 def test_an_offset_is_tried_where_the_gap_has_no_compensation() -> None:
     machine, controller, reference = rig(DRIVE)
     words = "compensating the backlash by an offset on reversal"

@@ -92,6 +92,7 @@ def test_the_threshold_of_chance_is_that_of_a_test_at_five_percent() -> None:
     assert 0.03 < np.mean(beyond) < 0.07
 
 
+@pytest.mark.slow
 def test_of_many_numbers_without_effect_none_is_significant() -> None:
     """The largest of thirty chance correlations exceeds the threshold in one study of twenty, not in most."""
     rng = np.random.default_rng(2)

@@ -35,6 +35,7 @@ def test_without_a_tolerance_it_judges(part: list[str], capsys: pytest.CaptureFi
     assert main([*words, "--check"]) == 0
 
 
+@pytest.mark.slow
 def test_after_a_failure_it_runs_the_proposed_controller(part: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*part, "--tolerance", "0.5 um"]) == 1
     words = last_line(capsys)

@@ -80,6 +80,7 @@ def supervised() -> cl.Controller:
 
 
 @pytest.mark.parametrize("signals", [(), ("command",)])
+@pytest.mark.slow
 def test_every_switch_is_written_for_any_block_size(tmp_path: Path, signals: tuple[str, ...]) -> None:
     machine, _ = rig()
     texts = []

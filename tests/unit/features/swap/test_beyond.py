@@ -61,6 +61,7 @@ def test_the_required_rate_is_the_largest_of_the_variants(variants: Variants) ->
         assert one.allowed == pytest.approx(one.undivided + 0.5 * max(one.undivided, variants.floor))
 
 
+@pytest.mark.slow
 def test_too_long_a_delay_does_not_hold(variants: Variants) -> None:
     cost = cost_of(variants, link=Network(delay=0.05))
     assert not cost.holds and np.isnan(cost.rate) and any(one.unstable for one in cost.variants)

@@ -60,6 +60,7 @@ def test_loss_refers_to_the_larger_of_best_and_floor() -> None:
     assert losses([1e-6], [1e-6], 2e-6).tolist() == [0.0]
 
 
+@pytest.mark.slow
 def test_a_quick_study_holds_its_own_uncertainty() -> None:
     others = [("other", rigid("other", 1.01))]
     variants = variants_under(others)
@@ -79,6 +80,7 @@ def test_a_quick_study_finds_local_parameters_where_one_controller_is_not_enough
     assert quick.recommended is not None and quick.recommended.local == (AHEAD,)
 
 
+@pytest.mark.slow
 def test_a_copy_of_the_axis_loses_nothing() -> None:
     variants = variants_under([("strong", rigid("other", 2.0))])
     copy = Variant("x = copy", variants.members[0].machine.swapped("x", rigid("other", 1.0)), (("x", "copy"),))
@@ -93,6 +95,7 @@ def unequal() -> SwapStudy:
     return studied([("strong", rigid("other", 2.0))])
 
 
+@pytest.mark.slow
 def test_axes_of_different_gain_need_one_local_parameter(unequal: SwapStudy) -> None:
     # A rigid frictionless axis under eq (15) follows exactly when a' is its own gain, for any other gains: so one local parameter.
     study = unequal
@@ -129,6 +132,7 @@ def test_diagonal_of_the_crossed_designs_is_the_best(unequal: SwapStudy) -> None
 
 
 @pytest.mark.parametrize("settings", [{}, {"local": (frozenset({AHEAD}),)}, {"exhaustive": True}])
+@pytest.mark.slow
 def test_no_found_design_improves_a_shared_one(settings: dict[str, object]) -> None:
     variants = variants_under([("like", rigid("other", 1.01))], ("controller.axes.x.controller.*_gain",))
     names = tuple(name for name in variants.space.names if ".axes.x." in name)
@@ -168,6 +172,7 @@ def test_inconclusive_results_are_hatched(unequal: SwapStudy) -> None:
     assert place.images[0].get_array()[first.uncertain].mask.all()
 
 
+@pytest.mark.slow
 def test_a_variant_whose_search_stalled_is_searched_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     whole = SwapSearch.variant_optimum
 
@@ -190,6 +195,7 @@ def test_a_variant_whose_search_stalled_is_searched_again(tmp_path: Path, monkey
     assert 0 < checkpoint.reused < kept and all_results(resumed) == all_results(study)
 
 
+@pytest.mark.slow
 def test_same_study_on_any_number_of_threads() -> None:
     found = []
     for threads in (1, 2):
@@ -199,6 +205,7 @@ def test_same_study_on_any_number_of_threads() -> None:
     assert found[0] == found[1]
 
 
+@pytest.mark.slow
 def test_given_sets_replace_the_search() -> None:
     study = studied([("strong", rigid("other", 2.0))], local=(frozenset({AHEAD}),))
     assert [len(choice.local) for choice in study.choices] == [0, 1]
@@ -213,6 +220,7 @@ def test_guards_count_as_constraints() -> None:
         swap_study(strict, (), SwapSettings(budget=100))
 
 
+@pytest.mark.slow
 def test_coverage_of_a_region_of_gains() -> None:
     variants = variants_under([("strong", rigid("other", 2.0))])
     machine, controller = stage()
@@ -347,6 +355,7 @@ def test_searches_of_another_study_are_ignored_and_damaged_ones_repeated(tmp_pat
     assert kept.damaged == 1 and kept.reused == len(list(first.home.iterdir())) - 1 and all_results(again) == all_results(whole)
 
 
+@pytest.mark.slow
 def test_superfluous_local_parameters_are_dropped() -> None:
     # The other gains of a rigid frictionless axis do not depend on its strength; only a' does.
     variants = variants_under([("strong", rigid("other", 2.0))], ("controller.axes.x.controller.*_gain",))

@@ -98,6 +98,7 @@ def test_the_drive_limits_a_gain() -> None:
     assert not kept.after.violations
 
 
+@pytest.mark.slow
 def test_missing_margins_of_the_start_are_restored_first() -> None:
     settings = TuneSettings(INTEGRAL, Bounds(6.0, 40.0), method="sequential")
     found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), settings)
@@ -107,6 +108,7 @@ def test_missing_margins_of_the_start_are_restored_first() -> None:
     assert all(math.degrees(margins.phase) >= 40.0 for margins in found.after.margins.values())
 
 
+@pytest.mark.slow
 def test_a_number_at_the_end_of_its_range_is_reported_in_every_stage() -> None:
     settings = TuneSettings(INTEGRAL, Bounds(6.0, 40.0), method="sequential")
     found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), settings)
@@ -121,6 +123,7 @@ def test_a_number_at_the_end_of_its_range_is_reported_in_every_stage() -> None:
     assert {step.bound for step in found.path.steps if step.stage == "repair" and "position_gain" in step.variable.name} == {"margins"}
 
 
+@pytest.mark.slow
 def test_a_diverging_start_is_repaired() -> None:
     found = tune(rigid_stage(), position_control(position_gain=3e5), circle(), TuneSettings(width=10.0, budget=400))
     assert found.before.run is None and "diverges" in found.before.violations[0]
@@ -153,6 +156,7 @@ def test_margins_of_the_result_are_those_of_the_loop() -> None:
 
 
 @pytest.mark.parametrize("method", ["sequential", "both"])
+@pytest.mark.slow
 def test_the_result_is_the_same_on_any_number_of_threads(method: str) -> None:
     names = ("model_gain", "model_damping")
     made = position_control(model_gain=0.8, model_damping=5.0)
@@ -165,6 +169,7 @@ def test_the_result_is_the_same_on_any_number_of_threads(method: str) -> None:
     assert [step.objective_after for step in one.path.steps] == [step.objective_after for step in two.path.steps]
 
 
+@pytest.mark.slow
 def test_the_global_search_is_no_worse_and_keeps_the_bounds() -> None:
     made = position_control(model_gain=0.8, model_damping=5.0)
     found = tune(rigid_stage(), made, circle(), TuneSettings(method="both", budget=1500))
