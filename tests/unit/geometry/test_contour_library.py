@@ -115,7 +115,7 @@ def test_the_line_line_circle_of_the_course() -> None:
 
 
 def test_a_wrong_name_suggests_the_nearest_or_lists_the_valid_ones() -> None:
-    with pytest.raises(GeometryError, match="'circel'.*'circle'"):
+    with pytest.raises(GeometryError, match=r"'circel'.*'circle'"):
         contour("circel")
     with pytest.raises(GeometryError, match=rf"'bow'.* {', '.join(contour_names())}$"):
         contour("bow")
