@@ -55,13 +55,13 @@ def error_text(error: BaseException) -> str:
         return type(error).__name__
 
 
-def hint(name: str, known: Iterable[str], other: Mapping[str, str] | None = None) -> str:
+def hint(name: object, known: Iterable[str], other: Mapping[str, str] | None = None) -> str:
     """Suggest the known name of the same thing (by its `other` names), or the nearest one, or list all names.
 
     >>> hint("dampng", ["gain", "damping"]), hint("P-PI", ["pid", "cascade"], {"p-pi": "cascade"})
     ("did you mean 'damping'?", "did you mean 'cascade'?")
     """
-    names = list(known)
+    names, name = list(known), str(name)
     same = (other or {}).get(name.lower().replace("_", "-"))
     near = [same] if same in names else difflib.get_close_matches(name, names, n=1, cutoff=0.6)
     if near:

@@ -72,6 +72,12 @@ def test_a_sweep_of_a_thousand_variants_is_one_table(run):
     assert "1000" in batch._repr_html_()
 
 
+def test_one_variant_is_a_point(run):
+    case, reference, _ = run
+    (line,) = cl.simulate_batch(case.machine, case.controller, reference, {"axes.*.plant.gain": [1.0]}).plot().axes[0].lines
+    assert line.get_xdata().tolist() == [1.0] and line.get_marker() == "."
+
+
 def test_a_failed_variant_leaves_a_gap(run):
     case, reference, _ = run
     batch = cl.simulate_batch(case.machine, case.controller, reference, {"axes.*.plant.gain": [1e9]})

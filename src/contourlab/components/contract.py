@@ -32,7 +32,7 @@ from contourlab.components.parameter import require_positive as require_positive
 from contourlab.components.parameter import text_param as text_param
 from contourlab.components.place import fault
 from contourlab.engine.step import Port, Step, ports, record
-from contourlab.errors import ComponentError, ParameterError
+from contourlab.errors import ComponentError, ParameterError, hint
 
 REFERENCE = ports("reference", "reference_velocity", "reference_acceleration")
 """Input ports with the reference of an axis."""
@@ -133,8 +133,7 @@ class Component(Traced):
     def __init__(self, **values: Any) -> None:
         unknown = sorted(set(values) - set(self.parameters))
         if unknown:
-            known = ", ".join(self.parameters) or "none"
-            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}; its parameters are: {known}")
+            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}: {hint(unknown[0], self.parameters)}")
         for name, parameter in self.parameters.items():
             value = values.get(name, parameter.default)
             if value is None:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from contourlab.errors import ComponentError, ParameterError
+from contourlab.errors import ComponentError, ParameterError, hint
 
 SOURCES = {
     "measured": "read from an instrument",
@@ -101,7 +101,7 @@ class Traced:
         """
         unknown = [name for name in origins if name not in self.parameters]
         if unknown:
-            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}; its parameters are: {', '.join(self.parameters) or 'none'}")
+            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}: {hint(unknown[0], self.parameters)}")
         if not origins and not self._origins:
             return self
         kind: Any = type(self)

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from contourlab.errors import GeometryError
+from contourlab.errors import GeometryError, hint
 from contourlab.geometry import butterfly as butterfly_data
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.conics import Ellipse, Lemniscate, Lissajous, Spiral, Star
@@ -161,7 +161,7 @@ def contour_parameters(name: str) -> dict[str, tuple[float, str]]:
         If there is no such contour.
     """
     if name not in _MAKERS:
-        raise GeometryError(f"no contour {name!r}; the contours are: {', '.join(_MAKERS)}")
+        raise GeometryError(f"no contour {name!r}: {hint(name, _MAKERS)}")
     signature = inspect.signature(_MAKERS[name])
     return {p.name: (float(p.default), _UNITS.get(p.name, "")) for p in signature.parameters.values()}
 
@@ -191,5 +191,5 @@ def contour(name: str, **parameters: float) -> Path:
     known = contour_parameters(name)
     for given in parameters:
         if given not in known:
-            raise GeometryError(f"contour {name} has no parameter {given!r}; its parameters are: {', '.join(known)}")
+            raise GeometryError(f"contour {name} has no parameter {given!r}: {hint(given, known)}")
     return _MAKERS[name](**parameters)

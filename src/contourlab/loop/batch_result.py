@@ -72,7 +72,7 @@ class BatchResult:
         return frame({**self.variants, **self.figures, "failed_at": self.failed_at})
 
     def plot(self, figure: str = "contour_error_max") -> Figure:
-        """Draw a figure over the first parameter that differs; as points where others differ independently.
+        """Draw a figure over the first parameter that differs; as points where others differ independently, or of one variant.
 
         Parameters
         ----------
@@ -95,7 +95,7 @@ class BatchResult:
         factor, unit = self._shown(figure)
         labels = _labelled(name, self._shown(name)[1]), _labelled(figure.replace("_", " "), unit)
         picture = curves([(*labels, [("", values[order], factor * self.figures[figure][order])])])
-        if not all(np.array_equal(values, others) for others in self.variants.values()):
+        if len(values) == 1 or not all(np.array_equal(values, others) for others in self.variants.values()):
             picture.axes[0].lines[0].set(linestyle="", marker=".")
         return picture
 

@@ -96,8 +96,13 @@ def matching(wanted: str, known: Mapping[str, Any], called: str, whose: str = "t
 
 
 def _near(wanted: str, known: Iterable[str]) -> list[str]:
-    """Return the names most like an unknown name: with its last word, a similar one, or one that has it; or else the first few."""
+    """Return the names most like an unknown name: with its last word, a similar one, or one that has it; or else the first few.
+
+    For a pattern they are patterns, of all axes.
+    """
     names = sorted(known, key=lambda name: name.startswith("axes."))  # gains first
+    if "*" in wanted:
+        names = list(dict.fromkeys(re.sub(r"\baxes\.[^.]+", "axes.*", name) for name in names))
     ends = {name: name.rpartition(".")[2] for name in names}
     word = wanted.rpartition(".")[2]
     alike = [word, *get_close_matches(word, dict.fromkeys(ends.values()), n=3)]

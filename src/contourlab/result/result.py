@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import ResultError
+from contourlab.errors import ResultError, hint
 from contourlab.feed import Reference
 from contourlab.notebook import Figure, Frame, Panel, curves, facts_line, facts_table, frame, svg
 from contourlab.result.netcdf import FORMAT, ResultWriter, read_netcdf
@@ -76,10 +76,10 @@ class Result:
         Raises
         ------
         ResultError
-            If there is no such signal; the message lists the known ones.
+            If there is no such signal; the message names the nearest, or lists all.
         """
         if name not in self.signals:
-            raise ResultError(f"no signal {name!r} in {self.scheme}; the signals are: {', '.join(self.signals)}")
+            raise ResultError(f"no signal {name!r} in {self.scheme}: {hint(name, self.signals)}")
         return self.signals[name].data
 
     def __contains__(self, name: object) -> bool:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.registry import component
-from contourlab.errors import FeedError, ParameterError, ProgramError, ScenarioError
+from contourlab.errors import FeedError, ParameterError, ProgramError, ScenarioError, hint
 from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_path, uniform
 from contourlab.feed.judged import WHOLE, Judged
 from contourlab.feed.route import controlled
@@ -291,7 +291,7 @@ class Scenario:
         for case in self.cases():
             if case.name == name:
                 return case
-        raise ScenarioError(f"no scheme {name!r}: use one of {', '.join(repr(c.name) for c in self.cases())}", file=self.file)
+        raise ScenarioError(f"no scheme {name!r}: {hint(name, [case.name for case in self.cases()])}", file=self.file)
 
 
 FEATURES = {

@@ -44,7 +44,7 @@ IN_A_CLASS = [
     (("controller", '"mine"', '"pid"'), CLASS, "contourlab.components.controller.pid"),
     (("controller", '    """A proportional controller."""\n', ""), CLASS, "docstring"),
     (("controller", '    example = {"gain": 2.0}\n', ""), CLASS, "mine.gain = not given"),
-    (("controller", '{"gain": 2.0}', '{"gian": 2.0}'), CLASS, "its parameters are: gain"),
+    (("controller", '{"gain": 2.0}', '{"gian": 2.0}'), CLASS, "did you mean 'gain'"),
     (("controller", '{"gain": 2.0}', '{"gain": -2.0}'), CLASS, ">= 0 command/m"),
     (("controller", '{"gain": 2.0}', '{"gain": "2"}'), CLASS, "a number in command/m"),
     (("controller", '{"gain": 2.0}', '["gain"]'), CLASS, "not a dict"),

@@ -114,9 +114,11 @@ def test_the_line_line_circle_of_the_course() -> None:
     np.testing.assert_allclose(path.corners, [0.05, 0.07], rtol=1e-15)
 
 
-def test_a_wrong_name_lists_the_valid_ones() -> None:
-    with pytest.raises(GeometryError, match=rf"'circel'.* {', '.join(contour_names())}$"):
+def test_a_wrong_name_suggests_the_nearest_or_lists_the_valid_ones() -> None:
+    with pytest.raises(GeometryError, match=r"'circel'.*'circle'"):
         contour("circel")
+    with pytest.raises(GeometryError, match=rf"'bow'.* {', '.join(contour_names())}$"):
+        contour("bow")
     with pytest.raises(GeometryError, match=r"circle.*'diameter'.* radius, start_angle, clockwise$"):
         contour("circle", diameter=0.04)
     with pytest.raises(GeometryError, match="contour ''"):

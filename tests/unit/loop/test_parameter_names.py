@@ -64,7 +64,8 @@ def test_a_mistyped_name_suggests_the_nearest(case):
     [
         ("controller.axes.3.controller.positon_gain", "controller.axes.3.controller.position_gain"),
         ("axs.3.plant.gain", "axes.3.plant.gain"),
-        ("axes.*.plant.dampng", "axes.1.plant.damping"),
+        ("axes.*.plant.dampng", "axes.*.plant.damping"),
+        ("axes.*.controller.position_gain", "controller.axes.*.controller.position_gain"),
     ],
 )
 def test_the_nearest_name_comes_first(case, typed, meant):
