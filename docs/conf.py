@@ -19,7 +19,7 @@ generate.write()
 
 project = "contourlab"
 version = release = contourlab.__version__
-project_copyright = "the contourlab developers"
+project_copyright = "the contourlab authors"
 extensions = ["myst_parser", "numpydoc", "sphinx.ext.autosummary", "sphinx_copybutton", "sphinx_gallery.gen_gallery"]
 exclude_patterns = ["_build", "_templates"]
 templates_path = ["_templates"]
