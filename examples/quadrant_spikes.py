@@ -16,7 +16,7 @@ import contourlab as cl
 
 # %%
 # A run-in, a turn and a run-out, then the same clockwise. The nuts have a gap of 20 um. The
-# friction of the guides winds up the screws by another 2 um, which the motors do not see either.
+# friction of the guides winds up the screws by a few um more, which the motors do not see either.
 
 PROGRAM = """
 G17 G21 G90 G94
