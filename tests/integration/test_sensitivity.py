@@ -41,7 +41,8 @@ def test_a_quick_study_agrees_with_the_full_one_within_its_intervals(circle: Pat
 
 def test_a_quick_study_takes_what_fits_and_refuses_what_does_not() -> None:
     plan, n = Plan(), 21
-    least = plan.quick(n, 1e9)
+    assert plan.quick(n, 1e9) == plan
+    least = plan.quick(n, plan.runs(n) - 1.0)
     assert (least.base, least.values, least.trajectories) == (128, 11, 16)
     for fits in (6000.0, 4000.0, 2000.0):
         taken = plan.quick(n, fits)

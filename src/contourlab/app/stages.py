@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 INTERVAL = 2.0
 """Longest silence of a command [s]."""
+KNOWN = 0.02
+"""Share of the work below which the time left is a guess: the first steps compile."""
 
 
 class Heartbeat:
@@ -86,7 +88,8 @@ class Heartbeat:
         words = f"{self.command}: {self.stage}" if self.stage else self.command
         share, left = self.progress()
         if 0.0 < share < 1.0:
-            return f"{words}, {100.0 * share:.0f} %{'' if self._work else ' of this step'}, {left:.0f} s left"
+            soon = f"{left:.0f} s left" if share >= KNOWN else f"{monotonic() - self._began:.0f} s"
+            return f"{words}, {100.0 * share:.0f} %{'' if self._work else ' of this step'}, {soon}"
         return f"{words}, {monotonic() - self._began:.0f} s"
 
     def beat(self) -> None:
@@ -167,7 +170,7 @@ class Stages:
         assert self._bar is not None
         assert self._task is not None
         share, left = self._heart.progress()
-        words = f"{left:.0f} s left" if share else ""
+        words = f"{left:.0f} s left" if share >= KNOWN else ""
         self._bar.update(self._task, completed=share, total=1.0 if share else None, left=words, description=self._heart.stage)
 
 

@@ -66,10 +66,11 @@ def _words(place: Axes, data: ReportData) -> None:
         words = f"{answer}{scheme.name}: largest part error {figure(size.max, 'um')}{where}, rms {number(1e6 * size.rms)} um"
         lines.append((words, {"size": 8.5, "color": scheme_style(i, len(data.schemes))[0]}))
     typed = [f"Next: {command}" for _, command in data.next_steps[:1]]
+    typed.append(f"contourlab {data.provenance.version}: {data.provenance.command}")
     lines += [(line, {"size": 7.5, "color": MUTED, "family": "monospace"}) for text in typed for line in wrap(text, LETTERS)]
-    lines.append((f"contourlab {data.provenance.version}: {data.provenance.command}", {"size": 7.5, "color": MUTED}))
     height = sum(look["size"] for _, look in lines)
     at = 1.0
     for text, look in lines:
-        place.text(0.0, at, escaped(text), transform=place.transAxes, va="top", **{"color": INK, **look})
+        shown = place.text(0.0, at, escaped(text), transform=place.transAxes, va="top", **{"color": INK, **look})
+        shown.set_in_layout(False)  # long words must not narrow the pictures
         at -= look["size"] / height

@@ -16,6 +16,8 @@ def test_the_time_left_follows_from_the_share_that_is_done(monkeypatch: pytest.M
     monkeypatch.setattr(stages, "monotonic", lambda: now)
     beat = Heartbeat("tune")
     assert beat.line() == "tune, 0 s"
+    beat.advance(1, 100)
+    assert beat.line() == "tune, 1 % of this step, 0 s"
     now = 104.0
     beat.begin("searching")
     now = 109.0

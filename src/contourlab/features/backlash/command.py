@@ -93,7 +93,8 @@ def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:
             if cycles_found == ():
                 cycles.add(axis, f"{kind}: none", NONE, NONE)
     yield gaps.text()
-    yield cycles.text()
+    if cycles.rows:
+        yield cycles.text()
     trials = Table([Column("compensation", left=True), Column("part error rms [um]"), Column("largest [um]"), Column("", left=True)])
     for trial in study.trials:
         errors = (NONE if error is None else number(1e6 * error) for error in (trial.part_error_rms, trial.part_error_max))

@@ -33,7 +33,9 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
         words = [*options, "--tolerance", f"{float(f'{1e6 * limit:.1g}'):g} um"]
         explore = ("Find what the error depends on:", _typed("sensitivity", file, ["--quick", *plugins]))
         return [("Judge it against a tolerance:", _typed("run", file, words)) if part else explore]
-    steps = []
+    steps: list[tuple[str, str]] = []
+    if all(any(finding.code == "CL208" for finding in outcome.findings) for outcome in judged):
+        return [("Change the plan, not the gains:", as_typed(["contourlab", "explain", "CL208"]))]
     kept = [outcome for outcome in judged if outcome.verdict is not None and outcome.verdict.passed]
     if proposed and part and not kept:
         changed = _without(_without(options, "--controller"), "--out")

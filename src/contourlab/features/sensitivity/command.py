@@ -210,7 +210,7 @@ def _failure_level(case: Case, reference: Reference, plan: Plan) -> float:
 
 def _on_quick(request: Request, study: Study) -> Iterator[Finding]:
     plan = study.plan
-    if request.quick:
+    if request.quick and plan != request.plan:
         wider = round(math.sqrt(request.plan.base / plan.base), 1)
         yield finding("CL653", values=plan.values, base=plan.base, trajectories=plan.trajectories, wider=wider)
         if plan.parts != tuple(request.plan.parts):

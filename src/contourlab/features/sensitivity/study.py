@@ -102,14 +102,14 @@ class Plan:
         return sum(runs[part] for part in self.parts)
 
     def quick(self, n: int, fits: float) -> Plan:
-        """Return the largest quick study of `n` parameters whose runs fit; without the small changes if it does not fit otherwise.
+        """Return the largest quick study of `n` parameters whose runs fit, or the full one; if need be without the small changes.
 
         Raises
         ------
         ParameterError
             If no quick study fits.
         """
-        for plan in self._quick_plans():
+        for plan in (self, *self._quick_plans()):
             if plan.runs(n) <= fits:
                 return plan
         raise too_slow(plan.runs(n), fits)

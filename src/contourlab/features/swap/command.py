@@ -142,7 +142,7 @@ def swap_scenario(
             stages.begin("timing a run")
             settings = replace(settings, budget=_quick_budget(variants, settings.budget))
         checkpoint = Checkpoint(searches, _identity(ready, settings))
-        stages.expect(2 * len(variants) + len(ready.candidates) + 4)  # the elimination may need fewer
+        stages.expect(_work(len(variants), len(ready.candidates), settings.quick))
         study = swap_study(variants, ready.candidates, settings, _stage(stages, variants), checkpoint)
         covered = None
         if ready.region is not None:
@@ -176,6 +176,14 @@ def _quick_budget(variants: Variants, most: int) -> int:
     if fits < 4 * LANES:
         raise too_slow(4 * LANES, fits)
     return min(most, 1 << int(math.log2(fits)))
+
+
+def _work(variants: int, candidates: int, quick: bool) -> int | list[tuple[str, float]]:
+    """Return the stages to expect; a search may need fewer. A quick study mostly ends with the first two searches, or refines them once."""
+    if not quick:
+        return 2 * variants + candidates + 4
+    searches = [("each variant alone", 1.0), ("local: none", 2.0)]
+    return [*searches, *searches, *([("local", 1.0 / candidates)] * candidates), ("", 0.2), ("writing", 0.2)]
 
 
 def _stage(stages: Stages, variants: Variants) -> Callable[[str, int], None]:

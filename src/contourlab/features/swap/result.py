@@ -136,7 +136,9 @@ def _findings(
     others: Sequence[Finding],
 ) -> Iterator[Finding]:
     yield study.verdict
-    if study.uncertainty is not None and not study.unsure:
+    if not math.isfinite(study.base.swap_loss):
+        yield finding("CL723")
+    elif study.uncertainty is not None and not study.unsure:
         yield finding("CL722", loss=study.base.swap_loss, uncertainty=study.uncertainty)
     for name, variant in judged.items():
         if variant.broken:

@@ -43,6 +43,13 @@ def test_after_a_failure_it_runs_the_proposed_controller(part: list[str], capsys
     assert main([*words, "--check"]) == 0
 
 
+def test_where_the_plan_leaves_the_path_it_does_not_tune(part: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    program = Path("my part.ngc")
+    program.write_text(program.read_text(encoding="ascii").replace("P0.01", "P1").replace("G1 X0", "G1 X0\nG1 Y0"), encoding="ascii")
+    assert main([*part, "--tolerance", "10 um"]) == 1
+    assert last_line(capsys) == ["explain", "CL208"]
+
+
 def test_after_a_success_it_tunes(part: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*part, "--tolerance", "1 mm"]) == 0
     words = last_line(capsys)
