@@ -179,7 +179,7 @@ def _quick_budget(variants: Variants, most: int) -> int:
 
 
 def _work(variants: int, candidates: int, quick: bool) -> int | list[tuple[str, float]]:
-    """Return the stages to expect; a search may need fewer. A quick study mostly ends with the first two searches, or refines them once."""
+    """Return the stages to expect; a search may need fewer. A quick study repeats its two searches."""
     if not quick:
         return 2 * variants + candidates + 4
     searches = [("each variant alone", 1.0), ("local: none", 2.0)]
