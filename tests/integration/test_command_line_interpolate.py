@@ -153,7 +153,7 @@ FAULTS = {
     "infinite": ("\n".join([*GOOD[:5], "0.1,inf"]), r"bad\.csv:6: .*2"),
     "short row": ("u1,u2\n" + "\n".join([*GOOD[:7], "0.1", *GOOD[7:]]), r"bad\.csv:9: .*columns"),
     "few": ("u1,u2\n" + "\n".join(GOOD[:10]), r"bad\.csv: signals = .*at least 16 samples"),
-    "empty": ("", r"bad\.csv: is empty"),
+    "empty": ("", r"bad\.csv: is an empty file"),
     "header only": ("u1,u2\n", r"bad\.csv:1: .*rows"),
     "still": ("u1,u2\n" + "0.3,0.2\n" * 300, r"bad\.csv: u1 = 0\.3 throughout: .*stands still"),
     "still with noise": ("u1,u2\n" + "\n".join(STILL), r"bad\.csv: scatter .*no ellipse"),

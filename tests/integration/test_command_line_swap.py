@@ -205,7 +205,7 @@ def test_an_interrupt_before_the_first_search_promises_nothing(
 
     monkeypatch.setattr(SwapSearch, "variant_optimum", interrupted)
     assert main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS]) == 130
-    assert "kept" not in capsys.readouterr().err and not (typed / "results").exists()
+    assert "no result is kept" in capsys.readouterr().err and not (typed / "results").exists()
 
 
 @pytest.mark.slow
