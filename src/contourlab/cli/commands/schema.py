@@ -31,6 +31,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.sensitivity.command import Sensitivity
     from contourlab.features.swap.result import SwapResult
     from contourlab.features.sweep.query import Export
+    from contourlab.features.sweep.report import SweepReport
     from contourlab.features.sweep.summary import SweepSummary
     from contourlab.features.tune.command import Calibration
     from contourlab.findings import Entry
@@ -61,7 +62,7 @@ def results() -> dict[str, Any]:
         "run": Summary,
         "sensitivity": Sensitivity,
         "swap": SwapResult,
-        "sweep": SweepSummary | Export | Summary | tuple[dict[str, Any], ...],
+        "sweep": SweepSummary | SweepReport | Export | Summary | tuple[dict[str, Any], ...],
         "tune": Calibration,
     }
 

@@ -59,7 +59,7 @@ def run(
     options = SweepOptions(executor, workers, resume, chunks)
     result = sweep_study(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
     show_result(result, as_json)
-    suggest(as_json, "sweep", "worst", out)
+    suggest(as_json, "sweep", "report", out)
     return 0
 
 
@@ -123,6 +123,21 @@ def worst(
         say(rows_text(names, [[row[name] for name in names] for row in found], units))
     if found:
         suggest(as_json, "sweep", "worst", store, "--rerun", found[0]["variant"], "--out", "worst")
+    return 0
+
+
+@sweep.command("report")
+def report(
+    store: StoreFolder,
+    out: Annotated[Path | None, typer.Option(metavar="FILE", help="Page; by default report.html in the store.", show_default=False)] = None,
+    figure: Annotated[str | None, typer.Option(help="Figure to explain; by default part_error_max.", show_default=False)] = None,
+    as_json: Json = False,
+) -> int:
+    """Answer in one page: yield, distribution, what decides it, best compromises, when to stop."""
+    from contourlab.features.sweep.report import report as reported
+
+    show_result(reported(store, out, figure), as_json)
+    suggest(as_json, "sweep", "worst", store)
     return 0
 
 
