@@ -63,6 +63,33 @@ def run(
     return 0
 
 
+@sweep.command("optimise")
+def optimise(
+    study: Annotated[Path, typer.Argument(metavar="STUDY", help="A study (.toml).", show_default=False)],
+    out: Out = Path("store"),
+    minimise: Annotated[
+        list[str] | None,
+        typer.Option(metavar="FIGURE", help="Figure; part_error_max by default. Several: their Pareto front.", show_default=False),
+    ] = None,
+    sampler: Annotated[str, typer.Option(help="tpe, nsga2 or cma-es; by default tpe, or nsga2 for several.", show_default=False)] = "",
+    trials: Annotated[int, typer.Option(min=1, max=1_000_000, help="Variants in all.")] = 1024,
+    batch: Annotated[int, typer.Option(min=8, max=4096, help="Variants that are simulated together.")] = 64,
+    resume: Annotated[bool, typer.Option("--resume", help="Continue a store; starts an empty one.")] = False,
+    as_json: Json = False,
+    plugin: Plugins = None,
+) -> int:
+    """Search the space of a study for the smallest figures. Finished batches stay, whatever happens."""
+    from contourlab.features.sweep.optimise import SearchOptions
+    from contourlab.features.sweep.optimise import optimise as optimised
+
+    options = SearchOptions(tuple(minimise or ("part_error_max",)), sampler, trials, batch, resume)
+    found = optimised(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
+    show_result(found, as_json)
+    if found.best:
+        suggest(as_json, "sweep", "worst", out, "--rerun", found.best[0]["variant"], "--out", "best")
+    return 0
+
+
 @sweep.command("show")
 def show(store: StoreFolder, as_json: Json = False) -> int:
     """Show what a store holds: yield, distribution of each figure, time."""

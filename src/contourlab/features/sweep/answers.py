@@ -34,6 +34,8 @@ from contourlab.features.sweep.summary import remarks
 from contourlab.findings import Finding
 from contourlab.threads import in_threads
 
+SAMPLES = ("random", "sobol", "latin-hypercube")
+"""Designs that draw their variants."""
 FEW = 12
 """Most values of a column whose subsets are listed."""
 SHOWN_FRONT = 200
@@ -244,7 +246,7 @@ class Answers:
     @property
     def is_sample(self) -> bool:
         """Whether the variants are drawn, so that more of them would tell more."""
-        return self.design not in ("grid", "list")
+        return self.design in SAMPLES
 
 
 def answers_of(rows: Rows) -> Answers:
@@ -255,7 +257,7 @@ def answers_of(rows: Rows) -> Answers:
     low, high = (None, None) if passed is None else wilson(passed, n)
     share = None if passed is None else passed / n
     tail = [_finite(value) for value in quantile(values, 0.95)] if n >= LEAST else [_finite(quantile(values, 0.95)[0]), None, None]
-    drawn = store.manifest["design"] not in ("grid", "list")
+    drawn = store.manifest["design"] in SAMPLES
     objectives, front = _front(rows)
     thinned = front[np.unique(np.linspace(0, len(front) - 1, SHOWN_FRONT).astype(int))] if len(front) else front
     return Answers(
