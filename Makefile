@@ -28,7 +28,7 @@ help:
 	@echo "make bench    measure the speed of the engine on this machine"
 	@echo "make programs run every part program of a folder; make programs PROGRAMS=my/folder"
 	@echo "make learning measure cost and benefit of learning and cross-coupling; reports in results/learning"
-	@echo "make sweep-demo  ask which of 10,000 machines of a series will make the part; store in results/sweep-demo"
+	@echo "make sweep-demo  ask which of 10,000 machines of a series will make the part; writes results/sweep-demo/report.html"
 	@echo "make backlash measure the cost of backlash in the loop, and all schemes on real parts"
 	@echo "make install  only make $(VENV); with another Python: make install PYTHON=python3.12"
 	@echo "make clean    remove $(VENV) and all generated files"
@@ -102,7 +102,7 @@ learning: $(STAMP)
 # A second call continues where the first one was stopped.
 sweep-demo: $(STAMP)
 	$(BIN)/contourlab sweep examples/sweep-production-line.toml --out results/sweep-demo --resume $(ARGS)
-	$(BIN)/contourlab sweep worst results/sweep-demo 5
+	$(BIN)/contourlab sweep report results/sweep-demo
 
 backlash: $(STAMP)
 	$(BIN)/python benchmarks/backlash.py $(ARGS)

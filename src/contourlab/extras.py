@@ -9,8 +9,8 @@ from contourlab.errors import MissingPackageError
 
 EXTRAS = {
     "cvxpy": "design", "ezdxf": "cad", "svgelements": "cad", "pyarrow": "parquet", "pyarrow.parquet": "parquet", "pyarrow.csv": "parquet",
-    "pyarrow.dataset": "parquet",
-    "duckdb": "sweep", "dask": "cluster", "distributed": "cluster", "dask_jobqueue": "cluster",
+    "pyarrow.dataset": "parquet", "pyarrow.compute": "parquet",
+    "duckdb": "sweep", "optuna": "optimise", "cmaes": "optimise", "dask": "cluster", "distributed": "cluster", "dask_jobqueue": "cluster",
 }  # fmt: skip
 """The extra that installs each module."""
 

@@ -6,7 +6,7 @@ import base64
 import gzip
 import hashlib
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -71,8 +71,6 @@ def render_html(data: ReportData) -> str:
     """Return the text of the report; the same data give the same text."""
     points = _points(data)
     groups = _figures(data, points)
-    figures = {figure["id"]: figure.pop("spec") for group in groups.values() for figure in group}
-    library, digest = _plotly()
     return str(
         page_template("report.html.j2").render(
             data=data,
@@ -87,13 +85,22 @@ def render_html(data: ReportData) -> str:
             program=_program(data),
             scenario=_clipped(data.provenance.scenario),
             facts=_facts(data, points),
-            figures=_compressed(json.dumps(figures, allow_nan=False, separators=(",", ":"))),
-            library=library,
-            script=template_file("report.js"),
-            style=template_file("report.css"),
-            hashes=[digest, _digest(template_file("report.js"))],
+            **embedded(groups),
         )
     )
+
+
+def embedded(groups: Mapping[str, Iterable[dict[str, Any]]]) -> dict[str, Any]:
+    """Return what a page with figures needs: the figures, taken out of `groups`; library, script, style, and the hashes of the scripts."""
+    figures = {figure["id"]: figure.pop("spec") for group in groups.values() for figure in group}
+    library, digest = _plotly()
+    return {
+        "figures": _compressed(json.dumps(figures, allow_nan=False, separators=(",", ":"))),
+        "library": library,
+        "script": template_file("report.js"),
+        "style": template_file("report.css"),
+        "hashes": [digest, _digest(template_file("report.js"))],
+    }
 
 
 def _points(data: ReportData) -> int:
@@ -119,10 +126,10 @@ def _figures(data: ReportData, points: int) -> dict[str, list[dict[str, Any]]]:
         "trials": trial_charts(data),
         "bode": bode_charts(data, points),
     }
-    return {section: [_entry(chart) for chart in members] for section, members in charts.items()}
+    return {section: [entry_of(chart) for chart in members] for section, members in charts.items()}
 
 
-def _entry(chart: Chart | PolarChart | PathChart | SpaceChart) -> dict[str, Any]:
+def entry_of(chart: Chart | PolarChart | PathChart | SpaceChart) -> dict[str, Any]:
     """Return a figure for the template."""
     spec = figure_of(chart)
     text = {"id": chart.key, "title": chart.title, "caption": chart.caption, "view": getattr(chart, "view", "")}

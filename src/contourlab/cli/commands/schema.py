@@ -31,7 +31,9 @@ def results() -> dict[str, Any]:
     from contourlab.features.run.summary import Summary
     from contourlab.features.sensitivity.command import Sensitivity
     from contourlab.features.swap.result import SwapResult
+    from contourlab.features.sweep.optimise import Search
     from contourlab.features.sweep.query import Export
+    from contourlab.features.sweep.report import SweepReport
     from contourlab.features.sweep.summary import SweepSummary
     from contourlab.features.tune.command import Calibration
     from contourlab.findings import Entry
@@ -63,7 +65,7 @@ def results() -> dict[str, Any]:
         "run": Summary,
         "sensitivity": Sensitivity,
         "swap": SwapResult,
-        "sweep": SweepSummary | Export | Summary | tuple[dict[str, Any], ...],
+        "sweep": SweepSummary | SweepReport | Search | Export | Summary | tuple[dict[str, Any], ...],
         "tune": Calibration,
     }
 

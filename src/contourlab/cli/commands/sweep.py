@@ -59,7 +59,34 @@ def run(
     options = SweepOptions(executor, workers, resume, chunks)
     result = sweep_study(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
     show_result(result, as_json)
-    suggest(as_json, "sweep", "worst", out)
+    suggest(as_json, "sweep", "report", out)
+    return 0
+
+
+@sweep.command("optimise")
+def optimise(
+    study: Annotated[Path, typer.Argument(metavar="STUDY", help="A study (.toml).", show_default=False)],
+    out: Out = Path("store"),
+    minimise: Annotated[
+        list[str] | None,
+        typer.Option(metavar="FIGURE", help="Figure; part_error_max by default. Several: their Pareto front.", show_default=False),
+    ] = None,
+    sampler: Annotated[str, typer.Option(help="tpe, nsga2 or cma-es; by default tpe, or nsga2 for several.", show_default=False)] = "",
+    trials: Annotated[int, typer.Option(min=1, max=1_000_000, help="Variants in all.")] = 1024,
+    batch: Annotated[int, typer.Option(min=8, max=4096, help="Variants that are simulated together.")] = 64,
+    resume: Annotated[bool, typer.Option("--resume", help="Continue a store; starts an empty one.")] = False,
+    as_json: Json = False,
+    plugin: Plugins = None,
+) -> int:
+    """Search the space of a study for the smallest figures. Finished batches stay, whatever happens."""
+    from contourlab.features.sweep.optimise import SearchOptions
+    from contourlab.features.sweep.optimise import optimise as optimised
+
+    options = SearchOptions(tuple(minimise or ("part_error_max",)), sampler, trials, batch, resume)
+    found = optimised(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
+    show_result(found, as_json)
+    if found.best:
+        suggest(as_json, "sweep", "worst", out, "--rerun", found.best[0]["variant"], "--out", "best")
     return 0
 
 
@@ -123,6 +150,21 @@ def worst(
         say(rows_text(names, [[row[name] for name in names] for row in found], units))
     if found:
         suggest(as_json, "sweep", "worst", store, "--rerun", found[0]["variant"], "--out", "worst")
+    return 0
+
+
+@sweep.command("report")
+def report(
+    store: StoreFolder,
+    out: Annotated[Path | None, typer.Option(metavar="FILE", help="Page; by default report.html in the store.", show_default=False)] = None,
+    figure: Annotated[str | None, typer.Option(help="Figure to explain; by default part_error_max.", show_default=False)] = None,
+    as_json: Json = False,
+) -> int:
+    """Answer in one page: yield, distribution, what decides it, best compromises, when to stop."""
+    from contourlab.features.sweep.report import report as reported
+
+    show_result(reported(store, out, figure), as_json)
+    suggest(as_json, "sweep", "worst", store)
     return 0
 
 

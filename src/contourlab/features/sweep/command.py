@@ -98,7 +98,7 @@ def sweep_study(
         stages.begin("planning the motions")
         study, structured = study_of(file, plugins, stages.advance)
         wanted = options.chosen(study.design.chunks)
-        with writing(out, study, lambda: _structures(structured), resume=options.resume) as store, _kept(store):
+        with writing(out, study, lambda: structures_of(structured), resume=options.resume) as store, kept_note(store):
             todo = [number for number in wanted if number not in store.parts]
             total, size = sum(len(study.design.numbers(number)) for number in todo), study.design.chunk
             done, last = 0, perf_counter()
@@ -116,7 +116,7 @@ def sweep_study(
 
 
 @contextmanager
-def _kept(store: Store) -> Iterator[None]:
+def kept_note(store: Store) -> Iterator[None]:
     """If the block is interrupted, add a note to the interrupt."""
     try:
         yield
@@ -126,7 +126,7 @@ def _kept(store: Store) -> Iterator[None]:
         raise
 
 
-def _structures(made: Structured) -> list[dict[str, Any]]:
+def structures_of(made: Structured) -> list[dict[str, Any]]:
     """Return choices and scenario of each structure, for the manifest."""
     found = []
     for combo, case in made.cases.items():

@@ -67,9 +67,6 @@ def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> Sw
     has_rows = bool(store.parts)
     statuses = counts(store) if has_rows else {}
     times = store.times()
-    remarks = [finding("CL931", done=store.done, variants=store.variants)] if store.done < store.variants else []
-    remarks += [finding("CL932", count=statuses["refused"])] if statuses.get("refused") else []
-    remarks += [finding("CL933", count=statuses["unsure"])] if statuses.get("unsure") else []
     return SweepSummary(
         store=str(store.folder),
         variants=store.variants,
@@ -84,8 +81,16 @@ def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> Sw
         elapsed=times["elapsed"],
         cpu_seconds=times["cpu_seconds"],
         rate=times["variants"] / times["elapsed"] if times["elapsed"] else 0.0,
-        findings=(*findings, *remarks),
+        findings=(*findings, *remarks(store, statuses)),
     )
+
+
+def remarks(store: Store, statuses: Mapping[str, int]) -> tuple[Finding, ...]:
+    """Return what to know about the variants of a store: missing, refused, unsure."""
+    found = [finding("CL931", done=store.done, variants=store.variants)] if store.done < store.variants else []
+    found += [finding("CL932", count=statuses["refused"])] if statuses.get("refused") else []
+    found += [finding("CL933", count=statuses["unsure"])] if statuses.get("unsure") else []
+    return tuple(found)
 
 
 def _text(result: SweepSummary) -> str:

@@ -1,0 +1,280 @@
+"""``contourlab sweep optimise``: search the space of a study for the smallest figures, in batches; the store is that of any study."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from contourlab.app.stages import shown
+from contourlab.arrays import Array
+from contourlab.errors import ParameterError
+from contourlab.extras import extra_module
+from contourlab.features.sweep.chunk import run_chunk
+from contourlab.features.sweep.command import kept_note, structures_of
+from contourlab.features.sweep.design import Design
+from contourlab.features.sweep.query import rows
+from contourlab.features.sweep.statistics import pareto_front
+from contourlab.features.sweep.store import Store, writing
+from contourlab.features.sweep.structures import Structured
+from contourlab.features.sweep.study import Study, study_of
+from contourlab.features.sweep.summary import remarks, rows_text
+from contourlab.features.sweep.words import title_of
+from contourlab.figures import listing
+from contourlab.findings import Finding
+from contourlab.rendering.table import paragraphs
+
+SAMPLERS = ("tpe", "nsga2", "cma-es")
+JOURNAL, MARK = "optuna.log", "contourlab_batch"
+EDGE = 1e-6
+"""Least distance of a cumulative probability from 0 and 1."""
+SHOWN = 20
+"""Most variants in the result."""
+
+
+@dataclass(frozen=True)
+class SearchOptions:
+    """Options of the command.
+
+    Attributes
+    ----------
+    minimise : tuple of str
+        One to three figures; for several the Pareto front is searched.
+    sampler : str
+        One of `SAMPLERS`; by default ``tpe`` for one figure, ``nsga2`` for several.
+    trials, batch : int
+        Variants in all, and those that are simulated together.
+    resume : bool
+        Whether to continue a store.
+    """
+
+    minimise: tuple[str, ...] = ("part_error_max",)
+    sampler: str = ""
+    trials: int = 1024
+    batch: int = 64
+    resume: bool = False
+
+    def __post_init__(self) -> None:
+        if self.sampler not in ("", *SAMPLERS):
+            raise ParameterError("--sampler", repr(self.sampler), f"one of {', '.join(SAMPLERS)}")
+        if not 1 <= len(self.minimise) <= 3 or len(set(self.minimise)) < len(self.minimise):
+            raise ParameterError("--minimise", listing(self.minimise), "one to three figures, each once")
+        if self.sampler == "cma-es" and len(self.minimise) > 1:
+            raise ParameterError("--sampler", "'cma-es'", "tpe or nsga2 for several figures")
+
+    @property
+    def chosen(self) -> str:
+        """The sampler."""
+        return self.sampler or ("tpe" if len(self.minimise) == 1 else "nsga2")
+
+
+@dataclass(frozen=True)
+class Asked(Design):
+    """A design whose places a sampler has chosen."""
+
+    asked: Array = field(default_factory=lambda: np.zeros((0, 0)), repr=False)
+
+    def places(self, chunk: int) -> Array:
+        """Return the places of the batch at work."""
+        return self.asked
+
+
+@dataclass(frozen=True)
+class Search:
+    """The result of a search.
+
+    Attributes
+    ----------
+    store : str
+    sampler : str
+    trials, done : int
+        Variants of the search, and in the store.
+    minimise : dict of str to str
+        Figures, with SI units.
+    columns : dict of str to str
+        What varies, with SI units.
+    front_size : int
+    best : tuple of dict
+        The best variant, or members of the Pareto front, by the first figure; at most 20, evenly spaced.
+    findings : tuple of Finding
+    """
+
+    store: str
+    sampler: str
+    trials: int
+    done: int
+    minimise: dict[str, str]
+    columns: dict[str, str]
+    front_size: int
+    best: tuple[dict[str, Any], ...]
+    findings: tuple[Finding, ...]
+
+    @property
+    def text(self) -> str:
+        """Text for the terminal."""
+        figures = listing([title_of(name) for name in self.minimise])
+        what = "the smallest" if len(self.minimise) == 1 else f"{self.front_size} best compromises of"
+        head = f"{self.done} of {self.trials} variants in {self.store}, sampler {self.sampler}: {what} {figures}"
+        names = ["variant", *self.minimise, *self.columns]
+        table = rows_text(names, [[row[name] for name in names] for row in self.best], {**self.columns, **self.minimise})
+        return "\n\n".join(filter(None, (head, table, paragraphs(map(str, self.findings)))))
+
+
+def optimise(
+    file: str | Path, out: str | Path, options: SearchOptions, *, plugins: Sequence[str | Path] = (), progress: bool = False
+) -> Search:
+    """Search the space of a study; its distributions give the range of each parameter.
+
+    Parameters
+    ----------
+    file : str or Path
+        A study. Its design, number of variants and correlations do not matter.
+    out : str or Path
+        Folder of the store.
+    options : SearchOptions
+    plugins : sequence of str or Path
+        Python files with components.
+    progress : bool
+        Whether to show a bar.
+
+    Raises
+    ------
+    ContourlabError
+        If the study, an option or the folder is invalid, or the disk is full. Finished batches stay.
+    """
+    for package in ("duckdb", "pyarrow.parquet", "optuna"):
+        extra_module(package)
+    if options.chosen == "cma-es":
+        extra_module("cmaes")
+    with shown(progress) as stages:
+        stages.begin("planning the motions")
+        planned, structured = study_of(file, plugins, stages.advance)
+        study, levels = _space(planned, structured, options)
+        with (
+            writing(out, study, lambda: structures_of(structured), resume=options.resume) as store,
+            kept_note(store),
+            _journal(store, options) as journal,
+        ):
+            stages.begin("searching")
+            for number in range(store.chunks):
+                _batch(study, levels, store, journal, options, number)
+                stages.advance(store.done, store.variants)
+        return _result(store, options, study)
+
+
+def _space(study: Study, made: Structured, options: SearchOptions) -> tuple[Study, list[Array]]:
+    """Return the study with the design of the search, and the places of the values of each dimension; empty for a continuous one."""
+    for name in options.minimise:
+        if name not in study.figures:
+            raise ParameterError("--minimise", repr(name), f"one of the figures of the study: {', '.join(study.figures)}")
+    if study.design.kind == "list":
+        raise ParameterError("design", "'list'", "a design whose entries vary independently")
+    weights: dict[int, Sequence[float]] = {choice.dimension: choice.weights for choice in study.choices}
+    weights |= {i: drawn.weights for one in study.structures.values() for _, i, drawn in one.numbers}
+    levels = []
+    for i, (_, count) in enumerate(made.dimensions):
+        ends = np.concatenate([[0.0], np.cumsum(weights.get(i) or [1.0] * count)]) if count else np.zeros(1)
+        middles = (ends[1:] + ends[:-1]) / 2.0 / max(ends[-1], 1e-300)
+        levels.append(middles[np.diff(ends) > 0.0])
+    if options.chosen == "cma-es" and any(len(places) for places in levels):
+        raise ParameterError("--sampler", "'cma-es'", "tpe or nsga2 for a study with values = [...]")
+    design = Design("search", options.trials, options.batch, study.design.levels, study.design.seed)
+    said = json.dumps([study.identity["study"], options.minimise, options.chosen, options.trials, options.batch])
+    identity = {**study.identity, "study": hashlib.sha256(said.encode()).hexdigest()}
+    return replace(study, design=design, identity=identity), levels
+
+
+@contextmanager
+def _journal(store: Store, options: SearchOptions) -> Iterator[Any]:
+    """Yield the Optuna study in the journal of a store, whose writer we are; cut off what a kill left after the last whole batch."""
+    import optuna
+    from optuna.storages.journal import JournalFileBackend
+
+    file = store.folder / JOURNAL
+    file.with_name(JOURNAL + ".lock").unlink(missing_ok=True)
+    if file.exists():
+        data = file.read_bytes()
+        whole = data.rfind(b"\n", 0, data.rfind(MARK.encode()) + 1)  # before the last mark
+        file.write_bytes(data[: data.find(b"\n", whole + 1) + 1] if MARK.encode() in data else b"")
+    verbosity = optuna.logging.get_verbosity()
+    optuna.logging.set_verbosity(optuna.logging.ERROR)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", optuna.exceptions.ExperimentalWarning)
+            yield optuna.create_study(
+                storage=optuna.storages.JournalStorage(JournalFileBackend(str(file))),
+                study_name="contourlab",
+                directions=["minimize"] * len(options.minimise),
+                load_if_exists=True,
+            )
+    finally:
+        optuna.logging.set_verbosity(verbosity)
+
+
+def _sampler(options: SearchOptions, seed: int) -> Any:
+    from optuna.samplers import CmaEsSampler, NSGAIISampler, TPESampler
+
+    if options.chosen == "tpe":
+        return TPESampler(seed=seed, n_startup_trials=options.batch, constant_liar=True)
+    if options.chosen == "nsga2":
+        return NSGAIISampler(seed=seed, population_size=options.batch)
+    return CmaEsSampler(seed=seed, popsize=options.batch)
+
+
+def _batch(study: Study, levels: Sequence[Array], store: Store, journal: Any, options: SearchOptions, number: int) -> None:
+    """Ask for a batch, simulate and store it, and tell its figures; what a killed run has done of it is not repeated.
+
+    The number of a trial is that of its variant. Each batch has a sampler of its own seed, so that a search that goes on finds the same.
+    """
+    first = number * options.batch
+    numbers = range(first, min(first + options.batch, options.trials))
+    asked = journal.get_trials(deepcopy=False)[first : numbers.stop]
+    is_new = not asked
+    if is_new:
+        journal.sampler = _sampler(options, (study.design.seed + number) % 2**32)
+        asked = [journal.ask() for _ in numbers]
+    places = np.array([_places(trial, levels) for trial in asked])
+    if number not in store.parts:
+        began = perf_counter()
+        design = Asked("search", options.trials, options.batch, study.design.levels, asked=places)
+        chunk = run_chunk(replace(study, design=design), number)
+        store.write(chunk)
+        store.log(chunk, perf_counter() - began)
+    if is_new:
+        names = ", ".join(f'"{name}"' for name in options.minimise)
+        sql = f"SELECT {names} FROM results WHERE variant BETWEEN {numbers[0]} AND {numbers[-1]} ORDER BY variant"
+        for trial, figures in zip(asked, rows(store, sql)[1], strict=True):
+            journal.tell(trial, [math.inf if value is None else value for value in figures])
+        journal.set_user_attr(MARK, number)
+
+
+def _places(trial: Any, levels: Sequence[Array]) -> list[float]:
+    """Return the cumulative probabilities of a trial, for each dimension of the study; a finished trial has its own."""
+    found = []
+    for i, places in enumerate(levels):
+        if len(places):
+            found.append(float(places[trial.suggest_categorical(f"u{i}", range(len(places)))]))
+        else:
+            found.append(float(trial.suggest_float(f"u{i}", EDGE, 1.0 - EDGE)))
+    return found
+
+
+def _result(store: Store, options: SearchOptions, study: Study) -> Search:
+    names, found = rows(store, "SELECT * FROM results WHERE status = 'ok' ORDER BY variant")
+    values = np.array([[row[names.index(name)] for name in options.minimise] for row in found], dtype=float)
+    front = [] if not found else pareto_front(values).tolist() if len(options.minimise) > 1 else [int(np.argmin(values[:, 0]))]
+    shown_rows = sorted({round(place) for place in np.linspace(0, len(front) - 1, SHOWN)}) if front else []
+    best = tuple(dict(zip(names, found[front[i]], strict=True)) for i in shown_rows)
+    figures = {name: store.figures[name] for name in options.minimise}
+    ((refused, unsure),) = rows(store, "SELECT count(*) FILTER (status = 'refused'), count(*) FILTER (unsure > 0) FROM results")[1]
+    findings = (*study.findings, *remarks(store, {"refused": refused, "unsure": unsure}))
+    return Search(str(store.folder), options.chosen, store.variants, store.done, figures, store.columns, len(front), best, findings)

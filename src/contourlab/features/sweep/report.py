@@ -1,0 +1,104 @@
+"""``contourlab sweep report``: the answers of a store in words, for the terminal and for the page."""
+
+from __future__ import annotations
+
+from dataclasses import astuple, dataclass
+from pathlib import Path
+
+from contourlab.features.sweep.answers import Answers, Effect, Subset, answers_of, read_rows
+from contourlab.features.sweep.page import write_page
+from contourlab.features.sweep.store import read_store
+from contourlab.features.sweep.summary import display
+from contourlab.features.sweep.words import kind_of, range_text, said, share_text, value_text
+from contourlab.figures import number
+from contourlab.rendering.table import Column, Table, paragraphs
+
+SHOWN = 12
+"""Most rows of a table on the terminal."""
+
+
+@dataclass(frozen=True)
+class SweepReport:
+    """The answers of a store, and their page.
+
+    Attributes
+    ----------
+    page : Path
+    answers : Answers
+    """
+
+    page: Path
+    answers: Answers
+
+    @property
+    def text(self) -> str:
+        """Text for the terminal."""
+        words = said(self.answers)
+        sentence, decides, stop, front = (paragraphs([part]) if part else "" for part in astuple(words))
+        tables = _subset_text(self.answers), _effect_text(self.answers.effects)
+        remarks = paragraphs(map(str, self.answers.findings))
+        parts = (sentence, tables[0], decides, tables[1], front, stop, remarks, f"page: {self.page}")
+        return "\n\n".join(part for part in parts if part)
+
+
+def report(folder: str | Path, file: str | Path | None = None, figure: str | None = None) -> SweepReport:
+    """Answer the questions to a store, and write the page.
+
+    Parameters
+    ----------
+    folder : str or Path
+        A store.
+    file : str or Path, optional
+        The page; by default ``report.html`` in the store. Replaced completely or not at all.
+    figure : str, optional
+        By default the largest part error, or else the first figure of the store.
+
+    Raises
+    ------
+    ResultError
+        If it is no store, or damaged.
+    ParameterError
+        If it has no such figure, or no variant that was judged.
+    OutputError
+        If the page cannot be written.
+    """
+    store = read_store(folder)
+    rows = read_rows(store, figure)
+    answers = answers_of(rows)
+    page = Path(file) if file is not None else store.folder / "report.html"
+    write_page(answers, rows, said(answers), page)
+    return SweepReport(page, answers)
+
+
+def _subset_text(answers: Answers) -> str:
+    if not answers.subsets:
+        return ""
+    unit, factor = display(answers.unit)
+    table = Table([Column("column", left=True), Column("value"), Column(kind_of(answers)), *_yield_heads(answers)])
+    table.columns = [*table.columns, Column(f"median [{unit}]"), Column(f"p95 [{unit}]")]
+    for one in answers.subsets:
+        ends = [number(value * factor, 4) if value is not None else "-" for value in (one.median, one.p95)]
+        table.add(one.column, value_text(one), str(one.judged), *_yield_cells(one), *ends)
+    return table.text()
+
+
+def _yield_heads(answers: Answers) -> list[Column]:
+    return [] if answers.tolerance is None else [Column("yield"), Column("95 % interval")]
+
+
+def _yield_cells(one: Subset) -> list[str]:
+    return [] if one.share is None else [share_text(one.share), range_text(one.low, one.high)]
+
+
+def _effect_text(effects: tuple[Effect, ...]) -> str:
+    if not effects:
+        return ""
+    heads = [Column("explains"), Column("95 % interval"), Column("rank correlation"), Column("95 % interval")]
+    table = Table([Column("parameter", left=True), *heads])
+    for one in effects[:SHOWN]:
+        signed = ["-", "-"]
+        if one.correlation is not None and one.correlation_low is not None and one.correlation_high is not None:
+            signed = [f"{one.correlation:+.2f}", f"{one.correlation_low:+.2f} to {one.correlation_high:+.2f}"]
+        table.add(one.column, share_text(one.index, 2), range_text(one.index_low, one.index_high, 2), *signed)
+    more = len(effects) - SHOWN
+    return table.text() + (f"\n{more} more on the page" if more > 0 else "")
