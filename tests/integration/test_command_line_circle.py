@@ -67,6 +67,7 @@ def test_one_sense_says_what_it_cannot_separate(capsys: pytest.CaptureFixture[st
     assert {"CL488", "CL489"} <= {found["code"] for found in result["findings"]}
 
 
+@pytest.mark.slow
 def test_tolerance_and_next_command(capsys: pytest.CaptureFixture[str]) -> None:
     made_circles.write_log(Path("log.csv"), x=8e-6)
     assert main(["circle", "log.csv", "--tolerance", "20 um"]) == 0
@@ -93,6 +94,7 @@ def test_radii_under_other_names(capsys: pytest.CaptureFixture[str]) -> None:
     assert printed(capsys, "circle", "r.txt", *words)["causes"][0]["value"] == pytest.approx(8e-6, rel=0.01)
 
 
+@pytest.mark.slow
 def test_the_report_is_one_file_with_a_slider_for_each_cause() -> None:
     made_circles.write_log(Path("log.csv"), x=8e-6)
     assert main(["circle", "log.csv"]) == 0

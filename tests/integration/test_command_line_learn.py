@@ -115,6 +115,7 @@ def test_invalid_commands_are_refused(contourlab: Run, tmp_path: Path, words: li
     assert not (tmp_path / "results").exists()
 
 
+@pytest.mark.slow
 def test_a_part_missing_from_the_scenario_is_named(contourlab: Run, tmp_path: Path) -> None:
     file = tmp_path / "s.toml"
     text = (tmp_path / write(tmp_path)).read_text()

@@ -101,6 +101,7 @@ def test_a_sweep_of_a_single_value_is_reported_too(circle: str, capsys: pytest.C
     assert [one["code"] for one in scheme(capsys, *words)["findings"]] == ["CL759"]
 
 
+@pytest.mark.slow
 def test_a_quick_limit_lies_around_that_of_the_whole_sweep(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     words = (circle, "--division", "observer", "--vary", "message-period,delay,loss", "--longest", "30 ms", "--seeds", "2", "--json")
     coarse, whole = scheme(capsys, *words, "--quick"), scheme(capsys, *words)
@@ -112,6 +113,7 @@ def test_a_quick_limit_lies_around_that_of_the_whole_sweep(circle: str, capsys: 
     assert [one["code"] for one in coarse["findings"]] == ["CL765"]
 
 
+@pytest.mark.slow
 def test_a_scheme_that_does_not_fit_into_a_minute_is_refused(circle: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(quick, "PLANNED", 1e-3)
     assert main(["link", circle, "--quick"]) == 2
@@ -159,6 +161,7 @@ def test_a_scenario_with_links_keeps_its_own_division(tmp_path: Path, capsys: py
     assert division["sweeps"]["delay"]["error"][0] == division["error"] != found["undivided"]
 
 
+@pytest.mark.slow
 def test_plots_are_written_where_they_are_asked_for(circle: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = (circle, "--division", "observer", "--vary", "delay,loss", "--longest", "4 ms", "--seeds", "1")
     said = output(capsys, *words, "--plots", "svg", "--out", str(tmp_path / "out"))
@@ -221,6 +224,7 @@ def test_extrapolated_messages_have_no_linear_model(circle: str, capsys: pytest.
 LATE = OWN.replace('up = "ideal"', 'up = {kind = "network", delay = "20 ms"}')
 
 
+@pytest.mark.slow
 def test_analyse_says_whether_the_messages_leave_it_stable(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for name, link, code in (("own", OWN, 0), ("late", LATE, 1)):
         (tmp_path / f"{name}.toml").write_text(CIRCLE.replace("LINK", link), encoding="utf-8")
@@ -230,6 +234,7 @@ def test_analyse_says_whether_the_messages_leave_it_stable(tmp_path: Path, capsy
     assert json.loads(capsys.readouterr().out)["schemes"]["base"]["link_growth"] > 1.0
 
 
+@pytest.mark.slow
 def test_the_network_is_named_as_a_cause(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "late.toml").write_text(CIRCLE.replace("LINK", LATE) + '[run]\ntolerance = "16 um"\n', encoding="utf-8")
     assert main(["run", str(tmp_path / "late.toml"), "--out", str(tmp_path / "out")]) == 1

@@ -85,6 +85,7 @@ def test_an_interrupt_in_the_middle_is_130_and_keeps_the_old_results(old_results
 
 
 @POSIX
+@pytest.mark.slow
 def test_questions_that_are_interrupted_are_130(tmp_path: Path) -> None:
     code, shown = on_terminal(tmp_path, "new", "machine", interrupted=True)
     assert code == 130

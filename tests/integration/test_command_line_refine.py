@@ -154,6 +154,7 @@ def test_the_window_is_shaded_in_the_pictures(scene: Path, tmp_path: Path, monke
     assert [chart.panels[0].span for chart in drawn] == [None] * 4
 
 
+@pytest.mark.slow
 def test_controllers_that_were_refined_get_files_of_their_own(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     gain = "controller.axes.*.controller.gain"
     assert main(words(scene, "--write", str(tmp_path / "m.toml"), names=[*NAMES, gain])) == 0
@@ -270,6 +271,7 @@ def test_a_log_in_a_wrong_unit_makes_no_machine(scene: Path, tmp_path: Path, cap
     assert "log.csv: " in said and said.count("\n") == 1
 
 
+@pytest.mark.slow
 def test_missing_samples_are_reported(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     lines = (scene / "log.csv").read_text().splitlines()
     thin = tmp_path / "thin.csv"
@@ -326,6 +328,7 @@ def test_input_files_are_not_overwritten(
     assert contents(copy) == before
 
 
+@pytest.mark.slow
 def test_several_logs_are_left_out_in_turn(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A second log with other friction: the table, the JSON and the file state how far a new run may be from its simulation."""
     from contourlab.loop import simulate

@@ -262,6 +262,7 @@ def test_a_run_that_does_not_fit_into_memory_is_refused_beforehand(
     assert not (tmp_path / "results").exists()
 
 
+@pytest.mark.slow
 def test_ctrl_c_keeps_the_schemes_that_ended(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     from contourlab.features.run import command
 

@@ -102,6 +102,7 @@ def test_one_local_parameter_restores_what_a_stronger_axis_loses(typed: Path, ca
     assert found["passed"] and all(one["holds"] and one["local_in_base"] == [] for one in found["networks"])
 
 
+@pytest.mark.slow
 def test_json_and_exit_code_if_the_loss_cannot_be_restored(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     # Only a parameter of y is free, which stays in the base: its best value compensates x and differs by variant.
     words = ["--parameter", "y.model_gain=300 mm/s^2/full_scale..4000 mm/s^2/full_scale", "--floor", "0.001 um*s", "--plots", "svg"]

@@ -143,6 +143,7 @@ def test_the_interval_is_printed_and_can_be_left_out(tmp_path: Path, capsys: pyt
 
 
 @pytest.mark.parametrize("words", [("compare", "run.toml"), ("learn", "run.toml", "--trials", "1")])
+@pytest.mark.slow
 def test_every_command_with_schemes_can_leave_the_interval_out(
     words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -155,6 +155,7 @@ def test_an_optimum_at_a_bound_is_reported(tmp_path: Path, capsys: pytest.Captur
     assert [one["values"]["parameters"] for one in found["findings"] if one["code"] == "CL602"] == [["x.model_gain"]]
 
 
+@pytest.mark.slow
 def test_a_result_that_violates_a_bound_is_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "tuned.toml"
     words = ["tune", str(written(tmp_path)), "--parameter", "x.model_gain", "--phase-margin", "85", "--write", str(out), "--json"]
@@ -175,6 +176,7 @@ def test_a_part_program_on_a_machine(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert main(["run", str(part), "--machine", "xyz", "--controller", str(out), "--check", "--out", str(tmp_path / "r")]) == 0
 
 
+@pytest.mark.slow
 def test_a_scheme_is_chosen_by_its_name(capsys: pytest.CaptureFixture[str]) -> None:
     words = ["tune", "builtin:ghaffari/demo-stage.toml", "--scheme", "with modified reference, initial gains", "--json"]
     assert main([*words, "--parameter", "observer.model_damping", "--budget", "100"]) in (0, 1)
@@ -275,6 +277,7 @@ def test_placing_is_refused_for_kinds_without_placement(tmp_path: Path, capsys: 
     assert "pid" in said and "axis x" in said and said.count("\n") == 1
 
 
+@pytest.mark.slow
 def test_the_written_controller_is_the_one_that_was_judged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, out = written(tmp_path), tmp_path / "tuned.toml"
     assert main(["tune", str(file), "--budget", "400", "--write", str(out), "--json"]) == 0

@@ -201,6 +201,7 @@ def test_validation_with_the_same_samples_is_reported(tmp_path: Path, capsys: py
         assert ("CL516" in codes(json.loads(capsys.readouterr().out))) == same
 
 
+@pytest.mark.slow
 def test_the_reference_in_place_of_the_position_makes_no_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log, out = shared / "data" / "emps" / "DATA_EMPS.mat", tmp_path / "axis.toml"
     words = ["identify", str(log), "--column", "position.x=qg [m]", "--column", "command.x=vir [V]", "--gain", "35 N/V", "--json"]

@@ -138,6 +138,7 @@ def test_the_log_of_another_axis_makes_no_file(tmp_path: Path, capsys: pytest.Ca
 
 
 @pytest.mark.parametrize("model", MODELS)
+@pytest.mark.slow
 def test_a_command_that_has_nothing_to_do_with_the_motion_makes_no_file(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str
 ) -> None:

@@ -171,6 +171,7 @@ def test_deviations_are_the_spread_over_many_logs() -> None:
 
 
 @pytest.mark.parametrize("model", ["rigid", "first-order", "linear-motor"])
+@pytest.mark.slow
 def test_impossible_units_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
     """The same log with millimetres read as nanometres: 30 kg become 30 thousand tonnes."""
     out = tmp_path / "axis.toml"

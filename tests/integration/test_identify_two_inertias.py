@@ -29,6 +29,7 @@ def shaken(tmp_path: Path, side: str) -> tuple[str, dict[str, float]]:
     return written(tmp_path / "multisine.csv", "time [s],push [N],pos x [mm]", time, force, 1e3 * place), true
 
 
+@pytest.mark.slow
 def test_the_load_s_side_makes_an_axis_with_the_motor_s_inertia(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log, true = shaken(tmp_path, "load")
     out, turn = tmp_path / "drive.toml", 0.01 / (2.0 * math.pi)
@@ -84,6 +85,7 @@ def turning_drive(tmp_path: Path, damping: float) -> tuple[list[str], dict[str, 
 
 
 @pytest.mark.parametrize("damping", [1e-3, 5e-3])
+@pytest.mark.slow
 def test_shaft_damping_is_separated_from_motor_damping_at_the_load(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], damping: float
 ) -> None:
@@ -124,6 +126,7 @@ def test_a_number_at_its_bound_is_not_written_as_fitted(tmp_path: Path, capsys: 
     assert not any("plant.shaft_damping" in pair for pair in load_axis(out).correlations)
 
 
+@pytest.mark.slow
 def test_two_inertias_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log, true = shaken(tmp_path, "motor")
     out = tmp_path / "drive.toml"

@@ -47,6 +47,7 @@ def test_identify_does_not_write_over_what_it_reads(here: Path, capsys: pytest.C
         ["compare", "results/signals/all-of-it.nc", "results/signals/position-loop.nc", "--out", "results"],
     ],
 )
+@pytest.mark.slow
 def test_a_run_that_would_be_replaced_is_not_measured_into_its_own_folder(
     here: Path, capsys: pytest.CaptureFixture[str], words: list[str]
 ) -> None:

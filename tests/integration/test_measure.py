@@ -38,6 +38,7 @@ def run_of(position: np.ndarray, reference: np.ndarray | None) -> Result:
 @pytest.mark.parametrize(
     ("file", "rms", "largest", "tracking"), [("lli", 84.76, 262.4, (76.4, 77.7)), ("pp", 48.3, 95.4, (1277.4, 1082.7))]
 )
+@pytest.mark.slow
 def test_the_measured_runs_of_the_table(
     shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], file: str, rms: float, largest: float, tracking: tuple[float, float]
 ) -> None:
@@ -106,6 +107,7 @@ BY_AXIS = [
         ("trace.xml", as_trace, BY_AXIS),
     ],
 )
+@pytest.mark.slow
 def test_the_same_run_in_other_forms(
     shared: Path,
     tmp_path: Path,
@@ -186,6 +188,7 @@ def test_a_part_program_as_the_reference(tmp_path: Path, capsys: pytest.CaptureF
     assert main([*words[:-1], "--tolerance", "10 um"]) == 1
 
 
+@pytest.mark.slow
 def test_runs_of_a_part_program_are_compared_from_their_folders(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A run judged against a program has no drive reference, so neither a run nor a comparison has a tracking error."""
     (tmp_path / "part.ngc").write_text("G21 G90 G64\nG1 X0 Y0 F3000\nG1 X40\nG1 Y30\nG1 X0\nG1 Y0\nM2\n")
@@ -206,6 +209,7 @@ def test_runs_of_a_part_program_are_compared_from_their_folders(tmp_path: Path, 
     assert all(axis["rms"] is None for found in metrics for axis in found["tracking_error"])
 
 
+@pytest.mark.slow
 def test_finished_runs_are_compared_by_the_figures_of_the_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Rapid moves stray farther, but neither the verdict nor a comparison judges them."""
     (tmp_path / "part.ngc").write_text("G21 G90 G61\nG0 X60 Y20\nG1 X40 F1000\nG1 Y30\nG0 X0 Y0\nM2\n")

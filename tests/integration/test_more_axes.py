@@ -129,6 +129,7 @@ def test_a_part_program_of_three_axes_is_learned(contourlab: Run, tmp_path: Path
     assert (tmp_path / "results" / "learned").is_dir() and (tmp_path / "results" / "report.html").stat().st_size > 100_000
 
 
+@pytest.mark.slow
 def test_a_single_axis_has_a_report_without_a_picture_of_its_path(contourlab: Run, tmp_path: Path) -> None:
     done = contourlab("run", "builtin:emps/there-and-back", "--no-interval", "--out", "out", "--plots", "png")
     assert done.code == 0, done.err

@@ -75,6 +75,7 @@ OPEN = "document.querySelectorAll('.fold').forEach(function (fold) { fold.open =
 
 
 @pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
+@pytest.mark.slow
 def test_a_page_opens_without_complaint_and_with_its_path(page):
     seen = browse(page, "--dump-dom")
     assert [line for line in seen.stderr.splitlines() if "CONSOLE" in line] == []
@@ -98,6 +99,7 @@ document.title = JSON.stringify([row, Number.isFinite(chosen), found, order, doc
 
 @pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
 @pytest.mark.parametrize("width", [1280, 400])
+@pytest.mark.slow
 def test_clicks_lead_from_a_line_to_its_path_and_back(data, page, width):
     before = path_charts(data, 100)[0].magnification
     document = acted(page, CLICKS, {"path-space"}, f"--window-size={width},3000", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
@@ -109,6 +111,7 @@ def test_clicks_lead_from_a_line_to_its_path_and_back(data, page, width):
 
 
 @pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
+@pytest.mark.slow
 def test_every_picture_is_drawn_once_its_fold_is_open(data, page):
     wanted = {"path-0", "circle-0", "error-time", "error-arc", "axis-0", "axis-1", "bode-0", "bode-1"}
     document = acted(page, OPEN, wanted)
@@ -144,6 +147,7 @@ def test_a_result_saved_and_loaded_gives_the_same_page(data, page, tmp_path):
     assert again.read_bytes() == page.read_bytes()
 
 
+@pytest.mark.slow
 def test_the_report_of_a_minute_at_ten_kilohertz_is_quick_and_small(tmp_path):
     data = synthetic.report((8e-6, 4e-6, 2e-6), laps=30, servo_period=1e-4)
     assert data.schemes[0].result.n_sample >= 600_000

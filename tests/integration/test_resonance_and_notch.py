@@ -111,6 +111,7 @@ def test_the_log_gives_the_resonance_and_the_masses(folder: Path, identified: di
     assert any(set(pair[:2]) == {"plant.load_share", "plant.resonance"} for pair in axis.correlations)
 
 
+@pytest.mark.slow
 def test_the_reference_of_a_moving_axis_is_no_test_signal(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     capsys.readouterr()
     given = words(folder)

@@ -26,7 +26,10 @@ def circle(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return file
 
 
-def test_a_quick_study_agrees_with_the_full_one_within_its_intervals(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_quick_study_agrees_with_the_full_one_within_its_intervals(
+    circle: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("contourlab.features.sensitivity.command.affordable", lambda *_: 40.0)  # batches: fewer than the full study has
     words = ["sensitivity", str(circle), *TWO, "--parts", "sobol,morris", "--json"]
     found = []
     for more in (["--quick", "--out", "quick"], ["--out", "full"]):

@@ -114,6 +114,7 @@ def test_modified_reference_and_modified_error_have_the_same_weight_along_the_pa
         assert (model.weight, model.d, len(model.f)) == (pytest.approx(0.6), 0.0, 0)
 
 
+@pytest.mark.slow
 def test_the_strength_of_variable_gains_divides_the_gain_margin() -> None:
     machine, controller = unlike(2, CrossCoupled(gain=1500.0))
     one, more = contour_margins(machine, controller), contour_margins(machine, controller, strength=1.2)

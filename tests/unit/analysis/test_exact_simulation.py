@@ -36,6 +36,7 @@ def test_bounce_of_two_free_inertias() -> None:
 
 @settings(max_examples=10, deadline=None)
 @given(start=st.tuples(*[st.floats(-1.0, 1.0)] * 4), spring=st.floats(1.0, 500.0), ratio=st.floats(0.05, 20.0), gap=st.floats(1e-4, 0.1))
+@pytest.mark.slow
 def test_energy_is_conserved(start: tuple[float, ...], spring: float, ratio: float, gap: float) -> None:
     """Two inertias, a spring to the reference and a spring behind a gap: every sample has the initial energy."""
     drive_ = drive(load_inertia=ratio * J_M, half_gap=gap)

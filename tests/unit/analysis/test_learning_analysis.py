@@ -142,6 +142,7 @@ def test_the_operator_and_its_transpose_equal_those_of_the_matrix(law: LearningL
     assert operator.radius() == pytest.approx(np.abs(np.linalg.eigvals(matrix)).max(), rel=1e-2)
 
 
+@pytest.mark.slow
 def test_a_short_trial_gives_all_its_singular_values() -> None:
     loop = coupled_loop(*unlike(2, CrossCoupled(gain=900.0)))
     found, law = lifted_learning(loop, ZeroPhase(half_width=5), circle(60)), ZeroPhase(half_width=5)
@@ -213,6 +214,7 @@ def test_growth_along_the_path_alone_has_the_same_figures() -> None:
     assert (one.code, dict(one.values)) == ("CL314", pytest.approx({"growth": 0.02, "doubling": math.log(2.0) / math.log(1.02)}))
 
 
+@pytest.mark.slow
 def test_convergence_is_reported() -> None:
     reference = uniform(contour("circle", radius=0.02), 1.0, 1, 1e-3)
     found = learning_analysis(*stages(0.1, 0.0), PType(gain=5.0, bandwidth=TURN * 1.5, order=4), reference)

@@ -50,6 +50,7 @@ def test_all_gains_local_lose_nothing() -> None:
         assert design(RAW, GAINS).ratio == pytest.approx(np.ones(3), abs=1e-6)
 
 
+@pytest.mark.slow
 def test_more_local_gains_never_lose_more_in_total() -> None:
     totals = [direct_design(RAW, local).ratio.sum() for local in ((), ("velocity",), ("velocity", "position"), GAINS)]
     # From the second set on nothing is lost: the integral gain is the root of q over r for all of them.

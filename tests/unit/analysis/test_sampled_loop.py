@@ -161,6 +161,7 @@ filters = st.sampled_from(["backward-euler", "pole-matched"])
 
 @settings(max_examples=40, deadline=None)
 @given(gains, st.floats(50.0, 400.0), st.floats(400.0, 3000.0), filters, st.floats(0.0, 4.0), st.sampled_from([True, False]))
+@pytest.mark.slow
 def test_the_gain_margin_is_the_limit_of_stability(
     gain: dict[str, float], w_d: float, w_v: float, rule: str, periods: float, seen: bool
 ) -> None:

@@ -103,6 +103,7 @@ def test_a_type_without_a_json_form_is_refused() -> None:
         json_schema(complex)
 
 
+@pytest.mark.slow
 def test_every_command_with_json_has_a_schema(capsys: pytest.CaptureFixture[str]) -> None:
     commands = typer.main.get_command(app).commands  # type: ignore[attr-defined]
     with_json = {

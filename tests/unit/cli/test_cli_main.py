@@ -135,6 +135,7 @@ def test_an_interrupted_command_names_what_it_kept(monkeypatch, capsys):
 
 @pytest.mark.skipif(os.name == "nt", reason="pipes close differently on Windows")
 @pytest.mark.parametrize("arguments", [["components", "--json"], ["components"]])
+@pytest.mark.slow
 def test_a_closed_pipe_is_no_error(arguments):
     reading, writing = os.pipe()
     os.close(reading)
@@ -152,6 +153,7 @@ def test_output_that_cannot_be_written_is_2(arguments):
     assert done.stderr.startswith("contourlab: standard output: ") and done.stderr.count("\n") == 1
 
 
+@pytest.mark.slow
 def test_a_terminal_without_greek_letters_is_no_error():
     environment = {**os.environ, "PYTHONIOENCODING": "ascii"}
     done = subprocess.run([*LAUNCH, "components"], capture_output=True, env=environment, timeout=60)

@@ -119,6 +119,7 @@ def test_on_line_estimates_differ_from_the_judge_by_their_closed_form_error(kind
 
 
 @pytest.mark.parametrize("n_axis", [2, 3, 5])
+@pytest.mark.slow
 def test_coupling_reduces_the_contour_error_with_any_estimator_and_number_of_axes(n_axis: int) -> None:
     reference = cl.uniform(lissajous(n_axis), 0.2, 1, PERIOD)
     machine = stage(n_axis, (1.0, 0.7, 1.2, 0.9, 0.8)[:n_axis])

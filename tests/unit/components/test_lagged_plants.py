@@ -69,6 +69,7 @@ def test_a_second_order_integrator_has_the_transfer_function_of_equation_4(gain:
 
 
 @given(motor=MOTORS, carried=st.floats(0.0, 20.0))
+@pytest.mark.slow
 def test_extra_mass_on_an_identified_response_acts_as_on_the_motor(motor: LinearMotor, carried: float) -> None:
     """Eq (3) with b = 0 is eq (4): wn^2 = K_b K_f/(L m), 2 zeta wn = R/L, G = K_amp/K_b. Both carry an extra mass here."""
     motor = motor.replace(viscous_friction=0.0, carried_mass=0.0, back_emf=motor.back_emf + 1.0)

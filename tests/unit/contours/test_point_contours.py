@@ -164,6 +164,7 @@ def test_the_corner_angle_decides() -> None:
 
 
 @pytest.mark.parametrize("closed", [True, False])
+@pytest.mark.slow
 def test_smoothing_stays_within_its_tolerance_and_reports_its_deviation(closed: bool) -> None:
     rng = np.random.default_rng(3)
     exact = ellipse(200) if closed else ellipse(200)[:150]

@@ -367,6 +367,7 @@ def test_two_records_in_one_file(tmp_path: Path) -> None:
         read_record(written(tmp_path, "a.csv", "t,x\n0,1\n1,2\n" * 2))
 
 
+@pytest.mark.slow
 def test_columns_of_the_same_name_are_numbered(tmp_path: Path) -> None:
     record = read_record(written(tmp_path, "a.csv", "pos [mm],t,pos [mm]\n0,1,2\n3,4,5\n"))
     assert record.names == ["pos #1", "t", "pos #2"]

@@ -80,6 +80,7 @@ def test_version_7_3_reads_no_other_file(tmp_path: Path) -> None:
     assert read_record(tmp_path / "a.mat").names == ["t"]
 
 
+@pytest.mark.slow
 def test_items_that_contain_themselves(tmp_path: Path) -> None:
     with h5py.File(tmp_path / "group.mat", "w") as stored:
         group = stored.create_group("a")

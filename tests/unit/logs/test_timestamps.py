@@ -197,6 +197,7 @@ def test_rows_without_a_time_are_gaps(tmp_path: Path, stamps: list[str]) -> None
     assert found.result["position"][19, 0] == pytest.approx(20e-4)  # between its neighbouring rows
 
 
+@pytest.mark.slow
 def test_rows_without_a_time_in_parquet_are_gaps(tmp_path: Path) -> None:
     arrow = pytest.importorskip("pyarrow")
     from pyarrow import parquet

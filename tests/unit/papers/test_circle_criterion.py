@@ -73,6 +73,7 @@ def test_loops_outside_its_scope_are_reported() -> None:
     assert math.isnan(lossless.margin)
 
 
+@pytest.mark.slow
 def test_a_loop_with_a_limit_cycle_is_never_called_stable() -> None:
     """Motor side, K_v 60, K_p 0.3, K_i 3000 with a damped load oscillates for ever at 1.2 half-gaps."""
     loop = two_inertia_loop(drive(load_damping=0.2), p_pi_cascade(60.0, 0.3, 3000.0, "motor"))

@@ -25,6 +25,7 @@ def saved(file: Path, values: dict[str, object]) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_signals_and_gains_are_read_unchanged(tmp_path: Path) -> None:
     log = read_emps(saved(tmp_path / "log.mat", held()))
     assert (log.position_gain, log.velocity_gain, log.drive_gain) == (160.0, 240.0, 35.0)

@@ -57,6 +57,7 @@ def _failed(rows: Callable[[], Iterable[Row]]) -> list[str]:
         (DisturbanceObserver, "filter_bandwidth", observer_rows, {"V/U_c": 1, "V/D": 1}),
     ],
 )
+@pytest.mark.slow
 def test_a_component_that_is_one_percent_off_fails_its_rows(
     part: type[Component], name: str, rows: Callable[[], Iterable[Row]], noticed: dict[str, int], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -43,6 +43,7 @@ def test_the_coupling_is_drawn_with_its_margin(coupled: Any) -> None:
         drawing(chart).canvas.draw()  # type: ignore[attr-defined]
 
 
+@pytest.mark.slow
 def test_learning_is_drawn_with_the_line_at_one_and_the_first_zero(coupled: Any) -> None:
     found = {f"M = {m}": learning_analysis(coupled.machine, coupled.controller, ZeroPhase(half_width=m)) for m in (11, 40)}
     (chart,) = learning_charts(found)

@@ -37,12 +37,14 @@ def test_the_same_run_gives_the_same_bytes(square, tmp_path):
     assert first == second
 
 
+@pytest.mark.slow
 def test_names_with_formula_characters_are_printed_literally(square, tmp_path):
     odd = replace(square, title="cost $1 and $2", schemes=(replace(square.schemes[0], name="_kept $x_"),))
     svg = {file.stem: file.read_text() for file in write_plots(odd, tmp_path, ("svg",))}
     assert "_kept $x_" in svg["error-time"]
 
 
+@pytest.mark.slow
 def test_gaps_in_a_signal_are_gaps_in_the_picture(square, tmp_path):
     result = square.schemes[0].result
     error = np.array(result["contour_error"])

@@ -171,6 +171,7 @@ LIMITED = """
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the system limits no file sizes")
+@pytest.mark.slow
 def test_the_system_refuses_to_write(tmp_path: Path) -> None:
     """A real limit on file sizes, at many places, in a process of its own that must survive to its end."""
     code = textwrap.dedent(LIMITED)

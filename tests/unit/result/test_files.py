@@ -65,6 +65,7 @@ def test_round_trip(result: Result) -> None:
 
 @settings(max_examples=30, deadline=None)
 @given(result=results(), data=st.data())
+@pytest.mark.slow
 def test_blocks_make_one_file(result: Result, data: st.DataObject) -> None:
     """Written in any cuts, empty ones included, a result equals the one written at once."""
     cuts = [0, *sorted(data.draw(st.lists(st.integers(0, result.n_sample), max_size=4))), result.n_sample]

@@ -52,6 +52,7 @@ def test_each_cause_comes_back(sizes: dict[str, float], name: str, value: float,
     assert max(cause.contribution for cause in others) < 0.02 * adds
 
 
+@pytest.mark.slow
 def test_all_causes_at_once() -> None:
     made = {"x": 8e-6, "play": 3e-6, "square": 5e-5, "scale": 2e-5, "lag": 1e-4, "cyclic": 1e-6, "shake": 5e-7}
     found = causes(**made)
@@ -64,6 +65,7 @@ def test_all_causes_at_once() -> None:
     assert found["vibration"].value == pytest.approx(5e-7, rel=0.02)
 
 
+@pytest.mark.slow
 def test_a_given_pitch_is_used() -> None:
     assert causes(cyclic=3e-6, pitch=0.01)["cyclic error x"].pitch == 0.01
 

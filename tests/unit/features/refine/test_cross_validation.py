@@ -51,6 +51,7 @@ def logged(label: str, coulomb: float, radius: float = 0.02, seconds: float = 1.
 
 
 @pytest.mark.parametrize(("n", "independent"), [(2, 0.726), (3, 0.773), (9, 0.902)])
+@pytest.mark.slow
 def test_new_runs_lie_within_the_factor_as_often_as_stated(n: int, independent: float) -> None:
     """Each run differs from the mean of the others, or, more favourably, each prediction has an error of its own."""
     values = 0.2 * np.random.default_rng(n).standard_normal((10000, n + 1))

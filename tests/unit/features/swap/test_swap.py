@@ -73,6 +73,7 @@ def test_a_quick_study_holds_its_own_uncertainty() -> None:
     assert near.unsure and near.verdict.code == "CL704"
 
 
+@pytest.mark.slow
 def test_a_quick_study_finds_local_parameters_where_one_controller_is_not_enough() -> None:
     variants = variants_under([("strong", rigid("other", 2.0))])
     quick = swap_study(variants, (AHEAD,), SwapSettings(budget=300, quick=True))
@@ -368,6 +369,7 @@ def test_superfluous_local_parameters_are_dropped() -> None:
     assert not any(one < other for one in failed for other in failed)
 
 
+@pytest.mark.slow
 def test_the_search_starts_from_a_known_design() -> None:
     variants = variants_under([("strong", rigid("other", 2.0))])
     known = ({AHEAD: 1.0, "controller.axes.y.controller.model_gain": 1.0}, {AHEAD: 2.0, "controller.axes.y.controller.model_gain": 1.0})

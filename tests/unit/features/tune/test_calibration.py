@@ -50,6 +50,7 @@ def test_the_damping_of_a_rigid_axis_is_found() -> None:
     assert list(found.values.values()) == pytest.approx([DAMPING] * 2, rel=0.01)
 
 
+@pytest.mark.slow
 def test_each_step_moves_one_number_and_never_increases_the_error() -> None:
     stage, made = rigid_stage(), position_control(model_gain=0.7, model_damping=4.0)
     space, evaluator = Space.chosen(stage, made), Evaluator(stage, made, circle())
@@ -133,6 +134,7 @@ def test_a_diverging_start_is_repaired() -> None:
     assert "diverges" in lost.after.violations[0]
 
 
+@pytest.mark.slow
 def test_a_start_beyond_repair_is_replaced_by_placed_poles() -> None:
     """Poles a hundred times too fast, out of reach of the ranges: the search starts again from placed poles."""
     gains = Cascade.tune(20_000.0, 1.0, 1.2, 9.0)
@@ -224,6 +226,7 @@ def test_machine_parameters_cannot_be_calibrated() -> None:
         searched(["x.plant.gain"])
 
 
+@pytest.mark.slow
 def test_with_unreachable_margins_a_placed_start_still_works() -> None:
     """Some fractions of the fastest poles cannot be placed; they are skipped."""
     reading = Reading()
@@ -261,6 +264,7 @@ def test_on_a_plateau_the_rule_decides(plateau: str) -> None:
         assert found.after == good.min()  # less integral gain, more margin
 
 
+@pytest.mark.slow
 def test_placed_poles_keep_the_margins_and_serve_as_a_start() -> None:
     made = position_control(position_gain=100.0)
     found = tune(rigid_stage(), made, circle(), TuneSettings(start="placed", budget=400))
