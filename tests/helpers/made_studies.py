@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from typed_commands import SCHEMES
 
 from contourlab.cli.main import main
 
@@ -22,12 +23,7 @@ frequency = "0.5 Hz"
 [run]
 tolerance = "27.8 um"
 start = "moving"
-[schemes."position loop"]
-controller.axes."*".observer = "none"
-controller.estimator = "none"
-controller.coupling = "none"
-[schemes."all of it"]
-"""
+""" + SCHEMES
 STUDY = """\
 scenario = "scenario.toml"
 scheme = "all of it"

@@ -176,14 +176,17 @@ def load_controller(
 # --- scenarios -----------------------------------------------------------------------------------------------------------------------
 
 
-def _in_folder(folder: Path) -> Path:
-    """Return the scenario of a folder.
+def _in_folder(given: str | Path) -> str | Path:
+    """Return the scenario of a folder; a file as it is.
 
     Raises
     ------
     ScenarioError
-        If it has no ``scenario.toml``; with what to name instead.
+        If the folder has no ``scenario.toml``; with what to name instead.
     """
+    folder = Path(given)
+    if not folder.is_dir():
+        return given
     file = folder / "scenario.toml"
     if file.exists():
         return file
@@ -218,7 +221,7 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scena
     >>> [case.name for case in load_scenario("builtin:ghaffari/demo-stage").cases()][0]
     'position loop'
     """
-    reader, content = _open(_in_folder(Path(file)) if Path(file).is_dir() else file, plugins, "a scenario")
+    reader, content = _open(_in_folder(file), plugins, "a scenario")
     return _scenario(reader, content, Path(content.file))
 
 
@@ -241,7 +244,7 @@ def changed_case(file: str | Path, scheme: str, changes: Table, plugins: Sequenc
     ScenarioError, ProgramError
         As `load_scenario`; or if there is no such scheme.
     """
-    reader, content = _open(_in_folder(Path(file)) if Path(file).is_dir() else file, plugins)
+    reader, content = _open(_in_folder(file), plugins)
     schemes = content.table("schemes")
     if scheme and scheme not in schemes.entries:
         raise content.error(f"no scheme {scheme!r}: {hint(scheme, schemes.entries)}", "schemes")

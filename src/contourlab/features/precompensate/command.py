@@ -6,6 +6,7 @@ import shutil
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,7 @@ from contourlab.features.precompensate.passes import Passes, PassFigures, digest
 from contourlab.features.precompensate.result import LeftMove, Precompensated
 from contourlab.features.precompensate.runs import Measured, limits_of, open_run, run_of, simulated
 from contourlab.features.precompensate.writing import MARK, Written, complaint, marked, write_corrected
+from contourlab.feed import LimitReport
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
 from contourlab.program import Reading
@@ -219,14 +221,30 @@ class _Work:
             raise ProgramError(f"no cutting move along {', '.join(axes)} can be corrected", file=part)
         known = repr((tuple(axes), period, settings.tolerance))
         self.passes = Passes(digest_of(part.read_bytes(), known.encode()), tuple(axes))
-        self.last: Run | None = None
+        self._read: tuple[Written, Contour] | None = None
 
     @property
     def driven(self) -> Contour:
         """The contour of the last written program."""
         if not self.passes.written:
             return self.contour
-        return self.contour_again(self.passes.written[-1])
+        written = self.passes.written[-1]
+        if self._read is None or self._read[0] is not written:
+            self._read = written, self.contour_again(written)
+        return self._read[1]
+
+    @cached_property
+    def needs(self) -> LimitReport:
+        """What the program itself needs of the limits of the machine."""
+        assert self.machine is not None
+        return limits_of(self.contour.source.program, self.machine)
+
+    @cached_property
+    def is_interpreted(self) -> bool:
+        """Whether LinuxCNC's interpreter is installed and reads the program itself."""
+        if shutil.which("rs274") is None or self.reading.dialect != "linuxcnc":
+            return False
+        return not complaint(self.text(0), self.part.parent)
 
     def contour_again(self, written: Written) -> Contour:
         """Read a written program, and check that it is the corrected path and nothing else."""
@@ -260,7 +278,6 @@ class _Work:
     def learn(self, measured: Measured, runs: list[Run]) -> list[Finding]:
         """Learn from the runs of a pass; return the findings."""
         passes, run, nodes = self.passes, runs[0], self.contour.nodes
-        self.last = run
         number, findings = len(passes.figures), list[Finding]()
         limit = self.settings.band
         first = passes.figures[0].duration if passes.figures else run.duration
@@ -301,7 +318,7 @@ class _Work:
         number = len(self.passes.written) + 1
         written = replace(written, text=marked(written.text, number, self.part.name))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
-        contour = self.contour_again(written)
+        contour = self.driven
         findings = [finding("CL910", cap=self.settings.cap, share=float(capped.mean()))] if capped.any() else []
         if self.machine is not None and set(self.machine.axis_names) >= set(self.contour.axes):
             findings += self._limits(contour)
@@ -311,7 +328,7 @@ class _Work:
         """Plan the written program on the machine, and compare what it needs with the program itself."""
         machine = self.machine
         assert machine is not None
-        before, after = (limits_of(one.source.program, machine) for one in (self.contour, contour))
+        before, after = self.needs, limits_of(contour.source.program, machine)
         findings = []
         for kind in ("velocity", "acceleration", "jerk"):
             for old, new in zip(getattr(before, kind), getattr(after, kind), strict=True):
@@ -322,11 +339,7 @@ class _Work:
 
     def _interpreted(self, written: Written) -> list[Finding]:
         """Let LinuxCNC's interpreter read the written program, where it is installed."""
-        if shutil.which("rs274") is None or self.reading.dialect != "linuxcnc":
-            return []
-        if complaint("\n".join(self.contour.source.lines) + "\n", self.part.parent):
-            return []
-        message = complaint(written.text, self.part.parent)
+        message = complaint(written.text, self.part.parent) if self.is_interpreted else ""
         return [finding("CL916", message=message)] if message else []
 
     def text(self, number: int) -> str:

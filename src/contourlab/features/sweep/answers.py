@@ -15,7 +15,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
-from contourlab.features.sweep.query import JUDGED, counts, wilson
+from contourlab.features.sweep.query import JUDGED, check_figure, counts, wilson
 from contourlab.features.sweep.statistics import (
     LEAST,
     Estimate,
@@ -103,13 +103,11 @@ def read_rows(store: Store, figure: str | None = None) -> Rows:
     ParameterError
         If the store has no such figure, or no variant that was judged.
     """
-    dataset, compute = extra_module("pyarrow.dataset"), extra_module("pyarrow.compute")
+    compute = extra_module("pyarrow.compute")
     chosen = figure or (JUDGED if JUDGED in store.figures else next(iter(store.figures)))
-    if chosen not in store.figures:
-        raise ParameterError("--figure", repr(chosen), f"one of {', '.join(store.figures)}")
-    files = [str(store.parts[number]) for number in sorted(store.parts)]
+    check_figure(store, chosen)
     names = ["variant", *store.columns, *dict.fromkeys([chosen, *_objectives(store)]), "status"]
-    table = dataset.dataset(files, schema=store.schema, format="parquet").to_table(columns=names)
+    table = store.dataset.to_table(columns=names)
     table = table.filter(compute.not_equal(table["status"], "refused")).drop_columns("status")
     if not table.num_rows:
         raise ParameterError("STORE", str(store.folder), "a store with variants that were judged")
@@ -370,9 +368,9 @@ def common(names: Sequence[str]) -> str:
     'axes.*.drive.delay'
     """
     words = [name.split(".") for name in names]
-    if len({len(some) for some in words}) > 1:
+    if len(set(map(len, words))) > 1:
         return ", ".join(names)
-    return ".".join(some[0] if len(set(some)) == 1 else "*" for some in zip(*words, strict=True))
+    return ".".join(place[0] if len(set(place)) == 1 else "*" for place in zip(*words, strict=True))
 
 
 def _front(rows: Rows) -> tuple[dict[str, str], Any]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
 from typing import Any
 
+from contourlab.app.checkpoint import noted
 from contourlab.app.stages import shown
 from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
@@ -115,15 +116,11 @@ def sweep_study(
         return summary(store, made, (*study.findings, *damaged))
 
 
-@contextmanager
-def kept_note(store: Store) -> Iterator[None]:
-    """If the block is interrupted, add a note to the interrupt."""
-    try:
-        yield
-    except KeyboardInterrupt as stop:
-        kept = f"{len(store.parts)} of {store.chunks} chunks are kept in {store.folder}."
-        stop.add_note(f"{kept} Repeat the command with --resume to continue.")
-        raise
+def kept_note(store: Store) -> AbstractContextManager[None]:
+    """If the block is interrupted, add to the interrupt what is kept."""
+    return noted(
+        lambda: f"{len(store.parts)} of {store.chunks} chunks are kept in {store.folder}. Repeat the command with --resume to continue."
+    )
 
 
 def structures_of(made: Structured) -> list[dict[str, Any]]:

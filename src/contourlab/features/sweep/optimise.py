@@ -22,7 +22,7 @@ from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import run_chunk
 from contourlab.features.sweep.command import kept_note, structures_of
 from contourlab.features.sweep.design import Design
-from contourlab.features.sweep.query import rows
+from contourlab.features.sweep.query import counts, rows
 from contourlab.features.sweep.statistics import pareto_front
 from contourlab.features.sweep.store import Store, writing
 from contourlab.features.sweep.structures import Structured
@@ -275,6 +275,5 @@ def _result(store: Store, options: SearchOptions, study: Study) -> Search:
     shown_rows = sorted({round(place) for place in np.linspace(0, len(front) - 1, SHOWN)}) if front else []
     best = tuple(dict(zip(names, found[front[i]], strict=True)) for i in shown_rows)
     figures = {name: store.figures[name] for name in options.minimise}
-    ((refused, unsure),) = rows(store, "SELECT count(*) FILTER (status = 'refused'), count(*) FILTER (unsure > 0) FROM results")[1]
-    findings = (*study.findings, *remarks(store, {"refused": refused, "unsure": unsure}))
+    findings = (*study.findings, *remarks(store, counts(store)))
     return Search(str(store.folder), options.chosen, store.variants, store.done, figures, store.columns, len(front), best, findings)

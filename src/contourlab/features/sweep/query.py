@@ -15,6 +15,8 @@ from contourlab.features.sweep.store import Store
 from contourlab.result.atomic import replacing
 
 QUANTILES = {"minimum": 0.0, "p5": 0.05, "median": 0.5, "p95": 0.95, "p99": 0.99, "maximum": 1.0}
+Z = 1.959963984540054
+"""Half width of the interval of 95 % of a normal distribution, in standard deviations."""
 JUDGED = "part_error_max"
 """The figure that a tolerance bounds, as in ``contourlab run``."""
 
@@ -72,20 +74,19 @@ def wilson(passed: int, judged: int) -> tuple[float, float]:
     """
     if not judged:
         return 0.0, 1.0
-    z, share = 1.959963984540054, passed / judged
-    centre = (share + z * z / (2 * judged)) / (1 + z * z / judged)
-    half = z / (1 + z * z / judged) * math.sqrt(share * (1 - share) / judged + z * z / (4 * judged**2))
+    share = passed / judged
+    centre = (share + Z * Z / (2 * judged)) / (1 + Z * Z / judged)
+    half = Z / (1 + Z * Z / judged) * math.sqrt(share * (1 - share) / judged + Z * Z / (4 * judged**2))
     return (max(centre - half, 0.0) if passed else 0.0), (min(centre + half, 1.0) if passed < judged else 1.0)
 
 
 @contextmanager
 def connected(store: Store) -> Iterator[Any]:
     """Yield a DuckDB connection with the view ``results``, which can read nothing else and write nothing."""
-    duckdb, dataset = extra_module("duckdb"), extra_module("pyarrow.dataset")
-    files = [str(store.parts[number]) for number in sorted(store.parts)]
+    duckdb = extra_module("duckdb")
     options = {"enable_external_access": "false", "python_enable_replacements": "false"}
     with duckdb.connect(":memory:", config=options) as connection:
-        connection.register("results", dataset.dataset(files, schema=store.schema, format="parquet"))
+        connection.register("results", store.dataset)
         connection.execute("SET lock_configuration = true")
         yield connection
 
@@ -136,6 +137,12 @@ def yield_of(store: Store) -> Yield | None:
     return Yield(JUDGED, tolerance, passed, judged, passed / judged if judged else math.nan, *wilson(passed, judged))
 
 
+def check_figure(store: Store, figure: str) -> None:
+    """Raise `ParameterError` if a store has no such figure."""
+    if figure not in store.figures:
+        raise ParameterError("--figure", repr(figure), f"one of {', '.join(store.figures)}")
+
+
 def worst(store: Store, count: int, figure: str) -> list[dict[str, Any]]:
     """Return the rows of the variants with the largest figure; those that diverged first.
 
@@ -144,8 +151,7 @@ def worst(store: Store, count: int, figure: str) -> list[dict[str, Any]]:
     ParameterError
         If the store has no such figure.
     """
-    if figure not in store.figures:
-        raise ParameterError("--figure", repr(figure), f"one of {', '.join(store.figures)}")
+    check_figure(store, figure)
     sql = f"SELECT * FROM results WHERE status <> 'refused' ORDER BY status = 'diverged' DESC, {quoted(figure)} DESC, variant LIMIT {count}"
     names, found = rows(store, sql)
     return [dict(zip(names, row, strict=True)) for row in found]

@@ -9,10 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.features.sweep.query import wilson
+from contourlab.features.sweep.query import Z, wilson
 
-Z = 1.959963984540054
-"""Half width of the interval of 95 % of a normal distribution, in standard deviations."""
 GROUPS, T = 20, 2.093
 """Groups of the jackknife, and half width of the interval of 95 % of Student's t with one degree of freedom less."""
 BINS = 64

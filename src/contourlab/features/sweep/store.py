@@ -96,6 +96,12 @@ class Store:
         ends = [("status", arrow.string(), ""), ("failed_at", arrow.float64(), "s"), ("unsure", arrow.int32(), "")]
         return arrow.schema([*fields, *(arrow.field(name, kind, metadata={"unit": unit}) for name, kind, unit in ends)])
 
+    @property
+    def dataset(self) -> Any:
+        """The rows of all finished chunks as an Arrow dataset, in their order."""
+        files = [str(self.parts[number]) for number in sorted(self.parts)]
+        return extra_module("pyarrow.dataset").dataset(files, schema=self.schema, format="parquet")
+
     def table(self, chunk: Chunk) -> Any:
         """Return the rows of a chunk as an Arrow table; nan becomes null."""
         arrow = extra_module("pyarrow")
