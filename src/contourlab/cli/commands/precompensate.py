@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -24,7 +23,7 @@ from contourlab.cli.options import (
     listed,
     reading_of,
 )
-from contourlab.cli.output import show_result, suggest
+from contourlab.cli.output import show_result, suggest, wants_progress
 
 
 def precompensate(
@@ -79,12 +78,8 @@ def precompensate(
         keys = {"require_end": False, "dialect": dialect}
         scenario = scenario_of(part, machine=machine, controller=controller, program=keys, plugins=plugins)
 
-        def progress(stage: str) -> None:
-            if sys.stderr.isatty() and not as_json:
-                sys.stderr.write(stage + "\n")
-
         result = precompensate_from_model(
-            part, scenario.machine, scenario.controller, out, options=options, reading=reading, seed=seed, progress=progress
+            part, scenario.machine, scenario.controller, out, options=options, reading=reading, seed=seed, progress=wants_progress(as_json)
         )
     show_result(result, as_json)
     if not as_json and log and result.status == "done":

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.app.results import check_file
+from contourlab.app.stages import shown
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ProgramError, ResultError
 from contourlab.features.measure.log_choice import LogChoice, positive
@@ -159,7 +160,7 @@ def precompensate_from_model(
     options: Options | None = None,
     reading: Reading | None = None,
     seed: int = 0,
-    progress: Callable[[str], None] = lambda stage: None,
+    progress: bool = False,
 ) -> Precompensated:
     """Simulate pass after pass, and write the best program.
 
@@ -171,8 +172,8 @@ def precompensate_from_model(
     controller : Controller
     seed : int
         Of all noise, which differs from pass to pass.
-    progress : callable, optional
-        Called with each pass.
+    progress : bool
+        Whether to show a bar.
 
     Raises
     ------
@@ -190,17 +191,19 @@ def precompensate_from_model(
     work = _Work(part, axes, settings, reading, machine, max(NODE_TIME, machine.servo_period))
     findings: list[Finding] = []
     rest: float | None = None
-    for k in range(options.repeat + 1):
-        progress(f"pass {k}")
-        trials = [simulated(work.driven.source.program, machine, controller, seed, trial) for trial in ((0, 1) if k == 0 else (k + 1,))]
-        runs = [work.run(one) for one in trials]
-        rest = spread(runs) if k == 0 else rest
-        more = work.learn(trials[0], runs)
-        if k == options.repeat or not work.passes.helps:
-            findings += more
-            break
-        more += work.propose()
-        findings += [one for one in more if str(one) not in map(str, findings)]
+    with shown(progress) as stages:
+        stages.expect(options.repeat + 1)
+        for k in range(options.repeat + 1):
+            stages.begin(f"pass {k}")
+            trials = [simulated(work.driven.source.program, machine, controller, seed, trial) for trial in ((0, 1) if k == 0 else (k + 1,))]
+            runs = [work.run(one) for one in trials]
+            rest = spread(runs) if k == 0 else rest
+            more = work.learn(trials[0], runs)
+            if k == options.repeat or not work.passes.helps:
+                findings += more
+                break
+            more += work.propose()
+            findings += [one for one in more if str(one) not in map(str, findings)]
     result = work.result(out, "model", rest, findings, proceed=False)
     write_text_atomic(out, work.text(result.written))
     return result
