@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from unittest.mock import patch
 
 from contourlab.papers.rows import Row
 from contourlab.papers.run import text_of
@@ -24,5 +26,6 @@ def check_each_row_can_fail(rows: Sequence[Row]) -> None:
 def check_page(name: str, rows: Sequence[Row]) -> None:
     """Check that a page under docs has the table of computed figures and the conclusion, as the command prints them."""
     page = (DOCS / name).read_text(encoding="utf-8")
-    table, *_, conclusion = text_of(rows).split("\n\n")
+    with patch.dict(os.environ, COLUMNS="80"):
+        table, *_, conclusion = text_of(rows).split("\n\n")
     assert table in page and conclusion in page
