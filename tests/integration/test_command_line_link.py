@@ -12,6 +12,8 @@ from typed_commands import contents
 from contourlab.app import quick
 from contourlab.app.results import LIST
 from contourlab.cli.main import main
+from contourlab.features.link import command
+from contourlab.features.link.cost import division_cost
 
 CIRCLE = """
 name = "circle"
@@ -56,6 +58,23 @@ def test_the_smallest_message_rate_is_printed(circle: str, capsys: pytest.Captur
     assert "9.987 um undivided, 10.99 um allowed" in said
     both, one = (line for line in said.splitlines() if line.startswith("observer") and "Hz" in line)
     assert both.startswith("observer, both ways") and "(125 Hz)" in both and one.startswith("observer, one way")
+
+
+def test_an_interrupt_keeps_the_divisions_that_ended(
+    circle: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given = iter(range(9))
+
+    def one_division(*words: Any) -> Any:
+        if next(given):
+            raise KeyboardInterrupt
+        return division_cost(*words)
+
+    monkeypatch.setattr(command, "division_cost", one_division)
+    words = (circle, "--division", "drive,controller", "--ways", "both", "--vary", "delay", "--longest", "5 ms", "--out", "kept")
+    assert "drive, both ways" in output(capsys, *words, code=130)
+    kept = json.loads(Path("kept/summary.json").read_text(encoding="utf-8"))
+    assert [one["division"] for one in kept["schemes"]["base"]["divisions"]] == ["drive"]
 
 
 def test_json_alone_holds_curves_and_limits(circle: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.checkpoint import said_if_interrupted
 from contourlab.app.json_values import json_values
 from contourlab.app.quick import affordable, too_slow
 from contourlab.app.results import staged
@@ -93,6 +92,8 @@ def link_scenario(
 ) -> LinkResult:
     """Divide the controllers of a scenario's schemes, vary the links, and write ``summary.json`` and pictures into a folder.
 
+    Ctrl-C keeps the divisions that ended.
+
     Parameters
     ----------
     file : str or Path
@@ -127,20 +128,22 @@ def link_scenario(
     cases = scenario.cases()
     _refuse_idle(options, settings, cases)
     costs: dict[str, SchemeCost] = {}
-
-    def texts_so_far() -> list[str]:
-        return [scheme_text(name if len(cases) > 1 else scenario.name, of_scheme) for name, of_scheme in costs.items()]
-
-    with said_if_interrupted(lambda: "\n\n".join(texts_so_far())), staged(folder, "summary.json", inputs=scenario.inputs) as stage:
+    interrupt: KeyboardInterrupt | None = None
+    with staged(folder, "summary.json", inputs=scenario.inputs) as stage:
         with shown(progress) as stages:
             stages.expect(sum(1 + len(list(_controllers(case.controller, options, settings))) for case in cases))
             schemes_ready = (_ready(case, options, settings, stages) for case in cases)
             chosen = _chosen(list(schemes_ready), settings) if options.quick else schemes_ready
-            for scheme in chosen:
-                for cost_so_far in scheme.costs(settings, stages):
-                    costs[scheme.case.name] = cost_so_far
-        texts = texts_so_far()
-        left_out = [case.name for case in cases if case.name not in costs]
+            try:
+                for scheme in chosen:
+                    for cost_so_far in scheme.costs(settings, stages):
+                        costs[scheme.case.name] = cost_so_far
+            except KeyboardInterrupt as stop:
+                if not costs:
+                    raise
+                interrupt = stop
+        texts = [scheme_text(name if len(cases) > 1 else scenario.name, of_scheme) for name, of_scheme in costs.items()]
+        left_out = [case.name for case in cases if case.name not in costs] if interrupt is None else []
         findings = (finding("CL766", schemes=left_out),) if left_out else ()
         texts += [paragraphs(map(str, findings))] if findings else []
         result = LinkResult(scenario.name, costs, findings)
@@ -153,7 +156,11 @@ def link_scenario(
                 charts += link_charts(name if len(costs) > 1 else "", of_scheme)
             files = write_charts(charts, stage / "plots", plots)
             texts.append("\n".join(f"plot: {Path(folder) / written.relative_to(stage)}" for written in files))
-    return replace(result, text="\n\n".join(texts))
+    text = "\n\n".join(texts)
+    if interrupt is not None:
+        interrupt.add_note(f"Finished before, and kept in {Path(folder) / 'summary.json'}:\n\n{text}")
+        raise interrupt
+    return replace(result, text=text)
 
 
 @dataclass(frozen=True)

@@ -179,7 +179,6 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
     plan, space = request.plan, Space.chosen(machine, controller, request.parameters, request.width)
     drawn = distributions(space, request.distribution, request.deviations)
     plan.check(len(space.numbers))
-    stages.expect(2 + request.quick + len(plan.parts))
     stages.begin("planning the motion")
     reference = case.reference()
     evaluator = Evaluator(machine, controller, reference, moving=case.moving, seed=case.seed, threads=request.threads, effort=False)
@@ -193,6 +192,7 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
         one = present_values(space)
         fits = affordable(lambda motion: replace(evaluator, reference=motion)(one), reference, request.threads)
         plan = plan.quick(len(space.numbers), LANES * fits)
+    stages.expect(plan.work(len(space.numbers)))
     known = parameters_of(machine, controller)
     accepted = {name: known[name][0].parameters[known[name][1]] for name in space.names}
     limits = {name: (parameter.minimum, parameter.maximum) for name, parameter in accepted.items()}

@@ -28,7 +28,13 @@ from contourlab.features.sensitivity.indices import (
 from contourlab.features.sensitivity.local import STEPS, Local, local
 from contourlab.features.sensitivity.runs import FIGURES, Figure, Runs
 
-PARTS = ("curves", "local", "morris", "sobol")
+STAGES = {
+    "curves": "curves, one parameter at a time",
+    "local": "small changes and interactions",
+    "morris": "elementary effects (Morris)",
+    "sobol": "variance shares (Sobol)",
+}
+PARTS = tuple(STAGES)
 TRANSFORMS = ("log", "none")
 QUICK = (128, 64, 32, 16)
 """N of Saltelli's sampling in a quick study: the largest that fits; the smallest is the least that the indices permit."""
@@ -93,13 +99,17 @@ class Plan:
 
     def runs(self, n: int) -> int:
         """Return the largest number of runs that the study takes with `n` parameters."""
+        return sum(runs for _, runs in self.work(n))
+
+    def work(self, n: int) -> list[tuple[str, int]]:
+        """Return first word and largest number of runs of each stage of the study with `n` parameters."""
         runs = {
             "curves": n * (self.values + 2 * FINE + 1),
             "local": 2 * STEPS * n + 1 + 4 * n**2,
             "morris": self.trajectories * (n + 1),
             "sobol": self.base * ((2 if self.second else 1) * n + 2),
         }
-        return sum(runs[part] for part in self.parts)
+        return [(STAGES[part], runs[part]) for part in PARTS if part in self.parts]
 
     def quick(self, n: int, fits: float) -> Plan:
         """Return the largest quick study of `n` parameters whose runs fit, or the full one; if need be without the small changes.
@@ -200,18 +210,18 @@ def sensitivity_study(
         raise ParameterError("run at the present values", "failed", "successful: start from other values")
     parts: dict[str, object] = {}
     if "curves" in plan.parts:
-        stage("curves, one parameter at a time")
+        stage(STAGES["curves"])
         parts["curves"] = curves(space, judge, plan.values)
     if "local" in plan.parts:
-        stage("small changes and interactions")
+        stage(STAGES["local"])
         parts["local"] = local(space, judge, limits)
     if "morris" in plan.parts:
-        stage("elementary effects (Morris)")
+        stage(STAGES["morris"])
         points = morris_points(n, plan.trajectories, plan.seed)
         effects = sampled(points)
         parts |= {"morris_sample": effects, "morris": morris_indices(points, effects.values, plan.seed)}
     if "sobol" in plan.parts:
-        stage("variance shares (Sobol)")
+        stage(STAGES["sobol"])
         shares = sampled(saltelli_points(n, plan.base, plan.second, plan.seed))
         parts |= {"sobol_sample": shares, "sobol": sobol_indices(shares.values, n, plan.second, plan.seed)}
     return Study(plan, space, tuple(drawn), present, **parts)  # type: ignore[arg-type]

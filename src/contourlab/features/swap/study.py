@@ -132,7 +132,10 @@ class SwapStudy:
             least = min(self.choices, key=lambda choice: choice.swap_loss)
             return finding("CL702", loss=least.swap_loss, names=least.name, limit=limit)
         if self.inconclusive:
-            return finding("CL703", names=self.inconclusive, gap=float(self.shortfalls.max()), loss=shared, limit=limit)
+            gap = float(self.shortfalls.max())
+            ended = f"ended {100.0 * gap:.3g} % above the best value known"
+            ended = ended if math.isfinite(gap) else "found no design that keeps the margins"
+            return finding("CL703", names=self.inconclusive, ended=ended, loss=shared, limit=limit)
         if self.full:
             return finding("CL700", loss=shared, limit=limit)
         return finding("CL701", names=best.name, loss=best.swap_loss, shared=shared, limit=limit)
