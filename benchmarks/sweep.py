@@ -3,7 +3,8 @@
     python benchmarks/sweep.py --variants 100000 --executor threads --executor dask-local --period "0.1 ms"
 
 Two axes with friction, observer and modified reference run a circle of 20 mm for 4 s. Processor time includes workers and scheduler;
-memory is that of the largest process. With more executors, each row has its processor time relative to the first one's.
+memory is that of the largest process. With more executors, each row has its processor time relative to the first one's. The last rows
+ask the store for yield, worst cases, the report and a quantile.
 """
 
 from __future__ import annotations
@@ -64,6 +65,9 @@ def main() -> None:
             disk = sum(file.stat().st_size for file in store.iterdir()) / 1e6
             row = f"{executor:<11} {wall:8.1f} {cpu:8.1f} {1e3 * cpu / options.variants:8.3f} {memory:6.0f} {disk:8.1f}"
             print(f"{row} {cpu / first:8.3f}", flush=True)
+        for words in (["show"], ["worst"], ["report"], ["query", "SELECT quantile_cont(part_error_max, 0.99) FROM results"]):
+            wall, cpu, memory = cost([sys.executable, "-m", "contourlab", "sweep", words[0], str(store), *words[1:]])
+            print(f"{words[0]:<11} {wall:8.1f} {cpu:8.1f} {'':8} {memory:6.0f}", flush=True)
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@ from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.judging import PART, WATCH, effort_figures, effort_node, error_figures, judge_node, part_nodes, sums_of
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import matching, parameter_names, parameters_of
-from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
+from contourlab.loop.simulate import BLOCK, check_kinds, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.metrics.streaming import SUMS
 
@@ -104,6 +104,7 @@ def simulate_batch(
     Lanes compute ``exp`` and its like by polynomials, to the last digits only. Encoder counts amplify the difference: the largest contour
     errors of `simulate` and of a variant may differ by 0.1 um.
     """
+    check_kinds(machine, controller, reference)
     columns, n = checked_variants(machine, controller, variants)
     check_view(view, reference.path)
     view = view or view_of(reference.path)

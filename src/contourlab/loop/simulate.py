@@ -138,6 +138,7 @@ def simulate(
     ParameterError
         If an argument is out of its range, or the view is that of another path.
     """
+    check_kinds(machine, controller, reference)
     if on_failure not in ("raise", "return"):
         raise ParameterError("on_failure", repr(on_failure), "'raise' or 'return'")
     kept: dict[str, Array] = {}
@@ -161,6 +162,13 @@ def simulate(
         raise DivergenceError(reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
     kept = {name: values[:done] for name, values in kept.items()}
     return result_of(machine, reference, kept, status, scheme=scheme, seed=seed)
+
+
+def check_kinds(machine: Machine, controller: Controller, reference: Reference) -> None:
+    """Raise `ParameterError` if an argument is another thing, such as two in exchanged places."""
+    for name, value, kind in (("machine", machine, Machine), ("controller", controller, Controller), ("reference", reference, Reference)):
+        if not isinstance(value, kind):
+            raise ParameterError(name, f"a {type(value).__name__}", f"a {kind.__name__}")
 
 
 def result_of(

@@ -46,6 +46,14 @@ def test_arguments_out_of_range(name: str, value: Any, machine: cl.Machine, cont
         cl.simulate(machine, controller, circle, **{name: value})
 
 
+@pytest.mark.parametrize(("places", "name"), [((1, 0, 2), "machine"), ((0, 2, 1), "controller"), ((0, 1, 1), "reference")])
+def test_arguments_in_exchanged_places_are_named(places: Any, name: str, machine: Any, controller: Any, circle: Any) -> None:
+    given = [(machine, controller, circle)[place] for place in places]
+    for call in (cl.simulate, lambda *words: cl.simulate_batch(*words, {"x": [1.0]})):
+        with refuses(ParameterError, name=name):
+            call(*given)
+
+
 @pytest.mark.parametrize("variants", [None, [1.0], "x", 3])
 def test_variants_are_a_mapping(variants: Any, machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     with refuses(ParameterError, name="variants"):

@@ -28,7 +28,7 @@ def report(
     program: Program | None = None,
     title: str = "",
 ) -> Path:
-    """Write one HTML page about runs along one path; it opens off-line.
+    """Write one page about runs along one path: HTML that opens off-line, or, to print, a file that ends in ``.pdf``.
 
     Parameters
     ----------
@@ -78,7 +78,12 @@ def report(
     system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
     provenance = Provenance(__version__, "", "", "", platform=system)
     lines = () if program is None else program.lines
-    return write_html(ReportData(title or ", ".join(named), schemes, motion.path, provenance, programmed, lines, tolerance), file)
+    data = ReportData(title or ", ".join(named), schemes, motion.path, provenance, programmed, lines, tolerance)
+    if Path(file).suffix.lower() == ".pdf":
+        from contourlab.rendering.one_page import write_page
+
+        return write_page(data, file)
+    return write_html(data, file)
 
 
 def _named(results: Result | Sequence[Result] | Mapping[str, Result]) -> dict[str, Result]:

@@ -38,6 +38,11 @@ def test_a_result_is_judged_and_reported_in_one_line(run, tmp_path):
     assert not list(tmp_path.glob("*tmp*")) and len(list(tmp_path.iterdir())) == 1
 
 
+def test_a_pdf_is_one_page(run, tmp_path):
+    page = cl.report(run[2], tmp_path / "page.pdf", tolerance=1e-3).read_bytes()
+    assert page.startswith(b"%PDF-") and page.count(b"/Type /Page ") == 1
+
+
 def test_runs_are_compared_and_a_tolerance_gives_verdicts(run, tmp_path):
     case, reference, first = run
     largest = float(np.abs(cl.judge(first, reference)["part_error"]).max())
