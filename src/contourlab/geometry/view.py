@@ -54,7 +54,6 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
 
     Parameters
     ----------
-    path : Path
     tolerance : float [m], > 0
         Largest distance of the table from the path.
     pieces : int, optional

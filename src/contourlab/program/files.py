@@ -144,8 +144,6 @@ def open_program(
 
     Parameters
     ----------
-    file : str or Path
-    reading : Reading, optional
     still, problems
         See `Reader`.
 

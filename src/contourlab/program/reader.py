@@ -83,7 +83,6 @@ class Reader:
         With or without line breaks, for example an open text file.
     name : str or Path
         Name of the program in error messages.
-    reading : Reading, optional
     still : bool
         Whether to yield moves of zero length and dwells of 0 s, too.
     problems : list of ProgramError, optional
@@ -93,7 +92,6 @@ class Reader:
     ----------
     state : ModalState
         The state after the last block whose moves were yielded.
-    notices : list of Notice
     """
 
     def __init__(

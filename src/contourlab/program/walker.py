@@ -57,7 +57,6 @@ class Walker:
     ----------
     tape : Tape
         The program.
-    parameters : Parameters
     find : callable
         Returns the tape of a subprogram file by name, or None.
     most : int

@@ -90,7 +90,6 @@ class FeedRun:
         Ascending.
     binding : ndarray (n,) of int
         What limits the speed up to the next point: an index into `names`.
-    names : sequence of str
     """
 
     arc_length: Array

@@ -30,8 +30,6 @@ class SwitchTable:
 
     Parameters
     ----------
-    name : str
-    count : int
     rows : tuple
         Axis, change, reason, number, share of time of the new controller, first time, its line.
     listed : tuple

@@ -81,10 +81,8 @@ class ResultWriter:
 
     Parameters
     ----------
-    file : str or Path
     header : mapping
         From `Result.header`; `finish` replaces the status at the end.
-    axes : tuple of str
     n_sample : int, optional
         Number of samples, if known: a file of fixed size is faster to write.
 

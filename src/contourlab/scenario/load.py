@@ -153,7 +153,6 @@ def load_controller(
     ----------
     file : str or Path
         Or ``builtin:`` and the name of a shipped one.
-    machine : Machine
     plugins : sequence of str or Path
         Python files with further components.
     called : mapping of str to str, optional

@@ -31,7 +31,6 @@ def placed(path: Path, offset: Sequence[float]) -> Path:
 
     Parameters
     ----------
-    path : Path
     offset : sequence of float [m]
         One value per coordinate of the result; coordinates beyond the path's own stay constant.
 
@@ -112,10 +111,8 @@ def fitted(program: Program, letters: Sequence[str], machine: Machine) -> tuple[
 
     Parameters
     ----------
-    program : Program
     letters : sequence of str
         The address that each axis of the machine obeys.
-    machine : Machine
 
     Returns
     -------

@@ -65,7 +65,6 @@ class ExactRun:
 
     Attributes
     ----------
-    loop : BacklashLoop
     duration : float [s]
         Shorter than requested if the motion ran away.
     times, modes : ndarray (n_span,)
@@ -121,7 +120,6 @@ def simulate_exact(
 
     Parameters
     ----------
-    loop : BacklashLoop
     start : array_like (n,)
         State at 0.
     duration : float, > 0 [s]

@@ -131,7 +131,6 @@ class EllipseFit:
 
     Parameters
     ----------
-    constants : QuadratureConstants
     scatter : float
         Distance of the corrected points from their circle, rms over the radius: noise, converter steps and harmonics.
     """
@@ -147,10 +146,6 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
     ----------
     u1, u2 : array_like (n,)
         At least 16 samples, from the whole ellipse.
-
-    Returns
-    -------
-    EllipseFit
 
     Raises
     ------

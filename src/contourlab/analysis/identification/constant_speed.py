@@ -54,7 +54,6 @@ class Stretch:
         Standard deviation of the speeds of parts, over their mean.
     count : int
         Samples.
-    source : str
     """
 
     start: int

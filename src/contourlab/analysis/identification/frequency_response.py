@@ -82,7 +82,6 @@ class MeasuredResponse:
         Sample period.
     distortion : ndarray (n,)
         For sines, harmonics of the velocity over its fundamental; otherwise nan.
-    findings : tuple of Finding
     """
 
     frequency: Array
@@ -137,7 +136,6 @@ def periodic_response(run: Measured, period: int) -> MeasuredResponse:
 
     Parameters
     ----------
-    run : Measured
     period : int
         Samples of a period, at least three times in the run.
 
@@ -258,10 +256,6 @@ def is_sweep(excitation: Array) -> bool:
 
 def swept_response(run: Measured) -> MeasuredResponse:
     """Return the response of an axis from one run with a sweep.
-
-    Parameters
-    ----------
-    run : Measured
 
     Raises
     ------

@@ -37,13 +37,7 @@ EXPLAINED = 75.0
 
 @dataclass(frozen=True)
 class FrictionModel:
-    """A friction model.
-
-    Attributes
-    ----------
-    name : str
-    viscous, stribeck, directed, coulomb : bool
-    """
+    """A friction model."""
 
     name: str
     viscous: bool
@@ -69,7 +63,6 @@ class FrictionCurve:
 
     Attributes
     ----------
-    model : FrictionModel
     names : tuple of str
         Fc, Fv, offset; by direction Fc+, Fv+, Fc-, Fv-; with Stribeck drop (level at rest minus F_c; by direction drop+ and drop-) and
         vs [m/s].

@@ -47,7 +47,6 @@ class OutputFit:
 
     Attributes
     ----------
-    names : tuple of str
     values, deviations, robust_deviations : ndarray (p,)
         Standard deviations for a white residual, and for a residual correlated in time; 0 for a parameter at its bound.
     correlation : ndarray (p, p)
@@ -99,7 +98,6 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     model : callable
         From parameters by name to its output (n,).
     measured : ndarray (n,)
-    free : mapping of str to Free
 
     Raises
     ------

@@ -112,8 +112,6 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
 
     Parameters
     ----------
-    run : Measured
-    start, stop : int
     frequency : float [Hz]
 
     Raises

@@ -133,9 +133,6 @@ class CoupledLoop:
 
     Attributes
     ----------
-    names : tuple of str
-    axes : tuple of AxisLink
-    coupling : CouplingModel
     servo_period : float [s]
     """
 

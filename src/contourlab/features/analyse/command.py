@@ -276,7 +276,6 @@ def contour_transfer_charts(transfer: ContourTransfer, points: int = 600) -> tup
 
     Parameters
     ----------
-    transfer : ContourTransfer
     points : int
         Number of frequencies of a curve.
     """

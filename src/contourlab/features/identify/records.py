@@ -46,7 +46,6 @@ class AxisRecord:
         Unit of the logged command; ``"N*m"`` for a torque.
     start : float [s]
         Time of the first sample since the start of the log.
-    findings : tuple of Finding
     """
 
     source: str
@@ -148,7 +147,6 @@ def common_unit(records: Sequence[AxisRecord], what: str) -> str:
 
     Parameters
     ----------
-    records : sequence of AxisRecord
     what : str
         What the logs describe, for the message.
 
@@ -181,7 +179,6 @@ def axis_pieces(
 
     Parameters
     ----------
-    log : Log
     source : str
         Name of the log.
     axis : str or None

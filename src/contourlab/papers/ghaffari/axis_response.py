@@ -42,8 +42,6 @@ def axis_response(
 
     Parameters
     ----------
-    axis : Axis
-    controller : AxisController
     servo_period : float [s], >= 0
         Period of the sampled loop; 0 for continuous time.
     frequency : array_like (n,) [rad/s], > 0

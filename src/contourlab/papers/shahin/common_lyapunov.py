@@ -36,7 +36,6 @@ class CommonLyapunov:
         feasible. The norm is that of the given states, so alpha_1 depends on their units.
     certificate : tuple of ndarray (n, n)
         Z_i, one for each matrix, if infeasible.
-    explanation : str
     """
 
     verdict: str

@@ -23,9 +23,6 @@ class LimitCycleCase:
 
     Attributes
     ----------
-    name : str
-    drive : TwoInertias
-    feedback : Feedback
     kick : float
         Start of the search: motor-load difference in half-gaps.
     """
@@ -65,7 +62,6 @@ class Comparison:
 
     Attributes
     ----------
-    case : LimitCycleCase
     predicted : LimitCycle or None
         Stable limit cycle of the describing function.
     orbit : PeriodicOrbit or None

@@ -161,7 +161,6 @@ def two_inertia_loop(drive: TwoInertias, feedback: Feedback, contact_feedback: F
 
     Parameters
     ----------
-    drive : TwoInertias
     feedback : Feedback
         Controller in the gap, and by default in contact.
     contact_feedback : Feedback, optional
