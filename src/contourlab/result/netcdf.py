@@ -82,7 +82,7 @@ class ResultWriter:
     Parameters
     ----------
     header : mapping
-        From `Result.header`; `finish` replaces the status at the end.
+        From `Result.header`.
     n_sample : int, optional
         Number of samples, if known: a file of fixed size is faster to write.
 
@@ -165,10 +165,6 @@ class ResultWriter:
         index = float(self.header.get("start", 0)) + np.arange(self._length, stop)
         self._data.variables["time"][self._length : stop] = index * float(self.header["servo_period"])
         self._length = stop
-
-    def finish(self, status: Status) -> None:
-        """Store how the run ended."""
-        self.header |= status.header()
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
         if kind is not None:

@@ -73,11 +73,6 @@ class Comparison:
     orbit: PeriodicOrbit | None
 
     @property
-    def frequency_error(self) -> float:
-        """Relative frequency error of the describing function against the orbit; nan if one is missing."""
-        return math.nan if self.predicted is None or self.orbit is None else self.predicted.frequency / self.orbit.frequency - 1.0
-
-    @property
     def amplitude_error(self) -> float:
         """Relative amplitude error of the describing function against the orbit; nan if one is missing."""
         return math.nan if self.predicted is None or self.orbit is None else self.predicted.ratio / self.orbit.ratio - 1.0
