@@ -11,7 +11,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from contourlab.analysis.linear.margins import margins
 from contourlab.analysis.linear.sampled_loop import AxisResponse
 from contourlab.components.contract import Component, LinearModel
 from contourlab.components.controller.position import PositionController
@@ -144,19 +143,6 @@ def test_delay_changes_the_phase_only() -> None:
     delay = 3.7e-3
     late = respond(axis=Axis("x", RigidAxis(gain=A, damping=B), drive=DelayedSaturation(delay=delay))).loop_gain
     assert np.abs(late / respond().loop_gain - np.exp(-S * delay)).max() < 1e-12
-
-
-def test_delay_reduces_the_phase_margin_by_its_phase() -> None:
-    fine = np.logspace(0, 3, 200)
-    controller = AxisController(PositionController(velocity_gain=KV, position_gain=KP, integral_gain=KI))
-
-    def of(delay: float) -> Any:
-        axis = Axis("x", RigidAxis(gain=A, damping=B), drive=DelayedSaturation(delay=delay))
-        return margins(lambda w: axis_response(axis, controller, w).loop_gain, fine, stable=True)
-
-    none, late = of(0.0), of(2e-3)
-    assert late.crossover == pytest.approx(none.crossover, rel=1e-9)
-    assert late.phase == pytest.approx(none.phase - none.crossover * 2e-3, rel=1e-9)
 
 
 def test_plants_in_physical_units() -> None:
