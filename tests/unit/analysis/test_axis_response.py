@@ -8,8 +8,6 @@ from typing import Any
 import control
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from contourlab.analysis.linear.sampled_loop import AxisResponse
 from contourlab.components.contract import Component, LinearModel
@@ -121,22 +119,6 @@ def test_compensated_axis_is_eqs_10_to_13() -> None:
     assert np.abs(S * found.compliance / (A * S * (S + W_Z) / below) - 1.0).max() < 1e-9
     # The controller does not affect the inner loop of the observer.
     assert np.abs(respond(observer=observer()).compensated / found.compensated - 1.0).max() < 1e-12
-
-
-positive = st.floats(0.1, 10.0)
-
-
-@settings(max_examples=50, deadline=None)
-@given(gain=positive, damping=positive, a_hat=positive, b_hat=positive, w_d=st.floats(20.0, 300.0), ratio=st.floats(2.0, 20.0))
-def test_observer_at_low_frequency(gain: float, damping: float, a_hat: float, b_hat: float, w_d: float, ratio: float) -> None:
-    """For any plant: u_c to v is a_hat/b_hat, and a disturbance ramp of unit rate gives v = a_hat/(b_hat w_d)."""
-    made = observer(bandwidth=w_d, filter_bandwidth=ratio * w_d, model_gain=a_hat, model_damping=b_hat)
-    free = AxisController(PositionController(), observer=made)
-    low = np.array([1e-7])
-    found = axis_response(Axis("x", RigidAxis(gain=gain, damping=damping)), free, low)
-    assert found.compensated[0] == pytest.approx(a_hat / b_hat, rel=1e-3)
-    # Velocity per rate of the disturbance is position per disturbance.
-    assert found.compliance[0] == pytest.approx(a_hat / (b_hat * w_d), rel=1e-3)
 
 
 def test_delay_changes_the_phase_only() -> None:

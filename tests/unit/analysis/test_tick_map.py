@@ -20,10 +20,10 @@ PERIOD, A, B = 1e-3, 0.9, 6.0
 
 
 def loop(
-    velocity_gain: float = 0.0, position_gain: float = 0.0, integral_gain: float = 0.0, structure: str = "feedforward", period: float = PERIOD
+    kv: float = 0.0, kp: float = 0.0, ki: float = 0.0, structure: str = "feedforward", period: float = PERIOD
 ) -> Schedule:
-    gains = {"velocity_gain": velocity_gain, "position_gain": position_gain, "integral_gain": integral_gain}
-    made = AxisController(PositionController(**gains, structure=structure, anti_windup="none"))
+    law = PositionController(velocity_gain=kv, position_gain=kp, integral_gain=ki, structure=structure, anti_windup="none")
+    made = AxisController(law)
     machine = Machine("one", (Axis("x", RigidAxis(gain=A, damping=B)),), period)
     return build(machine, Controller({"x": made}), Path([Line((0.0,), (1.0,))]), np.zeros(1)).schedule
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from component_rig import PERIOD, Array, make, run_alone
+from component_rig import PERIOD, behind_a_drive, make, run_alone
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import bilinear, lfilter
@@ -22,9 +22,6 @@ from contourlab.components.controller.pid import PID
 from contourlab.components.controller.speed_pid import SpeedPID
 from contourlab.components.controller.state_feedback import StateFeedback
 from contourlab.components.registry import components
-from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.loop.machine import Axis, AxisController
 from contourlab.papers.ghaffari.axis_response import axis_response
@@ -93,19 +90,6 @@ def test_an_axis_at_rest_gets_zero_command_at_any_position(kind: type[Component]
     fed = {port.name: still for port in part.inputs if port.name in places}
     out = run_alone(part, fed, initial=part.at_rest(0.3)[0])["command"]
     assert not out.any()
-
-
-def behind_a_drive(part: Component, error: Array, limit: float) -> Array:
-    """Return the commands (n_tick,) of a controller with a limited drive, for a given error."""
-    drive = make("drive", "saturation", limit=limit)
-    wires: dict[str, Any] = {port.name: 0.0 for port in part.inputs}
-    wires |= {"reference": "in.error", "accepted": Late("drive.applied")}
-    nodes = (
-        Node("controller", part.make_step(), wires, part.block(PERIOD)),
-        Node("drive", drive.make_step(), {"command": "controller.command"}, drive.block(PERIOD)),
-    )
-    schedule = Schedule(nodes, (Port("error"),), PERIOD, 2)
-    return make_group(schedule, 1, slice(0, 1), False).run(error[:, None], [schedule.row("controller.command")])[:, 0, 0]
 
 
 INTEGRALS: list[Any] = [
