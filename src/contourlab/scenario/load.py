@@ -111,10 +111,8 @@ def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machin
 
     Parameters
     ----------
-    file : str or Path
-        Or ``builtin:`` and the name of a shipped one.
-    plugins : sequence of str or Path
-        Python files with further components.
+    file, plugins
+        As in `load_axis`.
 
     Raises
     ------
@@ -151,10 +149,8 @@ def load_controller(
 
     Parameters
     ----------
-    file : str or Path
-        Or ``builtin:`` and the name of a shipped one.
-    plugins : sequence of str or Path
-        Python files with further components.
+    file, plugins
+        As in `load_axis`.
     called : mapping of str to str, optional
         Name in the file of each axis that has another name on the machine.
 
@@ -229,14 +225,12 @@ def changed_case(file: str | Path, scheme: str, changes: Table, plugins: Sequenc
 
     Parameters
     ----------
-    file : str or Path
-        Or ``builtin:`` and the name of a shipped one.
+    file, plugins
+        As in `load_axis`.
     scheme : str
         Empty for the base.
     changes : Table
         As in a scheme, and ``contour`` or ``program``, which replaces the motion.
-    plugins : sequence of str or Path
-        Python files with further components.
 
     Raises
     ------
