@@ -91,8 +91,6 @@ class Guards:
     cases : sequence of (Machine, Controller)
     unknown : dict of str to str
         Axes without a linear model, with the reason: their margins are not checked.
-    checks : int
-        Number of loops checked.
     """
 
     cases: Sequence[tuple[Machine, Controller]]

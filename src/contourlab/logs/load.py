@@ -348,8 +348,6 @@ def about(*files: str | Path, options: Container[str] = ()) -> Iterator[None]:
 
     Parameters
     ----------
-    *files : str or Path
-        Names of the logs.
     options : container of str
         Names of parameters that the user sets, with underscores.
 

@@ -55,8 +55,6 @@ class Walker:
 
     Parameters
     ----------
-    tape : Tape
-        The program.
     find : callable
         Returns the tape of a subprogram file by name, or None.
     most : int

@@ -81,10 +81,6 @@ class Provenance:
 
     Parameters
     ----------
-    version : str
-        Version of contourlab.
-    command : str
-        As typed.
     run_again : str
         Command that repeats this report from `scenario`.
     scenario : str

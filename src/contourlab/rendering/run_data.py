@@ -39,8 +39,6 @@ class FrequencyResponse:
         Position over reference, 1 when the axis follows exactly.
     notes : mapping of str to str
         Printed figures, for example ``{"bandwidth": "42 Hz", "phase margin": "61 deg"}``.
-    stable : bool
-        Whether the loop is stable.
     meant : str
         Name of the linear loop, if the axis has several: for example ``"in contact"``.
     """

@@ -69,8 +69,6 @@ def load_axis(file: str | Path, name: str = "x", plugins: Sequence[str | Path] =
     ----------
     file : str or Path
         Or ``builtin:`` and the name of a shipped one.
-    name : str
-        Name of the axis.
     plugins : sequence of str or Path
         Python files with further components.
 

@@ -69,8 +69,6 @@ class ExactRun:
         Shorter than requested if the motion ran away.
     times, modes : ndarray (n_span,)
         Start time and mode of each span; the mode is -1, 0 (gap) or 1.
-    diverged : bool
-        Whether the state ran away.
     """
 
     loop: BacklashLoop

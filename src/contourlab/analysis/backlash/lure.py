@@ -69,8 +69,6 @@ class BacklashLoop:
         Dynamics without torque in contact, if the controller changes in the gap; `a` by default.
     contact_e : ndarray (n, 3), optional
         Input of the reference in contact; `e` by default.
-    states : tuple of str, optional
-        Names.
     """
 
     a: Array

@@ -79,8 +79,6 @@ def constant_speed_stretches(
     command : ndarray (n,)
     reference : ndarray (n,) [m], optional
         If given, a stretch is a span of one reference speed, less the time to settle; otherwise it follows from the position.
-    source : str
-        Name of the record.
 
     Raises
     ------

@@ -76,8 +76,6 @@ class MeasuredResponse:
         Relative standard deviation of the magnitude; also the standard deviation of the phase [rad].
     coherence : ndarray (n,)
         Between 0 and 1: share of the motion that is linear in the excitation.
-    method : str
-        Description.
     period : float [s]
         Sample period.
     distortion : ndarray (n,)

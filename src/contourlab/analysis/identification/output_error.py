@@ -52,8 +52,6 @@ class OutputFit:
     correlation : ndarray (p, p)
     condition_number : float
         Of the sensitivities, columns of length one.
-    at_bound : tuple of str
-        Parameters at a bound.
     measured, predicted : ndarray (n,)
     fit : float [percent]
         100 (1 - |measured - predicted|/|measured - mean|).

@@ -35,8 +35,6 @@ class AxisLink:
 
     Attributes
     ----------
-    loop : SampledLoop
-        The open loop.
     a : ndarray (n, n)
     b, r : ndarray (n,)
         Inputs of v and m.

@@ -126,8 +126,6 @@ def analyse_scenario(
 
     Parameters
     ----------
-    file : str or Path
-        A scenario.
     schemes : sequence of str
         See `contourlab.features.run.schemes.compare_schemes`.
     plugins : sequence of str or Path

@@ -32,8 +32,6 @@ class Identification:
     ----------
     done : bool
         Whether the parameters are usable and the requested file is written.
-    summary : dict
-        Results for JSON.
     """
 
     done: bool

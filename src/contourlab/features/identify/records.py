@@ -29,8 +29,6 @@ class AxisRecord:
 
     Attributes
     ----------
-    source, axis : str
-        Names of the log and of the axis.
     period : float [s]
     position : ndarray (n,) [m]
     command : ndarray (n,) or None
@@ -179,8 +177,6 @@ def axis_pieces(
 
     Parameters
     ----------
-    source : str
-        Name of the log.
     axis : str or None
         None if the log has only one.
     gain : float [N per unit of command] or None

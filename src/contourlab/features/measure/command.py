@@ -77,8 +77,6 @@ def measure_log(
         Largest contour error that passes, as ``"25 um"``.
     plots : sequence of str
         Formats: png, svg or pdf.
-    command : str
-        Command line as typed.
 
     Raises
     ------

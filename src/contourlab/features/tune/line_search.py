@@ -104,7 +104,6 @@ def sequential(
     space : Space
         In the order of the procedure, see `contourlab.design.calibration_order`.
     values : mapping of str to float [SI]
-        The start.
     passes : int, >= 1
         Largest number of passes; the procedure ends after one that hardly lowers the objective.
     progress : callable, optional
@@ -256,7 +255,6 @@ def restore_margins(objective: Objective, guards: Guards, space: Space, values: 
     space : Space
         Parameters that may change, each within its range.
     values : mapping of str to float [SI]
-        The start.
 
     Notes
     -----

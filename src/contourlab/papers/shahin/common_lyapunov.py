@@ -56,10 +56,6 @@ def common_quadratic(matrices: Sequence[Array], names: Sequence[str] = (), state
     ----------
     matrices : sequence of ndarray (n, n)
         A_i [1/s], taken as exact.
-    names : sequence of str, optional
-        Names of the matrices, for example "gap" and "contact".
-    states : sequence of str, optional
-        Names of the states.
 
     Returns
     -------
