@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import control
@@ -15,8 +14,6 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.components.ideal import TrueVelocity
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
-from contourlab.components.plant.ball_screw import BallScrew
-from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.plant import SingleMass
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.velocity.filtered_difference import FilteredDifference
@@ -125,20 +122,6 @@ def test_delay_changes_the_phase_only() -> None:
     delay = 3.7e-3
     late = respond(axis=Axis("x", RigidAxis(gain=A, damping=B), drive=DelayedSaturation(delay=delay))).loop_gain
     assert np.abs(late / respond().loop_gain - np.exp(-S * delay)).max() < 1e-12
-
-
-def test_plants_in_physical_units() -> None:
-    """m v' = K_f i - c v + F, and the ball screw with J (2 pi/l)^2 and 2 pi eta K_t/l."""
-    mass, damping, force = 25.0, 80.0, 60.0
-    free = AxisController(PositionController())
-    found = axis_response(Axis("x", MassDamper(mass=mass, damping=damping, force_constant=force)), free, W)
-    same(found.compensated, force / (mass * s + damping))
-    same(found.compliance, 1.0 / (mass * s * s + damping * s))
-    screw = BallScrew(mass=20.0, inertia=2e-4, lead=0.01, torque_constant=0.5, efficiency=0.9, damping=100.0)
-    moved = 20.0 + 2e-4 * (2.0 * math.pi / 0.01) ** 2
-    found = axis_response(Axis("x", screw), free, W)
-    same(found.compensated, 0.5 * 0.9 * 2.0 * math.pi / 0.01 / (moved * s + 100.0))
-    same(found.compliance, 1.0 / (moved * s * s + 100.0 * s))
 
 
 class TwoMasses(SingleMass):
