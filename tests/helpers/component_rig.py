@@ -12,7 +12,8 @@ from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.core import link
 from contourlab.components.registry import component
 from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Node, Schedule
+from contourlab.engine.schedule import Late, Node, Schedule
+from contourlab.engine.step import Port
 
 Array = NDArray[np.float64]
 PERIOD = 1e-3
@@ -63,3 +64,16 @@ def run_alone(
         found[port.name] = log[:, first] if not port.size else log[:, first : first + port.size]
         first += port.rows
     return found
+
+
+def behind_a_drive(part: Component, error: Array, limit: float) -> Array:
+    """Return the commands (n_tick,) of a controller with a limited drive, for a given error."""
+    drive = make("drive", "saturation", limit=limit)
+    wires: dict[str, Any] = {port.name: 0.0 for port in part.inputs}
+    wires |= {"reference": "in.error", "accepted": Late("drive.applied")}
+    nodes = (
+        Node("controller", part.make_step(), wires, part.block(PERIOD)),
+        Node("drive", drive.make_step(), {"command": "controller.command"}, drive.block(PERIOD)),
+    )
+    schedule = Schedule(nodes, (Port("error"),), PERIOD, 2)
+    return make_group(schedule, 1, slice(0, 1), False).run(error[:, None], [schedule.row("controller.command")])[:, 0, 0]

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from contourlab.geometry import Arc, BSpline, Curve, Ellipse, Line, Nurbs, Path, Star, contour
+from contourlab.geometry import Arc, Ellipse, Line, Nurbs, Path, Star, contour
 
 Array = NDArray[np.float64]
 few = settings(max_examples=30, deadline=None)
@@ -177,22 +177,3 @@ def test_a_closed_path_is_the_same_in_every_lap(path: Path, part: float) -> None
     np.testing.assert_allclose(
         path.position(s + laps * path.length), np.repeat(path.position(s), 4, axis=0), rtol=0, atol=1e-13 * path.length
     )
-
-
-@few
-@given(st.integers(1, 5), st.integers(0, 1000))
-def test_knot_insertion_does_not_change_the_curve(n: int, seed: int) -> None:
-    # Boehm's insertion, one knot at a time, on the control polygon alone.
-    rng = np.random.default_rng(seed)
-    points, knots, degree = POINTS, KNOTS, 3
-    for u in rng.uniform(0.05, 0.95, n):
-        k = int(np.searchsorted(knots, u, side="right")) - 1
-        alpha = [(u - knots[i]) / (knots[i + degree] - knots[i]) for i in range(k - degree + 1, k + 1)]
-        new = [(1.0 - a) * points[i - 1] + a * points[i] for a, i in zip(alpha, range(k - degree + 1, k + 1), strict=True)]
-        points = np.vstack([points[: k - degree + 1], new, points[k:]])
-        knots = np.insert(knots, k + 1, u)
-    before: Curve = BSpline(degree, POINTS, KNOTS)
-    after: Curve = BSpline(degree, points, knots)
-    assert math.isclose(before.length, after.length, rel_tol=1e-13)
-    s = np.linspace(0.0, before.length, 40)
-    np.testing.assert_allclose(after.position(np.minimum(s, after.length)), before.position(s), rtol=0, atol=1e-14)

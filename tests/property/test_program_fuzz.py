@@ -21,10 +21,10 @@ from contourlab.program import (
     Move,
     Plane,
     Point,
+    Reader,
     Reading,
     Spline,
     Traverse,
-    iter_moves,
     parse_program,
     read_program,
 )  # fmt: skip
@@ -47,7 +47,7 @@ def answer_within(text: str, most: int) -> None:
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     made: list[Move] = []
     try:
-        made += itertools.islice(iter_moves(lines, "fuzz", reading=Reading(most_moves=50_000)), most)
+        made += itertools.islice(Reader(lines, "fuzz", Reading(most_moves=50_000)).moves(), most)
     except ProgramError as error:
         assert error.file == "fuzz"
         assert 0 <= error.line <= len(lines)
@@ -127,7 +127,7 @@ FLOW = st.sampled_from(
 def test_any_flow(lines: list[str]) -> None:
     """Endless loops end at a limit; this test stops after a thousand moves."""
     begun = time.perf_counter()
-    moves = iter_moves(["F100", *lines, "G1 X1", "M2"])
+    moves = Reader(["F100", *lines, "G1 X1", "M2"]).moves()
     try:
         for _ in itertools.islice(moves, 1000):
             pass

@@ -45,7 +45,6 @@ class Form:
 
     Attributes
     ----------
-    methods : tuple of Method
     base : str
         Module and name of the base class; empty for `Component`.
     law : str

@@ -25,10 +25,8 @@ class Strand:
 
     Attributes
     ----------
-    curves : tuple of Curve
     what : str
         Name in messages: ``LINE #2F``.
-    layer : str
     """
 
     curves: tuple[Curve, ...]
@@ -74,7 +72,6 @@ class Chain:
     ----------
     strands : tuple of (Strand, bool)
         In order of travel, and whether each runs backwards.
-    closed : bool
     tolerance : float [m]
         Largest gap between ends that meet; `FURTHEST` times as much is closed.
     """
@@ -115,7 +112,6 @@ def chains_of(strands: Sequence[Strand], tolerance: float) -> tuple[list[Chain],
 
     Parameters
     ----------
-    strands : sequence of Strand
     tolerance : float [m], > 0
         Largest gap between ends that meet.
 

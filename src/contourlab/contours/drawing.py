@@ -31,8 +31,6 @@ class LeftOut:
     ----------
     kind : str
         Name in the file: ``TEXT``.
-    layer : str
-    why : str
     """
 
     kind: str
@@ -46,7 +44,6 @@ class Drawing:
 
     Attributes
     ----------
-    file : Path
     chains : tuple of Chain
         In the order of the file.
     left_out : tuple of LeftOut

@@ -40,7 +40,6 @@ def read_dxf(
 
     Parameters
     ----------
-    file : str or Path
     unit : str, optional
         Unit of the numbers in the file; by default ``$INSUNITS``.
     tolerance : float [m], > 0

@@ -30,12 +30,8 @@ class PointFit:
 
     Attributes
     ----------
-    path : Path
-    n_point : int
-    n_corner : int
     deviation : float [m]
         Largest distance of a point from the curve, at the parameter of the point; rounding only if the curve passes through the points.
-    smoothed : bool
     bulge : float [m]
         Largest distance of the curve from the chord between two points.
     n_straight : int

@@ -36,7 +36,6 @@ class Polygon:
     ----------
     points : ndarray (n, n_axis) [m]
         Neighbours differ; in a closed polygon the last is the first.
-    closed : bool
     corner_angle : float [rad]
         Larger turns are corners, whose two sides are independent.
     tolerance : float [m]

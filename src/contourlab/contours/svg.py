@@ -55,7 +55,6 @@ def read_svg(file: str | File, *, unit: str | None = None, tolerance: float | No
 
     Parameters
     ----------
-    file : str or Path
     unit : str, optional
         Size of the user unit; by default from width, height and viewBox, else 1/96 inch.
     tolerance : float [m], > 0

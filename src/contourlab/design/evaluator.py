@@ -36,8 +36,6 @@ class Evaluator:
         Whether to compute the part error as well.
     effort : bool
         Whether to compute figures of the drives as well.
-    runs : int
-        Runs so far.
     """
 
     machine: Machine

@@ -89,11 +89,8 @@ class Guards:
     Attributes
     ----------
     cases : sequence of (Machine, Controller)
-    bounds : Bounds
     unknown : dict of str to str
         Axes without a linear model, with the reason: their margins are not checked.
-    checks : int
-        Number of loops checked.
     """
 
     cases: Sequence[tuple[Machine, Controller]]

@@ -100,8 +100,6 @@ def design_notch(machine: Machine, controller: Controller, name: str, bounds: Bo
     Parameters
     ----------
     machine, controller
-    name : str
-        The axis.
     bounds : Bounds, optional
         Margins to keep; by default 6 dB and 30 degrees.
 

@@ -110,7 +110,7 @@ def search(
             for i, mine in zip(running, np.split(values, len(running)), strict=True):
                 strategies[i].tell(list(asked[i]), _ranked(mine).tolist())
                 best.tell(i, tried[i], mine)
-            best.close_generation()
+            best.course.append((float(best.runs), float(best.values.min())))
             running = [i for i in running if not best.settled(i, tolerance) and not strategies[i].stop()]
             if progress is not None:
                 progress(best.runs)
@@ -135,9 +135,6 @@ class _Best:
         if values[at] < self.values[i]:
             self.points[i], self.values[i] = points[at], values[at]
         self.history[i].append(float(self.values[i]))
-
-    def close_generation(self) -> None:
-        self.course.append((float(self.runs), float(self.values.min())))
 
     def settled(self, i: int, tolerance: float) -> bool:
         """Return whether a start has not improved over ten generations."""

@@ -139,7 +139,6 @@ class Space:
 
     Attributes
     ----------
-    numbers : tuple of DesignVariable
     written : bool
         Whether values of points are rounded as in a file, see `DesignVariable.written`.
     """

@@ -89,7 +89,6 @@ def piece_bounds(samples: Samples, starts: Index, length: Array, stops: Flags, l
     length : ndarray (n_piece,) [m]
     stops : ndarray (n_piece, 2) of bool
         Whether the piece starts, and ends, at rest.
-    limits : AxisLimits
     """
     found = np.empty((4, starts.size))
     borders = np.append(starts, samples.feedrate.size)

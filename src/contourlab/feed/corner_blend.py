@@ -85,8 +85,6 @@ def largest_reach(path: Path, corners: Corners, tolerance: Array, room: Array) -
 
     Parameters
     ----------
-    path : Path
-    corners : Corners
     tolerance : ndarray (n,) [m], > 0
         Largest distance of the corner from its blend, and of the blend from the path.
     room : ndarray (n,) [m]
@@ -159,8 +157,6 @@ def quicker_blended(route: Route, corners: Corners, reach: Array, points: Array,
 
     Parameters
     ----------
-    route : Route
-    corners : Corners
     reach : ndarray (n,) [m]
         Length of each curve that the blend uses.
     points : ndarray (n, 6, n_axis) [m]

@@ -160,7 +160,6 @@ def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:
 
     Parameters
     ----------
-    route : Route
     limits : AxisLimits
         For the path's number of axes.
     curvature_step : float, >= 0
@@ -180,8 +179,6 @@ def cut(route: Route, surveyed: Survey, limits: AxisLimits, wanted: Flags) -> Pi
 
     Parameters
     ----------
-    route : Route
-    surveyed : Survey
     limits : AxisLimits
         For the path's number of axes.
     wanted : ndarray (n_curve,) of bool

@@ -276,7 +276,6 @@ def controlled(route: Route, control: PathControl, corner_tolerance: float, merg
 
     Parameters
     ----------
-    route : Route
     control : {"program", "exact_path", "exact_stop", "blend"}
         ``"program"`` changes nothing; ``"exact_path"`` (G61) stops where the direction jumps; ``"exact_stop"`` (G61.1) stops at
         the end of every curve; ``"blend"`` (G64) rounds every corner.

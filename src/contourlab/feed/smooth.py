@@ -322,8 +322,6 @@ def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> l
 
     Parameters
     ----------
-    path : Path
-    samples : SegmentSamples
     limits : AxisLimits
         For the path's number of axes.
     """

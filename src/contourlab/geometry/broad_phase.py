@@ -26,7 +26,6 @@ def curves_in_reach(path: CurveSequence, points: Array, around: Array, window: A
 
     Parameters
     ----------
-    path : CurveSequence
     points : ndarray (n, n_axis) [m]
     around, window : ndarray (n,) [m]
         Progress along the path, and largest distance from it.

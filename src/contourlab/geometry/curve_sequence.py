@@ -18,9 +18,6 @@ class CurveSequence:
 
     Attributes
     ----------
-    curves : tuple of Curve
-    closed : bool
-    n_axis : int
     breaks : ndarray (n_curve + 1,) [m]
         Arc length at which each curve starts, and the total length.
     length : float [m]

@@ -47,7 +47,6 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
 
     Parameters
     ----------
-    path : CurveSequence
     points : array_like (n, n_axis) [m]
     around : array_like (n,) [m]
         Progress along the path; on a closed path it may count laps.

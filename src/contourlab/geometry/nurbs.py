@@ -180,7 +180,6 @@ def split_at(degree: int, points: Array, t: Array, places: Array) -> list[tuple[
 
     Parameters
     ----------
-    degree : int
     points : ndarray (n, m)
         Control points; for a rational spline, multiplied by their weights, with the weights in the last column.
     t : ndarray (n + degree + 1,)

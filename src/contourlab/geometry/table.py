@@ -101,7 +101,6 @@ def path_table(path: CurveSequence, tolerance: float, pieces: int = 1) -> PathTa
 
     Parameters
     ----------
-    path : CurveSequence
     tolerance : float [m], > 0
     pieces : int
         Least number of pieces, evenly spread.

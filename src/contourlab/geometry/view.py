@@ -18,7 +18,7 @@ from contourlab.errors import ParameterError
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.path import Path
 from contourlab.native.generated import generated
-from contourlab.primitives import clip, cos, floor, lookup, maximum, select, sin
+from contourlab.primitives import clip, cos, dot, floor, lookup, maximum, select, sin, sub
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,6 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
 
     Parameters
     ----------
-    path : Path
     tolerance : float [m], > 0
         Largest distance of the table from the path.
     pieces : int, optional
@@ -91,6 +90,25 @@ def _circle(path: Path) -> PathView:
         "path_centre_1": float(centre[1]),
     }
     return PathView(_on_circle, parameters, {}, path)
+
+
+@cache
+def newton_of(evaluate: Any) -> tuple[Any, Any]:
+    """Return the Newton step towards the foot point, within the window around a centre, and the squared distance of a place."""
+
+    def improve(par: Any, s: float, position: Any, centre: float) -> float:
+        q, q1, q2 = evaluate(par, s)
+        gap = sub(q, position)
+        square = dot(q1, q1)
+        slope = maximum(square + dot(q2, gap), 0.1 * square)
+        return clip(s - dot(q1, gap) / slope, centre - par.window, centre + par.window)
+
+    def square_distance(par: Any, s: float, position: Any) -> float:
+        q, _, _ = evaluate(par, s)
+        gap = sub(q, position)
+        return dot(gap, gap)
+
+    return improve, square_distance
 
 
 def _on_circle(par: Any, s: float) -> Any:

@@ -51,10 +51,8 @@ class ClockReport:
     ----------
     period : float [s]
         Sample period.
-    n_sample : int
     jitter_rms, jitter_peak : float [s]
         Deviation from an even clock between gaps.
-    gaps : tuple of Gap
     repeated : int
         Omitted samples, which repeat the time before.
     resampled : bool
@@ -113,7 +111,6 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     time : ndarray (n,) [s]
     name : str
         Name of the channel, for messages.
-    file : Path
     period : float [s], > 0, optional
         Stated period; by default that of the line through the times.
 

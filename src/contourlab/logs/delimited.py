@@ -290,13 +290,11 @@ def timestamp_channel(name: str, texts: Sequence[str], lines: Sequence[int], fil
 
     Parameters
     ----------
-    name : str
     texts : sequence of str
         ISO 8601 with T or a blank, day first with dots, English month names, or times of day, which continue past midnight. Time zones
         in all rows or none. Empty cells are gaps.
     lines : sequence of int
         Line of each row in the file.
-    file : Path
     """
     rows = [row for row, text in enumerate(texts) if not is_empty(text)]
     seconds = np.full(len(texts), np.nan)

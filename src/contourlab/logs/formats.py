@@ -71,7 +71,6 @@ def read_record(file: str | Path, format: str | None = None) -> Record:  # noqa:
 
     Parameters
     ----------
-    file : str or Path
     format : str, optional
         One of `FORMATS`; by default recognised.
 

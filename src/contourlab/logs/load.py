@@ -44,7 +44,6 @@ class Log:
 
     Attributes
     ----------
-    result : Result
     record : Record
         The file as read.
     columns : tuple of Column
@@ -122,17 +121,12 @@ def load_log(
 
     Parameters
     ----------
-    file : str or Path
     format : str, optional
         One of `contourlab.logs.formats.FORMATS`; by default recognised.
     columns : sequence of Column
         Columns of signals; others are identified by unambiguous names.
     period : float [s], > 0, optional
         Sample period, if the file does not state it.
-
-    Returns
-    -------
-    Log
 
     Raises
     ------
@@ -354,8 +348,6 @@ def about(*files: str | Path, options: Container[str] = ()) -> Iterator[None]:
 
     Parameters
     ----------
-    *files : str or Path
-        Names of the logs.
     options : container of str
         Names of parameters that the user sets, with underscores.
 

@@ -184,14 +184,10 @@ def number_channel(name: str, cells: Sequence[str], lines: Sequence[int], file: 
 
     Parameters
     ----------
-    name : str
-    cells : sequence of str
     lines : sequence of int
         Line of each cell in the file.
-    file : Path
     comma : bool
         Whether commas are decimal.
-    unit : str
     """
     with contextlib.suppress(ValueError):  # fast path for plain numbers
         return Channel(name, np.array([float(cell.replace("_", "no digit")) for cell in cells]), unit)

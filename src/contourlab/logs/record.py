@@ -57,7 +57,6 @@ class Record:
 
     Attributes
     ----------
-    file : Path
     format : str
         Name of the reader.
     channels : tuple of Channel

@@ -79,7 +79,6 @@ class Feed:
     ----------
     machine, controller, reference
         What runs.
-    learned : Learned, optional
     fill : callable, optional
         How planned samples are computed; as of `Reference.block`.
     """

@@ -198,7 +198,6 @@ class TrialJudge:
         Of the reference.
     vector : bool
         Whether the vector is computed.
-    compiled : bool
     """
 
     def __init__(

@@ -83,7 +83,6 @@ def prepared(
         As of `contourlab.loop.simulate`.
     given : mapping
         Further arguments of `contourlab.loop.template.build`.
-    compiled : bool
 
     Raises
     ------

@@ -22,7 +22,6 @@ class Sensing:
     ----------
     builder : Builder
         Collects the nodes.
-    axis : Axis
     at : float [m]
         Initial position of the axis.
     """

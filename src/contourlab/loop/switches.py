@@ -43,7 +43,6 @@ class Switches:
     axes : tuple of str
         Axes that have a supervisor, or whose controller is changed.
     servo_period : float [s]
-    kinds : tuple of SwitchKind
     kind : ndarray (n,) of int
         Of each switch: an index into `kinds`.
     sample : ndarray (n,) of int
@@ -97,7 +96,6 @@ def switches_of(
     result : Result
         With the signals `RECORDED`, and ``arc_length`` for the positions. If it begins later than the run, its first sample gives the
         controller active before.
-    controller : Controller
     reference : Reference, optional
         Gives the program line of each switch.
     changes : sequence of Change

@@ -318,7 +318,6 @@ def left_out(result: Result, reference: Reference, judged: Judged) -> tuple[floa
     ----------
     result : Result
         With the judge's ``foot_arc_length``.
-    reference : Reference
     judged : Judged
         On a whole lap, places before the start count as the end of the lap.
 

@@ -59,12 +59,10 @@ class ReversalFigures:
 
     Attributes
     ----------
-    axis : str
     direction : int
         Direction after the reversal: 1 or -1.
     angle : float [rad]
         On arcs: 0, pi/2, pi or 3 pi/2; NaN elsewhere.
-    count : int
     mean, largest : float [m]
         Mean and largest magnitude of the heights.
     largest_time : float [s]

@@ -13,7 +13,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.engine.step import Port, Step
 from contourlab.geometry import Path
-from contourlab.geometry.view import PathView
+from contourlab.geometry.view import PathView, newton_of
 from contourlab.native.generated import generated
 from contourlab.primitives import clip, copysign, dot, fabs, floor, lookup, maximum, select, sqrt, sub
 
@@ -77,17 +77,11 @@ def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
 @cache
 def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
     planar = n_axis == 2
+    improve, square_distance = newton_of(evaluate)
 
     def corner(par: Any, s: float) -> float:
         start = par.corner_lap * floor(s * par.corner_rate)
         return start + lookup(par.corner_near, clip(floor((s - start) * par.corner_scale), 0.0, par.corner_last))  # type: ignore[no-any-return]
-
-    def improve(par: Any, s: float, position: Any, centre: float) -> float:
-        q, q1, q2 = evaluate(par, s)
-        gap = sub(q, position)
-        square = dot(q1, q1)
-        slope = maximum(square + dot(q2, gap), 0.1 * square)
-        return clip(s - dot(q1, gap) / slope, centre - par.window, centre + par.window)
 
     def seek(par: Any, s: float, position: Any, centre: float) -> Any:
         before = s
@@ -95,11 +89,6 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
             before = s
             s = improve(par, s, position, centre)
         return s, fabs(s - before)
-
-    def square_distance(par: Any, s: float, position: Any) -> float:
-        q, _, _ = evaluate(par, s)
-        gap = sub(q, position)
-        return dot(gap, gap)
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         position, centre = inp.position, inp.arc_length

@@ -35,7 +35,6 @@ class Row:
         The figure to compare with, from `source`.
     here : float
         Our figure, in the same unit.
-    unit : str
     tolerance : float or None
         Largest difference that counts as agreement, in the same unit; None if nothing is compared.
     note : str

@@ -18,7 +18,6 @@ def run_parts(parts: Iterable[Part], bands: Bands, stage: Callable[[str], object
 
     Parameters
     ----------
-    parts : iterable of Part
     bands : mapping of (name, case) to (low, high)
         Where each figure has to stay, see `contourlab.papers.rows.read_bands`.
     stage : callable, optional

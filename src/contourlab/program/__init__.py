@@ -6,7 +6,7 @@ conditions (`flow`). `reader` handles the frame of a program and its dialect; `f
 skipped.
 """
 
-from contourlab.program.files import iter_moves, open_program, parse_program, read_program
+from contourlab.program.files import open_program, parse_program, read_program
 from contourlab.program.moves import PLANE_AXES, Arc, Dwell, Event, Feed, Mode, Move, Notice, Plane, Point, Program, Spline, Traverse
 from contourlab.program.reader import Reader, Reading
 
@@ -26,7 +26,6 @@ __all__ = [
     "Reading",
     "Spline",
     "Traverse",
-    "iter_moves",
     "open_program",
     "parse_program",
     "read_program",

@@ -30,10 +30,8 @@ def drill(block: Block, state: ModalState, line: int, *, again: bool) -> list[Mo
 
     Parameters
     ----------
-    block : Block
     state : ModalState
         Its motion is the cycle.
-    line : int
     again : bool
         Whether the same cycle was active before: missing words then keep their values, unless the units have changed.
 

@@ -173,7 +173,6 @@ class Cursor:
 
     Parameters
     ----------
-    text : str
     columns : list of int
         Column (from 1) of each character of `text` in the line.
     """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
@@ -14,57 +14,6 @@ from contourlab.file_kinds import mistaken
 from contourlab.program.flow import LONGEST_LINE
 from contourlab.program.moves import Move, Program
 from contourlab.program.reader import Reader, Reading, read_text, split_lines, unreadable
-
-
-def iter_moves(
-    lines: Iterable[str], name: str | Path = "<text>", *, require_end: bool = True, reading: Reading | None = None
-) -> Iterator[Move]:
-    """Read a part program line by line; keep only the lines that a loop or call may return to.
-
-    Parameters
-    ----------
-    lines : iterable of str
-        With or without line breaks, for example an open text file.
-    name : str or Path
-        Name of the program in error messages.
-    require_end : bool
-        See `Reading`; all its other fields have their defaults.
-    reading : Reading, optional
-        All choices; replaces `require_end`.
-
-    Yields
-    ------
-    Move
-        In the order of execution, without moves of zero length.
-
-    Raises
-    ------
-    ProgramError
-        With file, line and column, when the faulty line is reached; at the end if there is no motion at all.
-
-    Notes
-    -----
-    The language is RS274/NGC as LinuxCNC 2.9 reads it. The program starts at machine zero (0, 0, 0) in G17, G21, G54, G90, G91.1, G94 and
-    G99, with no motion and no feedrate, all offsets zero. Positions are those of the axes: work coordinate systems (G10 L2, L20, G54 to
-    G59.3 with rotation, G92, G52) and tool offsets (G43, G43.1, G43.2) are applied. Supported besides: G0 to G3 with I, J, K or R and P
-    turns, G4, G5, G5.1, G5.2 with G5.3, G7, G8, G17 to G19, G20, G21, G28, G30, G40, G53, G61, G61.1, G64 with P and Q, G73, G74, G80 to
-    G89, G90 to G91.1, G93 to G95, G97 to G99, polar coordinates, parameters, expressions, O-words, M98 and M99. S, T, M0, M1, M3 to M9,
-    M19, M48 to M53, M60 to M65, M67 and M68 are kept as events. Everything else is refused.
-
-    Stricter than LinuxCNC: a spline begun with G5.2 must be closed, G4 shares its P with no other code, a cycle needs its words again after
-    a change of units, and numbers too large for any machine are refused. More tolerant: lines may be longer than 255 characters.
-
-    References
-    ----------
-    T. R. Kramer, F. M. Proctor, E. Messina, *The NIST RS274/NGC Interpreter, Version 3*, NISTIR 6556, 2000.
-
-    >>> [move.end for move in iter_moves(["G0 X10", "Y20", "M2"])]
-    [(0.01, 0.0, 0.0), (0.01, 0.02, 0.0)]
-    """
-    reader = Reader(lines, name, reading or Reading(require_end=require_end))
-    for move in reader.moves():
-        reader.state.events.clear()  # unused here, and a program may have one on every line
-        yield move
 
 
 def parse_program(text: str, name: str = "<text>", *, require_end: bool = True, reading: Reading | None = None) -> Program:
@@ -144,8 +93,6 @@ def open_program(
 
     Parameters
     ----------
-    file : str or Path
-    reading : Reading, optional
     still, problems
         See `Reader`.
 

@@ -43,7 +43,6 @@ class OWord(NamedTuple):
         One of `KEYWORDS`; empty for ``O100`` alone, a subprogram of M98.
     values : tuple of float
         Arguments of a call; the condition, number of repeats, or returned value.
-    column : int
     """
 
     label: str
@@ -62,8 +61,6 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
 
     Parameters
     ----------
-    line : str
-    parameters : Parameters
     skipping : bool
         Whether to read only label and keyword, because conditions on skipped lines may be undefined.
 
@@ -130,7 +127,6 @@ class Tape:
 
     Parameters
     ----------
-    lines : iterator of str
     name : str
         The file's name, for errors.
     """

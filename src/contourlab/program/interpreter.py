@@ -49,15 +49,10 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
 
     Parameters
     ----------
-    block : Block
     state : ModalState
         Changed in place; events are added.
     line : int
         Source line of the block, for its moves.
-
-    Returns
-    -------
-    list of Move
 
     Raises
     ------

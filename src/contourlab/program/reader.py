@@ -83,7 +83,6 @@ class Reader:
         With or without line breaks, for example an open text file.
     name : str or Path
         Name of the program in error messages.
-    reading : Reading, optional
     still : bool
         Whether to yield moves of zero length and dwells of 0 s, too.
     problems : list of ProgramError, optional
@@ -93,7 +92,22 @@ class Reader:
     ----------
     state : ModalState
         The state after the last block whose moves were yielded.
-    notices : list of Notice
+
+    Notes
+    -----
+    The language is RS274/NGC as LinuxCNC 2.9 reads it. The program starts at machine zero (0, 0, 0) in G17, G21, G54, G90, G91.1, G94 and
+    G99, with no motion and no feedrate, all offsets zero. Positions are those of the axes: work coordinate systems (G10 L2, L20, G54 to
+    G59.3 with rotation, G92, G52) and tool offsets (G43, G43.1, G43.2) are applied. Supported besides: G0 to G3 with I, J, K or R and P
+    turns, G4, G5, G5.1, G5.2 with G5.3, G7, G8, G17 to G19, G20, G21, G28, G30, G40, G53, G61, G61.1, G64 with P and Q, G73, G74, G80 to
+    G89, G90 to G91.1, G93 to G95, G97 to G99, polar coordinates, parameters, expressions, O-words, M98 and M99. S, T, M0, M1, M3 to M9,
+    M19, M48 to M53, M60 to M65, M67 and M68 are kept as events. Everything else is refused.
+
+    Stricter than LinuxCNC: a spline begun with G5.2 must be closed, G4 shares its P with no other code, a cycle needs its words again after
+    a change of units, and numbers too large for any machine are refused. More tolerant: lines may be longer than 255 characters.
+
+    References
+    ----------
+    T. R. Kramer, F. M. Proctor, E. Messina, *The NIST RS274/NGC Interpreter, Version 3*, NISTIR 6556, 2000.
     """
 
     def __init__(

@@ -49,8 +49,6 @@ class ModalState:
 
     Parameters
     ----------
-    parameters : Parameters
-    tools : Tools
     still : bool
         Whether to make moves of zero length and dwells of 0 s.
     position : (x, y, z) [m]

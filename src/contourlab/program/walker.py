@@ -55,9 +55,6 @@ class Walker:
 
     Parameters
     ----------
-    tape : Tape
-        The program.
-    parameters : Parameters
     find : callable
         Returns the tape of a subprogram file by name, or None.
     most : int

@@ -103,7 +103,7 @@ def _runs(data: ReportData, axis: int, points: int, signal: str, label: str, fac
 
 def _limited(panel: Panel, bounds: AxisBounds | None, name: str, axis: int, factor: float, unit: str) -> Panel:
     """Return the panel with its two limits and a range that flattens neither them nor the curves."""
-    limit = bounds.of(name, axis) * factor if bounds is not None else float("inf")
+    limit = float(getattr(bounds, name)[axis]) * factor if bounds is not None else float("inf")
     if not np.isfinite(limit):
         return panel
     text = f"limit ±{number(limit, 6)} {unit}"

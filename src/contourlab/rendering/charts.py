@@ -21,7 +21,6 @@ class Curve:
     x, y : ndarray (n,)
     name : str
         Legend entry; curves with the same name share it.
-    colour : str
     dash : {"solid", "dash", "dot"}
     width : float [px]
     half : ndarray (n,), optional
@@ -62,16 +61,10 @@ class Panel:
     ----------
     x_label, y_label : str
         With unit.
-    curves : tuple of Curve
-    levels : tuple of Level
     band : (low, high), optional
         Shaded band: the tolerance.
-    band_label : str
     span : (low, high), optional
         Shaded span of x: the window of a fit.
-    span_label : str
-    ticks : tuple of Tick
-    log_x, log_y : bool
     y_range : (low, high), optional
         None lets the renderer choose.
     far : bool
@@ -102,8 +95,6 @@ class Chart:
 
     Parameters
     ----------
-    key, title, caption : str
-    panels : tuple of Panel
     panel_height : int [px]
         0 for the default.
     loops : bool
@@ -185,7 +176,6 @@ class Magnified:
     foot : ndarray (n, 2 or 3) [mm]
     error : ndarray (n, 2 or 3) [um]
         From the foot point on the path to the machine.
-    name, colour, dash : str
     lines : ndarray (n,) of int, optional
         Line of the program at each point; 0 for none.
     """
@@ -214,7 +204,6 @@ class PathChart:
         Labels of the two axes, with unit.
     lines : tuple of Curve
         Planned and programmed path [mm].
-    runs : tuple of Magnified
     tolerance : tuple of Magnified
         Edges of the tolerance.
     worst : tuple of Magnified
@@ -248,7 +237,6 @@ class SpaceChart:
         Labels of the three axes, with unit.
     asked : ndarray (n, 3) [mm]
         The programmed path.
-    runs : tuple of Magnified
     sizes : tuple of ndarray (n,) [um]
         Size of the error at each point of a run.
     magnification : float
@@ -275,15 +263,12 @@ class Tile:
 
     Parameters
     ----------
-    title, x_label : str
-    curves : tuple of Curve
     marks : tuple of (x, y, colour)
         Rings: minima of curves.
     here : tuple of (x, colour)
         Vertical lines: present values.
     shaded : tuple of (low, high)
         Spans of x in which runs fail.
-    log_x : bool
     """
 
     title: str

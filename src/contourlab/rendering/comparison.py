@@ -35,7 +35,6 @@ class Row:
 
     Parameters
     ----------
-    label, unit : str
     cells : tuple of Cell
         One per scheme.
     change : Cell
@@ -177,15 +176,12 @@ class Figure:
 
     Parameters
     ----------
-    label : str
     value : float
         SI.
     factor : float
         From SI to `unit`.
-    unit : str
     strong : bool
         Whether the tolerance applies to it.
-    lower_is_better : bool
     """
 
     label: str

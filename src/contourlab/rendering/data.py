@@ -31,14 +31,9 @@ class SchemeReport:
         For example ``"without observer"``.
     result : Result
         Judged, with the signals ``contour_error`` and ``tracking_error``.
-    metrics : Metrics
-    bounds : AxisBounds or None
-    verdict : Verdict or None
     bode : mapping of axis name to FrequencyResponse
-    circles : sequence of CircleFigures
     bidirectional : mapping of str to Bidirectional
         Circles that were run in both directions, by name.
-    spikes : sequence of Spike
     circle_spikes : sequence of sequence of int
         Points of each circle at which reversal spikes are highest, to be marked.
     limits : LimitReport or None
@@ -55,7 +50,6 @@ class SchemeReport:
         Load positions and the free travel there, for each axis with motor and load.
     trust : Trust or None
         Sources of the parameters, and the interval of the part error.
-    findings : sequence of Finding
     lines : ndarray (n_sample,) of int, or None
         Line of the program at each sample, 0 for none.
     """
@@ -87,15 +81,10 @@ class Provenance:
 
     Parameters
     ----------
-    version : str
-        Version of contourlab.
-    command : str
-        As typed.
     run_again : str
         Command that repeats this report from `scenario`.
     scenario : str
         As TOML.
-    seed : int or None
     platform : str
         For example ``"Linux x86_64, Python 3.11.9, numba 0.62"``.
     """
@@ -114,12 +103,10 @@ class ReportData:
 
     Parameters
     ----------
-    title : str
     schemes : sequence of SchemeReport
         At least one; the others are compared with the first ("before").
     planned : Path
         The followed path.
-    provenance : Provenance
     programmed : Path or None
         The programmed path, if it differs; the judge's ``foot_arc_length`` belongs to it.
     program : sequence of str

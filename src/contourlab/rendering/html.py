@@ -42,7 +42,6 @@ def write_html(data: ReportData, file: str | Path) -> Path:
 
     Parameters
     ----------
-    data : ReportData
     file : str or Path
         Replaced completely or not at all.
 

@@ -33,7 +33,6 @@ class Number:
         Standard deviation.
     range : (float, float) or None
         Bounds of a uniform distribution.
-    reference, note : str
     drawn : bool
         Whether it differs between the sampled machines.
     simulated : bool
@@ -114,7 +113,6 @@ class Interval:
         Least magnitude of a rank correlation that is not chance.
     main : str
         The number that contributes most; empty if none dominates.
-    findings : tuple of Finding
     values : mapping of str to ndarray (n,)
         The sampled numbers, in SI.
     figures : mapping of str to ndarray (n,) [m]

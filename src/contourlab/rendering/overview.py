@@ -26,7 +26,6 @@ def write_overview(file: str | Path, answer: str, reports: Mapping[str, ReportDa
 
     Parameters
     ----------
-    file : str or Path
     answer : str
         The sentence on top.
     reports : mapping of str to ReportData

@@ -131,8 +131,6 @@ class ReversalTable:
 
     Parameters
     ----------
-    heads : tuple of str
-        Names of the schemes.
     rows : tuple
         Kind, number, and for each scheme mean and largest spike [um] and mean duration [ms].
     """

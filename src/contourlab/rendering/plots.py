@@ -33,7 +33,6 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
 
     Parameters
     ----------
-    data : ReportData
     folder : str or Path
         Created if missing.
     formats : sequence of str

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.arrays import Array, Complex
-from contourlab.errors import ParameterError
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,18 +27,6 @@ class AxisBounds:
     jerk: Array
     command: Array
 
-    def __post_init__(self) -> None:
-        for name, unit in (("velocity", "m/s"), ("acceleration", "m/s^2"), ("jerk", "m/s^3"), ("command", "")):
-            value = np.atleast_1d(np.asarray(getattr(self, name), dtype=np.float64))
-            if not bool(np.all(value > 0.0)):
-                raise ParameterError(name, value.tolist(), "> 0 on every axis (inf for no limit)", unit)
-            object.__setattr__(self, name, value)
-
-    def of(self, name: str, axis: int) -> float:
-        """Return one limit of one axis; a single value holds for all axes."""
-        value: Array = getattr(self, name)
-        return float(value[axis] if value.size > 1 else value[0])
-
 
 @dataclass(frozen=True, eq=False)
 class FrequencyResponse:
@@ -52,8 +39,6 @@ class FrequencyResponse:
         Position over reference, 1 when the axis follows exactly.
     notes : mapping of str to str
         Printed figures, for example ``{"bandwidth": "42 Hz", "phase margin": "61 deg"}``.
-    stable : bool
-        Whether the loop is stable.
     meant : str
         Name of the linear loop, if the axis has several: for example ``"in contact"``.
     """
@@ -63,16 +48,6 @@ class FrequencyResponse:
     notes: Mapping[str, str] = field(default_factory=dict)
     stable: bool = True
     meant: str = ""
-
-    def __post_init__(self) -> None:
-        frequency = np.asarray(self.frequency, dtype=np.float64)
-        response = np.asarray(self.response, dtype=np.complex128)
-        if frequency.ndim != 1 or frequency.shape != response.shape or frequency.size < 2:
-            raise ParameterError("response", response.shape, f"one value per frequency, at least 2: {frequency.shape}")
-        if not bool(np.all(frequency > 0.0) and np.all(np.diff(frequency) > 0.0)):
-            raise ParameterError("frequency", "array", "> 0 and ascending", "Hz")
-        object.__setattr__(self, "frequency", frequency)
-        object.__setattr__(self, "response", response)
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +65,6 @@ class FeedRun:
         Ascending.
     binding : ndarray (n,) of int
         What limits the speed up to the next point: an index into `names`.
-    names : sequence of str
     """
 
     arc_length: Array
@@ -99,13 +73,6 @@ class FeedRun:
     time: Array
     binding: NDArray[np.int8]
     names: Sequence[str]
-
-    def __post_init__(self) -> None:
-        sizes = {part.shape for part in (self.arc_length, self.feedrate, self.programmed, self.time, self.binding)}
-        if len(sizes) != 1 or self.arc_length.ndim != 1 or self.arc_length.size < 2:
-            raise ParameterError("arrays of a feed run", sorted(sizes), "of one length, at least 2")
-        if int(self.binding.min()) < 0 or int(self.binding.max()) >= len(self.names):
-            raise ParameterError("binding", int(self.binding.max()), f"indices into {len(self.names)} names")
 
     def shares(self) -> dict[str, float]:
         """Return the share of time for which each cause limits the speed, the largest first."""
@@ -134,11 +101,6 @@ class TrialCourse:
     tracking_rms: Array
     best: int
     status: str
-
-    def __post_init__(self) -> None:
-        n = len(self.contour_rms)
-        if n == 0 or self.tracking_rms.ndim != 2 or len(self.tracking_rms) != n or not 0 <= self.best < n:
-            raise ParameterError("trials", f"{n} contour errors, tracking errors {self.tracking_rms.shape}", "one row for each trial")
 
     @property
     def in_words(self) -> str:

@@ -45,13 +45,12 @@ def round_down(value: float) -> float:
     return max((step for step in (1.0, 2.0, 5.0) if step <= value / power * (1 + 1e-12)), default=1.0) * power
 
 
-def magnification(extent: float, largest: float, part: float = 0.1) -> float:
-    """Return by how much to magnify errors so that the largest covers about `part` of a drawing `extent` wide.
+def magnification(extent: float, largest: float) -> float:
+    """Return by how much to magnify errors so that the largest covers about a tenth of a drawing `extent` wide.
 
     Parameters
     ----------
     extent, largest : float [m], >= 0
-    part : float, > 0
 
     Returns
     -------
@@ -63,4 +62,4 @@ def magnification(extent: float, largest: float, part: float = 0.1) -> float:
     """
     if not (largest > 0.0 and math.isfinite(largest) and extent > 0.0):
         return 1.0
-    return max(1.0, round_down(part * extent / largest))
+    return max(1.0, round_down(0.1 * extent / largest))

@@ -30,8 +30,6 @@ class SwitchTable:
 
     Parameters
     ----------
-    name : str
-    count : int
     rows : tuple
         Axis, change, reason, number, share of time of the new controller, first time, its line.
     listed : tuple
@@ -116,7 +114,7 @@ def strip_charts(data: ReportData) -> tuple[Chart, ...]:
     if not led:
         return ()
     names = list(dict.fromkeys(name for scheme in led for name in _names(scheme)))
-    looks = {name: _colour(i, len(names)) for i, name in enumerate(names)}
+    looks = {name: scheme_style(i, len(names))[0] for i, name in enumerate(names[1:])} | {names[0]: REFERENCE}
     height = 46 + max(40 * len(scheme.switches.axes) for scheme in led if scheme.switches is not None)
     how = "Very short segments are drawn longer to remain visible."
     over_time = tuple(_panel(scheme, looks, "time [s]") for scheme in led)
@@ -132,10 +130,6 @@ def _names(scheme: SchemeReport) -> list[str]:
     assert scheme.switches is not None
     held = [name for axis in scheme.switches.axes for name in scheme.switches.active[axis]]
     return list(dict.fromkeys([*scheme.switches.first.values(), *held, *(kind.after for kind in scheme.switches.kinds)]))
-
-
-def _colour(index: int, count: int) -> str:
-    return REFERENCE if index == 0 else scheme_style(index - 1, max(count, 2))[0]
 
 
 def _panel(scheme: SchemeReport, looks: dict[str, str], label: str) -> Panel:

@@ -77,7 +77,7 @@ class Table:
         """Return the least width of a column."""
         texts = [*_head_lines(self.columns[column].head), *(row[column] for row in self.rows)]
         if self.columns[column].prose:
-            return max(_widest(text) for text in texts)
+            return max((len(word) for text in texts for word in text.split()), default=0)
         return max(map(len, texts))
 
     def _panels(self, width: int) -> Iterator[list[int]]:
@@ -157,7 +157,3 @@ def _head_lines(head: str) -> list[str]:
 
     lines = head.replace(" [", "\n[").split("\n")
     return [part for line in lines for part in wrap(line, _HEAD, break_long_words=False, break_on_hyphens=False) or [""]]
-
-
-def _widest(text: str) -> int:
-    return max(map(len, text.split()), default=0)

@@ -81,10 +81,8 @@ class ResultWriter:
 
     Parameters
     ----------
-    file : str or Path
     header : mapping
-        From `Result.header`; `finish` replaces the status at the end.
-    axes : tuple of str
+        From `Result.header`.
     n_sample : int, optional
         Number of samples, if known: a file of fixed size is faster to write.
 
@@ -167,10 +165,6 @@ class ResultWriter:
         index = float(self.header.get("start", 0)) + np.arange(self._length, stop)
         self._data.variables["time"][self._length : stop] = index * float(self.header["servo_period"])
         self._length = stop
-
-    def finish(self, status: Status) -> None:
-        """Store how the run ended."""
-        self.header |= status.header()
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
         if kind is not None:

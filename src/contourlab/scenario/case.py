@@ -315,7 +315,6 @@ def chosen(scenario: Scenario, names: Iterable[str]) -> Scenario:
 
     Parameters
     ----------
-    scenario : Scenario
     names : iterable of str
         Schemes of the scenario, or `FEATURES` joined by +. The scenario's schemes have priority. A scheme name with commas may be split
         at them.

@@ -52,17 +52,12 @@ def read_component(
     ----------
     node : Node
         Table, or name of the kind.
-    family : str
     units : (str, str)
         Units of the plant's command and force.
     optional : bool
         Whether ``"none"`` is allowed.
     given : mapping, optional
         Computed values in SI; the table's own have priority.
-
-    Returns
-    -------
-    Component or None
 
     Raises
     ------

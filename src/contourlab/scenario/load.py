@@ -69,8 +69,6 @@ def load_axis(file: str | Path, name: str = "x", plugins: Sequence[str | Path] =
     ----------
     file : str or Path
         Or ``builtin:`` and the name of a shipped one.
-    name : str
-        Name of the axis.
     plugins : sequence of str or Path
         Python files with further components.
 
@@ -111,10 +109,8 @@ def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machin
 
     Parameters
     ----------
-    file : str or Path
-        Or ``builtin:`` and the name of a shipped one.
-    plugins : sequence of str or Path
-        Python files with further components.
+    file, plugins
+        As in `load_axis`.
 
     Raises
     ------
@@ -151,11 +147,8 @@ def load_controller(
 
     Parameters
     ----------
-    file : str or Path
-        Or ``builtin:`` and the name of a shipped one.
-    machine : Machine
-    plugins : sequence of str or Path
-        Python files with further components.
+    file, plugins
+        As in `load_axis`.
     called : mapping of str to str, optional
         Name in the file of each axis that has another name on the machine.
 
@@ -230,14 +223,12 @@ def changed_case(file: str | Path, scheme: str, changes: Table, plugins: Sequenc
 
     Parameters
     ----------
-    file : str or Path
-        Or ``builtin:`` and the name of a shipped one.
+    file, plugins
+        As in `load_axis`.
     scheme : str
         Empty for the base.
     changes : Table
         As in a scheme, and ``contour`` or ``program``, which replaces the motion.
-    plugins : sequence of str or Path
-        Python files with further components.
 
     Raises
     ------

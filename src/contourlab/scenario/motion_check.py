@@ -22,8 +22,6 @@ def check_motion(reference: Reference, machine: Machine, fault: Fault, *, bounde
 
     Parameters
     ----------
-    reference : Reference
-    machine : Machine
     fault : callable
         Returns the error to raise, from a message and a program line (0 for none).
     bounded : bool

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import singledispatch
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -31,7 +30,6 @@ def placed(path: Path, offset: Sequence[float]) -> Path:
 
     Parameters
     ----------
-    path : Path
     offset : sequence of float [m]
         One value per coordinate of the result; coordinates beyond the path's own stay constant.
 
@@ -75,36 +73,25 @@ class _Moved(Curve):
         return b"moved" + self.move.astype("<f8").tobytes() + self.curve.describe()
 
 
-@singledispatch
 def _moved(curve: Curve, move: Array) -> Curve:
+    def wide(*vectors: Array) -> list[Array]:
+        return [_wide(vector, move.size) for vector in vectors]
+
+    match curve:
+        case Line():
+            start, end = wide(curve.start, curve.end)
+            return Line(start + move, end + move)
+        case Arc():
+            centre, *frame = wide(curve.centre, curve.u, curve.v, curve.rise)
+            return Arc(centre + move, curve.radius, curve.start_angle, curve.sweep, *frame)
+        case EllipticalArc():
+            centre, p, q = wide(curve.centre, curve.p, curve.q)
+            return EllipticalArc(centre + move, p, q, curve.first, curve.last)
+        case BSpline():
+            return BSpline(curve.degree, _wide(curve.points, move.size) + move, curve.knots)
+        case Nurbs():
+            return Nurbs(curve.degree, _wide(curve.points, move.size) + move, curve.knots, curve.weights)
     return _Moved(curve, move)
-
-
-@_moved.register
-def _(curve: Line, move: Array) -> Curve:
-    return Line(_wide(curve.start, move.size) + move, _wide(curve.end, move.size) + move)
-
-
-@_moved.register
-def _(curve: Arc, move: Array) -> Curve:
-    centre, u, v, rise = (_wide(vector, move.size) for vector in (curve.centre, curve.u, curve.v, curve.rise))
-    return Arc(centre + move, curve.radius, curve.start_angle, curve.sweep, u, v, rise)
-
-
-@_moved.register
-def _(curve: EllipticalArc, move: Array) -> Curve:
-    centre, p, q = (_wide(vector, move.size) for vector in (curve.centre, curve.p, curve.q))
-    return EllipticalArc(centre + move, p, q, curve.first, curve.last)
-
-
-@_moved.register
-def _(curve: BSpline, move: Array) -> Curve:
-    return BSpline(curve.degree, _wide(curve.points, move.size) + move, curve.knots)
-
-
-@_moved.register
-def _(curve: Nurbs, move: Array) -> Curve:
-    return Nurbs(curve.degree, _wide(curve.points, move.size) + move, curve.knots, curve.weights)
 
 
 def fitted(program: Program, letters: Sequence[str], machine: Machine) -> tuple[Program, str]:
@@ -112,10 +99,8 @@ def fitted(program: Program, letters: Sequence[str], machine: Machine) -> tuple[
 
     Parameters
     ----------
-    program : Program
     letters : sequence of str
         The address that each axis of the machine obeys.
-    machine : Machine
 
     Returns
     -------

@@ -51,7 +51,6 @@ def read_origins(declared: Mapping[str, Parameter], table: Table, values: Mappin
     ----------
     declared : mapping of str to Parameter
         With the units of the plant.
-    table : Table
     values : mapping of str to value in SI
 
     Raises
@@ -270,7 +269,6 @@ def origin_table(value: Any, origin: Origin, quantity: Callable[[float], Any]) -
     ----------
     value : object
         As in a file.
-    origin : Origin
     quantity : callable
         Writes a number of the same unit.
     """

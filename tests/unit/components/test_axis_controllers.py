@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from component_rig import PERIOD, Array, make, run_alone
+from component_rig import PERIOD, behind_a_drive, make, run_alone
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import bilinear, lfilter
@@ -22,9 +22,6 @@ from contourlab.components.controller.pid import PID
 from contourlab.components.controller.speed_pid import SpeedPID
 from contourlab.components.controller.state_feedback import StateFeedback
 from contourlab.components.registry import components
-from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.loop.machine import Axis, AxisController
 from contourlab.papers.ghaffari.axis_response import axis_response
@@ -93,19 +90,6 @@ def test_an_axis_at_rest_gets_zero_command_at_any_position(kind: type[Component]
     fed = {port.name: still for port in part.inputs if port.name in places}
     out = run_alone(part, fed, initial=part.at_rest(0.3)[0])["command"]
     assert not out.any()
-
-
-def behind_a_drive(part: Component, error: Array, limit: float) -> Array:
-    """Return the commands (n_tick,) of a controller with a limited drive, for a given error."""
-    drive = make("drive", "saturation", limit=limit)
-    wires: dict[str, Any] = {port.name: 0.0 for port in part.inputs}
-    wires |= {"reference": "in.error", "accepted": Late("drive.applied")}
-    nodes = (
-        Node("controller", part.make_step(), wires, part.block(PERIOD)),
-        Node("drive", drive.make_step(), {"command": "controller.command"}, drive.block(PERIOD)),
-    )
-    schedule = Schedule(nodes, (Port("error"),), PERIOD, 2)
-    return make_group(schedule, 1, slice(0, 1), False).run(error[:, None], [schedule.row("controller.command")])[:, 0, 0]
 
 
 INTEGRALS: list[Any] = [
@@ -180,7 +164,7 @@ def test_weights_move_the_zeros_and_leave_the_loop(weight: float) -> None:
     part = PID(proportional_gain=900.0, integral_gain=3000.0, reference_weight=weight, derivative_gain=50.0, derivative_bandwidth=500.0)
     s = 1j * W
     d = 50.0 * 500.0 * s / (s + 500.0)
-    found = axis_response(rigid(1.0), AxisController(part), 0.0, W)
+    found = axis_response(rigid(1.0), AxisController(part), W)
     assert found.loop_gain == pytest.approx((900.0 + 3000.0 / s + d) / s**2, rel=1e-9)
     assert found.closed_loop == pytest.approx((weight * 900.0 + 3000.0 / s + d) / s**2 / (1.0 + found.loop_gain), rel=1e-9)
 
@@ -197,7 +181,7 @@ def test_the_loop_on_the_speed_error_is_a_first_order_lag() -> None:
     wanted = 1.0 / (1.0 + 1j * W * TA)
     missing = []
     for bandwidth in (2e5, 4e5, 8e5):
-        found = axis_response(lagging(), AxisController(speed_pid(acceleration_bandwidth=bandwidth)), 0.0, W).closed_loop
+        found = axis_response(lagging(), AxisController(speed_pid(acceleration_bandwidth=bandwidth)), W).closed_loop
         missing.append(np.abs(found - wanted).max())
     assert missing[0] < W.max() / 2e5
     assert np.array(missing[:-1]) / missing[1:] == pytest.approx([2.0, 2.0], rel=0.02)
@@ -223,7 +207,7 @@ def test_it_lags_by_the_time_constant_at_any_period(period: float) -> None:
 
 
 def test_read_as_a_position_pid_it_has_no_damping() -> None:
-    found = axis_response(lagging(), AxisController(speed_pid(structure="position")), 0.0, W)
+    found = axis_response(lagging(), AxisController(speed_pid(structure="position")), W)
     assert found.loop_gain == pytest.approx(1.0 / (TA * (1j * W) ** 2), rel=1e-9)
     assert not sampled_loop(lagging(), AxisController(speed_pid(structure="position")), 1e-3).stable
 
@@ -237,19 +221,19 @@ def test_a_tuned_velocity_loop_has_the_requested_poles(bandwidth: float, zeta: f
     damping = part * 2.0 * zeta * bandwidth
     made = Cascade(**Cascade.tune(bandwidth, zeta, gain, damping, position_gain=10.0)).replace(position_gain=0.0)
     s = 1j * W
-    found = axis_response(rigid(gain, damping), AxisController(made), 0.0, W).loop_gain
+    found = axis_response(rigid(gain, damping), AxisController(made), W).loop_gain
     # The numerator of 1 + L, with L over s (s + b), is the polynomial of the closed loop.
     assert (1.0 + found) * s * (s + damping) == pytest.approx(s * s + 2.0 * zeta * bandwidth * s + bandwidth**2, rel=1e-8)
 
 
 def test_with_both_feedforwards_an_undamped_axis_follows_exactly() -> None:
-    found = axis_response(rigid(0.7), AxisController(Cascade(**Cascade.tune(200.0, 0.9, 0.7))), 0.0, W).closed_loop
+    found = axis_response(rigid(0.7), AxisController(Cascade(**Cascade.tune(200.0, 0.9, 0.7))), W).closed_loop
     assert found == pytest.approx(np.ones(W.size), abs=1e-10)
 
 
 def test_without_feedforward_it_lags_by_the_position_gain() -> None:
     made = Cascade(**{**Cascade.tune(200.0, 0.9, 0.7), "velocity_feedforward": 0.0, "acceleration_feedforward": 0.0})
-    found = axis_response(rigid(0.7), AxisController(made), 0.0, [1e-3]).closed_loop[0]
+    found = axis_response(rigid(0.7), AxisController(made), [1e-3]).closed_loop[0]
     assert (1.0 - found) / 1e-3j == pytest.approx(1.0 / made.position_gain, rel=1e-4)
 
 
@@ -286,7 +270,7 @@ def test_a_designed_lead_has_its_margin_at_its_crossover(margin: float, crossove
     damping = part * crossover
     made = LeadLag(**LeadLag.design(math.radians(margin), crossover, gain, damping, delay=delay))
     axis = rigid(gain, damping)
-    found = axis_response(axis, AxisController(made), 0.0, [crossover]).loop_gain[0] * cmath.exp(-1j * crossover * delay)
+    found = axis_response(axis, AxisController(made), [crossover]).loop_gain[0] * cmath.exp(-1j * crossover * delay)
     assert abs(found) == pytest.approx(1.0, rel=1e-9)
     assert cmath.phase(-found) == pytest.approx(math.radians(margin), abs=1e-9)
 
@@ -295,7 +279,7 @@ def test_a_design_that_ignores_the_integral_loses_its_phase() -> None:
     """UBC MECH 467: 60 degrees at 20 Hz for the lead, k_i a tenth; the whole loop has atan(0.1) less."""
     crossover = 2.0 * math.pi * 20.0
     made = LeadLag(**LeadLag.design(math.radians(60.0), crossover, 1.8, 20.0, integral_counted=False))
-    found = axis_response(rigid(1.8, 20.0), AxisController(made), 0.0, [crossover]).loop_gain[0]
+    found = axis_response(rigid(1.8, 20.0), AxisController(made), [crossover]).loop_gain[0]
     assert cmath.phase(-found) == pytest.approx(math.radians(60.0) - math.atan(0.1), abs=1e-9)
     assert abs(found) == pytest.approx(math.hypot(1.0, 0.1), rel=1e-9)
 
@@ -338,7 +322,7 @@ def test_a_rigid_axis_has_the_placed_poles(
     poles = pair if extra is None else [*pair, -extra]
     part = StateFeedback(**StateFeedback.place_rigid(poles, gain, damping))
     s = 1j * W
-    found = axis_response(rigid(gain, damping), AxisController(part), 0.0, W)
+    found = axis_response(rigid(gain, damping), AxisController(part), W)
     below = s * (s + damping) * (1.0 if extra is None else s)
     wanted = np.prod([s - pole for pole in poles], axis=0)
     assert (1.0 + found.loop_gain) * below == pytest.approx(wanted, rel=1e-8, abs=1e-8 * np.abs(wanted).min())
@@ -350,7 +334,7 @@ def test_on_the_position_alone_it_is_the_second_order_lag() -> None:
     w, zeta, s = 2.0 * math.pi * 20.0, 0.7, 1j * W
     placed = StateFeedback.place_rigid(np.roots([1.0, 2.0 * zeta * w, w * w]).tolist(), 1.8, 20.0)
     part = StateFeedback(**placed, following="position")
-    found = axis_response(rigid(1.8, 20.0), AxisController(part), 0.0, W).closed_loop
+    found = axis_response(rigid(1.8, 20.0), AxisController(part), W).closed_loop
     assert found == pytest.approx(w * w / (s * s + 2.0 * zeta * w * s + w * w), rel=1e-9)
 
 

@@ -63,17 +63,6 @@ def test_the_average_has_the_response_of_eq_9(frequency: float, passes: int) -> 
     assert moving_average(wave, m, passes)[inner] == pytest.approx(expected * wave[inner], abs=1e-12)
 
 
-def test_the_average_keeps_a_constant_up_to_both_ends() -> None:
-    assert moving_average(np.full((40, 2), 3.0), 11) == pytest.approx(np.full((40, 2), 3.0), rel=1e-14)
-
-
-def test_the_average_has_the_stated_width() -> None:
-    impulse = np.zeros((50, 1))
-    impulse[20] = 1.0
-    found = moving_average(impulse, 3)[:, 0]
-    assert np.flatnonzero(np.abs(found) > 1e-15).tolist() == list(range(17, 24))
-
-
 @pytest.mark.parametrize("order", [1, 2, 4])
 def test_the_q_filter_is_a_butterworth_run_both_ways(order: int) -> None:
     """Against SciPy's, in the time domain, over a long mirror image."""
@@ -85,15 +74,6 @@ def test_the_q_filter_is_a_butterworth_run_both_ways(order: int) -> None:
         ours = q_filter(signal, 2.0 * np.pi * hertz, order, PERIOD)
         theirs = sosfiltfilt(butter(order, hertz, fs=1.0 / PERIOD, output="sos"), whole, axis=0)[4000:8000]
         assert ours == pytest.approx(theirs, abs=1e-8 * np.abs(theirs).max())
-
-
-@pytest.mark.parametrize("order", [1, 3])
-def test_the_q_filter_halves_the_amplitude_at_its_bandwidth(order: int) -> None:
-    t = np.arange(5000)[:, None] * PERIOD
-    for ratio in (0.5, 1.0, 2.0):
-        wave = np.cos(ratio * 40.0 * t)
-        found = q_filter(wave, 40.0, order, PERIOD)
-        assert found[2000:3000] == pytest.approx(wave[2000:3000] / (1.0 + ratio ** (2 * order)), abs=2e-4)  # frequency warping
 
 
 @given(st.integers(2, 300), st.floats(1.0, 4000.0), st.integers(1, 4), st.integers(0, 40), st.integers(0, 2**31))

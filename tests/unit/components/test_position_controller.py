@@ -7,32 +7,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from component_rig import PERIOD, Array, make, run_alone
+from component_rig import PERIOD, Array, behind_a_drive, make, run_alone
 from hypothesis import given
 from hypothesis import strategies as st
 
 import contourlab as cl
 from contourlab.components.controller.position import PositionController
-from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
-
-TABLE_2 = [
-    # axis, a' [mm/s^2], b' [1/s], K_V, K_P, K_I as printed, lengths in mm
-    (1, 873.0, 19.7, 0.057, 2.12, 11.82),
-    (2, 754.0, 24.7, 0.060, 2.45, 11.82),
-    (3, 801.0, 19.9, 0.062, 2.31, 11.82),
-]
-
-
-@pytest.mark.parametrize(("axis", "gain", "damping", "kv", "kp", "ki"), TABLE_2)
-def test_printed_gains_within_one_unit_of_the_last_digit(axis: int, gain: float, damping: float, kv: float, kp: float, ki: float) -> None:
-    """Ghaffari & Ulsoy, Table II, from eqs (21)-(23) with w_n = 25 rad/s, zeta = 0.7, alpha = 35 rad/s."""
-    placed = PositionController.place(25.0, 0.7, 35.0, gain / 1e3, damping)
-    assert abs(placed["velocity_gain"] / 1e3 - kv) < 1e-3
-    assert abs(placed["position_gain"] / 1e3 - kp) < 1e-2
-    assert abs(placed["integral_gain"] - ki) < 1e-2
 
 
 def closed_loop(part: PositionController, gain: float, damping: float) -> Array:
@@ -130,24 +111,10 @@ def test_an_ipv_loop_at_rest_away_from_zero_gives_zero_command() -> None:
 def test_the_integral_waits_while_the_drive_is_at_its_limit(way: float) -> None:
     """It ignores errors that drive further into the limit and integrates errors that lead out of it."""
     error = way * np.concatenate([np.full(20, 1e-3), np.full(5, -0.25e-3)])
-    hold, windup = (behind_a_drive(error, 2.0, kind) for kind in ("hold", "none"))
+    part = make("controller", "position", position_gain=4000.0, integral_gain=12.0)
+    hold, windup = (behind_a_drive(part.replace(anti_windup=kind), error, 2.0) for kind in ("hold", "none"))
     rate = 4000.0 * 12.0 * PERIOD
     # The first tick does not know of the limit yet; then the integral stays constant until the error changes sign.
     held = way * np.concatenate([np.full(20, 1e-3), 1e-3 - 0.25e-3 * np.arange(1, 6)])
     assert hold - 4000.0 * error == pytest.approx(rate * held, abs=1e-9)
     assert windup - 4000.0 * error == pytest.approx(rate * np.cumsum(error), abs=1e-9)
-
-
-def behind_a_drive(error: Array, limit: float, anti_windup: str) -> Array:
-    """Return the commands (n_tick,) of a controller with a limited drive, for a given error."""
-    part = make("controller", "position", position_gain=4000.0, integral_gain=12.0, anti_windup=anti_windup)
-    drive = make("drive", "saturation", limit=limit)
-    wires: dict[str, Any] = {port.name: 0.0 for port in part.inputs}
-    wires |= {"reference": "in.error", "accepted": Late("drive.applied")}
-    nodes = (
-        Node("controller", part.make_step(), wires, part.block(PERIOD)),
-        Node("drive", drive.make_step(), {"command": "controller.command"}, drive.block(PERIOD)),
-    )
-    schedule = Schedule(nodes, (Port("error"),), PERIOD, 2)
-    group = make_group(schedule, 1, slice(0, 1), False)
-    return group.run(error[:, None], [schedule.row("controller.command")])[:, 0, 0]

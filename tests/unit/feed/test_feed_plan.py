@@ -125,16 +125,6 @@ def test_feedrate_changes_along_a_straight_line_respect_the_jerk(demand):
     assert np.max(feedrate) > 0.19
 
 
-def test_corners_are_exact_stops():
-    reference = plan(route_of("corners"), LIMITS, 1e-3)
-    profile = reference.profile
-    for corner in reference.path.corners:
-        at = np.argmin(np.abs(profile.s0 - corner))
-        assert profile.s0[at] == pytest.approx(corner, abs=1e-15)
-        assert profile.v0[at] == 0.0
-        assert profile.a0[at] == 0.0
-
-
 def test_tangent_joints_need_no_stop():
     reference = plan(route_of("slot"), LIMITS, 1e-3)
     feedrate = reference.block(0, reference.n_sample).feedrate

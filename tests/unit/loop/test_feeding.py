@@ -187,11 +187,6 @@ def test_tables_for_another_motion_are_refused(circle: cl.Reference, shape: tupl
         cl.simulate(stage(), control(), circle, learned=Learned(command=np.zeros(shape)))
 
 
-def test_non_finite_tables_are_refused(circle: cl.Reference) -> None:
-    with pytest.raises(ParameterError, match="finite"):
-        Learned(reference=np.full((circle.n_sample, 2), np.nan))
-
-
 def test_a_reference_of_another_servo_period_is_refused(circle: cl.Reference) -> None:
     faster = replace(stage(), servo_period=0.25 * PERIOD)
     name = next(iter(cl.parameter_names(faster, control())))

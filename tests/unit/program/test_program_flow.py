@@ -11,7 +11,7 @@ import pytest
 from refusals import refuses
 
 from contourlab.errors import ProgramError
-from contourlab.program import Dwell, Reading, iter_moves, open_program, parse_program, read_program
+from contourlab.program import Dwell, Reader, Reading, open_program, parse_program, read_program
 from contourlab.program.flow import LONGEST_LINE, Tape
 
 
@@ -207,7 +207,7 @@ def test_a_long_program_is_not_kept_in_memory() -> None:
 
     def peak(count: int) -> int:
         tracemalloc.start()
-        for _ in iter_moves(_lines(count), require_end=False):
+        for _ in Reader(_lines(count), reading=Reading(require_end=False)).moves():
             pass
         found = tracemalloc.get_traced_memory()[1]
         tracemalloc.stop()
@@ -246,7 +246,7 @@ def test_many_subprograms_after_the_end_are_read_once() -> None:
             read.append(line)
             yield line
 
-    moves = list(iter_moves(counted()))
+    moves = list(Reader(counted()).moves())
     assert [round(1e3 * move.end[0]) for move in moves if not isinstance(move, Dwell)] == list(range(1, 2001))
     assert len(read) <= 8002
 

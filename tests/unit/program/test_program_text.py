@@ -7,7 +7,7 @@ import pytest
 from refusals import refuses
 
 from contourlab.errors import ProgramError
-from contourlab.program import Dwell, Traverse, iter_moves, parse_program, read_program
+from contourlab.program import Dwell, Reader, Reading, Traverse, parse_program, read_program
 
 TO_TEN = (Traverse((0.0, 0.0, 0.0), (0.01, 0.0, 0.0), 1),)
 
@@ -86,7 +86,7 @@ def test_unreadable_files(tmp_path: Path) -> None:
             read_program(place)
 
 
-def test_iter_moves_reads_only_as_far_as_needed() -> None:
+def test_a_reader_reads_only_as_far_as_needed() -> None:
     read: list[int] = []
 
     def lines() -> Iterator[str]:
@@ -94,7 +94,7 @@ def test_iter_moves_reads_only_as_far_as_needed() -> None:
             read.append(number)
             yield f"G0 X{number}\n"
 
-    moves = iter_moves(lines(), require_end=False)
+    moves = Reader(lines(), reading=Reading(require_end=False)).moves()
     assert [next(moves).source_line for _ in range(3)] == [1, 2, 3]
     assert read == [1, 2, 3]
 

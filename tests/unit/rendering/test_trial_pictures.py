@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contourlab.errors import ParameterError
 from contourlab.rendering.comparison import compare
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.html import render_html
@@ -79,9 +78,3 @@ def test_page_and_plots_contain_the_picture(learned: ReportData, tmp_path: Path)
     page = render_html(learned)
     assert 'id="trials"' in page and "converged, best trial 17 of 30." in page
     assert (tmp_path / "trials.png") in write_plots(learned, tmp_path)
-
-
-@pytest.mark.parametrize(("n", "best"), [(0, 0), (3, 3)])
-def test_inconsistent_trial_histories_are_refused(n: int, best: int) -> None:
-    with pytest.raises(ParameterError, match="trials"):
-        TrialCourse(np.ones(n), np.ones((n, 2)), best, "converged")

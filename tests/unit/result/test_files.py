@@ -82,14 +82,6 @@ def plain(n: int = 5, **attributes: str | int | float) -> Result:
     return Result("base", ("x", "y"), 1e-3, {"position": position}, attributes=attributes)
 
 
-def test_status_of_a_run_that_failed_in_its_last_block(tmp_path: Path) -> None:
-    file, result = tmp_path / "run.nc", plain()
-    with ResultWriter(file, result.header(), result.axes) as writer:
-        writer.append(result.signals)
-        writer.finish(Status(False, 4, "y", "following error"))
-    assert Result.load(file).status == Status(False, 4, "y", "following error")
-
-
 def test_longer_than_a_chunk(tmp_path: Path) -> None:
     """The blocks do not divide the chunks of the file and span several of them."""
     n = 50_001

@@ -65,13 +65,10 @@ class ExactRun:
 
     Attributes
     ----------
-    loop : BacklashLoop
     duration : float [s]
         Shorter than requested if the motion ran away.
     times, modes : ndarray (n_span,)
         Start time and mode of each span; the mode is -1, 0 (gap) or 1.
-    diverged : bool
-        Whether the state ran away.
     """
 
     loop: BacklashLoop
@@ -121,7 +118,6 @@ def simulate_exact(
 
     Parameters
     ----------
-    loop : BacklashLoop
     start : array_like (n,)
         State at 0.
     duration : float, > 0 [s]

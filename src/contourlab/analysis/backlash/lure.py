@@ -69,9 +69,6 @@ class BacklashLoop:
         Dynamics without torque in contact, if the controller changes in the gap; `a` by default.
     contact_e : ndarray (n, 3), optional
         Input of the reference in contact; `e` by default.
-    states : tuple of str, optional
-        Names.
-
     """
 
     a: Array
@@ -178,7 +175,6 @@ def axis_backlash_loop(axis: Axis, controller: AxisController, servo_period: flo
     ----------
     axis : Axis
         Its plant is a two-inertia drive with backlash.
-    controller : AxisController
     servo_period : float [s], > 0
     carried_mass : float [kg]
         Mass of the axes that this one carries.

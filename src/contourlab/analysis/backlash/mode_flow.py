@@ -71,7 +71,6 @@ class Flow:
 
     Parameters
     ----------
-    loop : BacklashLoop
     reference : float
         Constant.
     """

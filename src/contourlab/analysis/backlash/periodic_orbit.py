@@ -76,12 +76,7 @@ class Shot:
 
 
 class Shooter:
-    """Shots of one loop from a state y: x, and the twist of a damped shaft.
-
-    Parameters
-    ----------
-    loop : BacklashLoop
-    """
+    """Shots of one loop from a state y: x, and the twist of a damped shaft."""
 
     def __init__(self, loop: BacklashLoop) -> None:
         self.flow = Flow(loop)
@@ -135,7 +130,6 @@ def close_orbit(loop: BacklashLoop, start: ArrayLike, period: float, *, twist: f
 
     Parameters
     ----------
-    loop : BacklashLoop
     start : array_like (n,)
         A state near the orbit.
     period : float [s]
@@ -147,7 +141,6 @@ def close_orbit(loop: BacklashLoop, start: ArrayLike, period: float, *, twist: f
     -------
     PeriodicOrbit or None
         None if Newton's steps do not converge, or end at a point of rest.
-
     """
     shooter = Shooter(loop)
     y = np.asarray(start, dtype=float)
@@ -277,7 +270,6 @@ def find_orbits(loop: BacklashLoop, *, prediction: Sequence[LimitCycle] | None =
 
     Parameters
     ----------
-    loop : BacklashLoop
     prediction : sequence of LimitCycle, optional
         Of the describing function, if known; a loop that switches its controller has none.
     kicks : tuple of float

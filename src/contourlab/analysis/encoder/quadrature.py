@@ -131,7 +131,6 @@ class EllipseFit:
 
     Parameters
     ----------
-    constants : QuadratureConstants
     scatter : float
         Distance of the corrected points from their circle, rms over the radius: noise, converter steps and harmonics.
     """
@@ -147,10 +146,6 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
     ----------
     u1, u2 : array_like (n,)
         At least 16 samples, from the whole ellipse.
-
-    Returns
-    -------
-    EllipseFit
 
     Raises
     ------
@@ -233,7 +228,7 @@ class Subdivisional:
     rest: float
 
 
-def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int = ORDERS) -> Subdivisional:
+def subdivisional_error(position_error: ArrayLike, phase: ArrayLike) -> Subdivisional:
     """Return the error of position that repeats with every pitch.
 
     Parameters
@@ -242,8 +237,6 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int
         Measured minus true position. A constant and a straight line over the travel (mounting, temperature) are removed.
     phase : array_like (n,) [rad]
         True phase, unwrapped: 2 pi x/pitch.
-    orders : int, >= 1
-        Number of harmonics.
 
     Raises
     ------
@@ -251,7 +244,7 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int
         If the travel is less than two pitches, or there are fewer than four samples for each unknown.
     """
     error, angle = (np.asarray(values, dtype=np.float64) for values in (position_error, phase))
-    n_unknown = 2 * orders + 2
+    n_unknown = 2 * ORDERS + 2
     if error.shape != angle.shape or error.size < 4 * n_unknown:
         raise ParameterError("samples", error.size, f"one phase for each error, at least {4 * n_unknown}")
     travel = float(np.ptp(angle)) / (2.0 * np.pi)
@@ -262,7 +255,7 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int
 
     def rows(part: slice) -> Array:
         a = angle[part]
-        waves = [wave(k * a) for k in range(1, orders + 1) for wave in (np.cos, np.sin)]
+        waves = [wave(k * a) for k in range(1, ORDERS + 1) for wave in (np.cos, np.sin)]
         return np.stack([np.ones_like(a), (a - middle) / travel, *waves])
 
     parts = [slice(start, start + BLOCK) for start in range(0, error.size, BLOCK)]
@@ -273,8 +266,8 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int
     weights = np.linalg.lstsq(gram, right, rcond=None)[0]
     square = sum(float(np.sum((error[part] - weights @ rows(part)) ** 2)) for part in parts)
     turn = np.linspace(0.0, 2.0 * np.pi, 2049)
-    sums = sum(weights[2 * k] * np.cos(k * turn) + weights[2 * k + 1] * np.sin(k * turn) for k in range(1, orders + 1))
-    amplitudes = tuple(float(np.hypot(weights[2 * k], weights[2 * k + 1])) for k in range(1, orders + 1))
+    sums = sum(weights[2 * k] * np.cos(k * turn) + weights[2 * k + 1] * np.sin(k * turn) for k in range(1, ORDERS + 1))
+    amplitudes = tuple(float(np.hypot(weights[2 * k], weights[2 * k + 1])) for k in range(1, ORDERS + 1))
     return Subdivisional(float(np.abs(sums).max()), amplitudes, math.sqrt(square / error.size))
 
 

@@ -54,7 +54,6 @@ class Stretch:
         Standard deviation of the speeds of parts, over their mean.
     count : int
         Samples.
-    source : str
     """
 
     start: int
@@ -80,8 +79,6 @@ def constant_speed_stretches(
     command : ndarray (n,)
     reference : ndarray (n,) [m], optional
         If given, a stretch is a span of one reference speed, less the time to settle; otherwise it follows from the position.
-    source : str
-        Name of the record.
 
     Raises
     ------

@@ -58,8 +58,6 @@ class DriveFit:
     measured, predicted : complex ndarray (n,) [m per command]
     fit : float [percent]
         Of the complex velocity response.
-    usable : bool
-    findings : tuple of Finding
     transfer : callable
         The model: from s (n,) to position over command.
     given : mapping of str to float
@@ -153,10 +151,6 @@ def _rigid_start(points: _Points) -> dict[str, Free]:
 def fit_linear_motor(measured: MeasuredResponse) -> DriveFit:
     """Fit mass, damping and delay to a frequency response.
 
-    Parameters
-    ----------
-    measured : MeasuredResponse
-
     Raises
     ------
     ParameterError
@@ -171,7 +165,6 @@ def fit_two_inertia(measured: MeasuredResponse, side: str = "motor") -> DriveFit
 
     Parameters
     ----------
-    measured : MeasuredResponse
     side : str
         Where the position is measured: ``"motor"`` or ``"load"``.
 
@@ -191,7 +184,6 @@ def fit_two_mass(measured: MeasuredResponse, side: str = "motor") -> DriveFit:
 
     Parameters
     ----------
-    measured : MeasuredResponse
     side : str
         Where the position is measured: ``"motor"`` or ``"load"``.
 
@@ -222,7 +214,6 @@ def fit_load_share(measured: MeasuredResponse, whole: DriveFit, motor_mass: floa
 
     Parameters
     ----------
-    measured : MeasuredResponse
     whole : DriveFit
         Fit of the same response by `fit_two_inertia`, with side ``"load"``.
     motor_mass : float

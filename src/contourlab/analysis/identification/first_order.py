@@ -51,8 +51,6 @@ class FirstOrderFit:
         Mean over each interval.
     smoothing : int
         Samples of an interval.
-    usable : bool
-    findings : tuple of Finding
     """
 
     found: OutputFit

@@ -33,7 +33,6 @@ def check_signs(names: tuple[str, ...], values: Array, deviations: Array) -> Non
 
     Parameters
     ----------
-    names : tuple of str
     values, deviations : ndarray (p,)
 
     Raises
@@ -75,7 +74,6 @@ def fit_findings(
 
     Parameters
     ----------
-    names : tuple of str
     values, deviations, robust : ndarray (p,)
         `robust` are deviations that allow for correlation of the residual.
     columns : ndarray (n, p)

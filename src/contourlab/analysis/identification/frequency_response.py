@@ -76,13 +76,10 @@ class MeasuredResponse:
         Relative standard deviation of the magnitude; also the standard deviation of the phase [rad].
     coherence : ndarray (n,)
         Between 0 and 1: share of the motion that is linear in the excitation.
-    method : str
-        Description.
     period : float [s]
         Sample period.
     distortion : ndarray (n,)
         For sines, harmonics of the velocity over its fundamental; otherwise nan.
-    findings : tuple of Finding
     """
 
     frequency: Array
@@ -137,7 +134,6 @@ def periodic_response(run: Measured, period: int) -> MeasuredResponse:
 
     Parameters
     ----------
-    run : Measured
     period : int
         Samples of a period, at least three times in the run.
 
@@ -258,10 +254,6 @@ def is_sweep(excitation: Array) -> bool:
 
 def swept_response(run: Measured) -> MeasuredResponse:
     """Return the response of an axis from one run with a sweep.
-
-    Parameters
-    ----------
-    run : Measured
 
     Raises
     ------

@@ -37,13 +37,7 @@ EXPLAINED = 75.0
 
 @dataclass(frozen=True)
 class FrictionModel:
-    """A friction model.
-
-    Attributes
-    ----------
-    name : str
-    viscous, stribeck, directed, coulomb : bool
-    """
+    """A friction model."""
 
     name: str
     viscous: bool
@@ -69,7 +63,6 @@ class FrictionCurve:
 
     Attributes
     ----------
-    model : FrictionModel
     names : tuple of str
         Fc, Fv, offset; by direction Fc+, Fv+, Fc-, Fv-; with Stribeck drop (level at rest minus F_c; by direction drop+ and drop-) and
         vs [m/s].
@@ -103,7 +96,7 @@ class FrictionCurve:
     @property
     def rises(self) -> bool:
         """Whether friction is smallest at rest, the opposite of a Stribeck dip."""
-        return sum(self._drops) < 0.0
+        return sum(self.drops) < 0.0
 
     @property
     def name(self) -> str:
@@ -111,13 +104,9 @@ class FrictionCurve:
         return self.model.name.replace("Stribeck", "a rise") if self.rises else self.model.name
 
     @property
-    def _drops(self) -> list[float]:
+    def drops(self) -> list[float]:
+        """The drop from rest, or one for each direction; below 0 where friction rises."""
         return [float(value) for name, value in zip(self.names, self.values, strict=True) if name.startswith("drop")]
-
-    @property
-    def bends_both_ways(self) -> bool:
-        """Whether one direction dips and the other rises."""
-        return len({drop < 0.0 for drop in self._drops}) > 1
 
     def deviation(self, name: str) -> float:
         """Return the deviation of a parameter by name; 0 if the model lacks it."""
@@ -290,7 +279,7 @@ def _curve_findings(chosen: FrictionCurve, v: Array, both: bool) -> tuple[list[F
     slowest = float(np.abs(v).min())
     if not chosen.model.stribeck:
         findings.append(finding("CL548", speed=slowest))
-    elif chosen.bends_both_ways:
+    elif len({drop < 0.0 for drop in chosen.drops}) > 1:  # one direction dips, the other rises
         findings.append(finding("CL545"))
     elif chosen.rises:
         findings.append(finding("CL546", speed=slowest))

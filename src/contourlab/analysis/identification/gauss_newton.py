@@ -31,7 +31,6 @@ class DescentSettings:
     visible : float
         Root mean square change of the residual by later steps. Encoder counts and sticking make the sum of squares rough: smaller changes
         are noise.
-    most_iterations : int
     least_gain : float
         Relative fall of the sum of squares in one iteration below which the descent has converged.
     """
@@ -56,8 +55,6 @@ class Descent:
         At `values`.
     at_bound : ndarray (p,) of bool
         Parameters at a bound beyond which the sum of squares would fall further.
-    iterations : int
-    converged : bool
     """
 
     values: Array
@@ -81,7 +78,6 @@ def descend(
     start, lower, upper : array_like (p,)
     scale : array_like (p,), > 0
         Size of each parameter.
-    settings : DescentSettings, optional
 
     Raises
     ------
@@ -160,7 +156,6 @@ def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, 
 
     Parameters
     ----------
-    residuals : callable
     x : ndarray (p,)
     r : ndarray (n,)
         Residual at x.
@@ -189,9 +184,7 @@ def spread_starts(
 
     Parameters
     ----------
-    residuals : callable
     start, lower, upper : array_like (p,)
-    count : int
     candidates : int
         Points of a scrambled Sobol sequence with a fixed seed.
     reach : float, 0 to 1

@@ -122,7 +122,6 @@ class InverseDynamicsFit(Validation):
 
     Attributes
     ----------
-    settings : InverseDynamicsSettings
     names : tuple of str
         From `PARAMETERS`: M [kg], Fv [N s/m], Fc [N], offset [N].
     values, deviations : ndarray (p,)
@@ -171,7 +170,6 @@ def identify_inverse_dynamics(
         Measured.
     force : array_like (n,) [N]
         Of the drive, at the table: command times drive gain. In another unit F, the parameters are in F s^2/m, F s/m and F.
-    settings : InverseDynamicsSettings, optional
 
     Raises
     ------
@@ -217,7 +215,6 @@ def cross_validate(fit: InverseDynamicsFit, time: ArrayLike, position: ArrayLike
 
     Parameters
     ----------
-    fit : InverseDynamicsFit
     time, position, force
         As in `identify_inverse_dynamics`; length and period may differ.
 

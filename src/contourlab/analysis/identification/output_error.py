@@ -47,14 +47,11 @@ class OutputFit:
 
     Attributes
     ----------
-    names : tuple of str
     values, deviations, robust_deviations : ndarray (p,)
         Standard deviations for a white residual, and for a residual correlated in time; 0 for a parameter at its bound.
     correlation : ndarray (p, p)
     condition_number : float
         Of the sensitivities, columns of length one.
-    at_bound : tuple of str
-        Parameters at a bound.
     measured, predicted : ndarray (n,)
     fit : float [percent]
         100 (1 - |measured - predicted|/|measured - mean|).
@@ -99,7 +96,6 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     model : callable
         From parameters by name to its output (n,).
     measured : ndarray (n,)
-    free : mapping of str to Free
 
     Raises
     ------

@@ -39,8 +39,6 @@ class SinePoint:
     response : complex [m per command]
     deviation : float
         Relative.
-    periods : float
-        Number of fitted periods.
     distortion : float
         Harmonics of the velocity over its fundamental.
     still : float
@@ -112,8 +110,6 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
 
     Parameters
     ----------
-    run : Measured
-    start, stop : int
     frequency : float [Hz]
 
     Raises
@@ -183,8 +179,6 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
     ----------
     runs : sequence of Measured
         Each with a sine as command, or as the external signal.
-    names : sequence of str
-        Names of the logs.
 
     Raises
     ------

@@ -83,8 +83,6 @@ class LawModel:
 
     Attributes
     ----------
-    law : NormOptimal or PlantInversion
-    loop : CoupledLoop
     largest : ndarray (n_axis,)
         Largest |G|^2 of each axis over frequency.
     """
@@ -137,11 +135,6 @@ def _models(loop: CoupledLoop, target: str, w: Array) -> Complex:
 
 def law_kernels(law: LearningLaw, loop: CoupledLoop) -> LawKernels:
     """Return a law's impulse responses on a straight path; for a law without a model they are the same on any path.
-
-    Parameters
-    ----------
-    law : LearningLaw
-    loop : CoupledLoop
 
     Raises
     ------
@@ -261,7 +254,6 @@ def frequency_learning(loop: CoupledLoop, law: LearningLaw) -> FrequencyLearning
 
     Parameters
     ----------
-    loop : CoupledLoop
     law : LearningLaw
         Linear in its inputs.
 

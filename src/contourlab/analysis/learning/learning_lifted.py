@@ -59,8 +59,6 @@ class TrialOperator:
 
     Parameters
     ----------
-    loop : CoupledLoop
-    law : LearningLaw
     tangents : array_like (n_sample, n_axis)
         Direction of the path at each sample.
     """
@@ -236,8 +234,6 @@ def lifted_learning(loop: CoupledLoop, law: LearningLaw, tangents: ArrayLike) ->
 
     Parameters
     ----------
-    loop : CoupledLoop
-    law : LearningLaw
     tangents : array_like (n_sample, n_axis)
         Direction of the path at each sample; 30 000 samples take seconds.
     """

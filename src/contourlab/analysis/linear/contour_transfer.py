@@ -83,7 +83,6 @@ class ContourTransfer:
 
     Attributes
     ----------
-    loop : CoupledLoop
     strength : float
         |C|^2, length of the coupling gains squared: 1 for the unit normal. See `contour_transfer`.
     """

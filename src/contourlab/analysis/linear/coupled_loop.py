@@ -35,8 +35,6 @@ class AxisLink:
 
     Attributes
     ----------
-    loop : SampledLoop
-        The open loop.
     a : ndarray (n, n)
     b, r : ndarray (n,)
         Inputs of v and m.
@@ -133,9 +131,6 @@ class CoupledLoop:
 
     Attributes
     ----------
-    names : tuple of str
-    axes : tuple of AxisLink
-    coupling : CouplingModel
     servo_period : float [s]
     """
 

@@ -137,7 +137,6 @@ def divided_loop(machine: Machine, controller: Controller, tangent: ArrayLike | 
 
     Parameters
     ----------
-    machine : Machine
     controller : Controller
         At least one axis has a link; the timing of links is ignored.
     tangent : array_like (n_axis,), optional

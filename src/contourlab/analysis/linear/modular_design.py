@@ -72,7 +72,6 @@ class ModularDesign:
 
     Attributes
     ----------
-    method : str
     local : tuple of str
         Names from `GAINS` with a separate value for each axis.
     gains : ndarray (n_axis, 3)
@@ -124,10 +123,8 @@ def direct_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), weights
 
     Parameters
     ----------
-    axes : sequence of LinearAxis
     local : sequence of str
         Names from `GAINS`.
-    weights : LqWeights, optional
 
     Notes
     -----
@@ -196,10 +193,8 @@ def three_step_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), wei
 
     Parameters
     ----------
-    axes : sequence of LinearAxis
     local : sequence of str
         Names from `GAINS`.
-    weights : LqWeights, optional
 
     Notes
     -----
@@ -245,7 +240,6 @@ def lmi_design(axes: Sequence[LinearAxis], weights: LqWeights | None = None) -> 
 
     Parameters
     ----------
-    axes : sequence of LinearAxis
     weights : LqWeights, optional
         The time unit scales states and time; with 1 s the solvers fail on gains of about 1000.
 

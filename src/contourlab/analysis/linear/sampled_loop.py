@@ -193,8 +193,6 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
 
     Parameters
     ----------
-    axis : Axis
-    controller : AxisController
     servo_period : float [s], > 0
     carried_mass : float [kg]
         Mass of the axes that this one carries.

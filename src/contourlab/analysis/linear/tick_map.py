@@ -26,7 +26,6 @@ class TickMap:
     a : ndarray (n, n)
     b : ndarray (n, n_external)
         One column for each external of the schedule.
-    schedule : Schedule
     """
 
     a: Array

@@ -44,7 +44,6 @@ class TrialMap:
 
     Parameters
     ----------
-    loop : CoupledLoop
     tangents : ndarray (n_sample, n_axis)
         Direction of the path at each sample.
     target : str

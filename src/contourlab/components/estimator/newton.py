@@ -7,8 +7,8 @@ from typing import Any
 
 from contourlab.components.contract import Component, param, text_param
 from contourlab.engine.step import Port, Step, ports
-from contourlab.geometry.view import PathView
-from contourlab.primitives import clip, dot, lincomb, maximum, scale, select, sqrt, sub
+from contourlab.geometry.view import PathView, newton_of
+from contourlab.primitives import clip, dot, lincomb, scale, select, sqrt, sub
 
 
 class Newton(Component):
@@ -54,24 +54,13 @@ class Newton(Component):
 @cache
 def _make(evaluate: Any, n_axis: int, iterations: int, both: bool, ends: bool) -> Any:
     planar = n_axis == 2
-
-    def improve(par: Any, s: float, position: Any, centre: float) -> float:
-        q, q1, q2 = evaluate(par, s)
-        gap = sub(q, position)
-        square = dot(q1, q1)
-        slope = maximum(square + dot(q2, gap), 0.1 * square)
-        found = clip(s - dot(q1, gap) / slope, centre - par.window, centre + par.window)
-        return clip(found, 0.0, par.path_length) if ends else found
+    improve, distance = newton_of(evaluate)
 
     def seek(par: Any, s: float, position: Any, centre: float) -> float:
         for _ in range(iterations):
             s = improve(par, s, position, centre)
+            s = clip(s, 0.0, par.path_length) if ends else s
         return s
-
-    def distance(par: Any, s: float, position: Any) -> float:
-        q, _, _ = evaluate(par, s)
-        gap = sub(q, position)
-        return dot(gap, gap)
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         position, centre = inp.position, inp.arc_length

@@ -126,8 +126,6 @@ def analyse_scenario(
 
     Parameters
     ----------
-    file : str or Path
-        A scenario.
     schemes : sequence of str
         See `contourlab.features.run.schemes.compare_schemes`.
     plugins : sequence of str or Path
@@ -271,16 +269,9 @@ def _charts(schemes: Mapping[str, SchemeAnalysis]) -> list[Chart]:
 FAR = 3.0  # loop gains larger than this are not drawn
 
 
-def contour_transfer_charts(transfer: ContourTransfer, points: int = 600) -> tuple[Chart, ...]:
-    """Return three charts: the loop gain (Nyquist), its distance from -1, and the contour error transfer function over frequency.
-
-    Parameters
-    ----------
-    transfer : ContourTransfer
-    points : int
-        Number of frequencies of a curve.
-    """
-    w = transfer.loop.frequencies(points)
+def contour_transfer_charts(transfer: ContourTransfer) -> tuple[Chart, ...]:
+    """Return three charts: the loop gain (Nyquist), its distance from -1, and the contour error transfer function over frequency."""
+    w = transfer.loop.frequencies(600)
     margins, names = transfer.margins(), transfer.loop.names
     directions = [(f"along {name}", np.eye(len(names))[i]) for i, name in enumerate(names)]
     if len(names) > 1:

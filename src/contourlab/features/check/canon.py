@@ -22,7 +22,6 @@ class CanonDwell(TypedDict):
 
     Attributes
     ----------
-    seconds : float
     line : int
         Line of the program.
     """
@@ -107,7 +106,6 @@ def canonical(move: Move, feedrate: float) -> dict[str, Any]:
 
     Parameters
     ----------
-    move : Move
     feedrate : float [m/s]
         Feedrate in force; listed for traverses, which do not use it.
 
@@ -155,8 +153,6 @@ def write_canon(file: str | Path, out: TextIO, *, as_json: bool, reading: Readin
 
     Parameters
     ----------
-    file : str or Path
-    out : text stream
     as_json : bool
         One JSON document, ``{"moves": [...]}``, in place of one line per move.
     reading : Reading, optional

@@ -40,15 +40,10 @@ class Checked:
 
     Attributes
     ----------
-    program : str
     problems, notices : tuple of Message
         Faults, and places where the reader was lenient.
-    n_line : int
     moves : dict of str to int
         Number of moves by kind.
-    feeds_mm_per_min, spindle_speeds : tuple of float
-    tools : tuple of int
-    findings : tuple of Finding
     length : dict of str to float [m]
         Length of feed and rapid moves. Without moves, or with a fault, this and all below is empty or None.
     box : dict of str to (float, float) [m]
@@ -123,7 +118,6 @@ def check_program(
 
     Parameters
     ----------
-    file : str or Path
     machine : str or Path, optional
         File, or name of a shipped machine. Its limits give the cycle time; leaving its travel is a fault. By default `DEFAULT_MACHINE`;
         leaving its travel is no fault.

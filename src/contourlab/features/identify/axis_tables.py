@@ -86,7 +86,6 @@ def plant_numbers(forces: Forces, a: float, b: float) -> dict[str, float]:
 
     Parameters
     ----------
-    forces : Forces
     a : float [m/s^2 per command], > 0
     b : float [1/s]
     """
@@ -111,11 +110,8 @@ def rigid_tables(
 
     Parameters
     ----------
-    records : sequence of AxisRecord
-    forces : Forces
     a : float [m/s^2 per command], > 0
     b : float [1/s]
-    origin : callable
     held : float [command]
         Friction and constant force.
     delay : float [s]
@@ -167,13 +163,10 @@ def two_inertia_tables(
 
     Parameters
     ----------
-    records : sequence of AxisRecord
     lead : float [m]
         Travel per turn.
     x, given : mapping of str to float
         All parameters, and those that are given instead of fitted.
-    origin : callable
-    limits : MotionLimits
     """
     values = two_inertia_numbers(lead, x)
     plant: dict[str, Row] = {"kind": ("two-inertia", "", None), "lead": (lead, "m", assumed("as given"))}
@@ -206,7 +199,6 @@ class Effort:
 
     Attributes
     ----------
-    forces : Forces
     a : float [m/s^2 per command], > 0
     b : float [1/s]
     held : float [command]
@@ -270,7 +262,6 @@ def motion_limits(records: Sequence[AxisRecord], effort: Effort, acceleration: P
     ----------
     records : sequence of AxisRecord
         Of one axis.
-    effort : Effort
     acceleration : Peak, optional
         Largest acceleration in the records; by default from reference and position.
 

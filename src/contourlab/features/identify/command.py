@@ -32,9 +32,6 @@ class Identification:
     ----------
     done : bool
         Whether the parameters are usable and the requested file is written.
-    summary : dict
-        Results for JSON.
-    text : str
     """
 
     done: bool
@@ -55,7 +52,6 @@ def identify_log(
         Axis file; written only if the parameters are usable.
     plots : sequence of str
         Formats: png, svg or pdf. Plots go to ``plots`` in `folder`; other files there stay.
-    folder : str or Path
 
     Raises
     ------

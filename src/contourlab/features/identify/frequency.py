@@ -101,7 +101,6 @@ def identify_linear_motor(records: Sequence[AxisRecord], excitation: str = EXCIT
 
     Parameters
     ----------
-    records : sequence of AxisRecord
     excitation : str
         Both as in `identify_response`.
 
@@ -138,7 +137,6 @@ def identify_two_inertia(
 
     Parameters
     ----------
-    records : sequence of AxisRecord
     side : str
         Where the position is measured, ``"motor"`` or ``"load"``.
     lead : float [m], optional

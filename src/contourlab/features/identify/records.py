@@ -29,8 +29,6 @@ class AxisRecord:
 
     Attributes
     ----------
-    source, axis : str
-        Names of the log and of the axis.
     period : float [s]
     position : ndarray (n,) [m]
     command : ndarray (n,) or None
@@ -46,7 +44,6 @@ class AxisRecord:
         Unit of the logged command; ``"N*m"`` for a torque.
     start : float [s]
         Time of the first sample since the start of the log.
-    findings : tuple of Finding
     """
 
     source: str
@@ -148,7 +145,6 @@ def common_unit(records: Sequence[AxisRecord], what: str) -> str:
 
     Parameters
     ----------
-    records : sequence of AxisRecord
     what : str
         What the logs describe, for the message.
 
@@ -181,9 +177,6 @@ def axis_pieces(
 
     Parameters
     ----------
-    log : Log
-    source : str
-        Name of the log.
     axis : str or None
         None if the log has only one.
     gain : float [N per unit of command] or None

@@ -34,13 +34,10 @@ class Request:
         A name in `MODELS`.
     choices : tuple of LogChoice
         One or several logs, read with the same options.
-    axis : str or None
     gain : str or None
         Force per command, as ``"35.15 N/V"``.
     full_scale : str or None
         Full scale of the command, as ``"10 V"``.
-    cutoff : str
-    decimation : int
     slowest : str or None
         Speed below which samples are dropped, as ``"1 mm/s"``.
     validation : str, Path or None

@@ -34,7 +34,6 @@ class Figure:
     ----------
     value : float
         In SI.
-    unit : str
     deviation : float
         Standard deviation for a white residual; nan at the bound of the search.
     robust_deviation : float
@@ -74,14 +73,10 @@ class Identified:
 
     Attributes
     ----------
-    model, axis : str
-    logs : tuple of str
-    parameters : dict of str to Figure
     fit_percent : float or None
         100 (1 - |measured - model|/|measured - mean|); None if nothing is fitted.
     usable : bool
         Whether the parameters are usable; if not, no axis file is written.
-    findings : tuple of Finding
     details : mapping
         Further results of the model.
     lines : tuple of str
@@ -92,7 +87,6 @@ class Identified:
         Tables of the axis file; empty if there is none.
     correlations : tuple of (str, str, float)
         Correlations between parameters of the axis file, such as ``"plant.mass"``.
-    pictures : tuple of Picture
     axis_file : Path or None
         The file that was written, if any.
     """

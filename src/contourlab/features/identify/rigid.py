@@ -34,7 +34,6 @@ def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings, second
     ----------
     record : AxisRecord
         With the force, or with a command and its gain.
-    settings : InverseDynamicsSettings
     second : AxisRecord, optional
         Another record of the same axis, for validation.
 

@@ -24,7 +24,6 @@ def identify_two_mass(records: Sequence[AxisRecord], side: str = "motor", excita
 
     Parameters
     ----------
-    records : sequence of AxisRecord
     side : str
         Where the position is measured, ``"motor"`` or ``"load"``. The response at the load does not show the load's share of the mass.
     excitation : str

@@ -19,7 +19,6 @@ class LissajousData:
 
     Parameters
     ----------
-    title : str
     before, after : ndarray (n, 2)
         Signals as measured, and corrected; both divided by the amplitude.
     phase : ndarray (m,) [deg]

@@ -25,7 +25,6 @@ class QuadratureRecord:
 
     Attributes
     ----------
-    source : Record
     names : (str, str)
         Names of the signals, the cosine first.
     unit : str
@@ -35,7 +34,6 @@ class QuadratureRecord:
     time : ndarray (n,) [s] or None
     reference : ndarray (n,) [m] or None
         True position.
-    reference_name : str
     """
 
     source: Record

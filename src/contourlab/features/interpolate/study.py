@@ -38,32 +38,25 @@ class Interpolated:
 
     Attributes
     ----------
-    file : str
-    n_sample : int
     columns : (str, str)
     pitch, resolution : float [m]
     order : int
         Order of the sinusoids.
     method : str
         ``"all samples"`` or ``"recursive"``.
-    forgetting : float or None
     updates : int or None
         Number of updates of the recursive fit.
-    settled_from_sample : int
     constants : dict
         Offsets, amplitude, ratio and phase error; with their unit.
     scatter : float
         Scatter around the ellipse, relative to its radius.
     subdivisional_error : dict
         ``against``: "reference" or "shape". Errors ``before`` and ``after``: peak, orders and rest [m]; None if unknown.
-    counts : dict of str to int
     travel : float [m]
     fastest : float
         Largest travel from one sample to the next [pitches].
     missed : dict
         Number of samples at which a period was missed, and the line of the first.
-    weak_samples : int
-    findings : tuple of Finding
     files : dict of str to str
         Files that were written.
     """
@@ -95,7 +88,6 @@ class Interpolation:
 
     Parameters
     ----------
-    record : QuadratureRecord
     pitch : float [m]
     order : int
         The resolution is the pitch over four times the order.

@@ -152,8 +152,6 @@ def growth_of(errors: list[Array], servo_period: float, axes: tuple[str, ...]) -
     errors : list of ndarray (n_sample, n_axis) [m]
         Tracking errors of the last trials, oldest first; three or more.
     servo_period : float [s]
-    axes : tuple of str
-        Names of the axes.
 
     Returns
     -------

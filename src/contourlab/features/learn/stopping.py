@@ -84,7 +84,6 @@ def verdict(figures: list[TrialFigures], stopping: Stopping, explained: bool) ->
     ----------
     figures : list of TrialFigures
         Figures of all trials so far.
-    stopping : Stopping
     explained : bool
         Whether chance explains the latest change of the errors.
     """

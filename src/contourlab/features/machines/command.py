@@ -34,7 +34,6 @@ class Shipped:
         Axes of a machine or a scenario; empty otherwise.
     about : str
         First sentence of the file.
-    file : Path
     numbers : tuple of Number
         Parameters of a machine or an axis, with their sources.
     """

@@ -33,14 +33,11 @@ class NewMachine:
 
     Attributes
     ----------
-    name : str
     period : float [s]
     tolerance : float [m]
         Of the first run.
-    axes : tuple of SizedAxis
     below : mapping of str to str
         The axis on which an axis stands.
-    answers : mapping of str to str
     """
 
     name: str
@@ -182,8 +179,6 @@ def write_machine(machine: NewMachine, folder: str | Path, *, force: bool = Fals
 
     Parameters
     ----------
-    machine : NewMachine
-    folder : str or Path
     force : bool
         Whether to overwrite existing files.
     inputs : sequence of str or Path

@@ -164,7 +164,6 @@ def read_value(question: Question, key: str, text: str, axis: SizedAxis) -> Any:
 
     Parameters
     ----------
-    question : Question
     key : str
         Full key, for messages: ``x.lead``.
     text : str

@@ -47,7 +47,6 @@ class SizedAxis:
 
     Attributes
     ----------
-    name : str
     period : float [s]
         Servo period.
     values : dict

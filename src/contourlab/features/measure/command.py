@@ -69,8 +69,6 @@ def measure_log(
 
     Parameters
     ----------
-    choice : LogChoice
-    out : str or Path
     reference : str, optional
         Columns of the reference separated by commas, in the order of the axes; or a part program. By default the columns of that name.
     shift : str, optional
@@ -79,8 +77,6 @@ def measure_log(
         Largest contour error that passes, as ``"25 um"``.
     plots : sequence of str
         Formats: png, svg or pdf.
-    command : str
-        Command line as typed.
 
     Raises
     ------

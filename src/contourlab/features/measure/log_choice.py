@@ -25,12 +25,10 @@ class LogChoice:
 
     Attributes
     ----------
-    file : str or Path
     columns : sequence of str
         As ``position.x=NAME [mm]``.
     mapping : str or Path, optional
         A TOML file of columns.
-    format : str, optional
     period : str, optional
         As ``"1 ms"``.
     axes : sequence of str
@@ -55,7 +53,6 @@ def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
 
     Parameters
     ----------
-    choice : LogChoice
     more : sequence of Column
         Further columns.
 
@@ -96,7 +93,6 @@ def positive(option: str, text: str, unit: str, wanted: str) -> float:
 
     Parameters
     ----------
-    option, text : str
     unit : str
         SI unit of the expected dimension.
     wanted : str

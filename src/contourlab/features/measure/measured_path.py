@@ -40,7 +40,6 @@ def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
 
     Parameters
     ----------
-    path : Path
     positions : ndarray (n, n_axis) [m]
         Of the tool; they may start and end anywhere on the path.
 

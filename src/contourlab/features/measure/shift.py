@@ -22,7 +22,6 @@ def fitted_shift(path: Path, positions: Array) -> Array:
 
     Parameters
     ----------
-    path : Path
     positions : ndarray (n, n_axis) [m]
         From the start of the path to its end, or to where the tool stopped.
 

@@ -40,14 +40,12 @@ class Measured:
     ----------
     result : Result
         With the signals that judging adds.
-    reference : Reference
     metrics : Metrics
         Over the moving part; tracking errors are nan without a reference.
     spikes : tuple of Spike
         Spikes of the contour error at reversals.
     circles : tuple of CircleFigures
         Full circles of a given path.
-    findings : tuple of Finding
     shift : dict of str to float [m], or None
         Shift of the path, by axis.
     """
@@ -129,7 +127,6 @@ def gap_findings(log: Log, measured: Measured, *, of_samples: bool) -> list[Find
 
     Parameters
     ----------
-    log : Log
     measured : Measured
         The log, judged.
     of_samples : bool

@@ -59,7 +59,6 @@ class MeasuredSummary:
 
     Attributes
     ----------
-    name : str
     command : str
         Command line as typed.
     tolerance : float or None [m]

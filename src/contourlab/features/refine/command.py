@@ -38,16 +38,12 @@ class Refinement:
 
     Attributes
     ----------
-    logs : tuple of str
-    result : Refined
     validation_before, validation : tuple of Agreement
         Agreement with a log that was not fitted, with the first run's machine and controller at the start and refined.
     cross_validation : CrossValidation or None
         Prediction of each run from the others; None for one log.
-    findings : tuple of Finding
     machine_file : Path or None
         The file that was written, if any.
-    controller_files, plots : tuple of Path
     """
 
     logs: tuple[str, ...]
@@ -121,7 +117,6 @@ def refine_logs(
     ----------
     scenarios : sequence of str or Path
         One for all logs, or one for each.
-    choices : sequence of LogChoice
     parameters : sequence of str
         Dotted names or their ends, ``*`` for any axis; with a range as ``"axes.x.friction.coulomb=50 N..200 N"``.
     windows : sequence of str
@@ -130,12 +125,10 @@ def refine_logs(
         A log that is not fitted, simulated with the first scenario.
     starts : int
         Number of descents.
-    plugins : sequence of str or Path
     out : str or Path, optional
         Machine file; controllers get files in the same folder. Nothing is written if the result is not usable.
     plots : sequence of str
         Formats: png, svg or pdf. Plots go to ``plots`` in `folder`; other files there stay.
-    folder : str or Path
     progress : callable, optional
         Called with a line after each descent.
 

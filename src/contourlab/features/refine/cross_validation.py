@@ -24,7 +24,6 @@ class HeldOut:
 
     Attributes
     ----------
-    run : str
     second_half : bool
         Whether only the second half of its motion counts, because parameters of this run alone were fitted to the first half.
     measured_rms, simulated_rms, measured_max, simulated_max : float [m]
@@ -45,7 +44,6 @@ class CrossValidation:
 
     Attributes
     ----------
-    held_out : tuple of HeldOut
     level : float
         Share of new runs of the same kind whose measured contour error should lie within the factors: n/(n + 1) for n runs.
     rms_factor, max_factor : float, >= 1
@@ -88,7 +86,6 @@ def cross_validated(
 
     Parameters
     ----------
-    refined : Refined
     settings : RefineSettings, optional
         Each fit starts from the refined parameters, with one descent.
     progress : callable, optional

@@ -34,11 +34,8 @@ def fit_findings(
 
     Parameters
     ----------
-    parameters : sequence of RefinedParameter
-    descent : Descent
     knowledge : FitCovariance
         Covariance of the parameters that are not at a bound.
-    after : sequence of Agreement
     descents : (int, int)
         Number of descents, and of those that reached the same minimum as the best one.
     """

@@ -30,7 +30,6 @@ class Agreement:
 
     Attributes
     ----------
-    run, axis, signal : str
     explained : float
         Explained share of the variance, 1 - var(measured - simulated)/var(measured); for a position, of the tracking error.
     fit : float [percent]
@@ -58,9 +57,6 @@ class LogRun:
 
     Attributes
     ----------
-    label : str
-    machine : Machine
-    controller : Controller
     reference : Reference
         From the log, from shortly before the first move.
     position : ndarray (n_sample, n_axis) [m]
@@ -73,7 +69,6 @@ class LogRun:
         Samples [start, stop) over which the reference moves.
     steady : bool
         Whether the log begins in motion; then the axes start with the velocity of the reference.
-    findings : tuple of Finding
     """
 
     label: str
@@ -149,7 +144,6 @@ class LogRun:
 
         Parameters
         ----------
-        simulated : ndarray
         rows : slice or ndarray of bool, optional
             Samples that count; by default those at which the reference moves.
         """
@@ -177,7 +171,6 @@ class LogRun:
 
         Parameters
         ----------
-        simulated : ndarray, optional
         rows : slice, optional
             Samples that count; by default those at which the reference moves.
         """
@@ -192,11 +185,8 @@ def log_run(machine: Machine, controller: Controller, result: Result, label: str
 
     Parameters
     ----------
-    machine : Machine
-    controller : Controller
     result : Result
         The log: ``reference`` and ``position`` of every axis, ``command`` if there is one.
-    label : str
     settling : float [s], >= 0
         Time after the last move that still counts.
     lead : int

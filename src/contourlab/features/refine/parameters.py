@@ -59,11 +59,9 @@ class RefinedParameter:
 
     Attributes
     ----------
-    sought : Sought
     value, deviation, white_deviation : float [SI]
         Standard deviations for a coloured and for a white residual: nan at a bound, infinite if the logs do not determine the parameter.
         With several logs, `deviation` includes the scatter between them.
-    at_bound : bool
     """
 
     sought: Sought
@@ -78,7 +76,6 @@ def seek(runs: Sequence[LogRun], wanted: Iterable[str]) -> tuple[Sought, ...]:
 
     Parameters
     ----------
-    runs : sequence of LogRun
     wanted : iterable of str
         ``NAME`` or ``NAME=LOW..HIGH``, see `contourlab.design.Space.chosen`; ``LABEL:NAME`` selects one run.
 

@@ -41,7 +41,6 @@ class RefineSettings:
         Time between rows of residuals; rounded to whole servo periods.
     rounds : int, >= 1
         Number of times the channels are reweighted, each by the size of its residual.
-    descent : DescentSettings
     """
 
     starts: int = 3
@@ -60,7 +59,6 @@ class Refined:
 
     Attributes
     ----------
-    parameters : tuple of RefinedParameter
     runs : tuple of LogRun
         With the refined parameters.
     windows : tuple of (float, float) or None
@@ -78,7 +76,6 @@ class Refined:
         Number of descents, and of those that reached the same sum of squares as the best.
     usable : bool
         False if the model explains nothing of a signal, or the descent has not converged.
-    findings : tuple of Finding
     """
 
     parameters: tuple[RefinedParameter, ...]
@@ -115,7 +112,6 @@ def refine(
         Names and ranges, see `contourlab.features.refine.parameters.seek`.
     windows : sequence of (float, float) or None
         Times [s] to fit in each log; by default all. Motion outside the windows is unseen.
-    settings : RefineSettings, optional
     progress : callable, optional
         Called with a line after each descent.
 

@@ -40,12 +40,8 @@ class Calibration:
     passed : bool
         Whether the controller keeps bounds and tolerance.
     tolerance : float [m] or None
-    settings : TuneSettings
-    result : Tuned
-    findings : tuple of Finding
     controller_file : Path or None
         The file written; None if the controller breaks a bound.
-    plots : tuple of Path
     """
 
     name: str
@@ -92,7 +88,6 @@ def tune_scenario(
     ----------
     file : str or Path
         A scenario (``.toml``); anything else is a part program.
-    settings : TuneSettings
     scheme : str, optional
         Scheme of the scenario; by default the scenario without schemes.
     machine, controller, tolerance, program
@@ -103,7 +98,6 @@ def tune_scenario(
         Controller file to write, by default ``tuned.toml`` in `folder`; not written if the controller breaks a bound.
     plots : sequence of str
         png, svg or pdf, into ``plots`` in `folder`; other files there are kept.
-    folder : str or Path
     plugins : sequence of str or Path
         Python files with components.
     progress : bool

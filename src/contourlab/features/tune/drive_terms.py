@@ -64,13 +64,10 @@ class DriveTerms:
 
     Attributes
     ----------
-    axis : str
     kv : float [1/s]
         Steady speed over position error, without velocity feedforward and integral. In a cascade: the position gain. nan if unknown.
     velocity_bandwidth : float [Hz]
         The -3 dB frequency of the sampled velocity loop, position loop open; nan without a velocity loop.
-    command_unit : str
-    linuxcnc : LinuxCNCGains or None
     difference, difference_rms : float
         Difference of LinuxCNC's law from the simulated command over a run, largest and rms, relative to the largest command; nan if not
         compared. At a step of the planned acceleration, LinuxCNC's FF2 acts one tick later.
@@ -202,7 +199,6 @@ def linuxcnc_law(
 
     Parameters
     ----------
-    gains : LinuxCNCGains
     command, feedback : array_like (n,) [m]
     period : float [s]
     command_derivative, feedback_derivative : array_like (n,) [m/s], optional

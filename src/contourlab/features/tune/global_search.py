@@ -27,7 +27,6 @@ class GlobalResult:
         The best values that keep all bounds in the exact analysis; None if no start led to any.
     objective : float
         nan if `values` is None.
-    search : Found
     """
 
     values: dict[str, float] | None
@@ -50,9 +49,6 @@ def global_search(
 
     Parameters
     ----------
-    objective : Objective
-    guards : Guards
-    space : Space
     given : sequence of mapping of str to float [SI]
         Known starts; the others are drawn from the middle half of the box.
     starts : int, >= 1

@@ -60,9 +60,7 @@ class Step:
     ----------
     stage : str
         "repair", "pass 1", "pass 2" and so on.
-    variable : DesignVariable
     before, after : float [SI]
-    objective_before, objective_after : float
     bound : str
         The bound that prevents a smaller objective, and the end of the range that the value lies on; empty if neither applies.
     values, objectives : ndarray (k,)
@@ -103,13 +101,9 @@ def sequential(
 
     Parameters
     ----------
-    objective : Objective
-    guards : Guards
     space : Space
         In the order of the procedure, see `contourlab.design.calibration_order`.
     values : mapping of str to float [SI]
-        The start.
-    rule : LineRule
     passes : int, >= 1
         Largest number of passes; the procedure ends after one that hardly lowers the objective.
     progress : callable, optional
@@ -258,12 +252,9 @@ def restore_margins(objective: Objective, guards: Guards, space: Space, values: 
 
     Parameters
     ----------
-    objective : Objective
-    guards : Guards
     space : Space
         Parameters that may change, each within its range.
     values : mapping of str to float [SI]
-        The start.
 
     Notes
     -----

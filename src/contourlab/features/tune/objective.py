@@ -137,7 +137,6 @@ class Objective:
     ----------
     evaluator : Evaluator
         Computes the part error from now on if the goal includes it.
-    goal : Goal
     start : mapping of str to float [SI]
         Parameters at which the figures of a sum are scaled to 1.
 
@@ -221,7 +220,6 @@ def evaluate(
     ----------
     machine, controller, reference
         See `contourlab.loop.simulate`.
-    guards : Guards
     seed : int
         Seed of all noise.
     moving : bool

@@ -27,7 +27,6 @@ def placed_start(evaluator: Evaluator, goal: Goal, bounds: Bounds) -> Controller
         Evaluator of the machine, its controller and the motion.
     goal : Goal
         Only its first figure counts.
-    bounds : Bounds
 
     Raises
     ------

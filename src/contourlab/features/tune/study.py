@@ -34,9 +34,6 @@ class TuneSettings:
 
     Attributes
     ----------
-    goal : Goal
-    bounds : Bounds
-    rule : LineRule
     method : str
         One of `METHODS`.
     start : str
@@ -53,7 +50,6 @@ class TuneSettings:
         Starts of the global search.
     seed : int
         Seed of the global search.
-    threads : int, optional
     """
 
     goal: Goal = field(default_factory=Goal)
@@ -88,7 +84,6 @@ class Tuned:
 
     Attributes
     ----------
-    controller : Controller
     space : Space
         The varied parameters, with their values at the start.
     values : dict of str to float [SI]
@@ -101,13 +96,10 @@ class Tuned:
         Objective at the start of the search: the placed start if there is one.
     path : SearchPath
         Steps of the repair and of the sequential procedure.
-    global_result : GlobalResult or None
-    drive_terms : tuple of DriveTerms
     runs : int
         Total number of runs.
     interrupted : bool
         Whether Ctrl-C ended the search; the result is the best so far.
-    findings : tuple of Finding
     """
 
     controller: Controller = field(metadata=HIDDEN)
@@ -142,7 +134,6 @@ def tune(
     ----------
     machine, controller, reference
         See `contourlab.loop.simulate`.
-    settings : TuneSettings, optional
     moving : bool
         Whether the axes start with the velocity of the reference.
     seed : int

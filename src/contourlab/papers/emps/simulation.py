@@ -91,8 +91,6 @@ def simulate_emps(log: EmpsLog, axis: EmpsAxis, *, delay: int = 0) -> EmpsRun:
 
     Parameters
     ----------
-    log : EmpsLog
-    axis : EmpsAxis
     delay : int, 0 or 1 [servo periods]
         Delay from the controller to the drive.
     """

@@ -38,9 +38,9 @@ class Turn:
     learned_contour: Array
 
 
-def convergence(setting: str, kappa: float = KAPPA, trials: int = TRIALS, seed: int = 0) -> Array:
+def convergence(setting: str, kappa: float = KAPPA, trials: int = TRIALS) -> Array:
     """Return the data of Fig 9: rms [m] of the contour error of eq (10) in trials 0 (nothing learned) to `trials`."""
-    run = course(setting, kappa, trials, seed)
+    run = course(setting, kappa, trials)
     return np.array([1e-9 * run.rms(trial)[2] for trial in range(trials + 1)])
 
 

@@ -1,7 +1,7 @@
-"""Frequency response of one axis in closed loop: of the sampled loop, from the compiled steps, or in continuous time.
+"""Frequency response of one axis in closed loop, in continuous time.
 
-In continuous time the linear models of the components are joined at each frequency, so that a transport delay is exact, not a rational
-approximation. Compare designs in a paper with this response; the machine runs the sampled loop.
+The linear models of the components are joined at each frequency, so that a transport delay is exact, not a rational approximation.
+Compare designs in a paper with this response; the machine runs the sampled loop.
 """
 
 from __future__ import annotations
@@ -9,12 +9,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.linear.sampled_loop import AxisResponse, sampled_loop
-from contourlab.arrays import Array, Complex
+from contourlab.analysis.linear.sampled_loop import AxisResponse
+from contourlab.arrays import Complex
 from contourlab.components.contract import Component, LinearModel
 from contourlab.components.families import FAMILY
 from contourlab.components.ideal import TrueVelocity
-from contourlab.errors import ComponentError, ParameterError
+from contourlab.errors import ComponentError
 from contourlab.loop.machine import Axis, AxisController
 
 
@@ -35,45 +35,25 @@ def _model(part: Component) -> LinearModel:
     return model
 
 
-def axis_response(
-    axis: Axis, controller: AxisController, servo_period: float, frequency: ArrayLike, carried_mass: float = 0.0
-) -> AxisResponse:
+def axis_response(axis: Axis, controller: AxisController, frequency: ArrayLike) -> AxisResponse:
     """Return the frequency responses of an axis with its controller, without friction, quantisation and limits.
 
     Parameters
     ----------
     axis : Axis
+        With a single mass.
     controller : AxisController
-    servo_period : float [s], >= 0
-        Period of the sampled loop; 0 for continuous time.
+        Without a predictor.
     frequency : array_like (n,) [rad/s], > 0
-        For a sampled loop, up to the Nyquist frequency.
-    carried_mass : float [kg]
-        Mass of the axes carried by this one.
 
     Raises
     ------
     ComponentError
-        If a component has no linear model, or its step is not linear.
-    ParameterError
-        If a frequency is out of range.
+        If a component has no linear model.
     """
     w = np.atleast_1d(np.asarray(frequency, dtype=float))
-    if not (np.isfinite(w).all() and (w > 0.0).all()):
-        raise ParameterError("frequency", "an array", "> 0 and finite", "rad/s")
-    if servo_period > 0.0:
-        return sampled_loop(axis, controller, servo_period, carried_mass).response(w)
-    return _continuous(axis, controller, w, carried_mass)
-
-
-def _continuous(axis: Axis, controller: AxisController, w: Array, carried_mass: float) -> AxisResponse:
-    if controller.predictor is not None:
-        raise ComponentError(f"predictor {controller.predictor.kind} has no linear model in continuous time: ask for the sampled loop")
-    if axis.plant.two_sided:
-        raise ComponentError(f"plant {axis.plant.kind} has a motor and a load: ask for the sampled loop")
     s = np.asarray(1j * w, dtype=np.complex128)
-    plant = axis.plant.loaded(carried_mass)
-    moved = transfer(_model(plant), s)
+    moved = transfer(_model(axis.plant), s)
     position, velocity, position_load, velocity_load = moved[:, 0, 0], moved[:, 1, 0], moved[:, 0, 1], moved[:, 1, 1]
     seen = _velocity_row(controller, s)
     measured = velocity if seen is None else seen * position

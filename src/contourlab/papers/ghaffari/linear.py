@@ -93,7 +93,7 @@ def equation_16(gains: Gains, w: Array) -> Complex:
 def closed_loop(gains: Gains, w: Array) -> Complex:
     """Return P/R' of our controller with the ideal axis, in continuous time."""
     plant, controller = ideal_loop(gains)
-    return axis_response(Axis("ideal", plant), AxisController(controller), 0.0, w).modified
+    return axis_response(Axis("ideal", plant), AxisController(controller), w).modified
 
 
 def _change(ratio: Complex) -> tuple[float, float]:

@@ -26,7 +26,7 @@ def compensated_axis(number: int, gains: Gains, frequency: NDArray[Any]) -> Axis
     """Return the continuous-time responses of an axis with its observer only: no position loop, friction or quantisation."""
     bare = replace(axis(number, Reading()), friction=NoFriction(), sensor=IdealSensor())
     observer = axis_controller(gains, Reading()).observer
-    return axis_response(bare, AxisController(PositionController(), observer=observer), 0.0, frequency)
+    return axis_response(bare, AxisController(PositionController(), observer=observer), frequency)
 
 
 def exact_compensated(number: int, gains: Gains, reading: Reading, s: NDArray[Any]) -> tuple[Complex, Complex]:

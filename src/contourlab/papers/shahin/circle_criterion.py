@@ -36,7 +36,6 @@ class AbsoluteStability:
         Frequency at which the locus is closest.
     largest_stiffness : float
         Stiffness up to which the criterion holds; 1000 times the loop's stiffness means at least that.
-    explanation : str
     """
 
     verdict: str

@@ -36,7 +36,6 @@ class CommonLyapunov:
         feasible. The norm is that of the given states, so alpha_1 depends on their units.
     certificate : tuple of ndarray (n, n)
         Z_i, one for each matrix, if infeasible.
-    explanation : str
     """
 
     verdict: str
@@ -57,10 +56,6 @@ def common_quadratic(matrices: Sequence[Array], names: Sequence[str] = (), state
     ----------
     matrices : sequence of ndarray (n, n)
         A_i [1/s], taken as exact.
-    names : sequence of str, optional
-        Names of the matrices, for example "gap" and "contact".
-    states : sequence of str, optional
-        Names of the states.
 
     Returns
     -------

@@ -23,9 +23,6 @@ class LimitCycleCase:
 
     Attributes
     ----------
-    name : str
-    drive : TwoInertias
-    feedback : Feedback
     kick : float
         Start of the search: motor-load difference in half-gaps.
     """
@@ -65,7 +62,6 @@ class Comparison:
 
     Attributes
     ----------
-    case : LimitCycleCase
     predicted : LimitCycle or None
         Stable limit cycle of the describing function.
     orbit : PeriodicOrbit or None
@@ -75,11 +71,6 @@ class Comparison:
     case: LimitCycleCase
     predicted: LimitCycle | None
     orbit: PeriodicOrbit | None
-
-    @property
-    def frequency_error(self) -> float:
-        """Relative frequency error of the describing function against the orbit; nan if one is missing."""
-        return math.nan if self.predicted is None or self.orbit is None else self.predicted.frequency / self.orbit.frequency - 1.0
 
     @property
     def amplitude_error(self) -> float:

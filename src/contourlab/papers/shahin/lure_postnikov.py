@@ -27,14 +27,12 @@ class EnergyFunction:
 
     Attributes
     ----------
-    loop : BacklashLoop
     p : ndarray (n, n) or None
         None if the energy is not such a function; the verdict is then "undecided".
     dissipation : ndarray (n, n) or None
         -(a'P + P a): in the gap V' is -x' dissipation x / 2, minus the loss in the shaft's damper.
     settles : bool
         Whether every motion ends at rest with the gap unloaded (LaSalle).
-    explanation : str
     """
 
     loop: BacklashLoop

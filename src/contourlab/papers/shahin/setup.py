@@ -141,13 +141,13 @@ def baseline(*, forward: bool = False, feedback: str = "motor") -> Controller:
     return Controller(dict.fromkeys(AXES, AxisController(controller=cascade(**gains), feedback=feedback)))
 
 
-def free_flight(gap: float, feed: float = FEED) -> float:
+def free_flight(gap: float) -> float:
     """Return the impact speed [m/s] of a frictionless load that is released where its axis is fastest.
 
     To first order the reference lags uniform motion by v w^2 t^3/6. The impact is when this equals the gap; the speed difference is then
     v w^2 t^2/2.
     """
-    jerk = feed * (feed / RADIUS) ** 2
+    jerk = FEED * (FEED / RADIUS) ** 2
     time = float(np.cbrt(6.0 * gap / jerk))
     return 0.5 * jerk * time * time
 

@@ -45,14 +45,6 @@ class TwoInertias:
     load_damping: float = 0.0
     shaft_damping: float = 0.0
 
-    def __post_init__(self) -> None:
-        for name in ("motor_inertia", "load_inertia", "stiffness", "half_gap"):
-            if not 0.0 < getattr(self, name) < np.inf:
-                raise ParameterError(name, getattr(self, name), "above 0")
-        for name in ("motor_damping", "load_damping", "shaft_damping"):
-            if not 0.0 <= getattr(self, name) < np.inf:
-                raise ParameterError(name, getattr(self, name), "0 or more")
-
     @property
     def a(self) -> Array:
         """Dynamics (4, 4) without command and torque."""
@@ -161,7 +153,6 @@ def two_inertia_loop(drive: TwoInertias, feedback: Feedback, contact_feedback: F
 
     Parameters
     ----------
-    drive : TwoInertias
     feedback : Feedback
         Controller in the gap, and by default in contact.
     contact_feedback : Feedback, optional
