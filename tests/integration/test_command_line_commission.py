@@ -16,7 +16,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> bench.Made:
 
 def test_first_call_says_what_to_type_next(made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["commission", "linuxcnc", str(made.ini), str(made.hal), "--out", str(tmp_path)]) == 0
-    assert "--log log1.csv" in capsys.readouterr().out
+    assert "--log log1.txt" in capsys.readouterr().out
     assert main(["check", str(tmp_path / "excite.ngc")]) == 0
 
 

@@ -11,6 +11,8 @@ from contextlib import contextmanager, suppress
 from time import monotonic
 from typing import TYPE_CHECKING
 
+from contourlab.rendering.table import page_width
+
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.progress import Progress, TaskID
@@ -84,13 +86,14 @@ class Heartbeat:
         return start + (stop - start) * (sum(work[:at]) + in_stage * work[at]) / sum(work)
 
     def line(self) -> str:
-        """Return command, stage, share and time left, or the time since the command began."""
-        words = f"{self.command}: {self.stage}" if self.stage else self.command
+        """Return command, stage, share and time left, or the time since the command began; the stage is cut where it does not fit."""
         share, left = self.progress()
+        end = f", {monotonic() - self._began:.0f} s"
         if 0.0 < share < 1.0:
-            soon = f"{left:.0f} s left" if share >= KNOWN else f"{monotonic() - self._began:.0f} s"
-            return f"{words}, {100.0 * share:.0f} %{'' if self._work else ' of this step'}, {soon}"
-        return f"{words}, {monotonic() - self._began:.0f} s"
+            end = f", {left:.0f} s left" if share >= KNOWN else end
+            end = f", {100.0 * share:.0f} %{'' if self._work else ' of this step'}{end}"
+        words, room = f"{self.command}: {self.stage}" if self.stage else self.command, page_width() - len(end)
+        return (words if len(words) <= room else f"{words[: room - 3]}...") + end
 
     def beat(self) -> None:
         """Print lines until `end`."""

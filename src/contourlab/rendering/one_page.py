@@ -15,7 +15,7 @@ from contourlab.rendering.lead import sentence
 from contourlab.rendering.matplotlib_view import LOOKS, draw_panel, draw_path, escaped
 from contourlab.rendering.path_picture import path_charts
 from contourlab.rendering.plots import POINTS, TIMELESS
-from contourlab.rendering.style import INK, MUTED, scheme_style
+from contourlab.rendering.style import BAND, INK, LIMIT, MUTED, scheme_style
 from contourlab.result import write_bytes_atomic
 
 if TYPE_CHECKING:
@@ -43,7 +43,8 @@ def write_page(data: ReportData, file: str | Path) -> Path:
             picture.set_visible(False)
         else:
             draw_path(picture, chart)
-            picture.legend(loc="upper left", bbox_to_anchor=(0.0, -0.09), ncols=3, fontsize=7)
+            longest = max(map(len, picture.get_legend_handles_labels()[1]))
+            picture.legend(loc="upper left", bbox_to_anchor=(0.0, -0.09), ncols=3 if longest < LETTERS // 3 else 2, fontsize=7)
         errors = error_charts(data, POINTS)[0]
         draw_panel(course, errors.panels[0])
         course.set_xlabel(errors.panels[0].x_label)
@@ -59,18 +60,25 @@ def _words(place: Axes, data: ReportData) -> None:
     place.set_axis_off()
     lines: list[tuple[str, dict[str, Any]]] = [(data.title, {"size": 15, "weight": "bold"})]
     lines += [(line, {"size": 10.5}) for line in wrap(sentence(data), LETTERS)]
+    answers: dict[int, tuple[str, str]] = {}
     for i, scheme in enumerate(data.schemes[:MOST_RUNS]):
         verdict, size = scheme.verdict, scheme.metrics.part_error
-        answer = "" if verdict is None else "PASS  " if verdict.passed else "FAIL  "
         where = f", at line {verdict.worst.line}" if verdict is not None and verdict.worst.line else ""
-        words = f"{answer}{scheme.name}: largest part error {figure(size.max, 'um')}{where}, rms {number(1e6 * size.rms)} um"
+        words = f"{scheme.name}: largest part error {figure(size.max, 'um')}{where}, rms {number(1e6 * size.rms)} um"
         lines.append((words, {"size": 8.5, "color": scheme_style(i, len(data.schemes))[0]}))
+        if verdict is not None:
+            answers[len(lines) - 1] = ("PASS", BAND) if verdict.passed else ("FAIL", LIMIT)
     typed = [f"Next: {command}" for _, command in data.next_steps[:1]]
     typed.append(f"contourlab {data.provenance.version}: {data.provenance.command}")
     lines += [(line, {"size": 7.5, "color": MUTED, "family": "monospace"}) for text in typed for line in wrap(text, LETTERS)]
     height = sum(look["size"] for _, look in lines)
     at = 1.0
-    for text, look in lines:
-        shown = place.text(0.0, at, escaped(text), transform=place.transAxes, va="top", **{"color": INK, **look})
-        shown.set_in_layout(False)  # long words must not narrow the pictures
+    for i, (text, look) in enumerate(lines):
+        pieces = [(0.0, escaped(text), look)]
+        if i in answers:
+            answer, colour = answers[i]
+            pieces = [(0.0, answer, {**look, "color": colour, "weight": "bold"}), (0.08, escaped(text), look)]
+        for left, words, style in pieces:
+            shown = place.text(left, at, words, transform=place.transAxes, va="top", **{"color": INK, **style})
+            shown.set_in_layout(False)  # long words must not narrow the pictures
         at -= look["size"] / height

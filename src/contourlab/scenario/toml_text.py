@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 import math
 import re
+import textwrap
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
-_WIDTH = 110
+_WIDTH = 80
 
 
 @dataclass(frozen=True)
@@ -88,9 +89,16 @@ def _blocks(table: Mapping[str, Any], place: tuple[str, ...]) -> list[str]:
         if isinstance(value, Mapping):
             below += _blocks(value, (*place, name))
             continue
-        note = f"  # {' '.join(value.note.split())}" if isinstance(value, Noted) and value.note else ""
-        lines.append(f"{_key(name)} = {_inline(value)}{note}")
+        lines += _noted(f"{_key(name)} = {_inline(value)}", value.note if isinstance(value, Noted) else "")
     # A table that only holds tables needs no header.
     if place and (lines or not table):
         lines.insert(0, "[" + ".".join(_key(name) for name in place) + "]")
     return ["\n".join(lines), *below]
+
+
+def _noted(line: str, note: str) -> list[str]:
+    """Return a line with its comment behind it, or above it if both do not fit."""
+    comment = f"  # {' '.join(note.split())}" if note else ""
+    if not comment or len(line.rpartition("\n")[2] + comment) <= _WIDTH:
+        return [line + comment]
+    return [*textwrap.wrap(note, _WIDTH, initial_indent="# ", subsequent_indent="# ", break_long_words=False), line]

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import GainMargin, Json, Out, PhaseMargin, Seed
-from contourlab.cli.output import show_result, suggest
+from contourlab.cli.output import show_result, suggest, wants_progress
 
 commission = typer.Typer(help="Commission the servo loops of a control: what to run, then the gains.", no_args_is_help=True)
 
@@ -45,9 +45,10 @@ def linuxcnc(
     if not log:
         result = prepare(ini, hal, out)
         show_result(result, as_json)
-        suggest(as_json, "commission", "linuxcnc", ini, hal, "--log", "log1.csv", "--out", out)
+        suggest(as_json, "commission", "linuxcnc", ini, hal, "--log", "log1.txt", "--out", out)
         return 0 if result.passed else 1
-    margins = gain_margin, phase_margin
-    result = commissioned(ini, hal, log, out, program=program, control=control, margins=margins, seed=seed)
+    given = {"margins": (gain_margin, phase_margin), "seed": seed, "progress": wants_progress(as_json)}
+    result = commissioned(ini, hal, log, out, program=program, control=control, **given)  # type: ignore[arg-type]
     show_result(result, as_json)
+    suggest(as_json, "commission", "linuxcnc", ini, hal, "--log", "log2.txt", "--out", out)  # of the safe gains
     return 0 if result.passed else 1

@@ -20,7 +20,7 @@ FOOT = (
 
 
 def machines(
-    name: Annotated[str | None, typer.Argument(metavar="NAME", help="A shipped file, e.g. ghaffari/a3a1.", show_default=False)] = None,
+    name: Annotated[str | None, typer.Argument(metavar="NAME", help="A shipped file, or your own.", show_default=False)] = None,
     copy: Annotated[
         Path | None, typer.Option(help="Copy it, and the files that it names, into this folder.", metavar="FOLDER", show_default=False)
     ] = None,
@@ -53,7 +53,9 @@ def machines(
         emit_json(file)
     else:
         _details(file)
-        suggest(as_json, *(("run", f"builtin:{name}") if file.kind == "scenario" else ("machines", name, "--copy", "mine")))
+        own, scenario = str(file.file) == name, file.kind == "scenario"
+        copied = ("machines",) if own else ("machines", name, "--copy", "mine")
+        suggest(as_json, *(("run", name if own else f"builtin:{name}") if scenario else copied))
     return 0
 
 
@@ -71,7 +73,8 @@ def _details(file: Shipped) -> None:
     from contourlab.rendering.table import Column, Table
 
     axes = f" with the axes {', '.join(file.axes)}" if file.axes else ""
-    head = [f"builtin:{file.name}, {file.kind}{axes}", f"file: {file.file}"]
+    shown = file.name if file.name == str(file.file) else f"builtin:{file.name}"
+    head = [f"{shown}, {file.kind}{axes}", f"file: {file.file}"]
     if not file.numbers:
         say("\n".join([*head, "", file.text.rstrip()]))
         return

@@ -82,6 +82,5 @@ def precompensate(
             part, scenario.machine, scenario.controller, out, options=options, reading=reading, seed=seed, progress=wants_progress(as_json)
         )
     show_result(result, as_json)
-    if not as_json and log and result.status == "done":
-        suggest(as_json, "check", out)
+    suggest(as_json, "check", out)
     return 0 if result.passed else 1

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from time import process_time
 
 from contourlab.app.checkpoint import said_if_interrupted
+from contourlab.app.quick import PLANNED
 from contourlab.app.stages import shown
 from contourlab.features.backlash.study import BacklashStudy, Cycle, backlash_study, loose_axes
 from contourlab.figures import NONE, figure, number
@@ -63,10 +65,12 @@ def backlash_scenario(
     outcome = BacklashOutcome(scenario.name, studies, cases[0].machine.servo_period)
     with said_if_interrupted(lambda: outcome.text), shown(progress) as stages:
         stages.expect(sum(3 + len(loose_axes(case.machine)) for case in cases))
-        for case in cases:
+        began = process_time()
+        for i, case in enumerate(cases):
             stages.begin(f"planning {case.name}")
             reference = case.reference()
-            given = {"quick": 1.0 / len(cases) if quick else None, "stage": stages.begin, "progress": stages.advance}
+            left = (1.0 - (process_time() - began) / PLANNED) / (len(cases) - i)
+            given = {"quick": max(left, 0.5 / len(cases)) if quick else None, "stage": stages.begin, "progress": stages.advance}
             study = backlash_study(case.name, case.machine, case.controller, reference, seed=case.seed, **given)  # type: ignore[arg-type]
             studies[case.name] = study
     return outcome

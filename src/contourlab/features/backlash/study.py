@@ -31,8 +31,8 @@ from contourlab.units import from_si, to_si
 
 SIGNALS = ("reference", "arc_length", "axis_position", "axis_velocity", "tool_position", "motor_position", "applied_command")
 OBSERVED = ("gap_estimate", "gap_deviation", "gap_confidence")
-RUNS = 3
-"""Runs without a gap observer: as it is, and two compensations."""
+RUNS = 2
+"""Runs without a gap observer, one after another: as it is, and two compensations side by side."""
 WORTH = 0.02
 """Smallest share of the error that a recommended compensation must remove."""
 
@@ -188,8 +188,9 @@ def backlash_study(
     findings = [finding("CL380", place=f"axis {axis}") for axis in refused]
     part = reference
     if quick is not None:
-        part = _fitting(watched, reference, run, 0.5 * quick)
-        reference = _fitting(controller, reference, run, 0.5 * quick / RUNS)
+        alike = watched is controller
+        part = _fitting(watched, reference, run, quick / RUNS if alike else 0.5 * quick)
+        reference = part if alike else _fitting(controller, reference, run, 0.5 * quick / RUNS)
         findings.append(finding("CL387", observed=part.n_sample * part.servo_period, run=reference.n_sample * reference.servo_period))
     seen_alone = run(watched, part, OBSERVED if observed else ())
     result = seen_alone if part.n_sample == reference.n_sample else run(controller, reference)

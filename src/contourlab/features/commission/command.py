@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.app.results import check_file
+from contourlab.app.stages import shown
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
@@ -83,7 +84,7 @@ class Commissioned:
         """Answer, tables, findings and files."""
         files = "\n".join(f"written: {file}" for file in self.files)
         tables = (table.text() for table in self.tables)
-        return "\n\n".join(filter(None, ["\n".join(self.answer), *tables, paragraphs(map(str, self.findings)), files]))
+        return "\n\n".join(filter(None, [paragraphs(self.answer), *tables, paragraphs(map(str, self.findings)), files]))
 
 
 def prepare(ini: str | Path, hal: str | Path, out: str | Path) -> Commissioned:
@@ -98,7 +99,7 @@ def prepare(ini: str | Path, hal: str | Path, out: str | Path) -> Commissioned:
     """
     setup = read_setup(ini, hal)
     files = _files(out, FIRST, (ini, hal))
-    for file, text in zip(files, (excitation(setup), sampler_lines(setup), steps(setup)), strict=True):
+    for file, text in zip(files, (excitation(setup), sampler_lines(setup), steps(setup, Path(out))), strict=True):
         write_text_atomic(file, text)
     return Commissioned({}, {}, {}, {}, setup.findings, files)
 
@@ -120,6 +121,7 @@ def commission(
     control: str | None = None,
     margins: tuple[float, float] = (6.0, 30.0),
     seed: int = 0,
+    progress: bool = False,
 ) -> Commissioned:
     """Identify each axis from logs, tune its pid, and write report, diffs and picture.
 
@@ -139,6 +141,8 @@ def commission(
         Of gain and phase, kept with one period more of delay than identified.
     seed : int
         Of search and noise.
+    progress : bool
+        Whether to show progress.
 
     Raises
     ------
@@ -163,8 +167,11 @@ def commission(
     planned = {} if program is None else planned_commands(Path(program), setup)
     work = _Work(setup, records, planned, margins, seed)
     if all(one.code != "CL871" for one in findings):
-        for axis in setup.axes:
-            findings += work.axis(axis)
+        with shown(progress) as stages:
+            stages.expect(len(setup.axes))
+            for axis in setup.axes:
+                stages.begin(f"identifying and tuning axis {axis.name}")
+                findings += work.axis(axis)
     return _written(work, findings, files, program, control)
 
 

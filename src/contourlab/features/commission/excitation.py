@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 
 from contourlab.errors import ScenarioError
 from contourlab.features.commission.hal_files import AxisSetup, Setup
@@ -112,7 +113,7 @@ def sampler_lines(setup: Setup) -> str:
     return "\n".join(lines) + "\n"
 
 
-def steps(setup: Setup, log: str = "log1.csv") -> str:
+def steps(setup: Setup, out: Path) -> str:
     """Return the page with the steps, in Markdown."""
     columns = sampler_columns(setup)
     ini, hal = setup.ini.file.name, setup.hal.name
@@ -135,13 +136,13 @@ def steps(setup: Setup, log: str = "log1.csv") -> str:
    tool or a part. Watch a first run with reduced feed override.
 4. **Record.** Start LinuxCNC, home, then type in a terminal
 
-       halsampler -t > {log.replace(".csv", ".txt")}
+       halsampler -t > log1.txt
 
    run `excite.ngc`, and end the recording with Ctrl-C. The columns are: sample, {", ".join(columns)}. A CSV file with a first line such as
    `{named}` is read as well.
 5. **Answer.**
 
-       contourlab commission linuxcnc {ini} {hal} --log {log.replace(".csv", ".txt")} --out commissioning
+       contourlab commission linuxcnc {ini} {hal} --log log1.txt --out {out}
 
 6. **Safe first.** Type in the safe values of the answer, run the program again, then the proposed ones.
 """

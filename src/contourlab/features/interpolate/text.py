@@ -12,7 +12,7 @@ from contourlab.rendering.table import paragraphs
 
 def text(result: Interpolated) -> str:
     """Return the result for the terminal."""
-    return "\n".join([*(f"  {name:<22}{value}" if name else value for name, value in _rows(result))])
+    return "\n".join(paragraphs([f"  {name:<22}{value}"], indent=" " * 24) if name else value for name, value in _rows(result))
 
 
 def _rows(r: Interpolated) -> Iterator[tuple[str, str]]:

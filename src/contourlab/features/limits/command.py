@@ -23,6 +23,7 @@ from contourlab.features.measure.study import ACTUAL
 from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_program
 from contourlab.feed.verify import KINDS as ALL_KINDS
 from contourlab.feed.verify import LineUse, Worst, limit_report_by_line
+from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
 from contourlab.logs.load import about
@@ -92,7 +93,8 @@ def check_limits(choice: LogChoice, options: LimitOptions, reading: Reading | No
     """
     reading = reading or Reading(require_end=False)
     tolerance = HELD if options.tolerance is None else _share(options.tolerance)
-    planned = Path(choice.file).suffix.lower() in PROGRAMS and not choice.format and not choice.columns
+    is_program = Path(choice.file).suffix.lower() in PROGRAMS and kind_of(choice.file) != "a log"  # .nc: G-code or NetCDF
+    planned = is_program and not choice.format and not choice.columns
     program = Path(choice.file) if planned else None if options.program is None else Path(options.program)
     if planned and (options.program or options.line_column):
         raise ParameterError("--program", str(options.program or options.line_column), "left out: the file is itself a program")

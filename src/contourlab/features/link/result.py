@@ -134,7 +134,7 @@ def _slowest(costs: SchemeCost) -> str:
     if not holding:
         return "\nno message period holds" if swept else ""
     best = max(holding, key=holding.__getitem__)
-    return f"\nslowest messages that hold: {_most(swept[best])}; in the axis: {best}"
+    return "\n" + paragraphs([f"slowest messages that hold: {largest_held(swept[best])}; in the axis: {best}"])
 
 
 def _largest(costs: SchemeCost, quantities: Sequence[str]) -> Table:
@@ -143,11 +143,12 @@ def _largest(costs: SchemeCost, quantities: Sequence[str]) -> Table:
     table = Table([*columns, *(Column(words(quantity)) for quantity in quantities)], title)
     for cost in costs.divisions:
         error = "diverges" if math.isnan(cost.error) else figure(cost.error, costs.unit, 4).removesuffix(f" {costs.unit}")
-        table.add(cost.name, error, *(_most(cost.sweeps[quantity]) for quantity in quantities))
+        table.add(cost.name, error, *(largest_held(cost.sweeps[quantity]) for quantity in quantities))
     return table
 
 
-def _most(sweep: LinkSweep) -> str:
+def largest_held(sweep: LinkSweep) -> str:
+    """Return the largest value of a sweep that holds as text; of a coarse sweep the two values between which it lies."""
     if math.isnan(sweep.most):
         return "none"
     most = amount(sweep.quantity, sweep.most)

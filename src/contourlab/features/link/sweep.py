@@ -82,8 +82,15 @@ class LinkSweep:
 
     @property
     def most(self) -> float:
-        """The largest value up to which all tested values hold; nan if the first fails."""
-        return _last_before(self.values, ~self.holds)
+        """The largest value up to which all tested values hold; nan if the first fails.
+
+        With jitter or loss a value between two that hold may fail. A quick sweep therefore wants as much room between its worst seed and
+        the limit as between its worst seed and the median, except at the first value, which every sweep tests.
+        """
+        bad = ~self.holds
+        if self.coarse:
+            bad[1:] |= ~(2.0 * self.error - self.median <= self.allowed)[1:]
+        return _last_before(self.values, bad)
 
     @property
     def fails(self) -> float:

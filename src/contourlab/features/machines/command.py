@@ -78,15 +78,16 @@ def shipped() -> list[Shipped]:
 
 
 def shipped_one(name: str) -> Shipped:
-    """Return a shipped file by its name, with or without ``builtin:``.
+    """Return a shipped file by its name, with or without ``builtin:``, or a file of one's own by its path.
 
     Raises
     ------
     ScenarioError
         If there is no such file; suggests the nearest name.
     """
-    file = builtin_file(name)
-    short = name.removeprefix(BUILTIN).removesuffix(".toml")
+    own = Path(name).is_file()
+    file = Path(name) if own else builtin_file(name)
+    short = name if own else name.removeprefix(BUILTIN).removesuffix(".toml")
     about = _about(file)
     if file.suffix == ".ngc":
         return Shipped(short, "program", (), about, file)

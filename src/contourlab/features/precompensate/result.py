@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from contourlab.features.precompensate.passes import PassFigures
@@ -79,7 +79,6 @@ class Precompensated:
     shortest_line: float | None
     left: tuple[LeftMove, ...]
     findings: tuple[Finding, ...]
-    next_command: str = field(default="", metadata=_HIDDEN)
 
     @property
     def gain(self) -> float | None:

@@ -59,7 +59,9 @@ class Refinement:
     def text(self) -> str:
         """Return the tables, the findings, and the files written."""
         parts = [self._parameters().text(), self._agreements().text(), self._held_out(), paragraphs(map(str, self.findings))]
-        files = ["no machine file: name one with --write" if self.machine_file is None else f"machine: {self.machine_file}"]
+        files = [f"machine: {self.machine_file}"] if self.machine_file is not None else []
+        if not files and all(one.code != "CL565" for one in self.findings):
+            files = ["no machine file: name one with --write"]
         files += [f"controller: {file}" for file in self.controller_files] + [f"plot: {file}" for file in self.plots]
         return "\n\n".join(filter(None, [*parts, "\n".join(files)]))
 

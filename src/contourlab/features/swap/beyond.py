@@ -97,6 +97,11 @@ class NetworkCost:
         return 1.0 / self.message_period
 
     @property
+    def fails(self) -> float:
+        """The shortest message period [s] that was tested and fails on a variant; infinite if none does."""
+        return min((cost.sweep.fails for cost in self.variants if cost.sweep.limited), default=math.inf)
+
+    @property
     def limited(self) -> bool:
         """Whether a longer period was tested and fails."""
         return any(cost.sweep.limited and cost.sweep.most == self.message_period for cost in self.variants)

@@ -10,6 +10,7 @@ from contourlab.analysis.linear.margins import Margins
 from contourlab.arrays import Array
 from contourlab.design import DesignVariable
 from contourlab.design.guards import Bounds
+from contourlab.features.link.result import largest_held
 from contourlab.features.run.margin_words import decibel, degrees
 from contourlab.features.swap.beyond import Coverage, NetworkCost
 from contourlab.features.swap.linear import LinearSwap
@@ -174,7 +175,8 @@ def _on_network(variants: Variants, cost: NetworkCost) -> Iterator[Finding]:
     if math.isnan(cost.rate):
         yield finding("CL707", cost.name)
     else:
-        yield finding("CL705" if cost.limited else "CL706", cost.name, rate=cost.rate)
+        fails = {"fails": 1.0 / cost.fails} if cost.limited else {}
+        yield finding("CL705" if fails else "CL706", cost.name, rate=cost.rate, **fails)
         if not cost.holds:
             yield finding("CL708", cost.name)
     if any(variant.unstable for variant in cost.variants):
@@ -261,8 +263,7 @@ def _networks(result: SwapResult, which: str) -> Table:
         table.add(cost.name, "", "", "", "")
         for variant in cost.variants:
             values = [_number(value, unit, "diverges") for value in (variant.undivided, variant.allowed, variant.as_given)]
-            most = figure(variant.sweep.most, "ms", 4) if math.isfinite(variant.sweep.most) else "none"
-            table.add(f"  {variant.variant}", *values, most if variant.sweep.limited else f"all, to {most}")
+            table.add(f"  {variant.variant}", *values, largest_held(variant.sweep))
     return table
 
 

@@ -74,7 +74,7 @@ def _subset_text(answers: Answers) -> str:
     if not answers.subsets:
         return ""
     unit, factor = display(answers.unit)
-    table = Table([Column("column", left=True), Column("value"), Column(kind_of(answers)), *_yield_heads(answers)])
+    table = Table([Column("column", left=True), Column("value"), Column(kind_of(answers)), *_yield_heads(answers)], keys=2)
     table.columns = [*table.columns, Column(f"median [{unit}]"), Column(f"p95 [{unit}]")]
     for one in answers.subsets:
         ends = [number(value * factor, 4) if value is not None else "-" for value in (one.median, one.p95)]

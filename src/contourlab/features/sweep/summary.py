@@ -99,12 +99,13 @@ def _text(result: SweepSummary) -> str:
     if result.rate:
         head += f"; {number(result.rate)} variants per second, {figure(result.elapsed, 's')} in all"
     ended = ", ".join(f"{count} {status}" for status, count in result.statuses.items() if status != "unsure" or count)
-    lines = [f"{head}\nstatus: {ended or 'no variant yet'}"]
+    lines = [paragraphs([head, f"status: {ended or 'no variant yet'}"])]
     within = result.within
     if within is not None:
         ends = f"{figure(within.low, '%', 4)} to {figure(within.high, '%', 4)}"
         what = f"{within.figure} within {figure(within.tolerance, 'um')}"
-        lines.append(f"yield: {figure(within.share, '%', 4)} ({ends} with 95 % confidence): {within.passed} of {within.judged} have {what}")
+        share = f"yield: {figure(within.share, '%', 4)} ({ends} with 95 % confidence)"
+        lines.append(paragraphs([f"{share}: {within.passed} of {within.judged} have {what}"]))
     if result.figures:
         names = ("mean", "minimum", "p5", "median", "p95", "p99", "maximum")
         table = Table([Column("figure", left=True), Column("unit", left=True), *map(Column, names)])
