@@ -26,13 +26,13 @@ from contourlab.cli.output import say, show_result
 def limits(
     file: Annotated[Path, typer.Argument(metavar="LOG|PROGRAM", help="A log, or a part program to plan.", show_default=False)],
     machine: Annotated[
-        str | None, typer.Option(help="Machine whose limits hold; a program is planned on it [default: xyz].", show_default=False)
+        str | None, typer.Option(help="Machine whose limits hold; a program is planned on it \\[default: xyz].", show_default=False)
     ] = None,
     velocity: Annotated[str | None, typer.Option(help='Limit, e.g. "200 mm/s" or "x=200 mm/s, y=100 mm/s".', show_default=False)] = None,
     acceleration: Annotated[str | None, typer.Option(help='Limit, e.g. "2 m/s^2".', show_default=False)] = None,
     jerk: Annotated[str | None, typer.Option(help='Limit, e.g. "50 m/s^3".', show_default=False)] = None,
     tolerance: Annotated[
-        str | None, typer.Option(help='By how much a limit may be exceeded [default: "0.5 %"].', show_default=False)
+        str | None, typer.Option(help='By how much a limit may be exceeded \\[default: "0.5 %"].', show_default=False)
     ] = None,
     program: Annotated[Path | None, typer.Option(help="Program of the log: places get its lines.", show_default=False)] = None,
     line_column: Annotated[str | None, typer.Option(help="Column of the log with program lines.", show_default=False)] = None,
