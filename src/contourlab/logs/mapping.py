@@ -184,7 +184,7 @@ def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
     """Return the candidate columns of each signal and axis, by name: time, reference, position, velocity.
 
     `meant` reads the name, or else the channel's path in the control. A column named ``position.x`` is that signal alone. Timestamps are
-    the time if no other column is it. Several candidates are ambiguous.
+    the time if no other column is it. Several candidates are ambiguous. ``x [mm]`` is a position if no other column is that of x.
     """
     candidates: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:
@@ -194,6 +194,8 @@ def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
     for channel in record.channels:
         if (own := _own(channel)) is not None:
             candidates[own] = [channel.name]
+        if channel.name.casefold() in _AXES and channel.unit in _LENGTHS:
+            candidates.setdefault(("position", channel.name.casefold()), [channel.name])
     dates = [channel for channel in record.channels if channel.is_timestamp]
     if (TIME, "") not in candidates and dates:
         dates = [channel for channel in dates if channel.fault is None] or dates
@@ -236,6 +238,7 @@ _PLAIN = {"axis", "axes", "joint", "channel", "ch", "signal", "value", "data", "
 _OF_MANY = {"motor", "servo", "drive", "main", "gvl", "nc", "to", "plc"}
 """Words of devices and modules with many signals: ``motor cmd`` may be a torque, ``MAIN.fbAxis1.Cmd`` anything."""
 _LETTERS = frozenset(AXIS_LETTERS)
+_AXES, _LENGTHS = ("x", "y", "z"), ("m", "mm", "um", "in", "inch")
 _KNOWN = _VELOCITY | _PLACE | _REFERENCE | _ASKED | _MEASURED | _PLAIN | _OF_MANY | _LETTERS
 _KNOWN_BEFORE = {"current": {"position", "pos"} | _VELOCITY, "feed": {"reference"}, "st": {"axis"}, "lr": {"act", "set"}}
 """Words known only before these: ``current`` may be that of a motor, ``feed act X`` is a speed."""

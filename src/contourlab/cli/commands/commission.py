@@ -9,6 +9,7 @@ import typer
 
 from contourlab.cli.options import GainMargin, Json, Out, PhaseMargin, Seed
 from contourlab.cli.output import show_result, suggest, wants_progress
+from contourlab.errors import ParameterError
 
 commission = typer.Typer(help="Commission the servo loops of a control: what to run, then the gains.", no_args_is_help=True)
 
@@ -43,6 +44,9 @@ def linuxcnc(
     from contourlab.features.commission.command import prepare
 
     if not log:
+        if control or program:
+            option, value = ("--for", control) if control else ("--program", program)
+            raise ParameterError(option, str(value), "given with --log")
         result = prepare(ini, hal, out)
         show_result(result, as_json)
         suggest(as_json, "commission", "linuxcnc", ini, hal, "--log", "log1.txt", "--out", out)

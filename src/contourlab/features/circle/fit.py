@@ -220,7 +220,8 @@ class _Window:
 def _with_spikes(fit: CircleFit, residuals: Sequence[Array]) -> CircleFit:
     """Add the spikes: means of the residual over small angles past each reversal.
 
-    The height of a spike is read where the other spikes of the axis are highest, so that noise does not look like a spike.
+    The height of a spike is read where the other spikes of the axis are highest, so that noise does not look like a spike. A mean cuts
+    off a sharp peak: a parabola through three means gives its top, and how much it adds counts as deviation.
     """
     left = [run.deviation.copy() for run in fit.runs]
     for term in fit.terms:
@@ -237,10 +238,20 @@ def _with_spikes(fit: CircleFit, residuals: Sequence[Array]) -> CircleFit:
         table = np.array([window.mean for window in windows])
         shapes[axis] = 0.5 * (edges[1:] + edges[:-1]), table.mean(axis=0)
         for i, window in enumerate(windows):
-            at = int(np.argmax(np.abs(np.delete(table, i, axis=0).mean(axis=0))))
-            deviation = math.sqrt(float(window.variance[at]))
-            spikes.append(ReversalSpike(axis, fit.runs[window.run].clockwise, window.angle, float(window.mean[at]), deviation))
+            at, weights = _top(np.delete(table, i, axis=0).mean(axis=0))
+            height = float(weights @ window.mean[at])
+            deviation = math.sqrt(float(weights**2 @ window.variance[at]) + (height - float(window.mean[at][1])) ** 2)
+            spikes.append(ReversalSpike(axis, fit.runs[window.run].clockwise, window.angle, height, deviation))
     return replace(fit, spikes=tuple(spikes), shapes=shapes)
+
+
+def _top(shape: Array) -> tuple[slice, Array]:
+    """Return the three bins around the peak of a shape, and their weights in the top of the parabola with these means."""
+    at = int(np.argmax(np.abs(shape[1:-1]))) + 1
+    slope, bend = 0.5 * (shape[at + 1] - shape[at - 1]), shape[at + 1] + shape[at - 1] - 2.0 * shape[at]
+    top = float(np.clip(-slope / bend, -0.5, 0.5)) if bend * shape[at] < 0.0 else 0.0
+    outer = 0.5 * (top * top - 1.0 / 12.0)
+    return slice(at - 1, at + 2), np.array([outer - 0.5 * top, 1.0 - 2.0 * outer, outer + 0.5 * top])
 
 
 def _window(fit: CircleFit, k: int, angle: float, left: Array, residual: Array, edges: Array) -> _Window:

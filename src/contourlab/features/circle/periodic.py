@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from contourlab.arrays import Array
+from contourlab.errors import ParameterError
 from contourlab.features.circle.runs import CircleRun
 from contourlab.features.circle.signatures import Term, columns_of
 
@@ -50,8 +51,9 @@ def _cyclic(runs: Sequence[CircleRun], residuals: Sequence[Array], axes: tuple[s
     # The axis is fastest at the middle of its travel.
     most = min(len(run.turned) / abs(run.turned[-1] - run.turned[0]) for run in runs) / PER_CYCLE
     if pitch is not None:
-        if FEWEST_PITCHES <= radius / pitch <= most:
-            yield from (Term("cyclic error", axis, 2, length=pitch) for axis in axes)
+        if not FEWEST_PITCHES <= radius / pitch <= most:
+            raise ParameterError("--pitch", f"{1e3 * pitch:.6g} mm", f"from {1e3 * radius / most:.4g} to {1e3 * radius / FEWEST_PITCHES:.4g} mm here")
+        yield from (Term("cyclic error", axis, 2, length=pitch) for axis in axes)
         return
     for axis, along in zip(axes, (np.cos, np.sin), strict=True):
         places = np.concatenate([along(run.turned) for run in runs])

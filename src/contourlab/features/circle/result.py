@@ -256,10 +256,11 @@ def rows_of(fit: CircleFit, term: Term) -> Array:
 
 
 def _spike(fit: CircleFit, axis: str) -> Cause:
-    """Return the mean spike of an axis."""
+    """Return the mean spike of an axis. What the means cut off is common to its spikes, so more of them do not lessen the deviation."""
     heights = np.array([spike.height for spike in fit.spikes if spike.axis == axis])
     deviations = np.array([spike.deviation for spike in fit.spikes if spike.axis == axis])
-    mean, deviation = float(heights.mean()), float(np.linalg.norm(deviations)) / len(deviations)
+    mean, scatter = float(heights.mean()), float(heights.std(ddof=1)) / math.sqrt(len(heights))
+    deviation = max(float(deviations.mean()), scatter)
     return Cause("reversal spikes", axis, abs(mean), deviation, mean, deviation, "m")
 
 

@@ -87,8 +87,8 @@ CONTROLS: dict[str, tuple[Row, ...]] = {
     "twincat": (
         ("Position control: Proportional Factor Kv", "1/s", EXACT, lambda c: c.kv),
         ("Position control: Integral Action Time Tn", "s", EXACT, lambda c: c.reset),
-        ("Feedforward velocity: Pre-Control Weighting", "", EXACT, lambda c: min(c.weight, 1.0)),
-        ("Feedforward acceleration: Proportional Factor Ka", "s", EXACT, lambda c: c.ahead),
+        ("Feedforward Velocity: Pre-Control Weighting", "", EXACT, lambda c: min(c.weight, 1.0)),
+        ("Feedforward Acceleration: Proportional Factor Ka", "s", EXACT, lambda c: c.ahead),
         ("MC_BacklashCompensation.Backlash", "mm", EXACT, lambda c: 1e3 * c.play),
         ("velocity loop of the drive: time constant", "s", DRIVE, lambda c: c.lag),
         ("friction", "", NONE, lambda c: math.nan),

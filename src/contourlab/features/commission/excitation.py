@@ -35,7 +35,7 @@ def excitation(setup: Setup) -> str:
         "(Excitation for contourlab commission. It moves every axis with a pid around the middle of its travel.)",
         f"{'G20' if setup.unit_name == 'inch' else 'G21'} G90 G17 G40 G49 G61 G94",
     ]
-    reach = {axis.name: _reach(axis, mm) for axis in setup.axes}
+    reach = {axis.name: _reach(axis, mm, setup.ini.file.name) for axis in setup.axes}
     middle = {axis.name: 0.5 * (axis.limits["low"] + axis.limits["high"]) for axis in setup.axes}
     for axis in setup.axes:
         lines.append(f"G53 G1 {axis.name.upper()}{_text(middle[axis.name])} F{_text(60.0 * 0.3 * axis.limits['velocity'])}")
@@ -52,11 +52,11 @@ def _text(value: float) -> str:
     return f"{value:.4f}".rstrip("0").rstrip(".") or "0"
 
 
-def _reach(axis: AxisSetup, mm: float) -> float:
+def _reach(axis: AxisSetup, mm: float, file: str) -> float:
     """Return the way to either side of the middle in machine units."""
     travel = axis.limits["high"] - axis.limits["low"]
     if not travel > 2.0 * mm:
-        raise ScenarioError(f"axis {axis.name} may move {travel / mm:g} mm: the excitation needs at least 2 mm")
+        raise ScenarioError(f"axis {axis.name} may move {travel / mm:g} mm: the excitation needs at least 2 mm", file=file)
     return min(SHARE * travel, LONGEST * mm)
 
 

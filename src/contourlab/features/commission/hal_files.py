@@ -196,7 +196,7 @@ def _value(ini: Ini, match: re.Match[str]) -> str:
 
 
 def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
-    """Read INI and HAL, with the further HAL files that the INI file names, and find the pid of each axis.
+    """Read INI and HAL, with the further HAL files of an INI file that names this one, and find the pid of each axis.
 
     Raises
     ------
@@ -204,8 +204,10 @@ def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
         If a file cannot be read, a number is faulty, or no axis has a pid.
     """
     ini = read_ini(ini_file)
-    others = (ini.file.parent / entry.value for entry in ini.values.get(("HAL", "HALFILE"), []))
-    files = [Path(hal_file), *(file for file in others if file.is_file() and file.resolve() != Path(hal_file).resolve())]
+    given, named = Path(hal_file), [ini.file.parent / entry.value for entry in ini.values.get(("HAL", "HALFILE"), [])]
+    others = [file for file in named if file.is_file() and file.resolve() != given.resolve()]
+    # A file that the INI file does not name is a copy: it holds in place of those that it does.
+    files = [given, *others] if len(others) < sum(file.is_file() for file in named) else [given]
     statements = tuple(one for file in files for one in read_hal(file, ini))
     findings: list[Finding] = []
     unit_entry = ini.first("TRAJ", "LINEAR_UNITS")
@@ -220,7 +222,7 @@ def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
     wiring = _Wiring(ini, Path(hal_file), statements, findings)
     axes = tuple(wiring.axes())
     if not axes:
-        raise ScenarioError("no pid is connected to a joint.N.motor-pos-cmd: a servo loop in HAL is needed", file=Path(hal_file).name)
+        raise ScenarioError("no linear joint has a pid on its motor-pos-cmd: a servo loop in HAL is needed", file=Path(hal_file).name)
     name = "inch" if unit == LENGTHS["inch"] else "mm"
     return Setup(ini, Path(hal_file), unit, name, (period_ns or 1e6) * 1e-9, axes, tuple(findings))
 
@@ -257,8 +259,10 @@ class _Wiring:
         for one in self.statements:
             if one.words[:2] == ("loadrt", "pid"):
                 options = dict(word.partition("=")[::2] for word in one.words[2:])
-                count = int(options.get("num_chan", options.get("count", "3")))
-                names += options["names"].split(",") if "names" in options else [f"pid.{n}" for n in range(count)]
+                count = options.get("num_chan", options.get("count", "3"))
+                if not count.isdigit():
+                    raise ScenarioError(f"loadrt pid num_chan={count}: must be a whole number", file=one.place)
+                names += options["names"].split(",") if "names" in options else [f"pid.{n}" for n in range(int(count))]
         return names
 
     def letters(self) -> list[str]:
@@ -279,6 +283,10 @@ class _Wiring:
             name = by_signal.get(self.signal_of.get(pin, ""))
             if name is None:
                 self.findings.append(finding("CL852", f"axis {letter}", joint=joint))
+                continue
+            kind = self.ini.first(f"JOINT_{joint}", "TYPE")
+            if kind is not None and kind.value.upper() == "ANGULAR":
+                self.findings.append(finding("CL863", f"axis {letter}", joint=joint))
                 continue
             if letter in used:
                 self.findings.append(finding("CL853", f"joint {joint}", axis=letter))

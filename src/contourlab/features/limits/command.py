@@ -15,7 +15,7 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.features.check.planned_motion import DEFAULT_MACHINE
 from contourlab.features.limits.annotate import write_annotated
-from contourlab.features.limits.log_limits import KINDS, AxisPeak, course, moving_part
+from contourlab.features.limits.log_limits import KINDS, AxisPeak, course, held_samples, moving_part
 from contourlab.features.limits.result import LimitTest, ProgramLine, comments
 from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log
 from contourlab.features.measure.measured_path import progress_along
@@ -246,13 +246,15 @@ def _logged(choice: LogChoice, options: LimitOptions, tolerance: float, reading:
     limits = _limits(options, axes, machine, names)
     lines, errors = _lines_of(log, choice, options, axes, position, reading)
     use = LineUse(int(lines.max(initial=0)) + 1)
-    peaks, findings = _log_peaks(position, result.servo_period, axes, limits, lines, moves, use)
+    held = held_samples(position, result.servo_period)
+    commanded = held * result.servo_period
+    peaks, findings = _log_peaks(position[::held], commanded, axes, limits, lines[::held], moves[::held], use)
     rows = _rows(np.where(moves, lines, 0), result.servo_period, use, axes, errors) if lines.any() else ()
     known = [peak for peak in peaks if peak.use is not None]
     passed = all((peak.use or 0.0) <= 1.0 + tolerance for peak in known) if known else None
     cycle = float(np.count_nonzero(moves) - 1) * result.servo_period
     found = (*_exceeded(peaks, tolerance), *findings, *log.findings)
-    return LimitTest(Path(choice.file).name, source, axes, result.servo_period, cycle, name, tolerance, passed, tuple(peaks), rows, found)
+    return LimitTest(Path(choice.file).name, source, axes, commanded, cycle, name, tolerance, passed, tuple(peaks), rows, found)
 
 
 def _positions(log: Log, axes: Sequence[str]) -> tuple[str, Array]:

@@ -28,6 +28,8 @@ SIGMAS = 6.0
 """Standard deviations between the extremes of noise."""
 LARGEST_PART = 20
 """Length of a log over the longest stride."""
+SLOWEST = 0.01
+"""Longest period of a control [s]."""
 KINDS = ("velocity", "acceleration", "jerk")
 
 
@@ -89,6 +91,16 @@ def position_error(position: Array) -> float:
     # A log in floating point has no count: the least difference says nothing then.
     is_counted = count > 0.0 and bool(np.all(np.abs(steps / count - np.rint(steps / count)) < 0.05))
     return max(count if is_counted else 0.0, SIGMAS * noise)
+
+
+def held_samples(position: Array, period: float) -> int:
+    """Return over how many samples each position (n, n_axis) [m] is held: more than 1 in a log that is faster than the control.
+
+    Holds longer than `SLOWEST`, and fewer than 20 changes, are steps that were commanded.
+    """
+    changes = np.flatnonzero(np.diff(position, axis=0).any(axis=1))
+    held = int(np.gcd.reduce(np.diff(changes), initial=0))
+    return held if len(changes) >= 20 and 1 < held <= SLOWEST / period else 1
 
 
 def course(position: Array, period: float, order: int, limit: float) -> Course:

@@ -62,7 +62,7 @@ def test_parameters_have_the_units_of_their_control() -> None:
 def test_feedforward_weight_ends_at_one_where_the_control_does() -> None:
     cascade = replace(cascade_of(ROW, axis(True)), weight=1.2)
     assert values("sinumerik", cascade)["MD32610 VELO_FFW_WEIGHT"] == 1.0
-    assert values("twincat", cascade)["Feedforward velocity: Pre-Control Weighting"] == 1.0
+    assert values("twincat", cascade)["Feedforward Velocity: Pre-Control Weighting"] == 1.0
     assert values("generic", cascade)["velocity feedforward"] == pytest.approx(120.0)
 
 

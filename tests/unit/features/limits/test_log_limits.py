@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from contourlab.features.limits.annotate import annotated
-from contourlab.features.limits.log_limits import course, moving_part, position_error
+from contourlab.features.limits.log_limits import course, held_samples, moving_part, position_error
 
 PERIOD = 1e-3
 TIME = PERIOD * np.arange(4000)
@@ -55,6 +55,13 @@ def test_the_error_of_positions_is_a_count_or_noise() -> None:
     noise = 1e-7 * np.random.default_rng(1).standard_normal(TIME.size)
     assert position_error(sine(0.02, 2.0) + noise) == pytest.approx(6e-7, rel=0.1)
     assert position_error(sine(0.02, 2.0)) < 1e-12
+
+
+def test_positions_of_a_log_faster_than_the_control_are_held() -> None:
+    sampled = np.cumsum(np.arange(30.0))[:, None]
+    assert held_samples(np.repeat(sampled, 8, axis=0), 1e-4) == 8
+    assert held_samples(sampled, 1e-4) == 1
+    assert held_samples(np.repeat(sampled, 8, axis=0), 0.01) == 1, "steps that were commanded"
 
 
 def test_rest_is_not_cycle_time() -> None:
