@@ -2,15 +2,42 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
 
 DESIGNS = ("random", "sobol", "latin-hypercube", "grid", "list")
 SCRAMBLE = 1 << 64
 """Number in place of that of a chunk, for what all chunks share."""
+
+
+@dataclass(frozen=True)
+class Modules:
+    """Modules of one kind, drawn once each and paired with all modules of the other kinds.
+
+    Attributes
+    ----------
+    name : str
+        Beginning of the names of their parameters, such as ``axes.x``.
+    count : int
+    dimensions : tuple of int
+        Dimensions of the design that belong to a module.
+    listed : tuple of int
+        Those of them that a file lists, one value for each module.
+    """
+
+    name: str
+    count: int
+    dimensions: tuple[int, ...]
+    listed: tuple[int, ...] = ()
+
+    @property
+    def column(self) -> str:
+        """Column of the number of the module."""
+        return f"{self.name}.module"
 
 
 @dataclass(frozen=True)
@@ -25,10 +52,12 @@ class Design:
     chunk : int
         Variants of a chunk, a power of two.
     levels : tuple of int
-        Number of values of each dimension of a grid or list; 0 in other designs.
+        Number of values of each dimension of a grid or list; 0 in other designs, and for what belongs to modules.
     seed : int
     factor : tuple of tuple of float
         Lower triangular factor of the correlations of a Gaussian copula (n_dimension, n_dimension); empty without correlations.
+    modules : tuple of Modules
+        Each variant is a pairing of one module of each kind, in every combination with the values of the other dimensions.
     """
 
     kind: str
@@ -37,6 +66,7 @@ class Design:
     levels: tuple[int, ...]
     seed: int = 0
     factor: tuple[tuple[float, ...], ...] = ()
+    modules: tuple[Modules, ...] = ()
 
     @property
     def chunks(self) -> int:
@@ -59,12 +89,38 @@ class Design:
         >>> (design.places(1) * [2, 3]).astype(int).tolist()
         [[1, 1], [1, 2]]
         """
-        numbers, n = self.numbers(chunk), len(self.levels)
-        if self.kind in ("grid", "list"):
-            row = np.arange(numbers.start, numbers.stop)
-            index = np.unravel_index(row, self.levels) if self.kind == "grid" else [row] * n
-            return np.column_stack([(i + 0.5) / count for i, count in zip(index, self.levels, strict=True)])
-        cube = self._cube(chunk, n)[: len(numbers)]
+        rows, n = len(self.numbers(chunk)), len(self.levels)
+        if self.kind not in ("grid", "list") and not self.modules:
+            return self._mixed(self._cube(chunk, n, self.chunk)[:rows])
+        places, index = np.empty((rows, n)), self._index(chunk)
+        for one, which in zip(self.modules, index, strict=False):
+            dimensions = list(one.dimensions)
+            places[:, dimensions] = self._drawn(one)[which][:, dimensions]
+            places[:, list(one.listed)] = ((which + 0.5) / one.count)[:, None]
+        gridded = [i for i, count in enumerate(self.levels) if count]
+        for i, which in zip(gridded, index[len(self.modules) :], strict=True):
+            places[:, i] = (which + 0.5) / self.levels[i]
+        return places
+
+    def members(self, chunk: int) -> dict[str, Index]:
+        """Return the number of the module of each kind (n_variant,), by its column."""
+        return {one.column: which for one, which in zip(self.modules, self._index(chunk), strict=False)} if self.modules else {}
+
+    def _index(self, chunk: int) -> Sequence[Index]:
+        """Return the module of each kind, then the value of each dimension that has levels."""
+        numbers = self.numbers(chunk)
+        row = np.arange(numbers.start, numbers.stop)
+        if self.kind == "list":
+            return [row] * len(self.levels)
+        return np.unravel_index(row, [*(one.count for one in self.modules), *filter(None, self.levels)])
+
+    def _drawn(self, modules: Modules) -> Array:
+        """Return the places (n_module, n_dimension) of all modules of a kind, drawn apart from the other kinds."""
+        key = SCRAMBLE + 1 + self.modules.index(modules)
+        return self._mixed(self._cube(key, len(self.levels), modules.count))
+
+    def _mixed(self, cube: Array) -> Array:
+        """Return places with the correlations."""
         if not self.factor:
             return cube
         from scipy.special import ndtr, ndtri
@@ -74,17 +130,18 @@ class Design:
         mixed = [sum((normal[:, j] * weight for j, weight in enumerate(row) if weight), np.zeros(len(cube))) for row in self.factor]
         return np.asarray(ndtr(np.column_stack(mixed)))
 
-    def _cube(self, chunk: int, n: int) -> Array:
+    def _cube(self, key: int, n: int, rows: int) -> Array:
+        """Return places (rows, n) of a chunk, or of modules whose keys begin at `SCRAMBLE` + 1."""
         if self.kind == "random":
-            return _generator(self.seed, chunk).random((self.chunk, n))
+            return _generator(self.seed, key).random((rows, n))
         from scipy.stats import qmc
 
         if self.kind == "latin-hypercube":
-            return np.asarray(qmc.LatinHypercube(n, rng=_generator(self.seed, chunk)).random(self.chunk))
-        sequence = qmc.Sobol(n, scramble=True, rng=_generator(self.seed, SCRAMBLE))
-        if chunk:
-            sequence.fast_forward(chunk * self.chunk)
-        return np.asarray(sequence.random(self.chunk))
+            return np.asarray(qmc.LatinHypercube(n, rng=_generator(self.seed, key)).random(rows))
+        sequence = qmc.Sobol(n, scramble=True, rng=_generator(self.seed, max(key, SCRAMBLE)))
+        if 0 < key < SCRAMBLE:
+            sequence.fast_forward(key * rows)
+        return np.asarray(sequence.random(1 << (rows - 1).bit_length())[:rows])
 
 
 def _generator(seed: int, chunk: int) -> np.random.Generator:

@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import astuple, dataclass
 from pathlib import Path
 
-from contourlab.features.sweep.answers import Answers, Effect, Subset, answers_of, read_rows
+from contourlab.features.sweep.answers import Answers, answers_of
+from contourlab.features.sweep.effects import Effect, Subset
 from contourlab.features.sweep.page import write_page
+from contourlab.features.sweep.pairings import Pairings
+from contourlab.features.sweep.rows import read_rows
 from contourlab.features.sweep.store import read_store
 from contourlab.features.sweep.summary import display
 from contourlab.features.sweep.words import kind_of, range_text, said, share_text, value_text
@@ -34,10 +37,11 @@ class SweepReport:
     def text(self) -> str:
         """Text for the terminal."""
         words = said(self.answers)
-        sentence, decides, stop, front = (paragraphs([part]) if part else "" for part in astuple(words))
+        sentence, decides, stop, front, modules = (paragraphs([part]) if part else "" for part in astuple(words))
         tables = _subset_text(self.answers), _effect_text(self.answers.effects)
         remarks = paragraphs(map(str, self.answers.findings))
-        parts = (sentence, tables[0], decides, tables[1], front, stop, remarks, f"page: {self.page}")
+        pairings = _module_text(self.answers.pairings)
+        parts = (sentence, modules, pairings, tables[0], decides, tables[1], front, stop, remarks, f"page: {self.page}")
         return "\n\n".join(part for part in parts if part)
 
 
@@ -102,3 +106,15 @@ def _effect_text(effects: tuple[Effect, ...]) -> str:
         table.add(one.column, share_text(one.index, 2), range_text(one.index_low, one.index_high, 2), *signed)
     more = len(effects) - SHOWN
     return table.text() + (f"\n{more} more on the page" if more > 0 else "")
+
+
+def _module_text(found: Pairings | None) -> str:
+    """Return the modules to sort out."""
+    if found is None or not found.bad:
+        return ""
+    heads = [Column("pairings"), Column("yield"), Column("yield without it and those above")]
+    table = Table([Column("modules", left=True), Column("module"), *heads])
+    for one in found.bad[:SHOWN]:
+        table.add(one.column.removesuffix(".module"), str(one.module), str(one.judged), share_text(one.share), share_text(one.left))
+    more = len(found.bad) - SHOWN
+    return table.text() + (f"\n{more} more in --json" if more > 0 else "")
