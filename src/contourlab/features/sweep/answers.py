@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.features.sweep.design import DRAWN
 from contourlab.features.sweep.effects import Effect, Subset, effects, finite, subsets
 from contourlab.features.sweep.pairings import Pairings, best_choice, pairings_of
 from contourlab.features.sweep.query import counts
 from contourlab.features.sweep.rows import Rows, objectives
 from contourlab.features.sweep.statistics import LEAST, Estimate, convergence, estimate, pareto_front, quantile, variants_needed
-from contourlab.features.sweep.study import DRAWN
 from contourlab.features.sweep.summary import remarks
 from contourlab.findings import Finding
 
@@ -95,7 +95,7 @@ class Answers:
 def answers_of(rows: Rows) -> Answers:
     """Compute the answers of a store."""
     store, values, tolerance = rows.store, rows.values, rows.tolerance
-    n, members = len(values), list(rows.members.values())
+    n, members = len(values), rows.clusters
     found = estimate(values, tolerance, members)
     drawn = store.manifest["design"] in DRAWN
     names, front = _front(rows)
@@ -119,7 +119,7 @@ def answers_of(rows: Rows) -> Answers:
         p95_high=found.p95_high,
         subsets=subsets(rows),
         effects=effects(rows),
-        pairings=pairings_of(*best_choice(rows)) if members else None,
+        pairings=pairings_of(*best_choice(rows)) if rows.members else None,
         convergence=convergence(values, tolerance, members) if drawn else (),
         needed_for_yield=_needed_for_yield(found, len(members)) if drawn else None,
         needed_for_p95=_needed_for_p95(found, len(members)) if drawn else None,

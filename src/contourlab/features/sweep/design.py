@@ -9,7 +9,9 @@ import numpy as np
 
 from contourlab.arrays import Array, Index
 
-DESIGNS = ("random", "sobol", "latin-hypercube", "grid", "list")
+INDEPENDENT, FIXED = ("random", "sobol", "latin-hypercube"), ("grid", "list")
+DRAWN = (*INDEPENDENT, "saltelli")
+"""Designs that draw their variants; each draw on its own, or, in `FIXED`, the values of the study."""
 SCRAMBLE = 1 << 64
 """Number in place of that of a chunk, for what all chunks share."""
 
@@ -47,7 +49,7 @@ class Design:
     Attributes
     ----------
     kind : str
-        One of `DESIGNS`.
+        One of `DRAWN` or `FIXED`.
     variants : int
     chunk : int
         Variants of a chunk, a power of two.
@@ -73,6 +75,11 @@ class Design:
         """Number of chunks; the last one may have fewer variants."""
         return -(-self.variants // self.chunk)
 
+    @property
+    def group(self) -> int:
+        """Number of successive variants that share a draw."""
+        return len(self.levels) + 2 if self.kind == "saltelli" else 1
+
     def numbers(self, chunk: int) -> range:
         """Return the numbers of the variants of a chunk."""
         return range(chunk * self.chunk, min((chunk + 1) * self.chunk, self.variants))
@@ -84,12 +91,15 @@ class Design:
         -----
         Random numbers come from the counter-based generator Philox, keyed by seed and chunk. ``"latin-hypercube"`` is replicated: each
         chunk is a Latin hypercube of its own, so that its memory does not grow with the study, and the chunks are independent estimates.
+        ``"saltelli"`` has groups of n_dimension + 2 variants: two draws A and B, and A with one dimension after the other from B.
 
         >>> design = Design("grid", 6, 4, (2, 3))
         >>> (design.places(1) * [2, 3]).astype(int).tolist()
         [[1, 1], [1, 2]]
         """
         rows, n = len(self.numbers(chunk)), len(self.levels)
+        if self.kind == "saltelli":
+            return self._saltelli(chunk, n)
         if self.kind not in ("grid", "list") and not self.modules:
             return self._mixed(self._cube(chunk, n, self.chunk)[:rows])
         places, index = np.empty((rows, n)), self._index(chunk)
@@ -130,17 +140,30 @@ class Design:
         mixed = [sum((normal[:, j] * weight for j, weight in enumerate(row) if weight), np.zeros(len(cube))) for row in self.factor]
         return np.asarray(ndtr(np.column_stack(mixed)))
 
+    def _saltelli(self, chunk: int, n: int) -> Array:
+        numbers = self.numbers(chunk)
+        group, which = np.divmod(np.arange(numbers.start, numbers.stop), self.group)
+        both = self._sobol(2 * n, SCRAMBLE, int(group[0]), int(group[-1] - group[0]) + 1)[group - group[0]]
+        from_second = (which == 1)[:, None] | (which[:, None] - 2 == np.arange(n))
+        return np.asarray(np.where(from_second, both[:, n:], both[:, :n]))
+
     def _cube(self, key: int, n: int, rows: int) -> Array:
         """Return places (rows, n) of a chunk, or of modules whose keys begin at `SCRAMBLE` + 1."""
         if self.kind == "random":
             return _generator(self.seed, key).random((rows, n))
+        if self.kind == "latin-hypercube":
+            from scipy.stats import qmc
+
+            return np.asarray(qmc.LatinHypercube(n, rng=_generator(self.seed, key)).random(rows))
+        return self._sobol(n, max(key, SCRAMBLE), key * rows if key < SCRAMBLE else 0, rows)
+
+    def _sobol(self, n: int, key: int, first: int, rows: int) -> Array:
+        """Return points (rows, n) of a scrambled Sobol' sequence."""
         from scipy.stats import qmc
 
-        if self.kind == "latin-hypercube":
-            return np.asarray(qmc.LatinHypercube(n, rng=_generator(self.seed, key)).random(rows))
-        sequence = qmc.Sobol(n, scramble=True, rng=_generator(self.seed, max(key, SCRAMBLE)))
-        if 0 < key < SCRAMBLE:
-            sequence.fast_forward(key * rows)
+        sequence = qmc.Sobol(n, scramble=True, rng=_generator(self.seed, key))
+        if first:
+            sequence.fast_forward(first)
         return np.asarray(sequence.random(1 << (rows - 1).bit_length())[:rows])
 
 

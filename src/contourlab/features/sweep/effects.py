@@ -12,7 +12,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.features.sweep.rows import Rows
-from contourlab.features.sweep.statistics import best_split, binned, first_order, quantile, rank_correlation, ranks, share_of
+from contourlab.features.sweep.statistics import best_split, binned, first_order, quantile, rank_correlation, ranks, share_of, total_indices
 from contourlab.threads import in_threads
 
 FEW = 12
@@ -63,11 +63,14 @@ class Effect:
     correlation, correlation_low, correlation_high : float or None
         Rank correlation, and its interval of 95 %; None for texts. A variant that diverged has the largest rank.
     index, index_low, index_high : float
-        First-order index: share of the variance that the column explains alone, and its interval of 95 %; of the variants that ended.
+        First-order index: share of the variance that the column explains alone, and its interval of 95 %; of the variants that ended. Where
+        the column is empty it explains nothing.
     cut, below, above : float or None
         Value at which the yields up to it and above it differ most, and these yields.
     gain : float
         Part of the variance of passing that the cut explains.
+    total, total_low, total_high : float or None
+        Total index: share of the variance that needs the column, alone or with others, and its interval of 95 %; of a Saltelli design.
     """
 
     column: str
@@ -82,6 +85,9 @@ class Effect:
     below: float | None = None
     above: float | None = None
     gain: float = 0.0
+    total: float | None = None
+    total_low: float | None = None
+    total_high: float | None = None
 
 
 def finite(value: float) -> float | None:
@@ -112,7 +118,7 @@ def _subset(name: str, unit: str, value: str | float, rows: Rows, chosen: Flags)
     middle, tail = finite(quantile(values, 0.5)[0]), finite(quantile(values, 0.95)[0])
     if rows.tolerance is None:
         return Subset(name, unit, value, len(values), None, None, None, None, middle, tail)
-    members = [member[chosen] for kind, member in rows.members.items() if kind != name]
+    members = [member[chosen] for kind, member in zip([*rows.members, ""], rows.clusters, strict=False) if kind != name]
     return Subset(name, unit, value, len(values), *share_of(values <= rows.tolerance, members), middle, tail)
 
 
@@ -162,7 +168,11 @@ def effects(rows: Rows) -> tuple[Effect, ...]:
     """Return the effects of all columns that vary; those that vary together are one."""
     order = ranks(rows.values)
     found = (one for one in in_threads(lambda name: _effect(rows, name, order), rows.store.columns) if one is not None)
-    made = [replace(effect, column=name) for effect, name in _together(found)]
+    totals = _totals(rows) if rows.store.manifest["group"] > 1 else {}
+    made = []
+    for effect, name in _together(found):
+        total, low, high = totals.get(effect.column, (None, None, None))
+        made.append(replace(effect, column=name, total=total, total_low=low, total_high=high))
     return tuple(sorted(made, key=lambda one: -one.index))
 
 
@@ -185,22 +195,47 @@ def _effect(rows: Rows, name: str, order: Array) -> tuple[bytes, Effect, str] | 
         rank_y = ranks(np.bincount(means.member, rank_y) / np.bincount(means.member))
         x, y, inner, row = x[means.first], means.mean, means.inner, means.member
     else:
-        units = [member[known] for member in rows.members.values()]
+        units = [member[known] for member in rows.clusters]
     ended = np.isfinite(y)
     if len(x) < 2 or x.min() == x.max() or np.count_nonzero(ended) < 2:
         return None
     rank = ranks(x)
     bins = binned(rank)
-    index = first_order(bins[ended], y[ended], None if inner is None else inner[ended], [unit[ended] for unit in units])
+    there = first_order(bins[ended], y[ended], None if inner is None else inner[ended], [unit[ended] for unit in units])
+    index = [share * rows.share_of_variance(known) for share in there]
     found = Effect(name, rows.store.columns[name], None, None, None, *index)
     if not labels:
-        middle, low, high = rank_correlation(rank, rank_y)
+        middle, low, high = rank_correlation(rank, rank_y, min([len(x), *(len(np.unique(unit)) for unit in units)]))
         found = replace(found, correlation=middle, correlation_low=low, correlation_high=high)
     if passed is not None:
         last, below, above, gain = best_split(bins[row], passed)
         if gain:
             found = replace(found, cut=float(x[bins == last].max()), below=below, above=above, gain=gain)
     return hashlib.sha256(f"{kind}".encode() + rank.tobytes() + known.tobytes()).digest(), found, name
+
+
+def _totals(rows: Rows) -> dict[str, tuple[float, float, float]]:
+    """Return the total index of each column, from the groups of a Saltelli design that ended as a whole."""
+    size = rows.store.manifest["group"]
+    group, which = np.divmod(rows.table["variant"].to_numpy(), size)
+
+    def grouped(values: Array) -> Array:
+        table = np.full((int(group.max()) + 1, size), np.nan)
+        table[group, which] = values
+        return table
+
+    figure = grouped(rows.values)
+    whole = np.isfinite(figure).all(axis=1)
+    found: dict[str, tuple[float, float, float]] = {}
+    if np.count_nonzero(whole) < 2:
+        return found
+    indices = total_indices(figure[whole])
+    for name in rows.store.columns:
+        x = grouped(rows.column(name)[0])[whole]
+        changes = np.any(np.abs(x[:, 2:] - x[:, :1]) > 0.0, axis=0)  # nan, where a column is empty, is no change
+        if changes.any():
+            found[name] = indices[int(np.argmax(changes))]
+    return found
 
 
 def common(names: Sequence[str]) -> str:

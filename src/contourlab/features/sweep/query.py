@@ -57,7 +57,7 @@ class Yield:
     passed, judged : int
         A variant that diverged is judged, and fails. A refused one is not judged.
     share, low, high : float
-        Share, and its Wilson interval of 95 %; of modules with their `effective_size`.
+        Share, and its Wilson interval of 95 %; of variants that share modules or draws with their `effective_size`.
     """
 
     figure: str
@@ -84,12 +84,13 @@ def wilson(passed: float, judged: float) -> tuple[float, float]:
 
 
 def effective_size(tallies: Sequence[tuple[Array, Array]]) -> float:
-    """Return how many independent variants tell as much about a yield as the pairings of modules do.
+    """Return how many independent variants tell as much about a yield as the pairings of modules, or variants that share draws, do.
 
     Parameters
     ----------
     tallies : sequence of (ndarray (n_module,), ndarray (n_module,))
-        For each kind of modules: the judged pairings of each module, and those that passed.
+        For each kind of modules: the judged pairings of each module, and those that passed. A draw that several variants share counts as
+        a module.
 
     Notes
     -----
@@ -174,9 +175,10 @@ def yield_of(store: Store) -> Yield | None:
     if not judged:
         return Yield(JUDGED, tolerance, 0, 0, math.nan, *wilson(0, 0))
     share, size = passed / judged, float(judged)
-    if store.modules:
-        found = [np.array(rows(store, f"{tally} GROUP BY {quoted(name)}")[1], dtype=float).T for name in store.modules]
-        size = effective_size([(n, good) for n, good in found])
+    group = store.manifest["group"]
+    if clusters := [*map(quoted, store.modules), *([f"variant // {group}"] if group > 1 else [])]:
+        tallies = [np.array(rows(store, f"{tally} GROUP BY {words}")[1], dtype=float).T for words in clusters]
+        size = effective_size([(n, good) for n, good in tallies])
     return Yield(JUDGED, tolerance, passed, judged, share, *wilson(passed if size == judged else share * size, size))
 
 

@@ -98,12 +98,15 @@ def _effect_text(effects: tuple[Effect, ...]) -> str:
     if not effects:
         return ""
     heads = [Column("explains"), Column("95 % interval"), Column("rank correlation"), Column("95 % interval")]
-    table = Table([Column("parameter", left=True), *heads])
+    has_totals = any(one.total is not None for one in effects)
+    totals = [Column("with others"), Column("95 % interval")] if has_totals else []
+    table = Table([Column("parameter", left=True), *heads[:2], *totals, *heads[2:]])
     for one in effects[:SHOWN]:
         signed = ["-", "-"]
         if one.correlation is not None and one.correlation_low is not None and one.correlation_high is not None:
             signed = [f"{one.correlation:+.2f}", f"{one.correlation_low:+.2f} to {one.correlation_high:+.2f}"]
-        table.add(one.column, share_text(one.index, 2), range_text(one.index_low, one.index_high, 2), *signed)
+        total = [share_text(one.total, 2), range_text(one.total_low, one.total_high, 2)] if has_totals else []
+        table.add(one.column, share_text(one.index, 2), range_text(one.index_low, one.index_high, 2), *total, *signed)
     more = len(effects) - SHOWN
     return table.text() + (f"\n{more} more on the page" if more > 0 else "")
 

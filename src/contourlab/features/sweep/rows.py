@@ -49,6 +49,22 @@ class Rows:
         """For each kind of modules, by its column, which one is in each row (n,), counted from 0 without gaps."""
         return {name: np.unique(self.table[name].to_numpy(), return_inverse=True)[1] for name in self.store.modules}
 
+    @cached_property
+    def clusters(self) -> list[Index]:
+        """Which rows share a module or a draw, for each kind of modules (n,); empty if all rows are independent."""
+        group = self.store.manifest["group"]
+        shared = [np.unique(self.table["variant"].to_numpy() // group, return_inverse=True)[1]] if group > 1 else []
+        return [*self.members.values(), *shared]
+
+    def share_of_variance(self, chosen: Flags) -> float:
+        """Return the share of the variance of what ended that lies within some rows."""
+        ended = np.isfinite(self.values)
+        whole, part = self.values[ended], self.values[ended & chosen]
+        if len(part) in (0, len(whole)):
+            return float(len(part) > 0)
+        total = len(whole) * float(np.var(whole))
+        return min(len(part) * float(np.var(part)) / total, 1.0) if total else 0.0
+
     def kind(self, name: str) -> str | None:
         """Return the column of the modules that a column belongs to."""
         return next((kind for kind in self.store.modules if belongs(name, kind.removesuffix(".module"))), None)

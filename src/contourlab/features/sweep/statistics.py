@@ -6,6 +6,7 @@ import math
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -152,22 +153,22 @@ def binned(rank: Array) -> Index:
     return np.asarray(np.minimum(((rank - 0.5) * (count / n)).astype(np.int64), count - 1))
 
 
-def rank_correlation(first: Array, second: Array) -> tuple[float, float, float]:
-    """Return Spearman's correlation from ranks (n,), and the ends of its interval of 95 %.
+def rank_correlation(first: Array, second: Array, size: int | None = None) -> tuple[float, float, float]:
+    """Return Spearman's correlation from ranks (n,), and its interval of 95 %, for `size` independent pairs; by default all are.
 
     References
     ----------
     D. G. Bonett, T. A. Wright, "Sample size requirements for estimating Pearson, Kendall and Spearman correlations",
     Psychometrika 65, 2000: the variance of Fisher's z of a rank correlation.
     """
-    a, b = first - first.mean(), second - second.mean()
+    a, b, size = first - first.mean(), second - second.mean(), size or len(first)
     norm = math.sqrt(float(a @ a) * float(b @ b))
-    if norm == 0.0 or len(a) <= 3:
+    if norm == 0.0 or size <= 3:
         return 0.0, -1.0, 1.0
     found = min(max(float(a @ b) / norm, -1.0), 1.0)
     if abs(found) == 1.0:
         return found, found, found
-    z, half = math.atanh(found), Z * math.sqrt((1.0 + found**2 / 2.0) / (len(a) - 3))
+    z, half = math.atanh(found), Z * math.sqrt((1.0 + found**2 / 2.0) / (size - 3))
     return found, math.tanh(z - half), math.tanh(z + half)
 
 
@@ -217,6 +218,41 @@ def first_order(bins: Index, values: Array, inner: Array | None = None, units: S
     half = T * math.sqrt(variance)
     clipped = np.clip([found, found - half, found + half], 0.0, 1.0)
     return float(clipped[0]), float(clipped[1]), float(clipped[2])
+
+
+def total_indices(figure: Array) -> list[tuple[float, float, float]]:
+    """Return the total index of each dimension of a Saltelli design, and its interval of 95 % by a jackknife over random groups.
+
+    Parameters
+    ----------
+    figure : ndarray (n_group, n_dimension + 2)
+        Of A, of B, and of A with one dimension after the other from B.
+
+    References
+    ----------
+    M. J. W. Jansen, "Analysis of variance designs for model output", Computer Physics Communications 117, 1999: the estimator.
+    """
+    n = len(figure)
+    parts = min(GROUPS, n)
+    part = np.random.default_rng(0).permutation(n) % parts
+    centred = figure - figure[:, :2].mean()
+
+    def summed(terms: Array) -> Array:
+        return np.bincount(part, terms, parts).astype(np.float64)
+
+    count, first, second = summed(np.full(n, 2.0)), summed(centred[:, :2].sum(1)), summed((centred[:, :2] ** 2).sum(1))
+
+    def share(half: Any, count: Any, first: Any, second: Any) -> Any:
+        return 2.0 * half / np.maximum(second - first**2 / count, np.finfo(float).tiny)
+
+    found = []
+    for changed in centred[:, 2:].T:
+        terms = [summed((centred[:, 0] - changed) ** 2 / 2.0), count, first, second]
+        middle = float(share(*(term.sum() for term in terms)))
+        without = share(*(term.sum() - term for term in terms))
+        half = T * math.sqrt((parts - 1) / parts * float(np.sum((without - without.mean()) ** 2)))
+        found.append((middle, max(middle - half, 0.0), middle + half))
+    return found
 
 
 def best_split(bins: Index, passed: Flags) -> tuple[int, float, float, float]:

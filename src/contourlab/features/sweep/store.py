@@ -28,7 +28,7 @@ from contourlab.result.atomic import replacing, write_bytes_atomic
 from contourlab.threads import in_threads
 
 SCHEMA = "contourlab-sweep/1"
-_NEEDED = {"study", "identity", "variants", "chunk", "columns", "figures", "signals", "tolerance", "modules", "structures"}
+_NEEDED = {"study", "identity", "variants", "chunk", "columns", "figures", "signals", "tolerance", "modules", "group", "structures"}
 MANIFEST, TIMES, LOCK = "manifest.json", "times.jsonl", ".lock"
 _PART = re.compile(r"(part|signals)-(\d{6,})-([0-9a-f]{16})\.(parquet|nc)\Z")
 DIFFERENT = {
@@ -48,7 +48,8 @@ class Store:
     folder : Path
     manifest : mapping
         ``schema``, ``study`` (text), ``identity``, ``variants``, ``chunk``, ``columns`` and ``figures`` with their units, ``signals``,
-        ``tolerance``, ``modules`` with the number of each kind, and ``structures`` with the scenario of each.
+        ``tolerance``, ``modules`` with the number of each kind, ``group``, the number of successive variants that share a draw, and
+        ``structures`` with the scenario of each.
     parts : dict of int to Path
         File of each finished chunk.
     damaged : tuple of Path
@@ -287,6 +288,7 @@ def manifest_of(study: Study, structures: Sequence[Mapping[str, Any]]) -> dict[s
         "variants": study.design.variants,
         "chunk": study.design.chunk,
         "tolerance": study.tolerance,
+        "group": study.design.group,
         "modules": {one.column: one.count for one in study.design.modules},
         "columns": dict(study.columns),
         "figures": {name: UNITS[name] for name in study.figures},

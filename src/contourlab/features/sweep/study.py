@@ -17,7 +17,7 @@ from pydantic import Field
 
 from contourlab.app.checkpoint import program_identity
 from contourlab.errors import ParameterError, ScenarioError, hint
-from contourlab.features.sweep.design import Design, Modules
+from contourlab.features.sweep.design import FIXED, INDEPENDENT, Design, Modules
 from contourlab.features.sweep.distributions import Variation, read_variations
 from contourlab.features.sweep.lists import read_list
 from contourlab.features.sweep.modules import listed_modules, module_entries, modules_of
@@ -44,8 +44,6 @@ SIGNAL_BYTES = 1 << 26
 LANES = 32
 MOST = 10**12
 """Largest number of variants."""
-DRAWN, FIXED = ("random", "sobol", "latin-hypercube"), ("grid", "list")
-"""Designs that draw their variants, and those whose variants are the values of the study."""
 
 
 class StudyTable(StrictTable):
@@ -55,7 +53,7 @@ class StudyTable(StrictTable):
     scenario: Text
     scheme: Text | None = None
     variants: Annotated[int | None, Field(ge=1, le=MOST)] = None
-    design: Literal["random", "sobol", "latin-hypercube", "grid", "list"] = "random"
+    design: Literal["random", "sobol", "latin-hypercube", "saltelli", "grid", "list"] = "random"
     seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
     chunk: Annotated[int | None, Field(ge=LANES, le=1 << 16)] = None
     figures: list[str] = list(DEFAULT)
@@ -193,8 +191,8 @@ def _known(content: Table, key: str, names: Sequence[str], known: Mapping[str, s
 def _design(plain: StudyTable, content: Table, made: Structured, modules: tuple[Modules, ...]) -> Design:
     counts, variants = [count for _, count in made.dimensions], plain.variants
     drawn = {i for one in modules for i in one.dimensions}
-    if modules and plain.design in FIXED:
-        raise content.error(f"modules are drawn: write {', '.join(DRAWN)} instead of {plain.design}", "design")
+    if modules and plain.design not in INDEPENDENT:
+        raise content.error(f"modules are drawn: write {', '.join(INDEPENDENT)} instead of {plain.design}", "design")
     fixed = "study with modules" if modules else plain.design if plain.design in FIXED else ""
     levels = tuple(0 if i in drawn or not fixed else count for i, count in enumerate(counts))
     if fixed:
@@ -236,7 +234,7 @@ def _factor(content: Table, made: Structured, design: str, modules: tuple[Module
     node = content.get("correlations")
     if node is None:
         return ()
-    if design not in DRAWN:
+    if design not in INDEPENDENT:
         raise content.error(f"a {design} has none: leave this out", "correlations")
     dimension = {name: i for i, (names, _) in enumerate(made.dimensions) for name in names}
     kind = {i: one.name for one in modules for i in one.dimensions if i not in one.listed}
