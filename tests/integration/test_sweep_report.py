@@ -11,6 +11,7 @@ import pytest
 from made_studies import asked, made_study
 
 from contourlab.cli.main import main
+from contourlab.features.sweep.query import wilson
 
 STUDY = """\
 # Which of them follow the circle?
@@ -73,3 +74,18 @@ def test_a_grid_is_no_sample(folder: Path, capsys: pytest.CaptureFixture[str]) -
     Path("empty").mkdir()
     Path("empty/manifest.json").write_text(json.dumps(manifest))
     assert main(["sweep", "report", "empty"]) == 2
+
+
+def test_a_saltelli_study_tells_what_needs_a_parameter(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    made_study(folder, STUDY.format(design="saltelli", steps="").replace("300", "390"))  # 65 groups of 4 draws
+    assert main(["sweep", "study.toml", "--out", "store"]) == 0
+    found = asked(capsys, "report", "store")["answers"]
+    rows = asked(capsys, "query", "store", "SELECT * FROM results ORDER BY variant")
+    figure = np.array([row["part_error_max"] for row in rows]).reshape(65, 6)
+    variance = figure[:, :2].var()
+    totals = {one["column"]: one["total"] for one in found["effects"]}
+    for i, column in enumerate(("scheme", "feed.frequency", "axes.*.friction.coulomb", "axes.1.plant.gain"), 2):
+        assert totals[column] == pytest.approx(np.mean((figure[:, 0] - figure[:, i]) ** 2) / 2.0 / variance)
+    assert totals["scheme"] > 0.5 > totals["axes.1.plant.gain"] > 0.0
+    passed = found["passed"] / found["judged"]
+    assert found["low"] < wilson(found["passed"], found["judged"])[0] < passed  # variants that share draws tell less

@@ -145,7 +145,7 @@ def worst(
     if as_json:
         emit_json(found)
     else:
-        names = ["variant", figure, *opened.columns, "status"]
+        names = ["variant", *opened.modules, figure, *opened.columns, "status"]
         units = {**opened.columns, **opened.figures}
         say(rows_text(names, [[row[name] for name in names] for row in found], units))
     if found:

@@ -29,7 +29,7 @@ class Chunk:
     ----------
     number : int
     columns : mapping of str to ndarray (n_variant,)
-        Choices, parameters and figures in SI, ``status``, ``failed_at`` [s] and ``unsure``; nan where there is no value.
+        Modules, choices, parameters and figures in SI, ``status``, ``failed_at`` [s] and ``unsure``; nan where there is no value.
     signals : mapping of str to ndarray (n_variant, n_sample, n_axis)
         nan beyond the end of a run.
     seconds, cpu_seconds : float [s]
@@ -61,6 +61,7 @@ def run_chunk(study: Study, number: int, threads: int | None = None, progress: C
     codes = [np.asarray(choice.codes)[chosen(places[:, choice.dimension], len(choice.codes), choice.weights)] for choice in study.choices]
     names = [name for name in study.columns if name not in {choice.key for choice in study.choices}]
     columns: dict[str, Any] = {name: np.full(n, np.nan) for name in (*names, *study.figures, "failed_at", "unsure")}
+    columns |= study.design.members(number)
     columns["status"] = np.full(n, STATUSES.index(REFUSED))
     signals: dict[str, Array] = {}
     done = 0

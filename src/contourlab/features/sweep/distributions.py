@@ -49,6 +49,8 @@ class Variation:
         Number of evenly spaced values of a grid; 0 for none.
     together : bool
         Whether all parameters that a pattern matches share one draw.
+    listed : bool
+        Whether the items are a column of a file.
     """
 
     key: str
@@ -58,6 +60,7 @@ class Variation:
     weights: tuple[float, ...] = ()
     steps: int = 0
     together: bool = False
+    listed: bool = False
 
 
 def read_variations(table: Table) -> tuple[Variation, ...]:
@@ -68,10 +71,7 @@ def read_variations(table: Table) -> tuple[Variation, ...]:
     ScenarioError
         If an entry is not a distribution; gives file and key.
     """
-    variations = [_variation(key, node) for key, node in _flat(table, "")]
-    if not variations:
-        raise table.error('write what varies, such as "axes.x.plant.mass" = { normal = ["80 kg", "4 kg"] }')
-    return tuple(variations)
+    return tuple(_variation(key, node) for key, node in _flat(table, ""))
 
 
 def _flat(table: Table, prefix: str) -> list[tuple[str, Table]]:

@@ -11,7 +11,9 @@ import numpy as np
 
 from contourlab import __version__
 from contourlab.app.command_line import as_typed
-from contourlab.features.sweep.answers import Answers, Rows
+from contourlab.features.sweep.answers import Answers
+from contourlab.features.sweep.matrices import matrices
+from contourlab.features.sweep.rows import Rows
 from contourlab.features.sweep.summary import display
 from contourlab.features.sweep.words import Words, kind_of, range_text, share_text, shown, title_of, value_text
 from contourlab.rendering.charts import Chart, Curve, Panel
@@ -39,6 +41,7 @@ def write_page(answers: Answers, rows: Rows, words: Words, file: Path) -> None:
         "distribution": [entry_of(_distribution(answers, rows))],
         "convergence": [entry_of(chart) for chart in _convergence(answers)],
         "front": list(_fronts(answers, rows)),
+        "modules": list(matrices(answers, rows)),
     }
     unit, factor = display(answers.unit)
     text = page_template("sweep.html.j2").render(

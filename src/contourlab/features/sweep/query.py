@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError, error_text
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import Store
@@ -54,7 +57,7 @@ class Yield:
     passed, judged : int
         A variant that diverged is judged, and fails. A refused one is not judged.
     share, low, high : float
-        Share, and its Wilson interval of 95 %.
+        Share, and its Wilson interval of 95 %; of variants that share modules or draws with their `effective_size`.
     """
 
     figure: str
@@ -66,8 +69,8 @@ class Yield:
     high: float
 
 
-def wilson(passed: int, judged: int) -> tuple[float, float]:
-    """Return the Wilson interval of 95 % of a share.
+def wilson(passed: float, judged: float) -> tuple[float, float]:
+    """Return the Wilson interval of 95 % of a share; `judged` may be an `effective_size`.
 
     >>> [round(end, 4) for end in wilson(98, 100)]
     [0.93, 0.9945]
@@ -78,6 +81,41 @@ def wilson(passed: int, judged: int) -> tuple[float, float]:
     centre = (share + Z * Z / (2 * judged)) / (1 + Z * Z / judged)
     half = Z / (1 + Z * Z / judged) * math.sqrt(share * (1 - share) / judged + Z * Z / (4 * judged**2))
     return (max(centre - half, 0.0) if passed else 0.0), (min(centre + half, 1.0) if passed < judged else 1.0)
+
+
+def effective_size(tallies: Sequence[tuple[Array, Array]]) -> float:
+    """Return how many independent variants tell as much about a yield as the pairings of modules, or variants that share draws, do.
+
+    Parameters
+    ----------
+    tallies : sequence of (ndarray (n_module,), ndarray (n_module,))
+        For each kind of modules: the judged pairings of each module, and those that passed. A draw that several variants share counts as
+        a module.
+
+    Notes
+    -----
+    The variance of the yield is the sum over the kinds of the jackknife variance over their modules; the interval takes Student's t, as
+    Korn and Graubard do for clusters. Bad modules that nobody has drawn are in no variance: the size is therefore at most the number of
+    kinds times the fewest modules of a kind, and that number itself where all pairings agree.
+
+    References
+    ----------
+    E. L. Korn, B. I. Graubard, "Confidence intervals for proportions with small expected number of positive counts estimated from survey
+    data", Survey Methodology 24, 1998.
+    """
+    from scipy.special import stdtrit
+
+    judged, passed = float(tallies[0][0].sum()), float(tallies[0][1].sum())
+    share, fewest = passed / judged, min(len(count) for count, _ in tallies)
+    if fewest < 2:
+        return 1.0
+    if not 0.0 < share < 1.0:
+        return float(fewest)
+    variance = sum(len(n) / (len(n) - 1) * float(np.sum((good - share * n) ** 2)) / judged**2 for n, good in tallies)
+    most = float(len(tallies) * fewest)
+    if variance == 0.0:
+        return most
+    return min(share * (1.0 - share) / variance * (Z / float(stdtrit(fewest - 1, 0.975))) ** 2, most)
 
 
 @contextmanager
@@ -132,9 +170,16 @@ def yield_of(store: Store) -> Yield | None:
     tolerance = store.manifest["tolerance"]
     if tolerance is None or JUDGED not in store.figures:
         return None
-    sql = f"SELECT count(*) FILTER ({JUDGED} <= {float(tolerance)!r}), count(*) FILTER (status <> 'refused') FROM results"
-    (passed, judged), *_ = rows(store, sql)[1]
-    return Yield(JUDGED, tolerance, passed, judged, passed / judged if judged else math.nan, *wilson(passed, judged))
+    tally = f"SELECT count(*), count(*) FILTER ({JUDGED} <= {float(tolerance)!r}) FROM results WHERE status <> 'refused'"
+    (judged, passed), *_ = rows(store, tally)[1]
+    if not judged:
+        return Yield(JUDGED, tolerance, 0, 0, math.nan, *wilson(0, 0))
+    share, size = passed / judged, float(judged)
+    group = store.manifest["group"]
+    if clusters := [*map(quoted, store.modules), *([f"variant // {group}"] if group > 1 else [])]:
+        tallies = [np.array(rows(store, f"{tally} GROUP BY {words}")[1], dtype=float).T for words in clusters]
+        size = effective_size([(n, good) for n, good in tallies])
+    return Yield(JUDGED, tolerance, passed, judged, share, *wilson(passed if size == judged else share * size, size))
 
 
 def check_figure(store: Store, figure: str) -> None:

@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import astuple, dataclass
 from pathlib import Path
 
-from contourlab.features.sweep.answers import Answers, Effect, Subset, answers_of, read_rows
+from contourlab.features.sweep.answers import Answers, answers_of
+from contourlab.features.sweep.effects import Effect, Subset
 from contourlab.features.sweep.page import write_page
+from contourlab.features.sweep.pairings import Pairings
+from contourlab.features.sweep.rows import read_rows
 from contourlab.features.sweep.store import read_store
 from contourlab.features.sweep.summary import display
 from contourlab.features.sweep.words import kind_of, range_text, said, share_text, value_text
@@ -34,10 +37,11 @@ class SweepReport:
     def text(self) -> str:
         """Text for the terminal."""
         words = said(self.answers)
-        sentence, decides, stop, front = (paragraphs([part]) if part else "" for part in astuple(words))
+        sentence, decides, stop, front, modules = (paragraphs([part]) if part else "" for part in astuple(words))
         tables = _subset_text(self.answers), _effect_text(self.answers.effects)
         remarks = paragraphs(map(str, self.answers.findings))
-        parts = (sentence, tables[0], decides, tables[1], front, stop, remarks, f"page: {self.page}")
+        pairings = _module_text(self.answers.pairings)
+        parts = (sentence, modules, pairings, tables[0], decides, tables[1], front, stop, remarks, f"page: {self.page}")
         return "\n\n".join(part for part in parts if part)
 
 
@@ -94,11 +98,26 @@ def _effect_text(effects: tuple[Effect, ...]) -> str:
     if not effects:
         return ""
     heads = [Column("explains"), Column("95 % interval"), Column("rank correlation"), Column("95 % interval")]
-    table = Table([Column("parameter", left=True), *heads])
+    has_totals = any(one.total is not None for one in effects)
+    totals = [Column("with others"), Column("95 % interval")] if has_totals else []
+    table = Table([Column("parameter", left=True), *heads[:2], *totals, *heads[2:]])
     for one in effects[:SHOWN]:
         signed = ["-", "-"]
         if one.correlation is not None and one.correlation_low is not None and one.correlation_high is not None:
             signed = [f"{one.correlation:+.2f}", f"{one.correlation_low:+.2f} to {one.correlation_high:+.2f}"]
-        table.add(one.column, share_text(one.index, 2), range_text(one.index_low, one.index_high, 2), *signed)
+        total = [share_text(one.total, 2), range_text(one.total_low, one.total_high, 2)] if has_totals else []
+        table.add(one.column, share_text(one.index, 2), range_text(one.index_low, one.index_high, 2), *total, *signed)
     more = len(effects) - SHOWN
     return table.text() + (f"\n{more} more on the page" if more > 0 else "")
+
+
+def _module_text(found: Pairings | None) -> str:
+    """Return the modules to sort out."""
+    if found is None or not found.bad:
+        return ""
+    heads = [Column("pairings"), Column("yield"), Column("yield without it and those above")]
+    table = Table([Column("modules", left=True), Column("module"), *heads])
+    for one in found.bad[:SHOWN]:
+        table.add(one.column.removesuffix(".module"), str(one.module), str(one.judged), share_text(one.share), share_text(one.left))
+    more = len(found.bad) - SHOWN
+    return table.text() + (f"\n{more} more in --json" if more > 0 else "")

@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.features.sweep.query import Z, wilson
+from contourlab.features.sweep.query import Z, effective_size, wilson
 
 GROUPS, T = 20, 2.093
 """Groups of the jackknife, and half width of the interval of 95 % of Student's t with one degree of freedom less."""
 BINS = 64
 """Most bins of a parameter."""
-LEAST = 128
-"""Fewest variants of a quantile of 95 % whose interval ends at two variants."""
+LEAST, LEAST_MODULES = 128, 8
+"""Fewest variants, and fewest modules of a kind, of an estimate of the convergence."""
+FEWEST = 74
+"""Fewest independent variants whose interval of the quantile of 95 % ends below the largest."""
 
 
 def variants_needed(share: float, half: float) -> int:
@@ -29,21 +33,45 @@ def variants_needed(share: float, half: float) -> int:
     return 1 + bisect_left(range(1, 1 << 50), -half, key=negative_half)
 
 
-def quantile(values: Array, probability: float) -> tuple[float, float, float]:
-    """Return a quantile and the ends of its interval of 95 %, each one of the values, by their order.
+def size_of(flags: Flags, members: Sequence[Index]) -> float:
+    """Return how many independent variants the rows are worth for the share of `flags` (n,); `members` as in `estimate`."""
+    if not members:
+        return float(len(flags))
+    tallies = []
+    for member in members:
+        judged = np.bincount(member).astype(np.float64)
+        tallies.append((judged[judged > 0], np.bincount(member, flags)[judged > 0].astype(np.float64)))
+    return effective_size(tallies)
+
+
+def share_of(flags: Flags, members: Sequence[Index] = ()) -> tuple[int, float, float, float]:
+    """Return how many of `flags` (n,) are set, their share, and its Wilson interval of 95 %; `members` as in `estimate`."""
+    passed, n = int(np.count_nonzero(flags)), len(flags)
+    share, size = passed / n, size_of(flags, members)
+    return passed, share, *wilson(share * size if members else passed, size)
+
+
+def quantile(values: Array, probability: float, members: Sequence[Index] = ()) -> tuple[float, float | None, float | None]:
+    """Return a quantile and the ends of its interval of 95 % (Woodruff's), each one of the values; None where these are too few.
 
     Parameters
     ----------
     values : ndarray (n,)
-        Independent; inf where a variant has none because it failed.
+        inf where a variant has none because it failed.
     probability : float
+    members : sequence of ndarray (n,)
+        As in `estimate`.
     """
     n = len(values)
-    half = Z * math.sqrt(n * probability * (1.0 - probability))
-    places = (n * probability, n * probability - half, n * probability + half)
-    index = [min(max(math.ceil(place) - 1, 0), n - 1) for place in places]
+    middle = math.ceil(n * probability) - 1
+    found = float(np.partition(values, middle)[middle])
+    size = size_of(values <= found, members)
+    half = Z * math.sqrt(probability * (1.0 - probability) / size)
+    if size < FEWEST:
+        return found, None, None
+    index = [min(max(math.ceil(n * place) - 1, 0), n - 1) for place in (probability - half, probability + half)]
     sorted_there = np.partition(values, sorted(set(index)))
-    found, low, high = (float(sorted_there[i]) for i in index)
+    low, high = (float(sorted_there[i]) for i in index)
     return found, low, high
 
 
@@ -69,27 +97,40 @@ class Estimate:
     p95_high: float | None
 
 
-def convergence(values: Array, tolerance: float | None) -> tuple[Estimate, ...]:
-    """Return the estimates from the first n variants, n doubling from about `LEAST` to all.
+def estimate(values: Array, tolerance: float | None, members: Sequence[Index] = ()) -> Estimate:
+    """Return the estimates from all values.
+
+    Parameters
+    ----------
+    values : ndarray (n,)
+        inf for variants that diverged.
+    tolerance : float or None
+    members : sequence of ndarray (n,)
+        For each kind of modules, which one is in each pairing; empty for independent variants.
+    """
+    share = (None, None, None) if tolerance is None else share_of(values <= tolerance, members)[1:]
+    tail = [None if end is None or not math.isfinite(end) else end for end in quantile(values, 0.95, members)]
+    return Estimate(len(values), *share, *tail)
+
+
+def convergence(values: Array, tolerance: float | None, members: Sequence[Index] = ()) -> tuple[Estimate, ...]:
+    """Return the estimates from the first n variants, or the first n modules of each kind, n doubling up to all.
 
     Parameters
     ----------
     values : ndarray (n,)
         In the order of the variants; inf for those that diverged.
     tolerance : float or None
+    members : sequence of ndarray (n,)
+        As in `estimate`.
     """
-    sizes: list[int] = [len(values)] if len(values) >= LEAST else []
-    while sizes and sizes[-1] // 2 >= LEAST:
-        sizes.append(sizes[-1] // 2)
-    found = []
-    for n in reversed(sizes):
-        share: tuple[float | None, ...] = (None, None, None)
-        if tolerance is not None:
-            passed = int(np.count_nonzero(values[:n] <= tolerance))
-            share = (passed / n, *wilson(passed, n))
-        tail = [end if math.isfinite(end) else None for end in quantile(values[:n], 0.95)]
-        found.append(Estimate(n, *share, *tail))
-    return tuple(found)
+    found, k = list[Estimate](), 0
+    counts = [int(member.max()) + 1 for member in members]
+    while (min(counts) >> k >= LEAST_MODULES) if members else (len(values) >> k >= LEAST):
+        kept = np.all([m < n >> k for m, n in zip(members, counts, strict=True)], axis=0) if members else slice(len(values) >> k)
+        found.append(estimate(values[kept], tolerance, [member[kept] for member in members]))
+        k += 1
+    return tuple(reversed(found))
 
 
 # --- effects ---------------------------------------------------------------------------------------------------------------------------
@@ -112,56 +153,106 @@ def binned(rank: Array) -> Index:
     return np.asarray(np.minimum(((rank - 0.5) * (count / n)).astype(np.int64), count - 1))
 
 
-def rank_correlation(first: Array, second: Array) -> tuple[float, float, float]:
-    """Return Spearman's correlation from ranks (n,), and the ends of its interval of 95 %.
+def rank_correlation(first: Array, second: Array, size: int | None = None) -> tuple[float, float, float]:
+    """Return Spearman's correlation from ranks (n,), and its interval of 95 %, for `size` independent pairs; by default all are.
 
     References
     ----------
     D. G. Bonett, T. A. Wright, "Sample size requirements for estimating Pearson, Kendall and Spearman correlations",
     Psychometrika 65, 2000: the variance of Fisher's z of a rank correlation.
     """
-    a, b = first - first.mean(), second - second.mean()
+    a, b, size = first - first.mean(), second - second.mean(), size or len(first)
     norm = math.sqrt(float(a @ a) * float(b @ b))
-    if norm == 0.0 or len(a) <= 3:
+    if norm == 0.0 or size <= 3:
         return 0.0, -1.0, 1.0
     found = min(max(float(a @ b) / norm, -1.0), 1.0)
     if abs(found) == 1.0:
         return found, found, found
-    z, half = math.atanh(found), Z * math.sqrt((1.0 + found**2 / 2.0) / (len(a) - 3))
+    z, half = math.atanh(found), Z * math.sqrt((1.0 + found**2 / 2.0) / (size - 3))
     return found, math.tanh(z - half), math.tanh(z + half)
 
 
-def first_order(bins: Index, values: Array) -> tuple[float, float, float]:
+def first_order(bins: Index, values: Array, inner: Array | None = None, units: Sequence[Index] = ()) -> tuple[float, float, float]:
     """Return the share of the variance of `values` (n,) that the mean over each bin explains, and its interval of 95 %.
+
+    Parameters
+    ----------
+    bins : ndarray (n,)
+    values : ndarray (n,)
+        Of rows, or means over the pairings of each module.
+    inner : ndarray (n,), optional
+        Variance within each of the means; part of the whole.
+    units : sequence of ndarray (n,)
+        What the jackknife leaves out together: the modules of each kind. By default each row is on its own.
 
     Notes
     -----
     What chance explains is taken off, as in an adjusted coefficient of determination. The interval is that of a jackknife over random
-    groups of rows.
+    groups of units; the variances of several kinds add up.
     """
     count = int(bins.max()) + 1
-    groups = min(GROUPS, len(values))
-    part = np.random.default_rng(0).integers(groups, size=len(values))
     centred = values - values.mean()
-    cell = part * count + bins
-    n = np.bincount(cell, minlength=groups * count).reshape(groups, count).astype(np.float64)
-    sums = np.bincount(cell, centred, groups * count).reshape(groups, count)
-    squares = np.bincount(part, centred * centred, groups)
+    within = np.zeros(len(values)) if inner is None else inner
 
-    def share(n: Array, sums: Array, squares: Array) -> Array:
+    def share(n: Array, sums: Array, squares: Array, spread_within: Array) -> Array:
         rows, common = n.sum(-1), sums.sum(-1) ** 2 / np.maximum(n.sum(-1), 1.0)
         between = (sums**2 / np.maximum(n, 1.0)).sum(-1) - common
         total = squares - common
         left = np.maximum(rows - np.count_nonzero(n, axis=-1), 1.0)
         spread = total > 1e-12 * np.maximum(squares, np.finfo(float).tiny)
         unexplained = (total - between) * (rows - 1.0) / (left * np.where(spread, total, 1.0))
-        return np.where(spread, 1.0 - unexplained, 0.0)
+        return np.where(spread, (1.0 - unexplained) * total / np.where(spread, total + spread_within, 1.0), 0.0)
 
-    found = float(share(n.sum(0), sums.sum(0), squares.sum()))
-    without = share(n.sum(0) - n, sums.sum(0) - sums, squares.sum() - squares)
-    half = T * math.sqrt((groups - 1) / groups * float(np.sum((without - without.mean()) ** 2)))
+    variance = 0.0
+    for unit in units or (np.arange(len(values)),):
+        last = int(unit.max()) + 1
+        groups = min(GROUPS, last)
+        part = np.random.default_rng(0).integers(groups, size=last)[unit]
+        cell = part * count + bins
+        n = np.bincount(cell, minlength=groups * count).reshape(groups, count).astype(np.float64)
+        sums = np.bincount(cell, centred, groups * count).reshape(groups, count)
+        squares, inside = np.bincount(part, centred * centred, groups), np.bincount(part, within, groups)
+        found = float(share(n.sum(0), sums.sum(0), squares.sum(), inside.sum()))
+        without = share(n.sum(0) - n, sums.sum(0) - sums, squares.sum() - squares, inside.sum() - inside)
+        variance += (groups - 1) / groups * float(np.sum((without - without.mean()) ** 2))
+    half = T * math.sqrt(variance)
     clipped = np.clip([found, found - half, found + half], 0.0, 1.0)
     return float(clipped[0]), float(clipped[1]), float(clipped[2])
+
+
+def total_indices(figure: Array) -> list[tuple[float, float, float]]:
+    """Return the total index of each dimension of a Saltelli design, and its interval of 95 % by a jackknife over random groups.
+
+    Parameters
+    ----------
+    figure : ndarray (n_group, n_dimension + 2)
+        Of A, of B, and of A with one dimension after the other from B.
+
+    References
+    ----------
+    M. J. W. Jansen, "Analysis of variance designs for model output", Computer Physics Communications 117, 1999: the estimator.
+    """
+    n = len(figure)
+    parts = min(GROUPS, n)
+    part = np.random.default_rng(0).permutation(n) % parts
+    centred = figure - figure[:, :2].mean()
+
+    def summed(terms: Array) -> Array:
+        return np.bincount(part, terms, parts).astype(np.float64)
+
+    count, first, second = summed(np.full(n, 2.0)), summed(centred[:, :2].sum(1)), summed((centred[:, :2] ** 2).sum(1))
+
+    def share(half: Any, count: Any, first: Any, second: Any) -> Any:
+        return 2.0 * half / np.maximum(second - first**2 / count, np.finfo(float).tiny)
+
+    found = []
+    for changed in centred[:, 2:].T:
+        terms = [summed((centred[:, 0] - changed) ** 2 / 2.0), count, first, second]
+        middle = float(share(*(term.sum() for term in terms)))
+        without = share(*(term.sum() - term for term in terms))
+        half = T * math.sqrt((parts - 1) / parts * float(np.sum((without - without.mean()) ** 2)))
+        found.append((middle, max(middle - half, 0.0), middle + half))
+    return found
 
 
 def best_split(bins: Index, passed: Flags) -> tuple[int, float, float, float]:

@@ -28,6 +28,7 @@ from contourlab.result.atomic import replacing, write_bytes_atomic
 from contourlab.threads import in_threads
 
 SCHEMA = "contourlab-sweep/1"
+_NEEDED = {"study", "identity", "variants", "chunk", "columns", "figures", "signals", "tolerance", "modules", "group", "structures"}
 MANIFEST, TIMES, LOCK = "manifest.json", "times.jsonl", ".lock"
 _PART = re.compile(r"(part|signals)-(\d{6,})-([0-9a-f]{16})\.(parquet|nc)\Z")
 DIFFERENT = {
@@ -47,7 +48,8 @@ class Store:
     folder : Path
     manifest : mapping
         ``schema``, ``study`` (text), ``identity``, ``variants``, ``chunk``, ``columns`` and ``figures`` with their units, ``signals``,
-        ``tolerance``, and ``structures`` with the scenario of each.
+        ``tolerance``, ``modules`` with the number of each kind, ``group``, the number of successive variants that share a draw, and
+        ``structures`` with the scenario of each.
     parts : dict of int to Path
         File of each finished chunk.
     damaged : tuple of Path
@@ -85,12 +87,17 @@ class Store:
         """SI unit of each choice and parameter that varies."""
         return dict(self.manifest["columns"])
 
+    @property
+    def modules(self) -> dict[str, int]:
+        """Number of modules of each kind, by the column of their numbers."""
+        return dict(self.manifest["modules"])
+
     @cached_property
     def schema(self) -> Any:
         """Arrow schema of the rows."""
         arrow = extra_module("pyarrow")
         texts = {key for structure in self.manifest["structures"] for key, label in structure["choices"].items() if isinstance(label, str)}
-        fields = [arrow.field("variant", arrow.int64())]
+        fields = [arrow.field(name, arrow.int64()) for name in ("variant", *self.modules)]
         for name, unit in {**self.columns, **self.figures}.items():
             fields.append(arrow.field(name, arrow.string() if name in texts else arrow.float64(), metadata={"unit": unit}))
         ends = [("status", arrow.string(), ""), ("failed_at", arrow.float64(), "s"), ("unsure", arrow.int32(), "")]
@@ -198,7 +205,7 @@ def read_store(folder: str | Path, *, repair: bool = False) -> Store:
     try:
         manifest = json.loads((path / MANIFEST).read_text(encoding="utf-8"))
         schema = manifest["schema"]
-        missing = {"study", "identity", "variants", "chunk", "columns", "figures", "signals", "tolerance", "structures"} - set(manifest)
+        missing = _NEEDED - set(manifest)
     except (OSError, ValueError, KeyError, TypeError) as error:
         reason = "no manifest.json" if isinstance(error, FileNotFoundError) else "its manifest.json cannot be read"
         raise ResultError(f"{path}: not a store of contourlab sweep: {reason}") from error
@@ -281,6 +288,8 @@ def manifest_of(study: Study, structures: Sequence[Mapping[str, Any]]) -> dict[s
         "variants": study.design.variants,
         "chunk": study.design.chunk,
         "tolerance": study.tolerance,
+        "group": study.design.group,
+        "modules": {one.column: one.count for one in study.design.modules},
         "columns": dict(study.columns),
         "figures": {name: UNITS[name] for name in study.figures},
         "signals": list(study.signals),

@@ -108,6 +108,8 @@ class Structured:
         Columns that share a draw, and the number of values; 0 for a continuous distribution.
     units : mapping of str to str
         SI unit of each column.
+    listed : frozenset of str
+        Columns whose values are those of a file.
     findings : tuple of Finding
     """
 
@@ -116,6 +118,7 @@ class Structured:
     cases: Mapping[tuple[int, ...], Case]
     dimensions: tuple[tuple[tuple[str, ...], int], ...]
     units: Mapping[str, str]
+    listed: frozenset[str]
     findings: tuple[Finding, ...]
 
 
@@ -151,7 +154,9 @@ def structured(
     counts = [len(labels) for labels, _, _ in read]
     combos = sorted(set(zip(*(codes for _, _, codes in read), strict=True))) if listed and read else list(product(*map(range, counts)))
     if len(combos) > MOST:
-        raise choosing[-1].table.error(f"{len(combos)} combinations of choices: leave out some, {MOST} are the most", "values")
+        most = max(choosing, key=lambda one: counts[choosing.index(one)])
+        what = f"{most.key} is no parameter but a choice with {max(counts)} values"
+        raise most.table.error(f"{what}: {len(combos)} combinations of choices are too many, {MOST} are the most", "values")
     cases, references, motions = {}, {}, dict[bytes, Reference]()
     for i, combo in enumerate(combos):
         cases[combo] = _case(choosing, read, combo, case_of)
@@ -224,6 +229,7 @@ def _bound(
     choices: list[Choice] = []
     dimensions: list[tuple[tuple[str, ...], int]] = []
     units: dict[str, str] = {}
+    listed: set[str] = set()
     numbers: dict[tuple[int, ...], list[tuple[str, int, Distribution]]] = {combo: [] for combo in cases}
     findings: dict[str, Finding] = {}
     for variation in variations:
@@ -232,6 +238,7 @@ def _bound(
             choices.append(Choice(variation.key, len(dimensions), labels, unit, codes, variation.weights))
             dimensions.append(((variation.key,), len(codes)))
             units[variation.key] = unit
+            listed |= {variation.key} if variation.listed else set()
             continue
         matches = {combo: _matches(variation, case) for combo, case in cases.items()}
         names = tuple(dict.fromkeys(name for some in matches.values() for name in some))
@@ -240,6 +247,7 @@ def _bound(
         for name in names:
             if name in units:
                 raise variation.table.error(f"{name} is varied twice: delete one")
+        listed |= set(names) if variation.listed else set()
         first, count = len(dimensions), len(variation.items) if variation.kind == "values" else variation.steps
         dimensions += [(names, count)] if variation.together else [((name,), count) for name in names]
         for combo, some in matches.items():
@@ -256,7 +264,8 @@ def _bound(
         combo: Structure(case.machine, case.controller, references[combo], case.moving, case.seed, tuple(numbers[combo]))
         for combo, case in cases.items()
     }
-    return Structured(tuple(choices), structures, cases, tuple(dimensions), units, (*findings.values(), *_on_cases(cases.values())))
+    remarks = (*findings.values(), *_on_cases(cases.values()))
+    return Structured(tuple(choices), structures, cases, tuple(dimensions), units, frozenset(listed), remarks)
 
 
 def _matches(variation: Variation, case: Case) -> list[str]:

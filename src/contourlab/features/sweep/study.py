@@ -17,8 +17,10 @@ from pydantic import Field
 
 from contourlab.app.checkpoint import program_identity
 from contourlab.errors import ParameterError, ScenarioError, hint
-from contourlab.features.sweep.design import Design
-from contourlab.features.sweep.distributions import read_variations
+from contourlab.features.sweep.design import FIXED, INDEPENDENT, Design, Modules
+from contourlab.features.sweep.distributions import Variation, read_variations
+from contourlab.features.sweep.lists import read_list
+from contourlab.features.sweep.modules import listed_modules, module_entries, modules_of
 from contourlab.features.sweep.structures import ROOMS, Choice, Structure, Structured, structured
 from contourlab.findings import Finding, finding
 from contourlab.loop.batch_result import FIGURE_UNITS
@@ -28,7 +30,7 @@ from contourlab.scenario import Case
 from contourlab.scenario.files import BUILTIN, shipped_hint
 from contourlab.scenario.load import changed_case, load_scenario
 from contourlab.scenario.tables import Distance, StrictTable, Text, read_table
-from contourlab.scenario.tree import Table, read_tree
+from contourlab.scenario.tree import Leaf, Table, read_tree
 
 UNITS = {**FIGURE_UNITS, "cycle_time": "s"}
 """SI unit of each figure that a study can keep."""
@@ -47,17 +49,17 @@ MOST = 10**12
 class StudyTable(StrictTable):
     """The top of a study file."""
 
-    needed = ("vary",)
-    parts = ("correlations",)
+    parts = ("vary", "modules", "correlations")
     scenario: Text
     scheme: Text | None = None
     variants: Annotated[int | None, Field(ge=1, le=MOST)] = None
-    design: Literal["random", "sobol", "latin-hypercube", "grid", "list"] = "random"
+    design: Literal["random", "sobol", "latin-hypercube", "saltelli", "grid", "list"] = "random"
     seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
     chunk: Annotated[int | None, Field(ge=LANES, le=1 << 16)] = None
     figures: list[str] = list(DEFAULT)
     signals: list[str] = []
     tolerance: Distance | None = None
+    listed: Annotated[Text | None, Field(alias="list")] = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +129,11 @@ def study_of(
     if "vary" not in content.entries and "machine" in content.entries:
         raise ScenarioError("this is a scenario: write a study that names it, with scenario = ... and [vary]", file=file)
     plain = read_table(StudyTable, content)
-    variations = read_variations(content.table("vary"))
+    if plain.listed is not None:
+        if "design" in content.entries and plain.design != "list":
+            raise content.error(f"a list is no {plain.design} design: leave this out", "design")
+        plain = plain.model_copy(update={"design": "list"})
+    variations, entries, remarks = _variations(content, path.parent)
     name = plain.scenario if plain.scenario.startswith(BUILTIN) else str(path.parent / plain.scenario)
     if not name.startswith(BUILTIN) and not Path(name).exists():
         raise content.error(f"no file {plain.scenario!r} in {path.parent.as_posix()}{shipped_hint(plain.scenario)}", "scenario")
@@ -145,7 +151,7 @@ def study_of(
     study = Study(
         file=str(file),
         text=path.read_text(encoding="utf-8-sig"),
-        design=_design(plain, content, made),
+        design=_design(plain, content, made, modules_of(entries, made)),
         choices=made.choices,
         structures=made.structures,
         columns=made.units,
@@ -153,9 +159,21 @@ def study_of(
         signals=_known(content, "signals", plain.signals, SIGNALS),
         tolerance=base.tolerance if plain.tolerance is None else plain.tolerance,
         plugins=tuple(str(Path(plugin).resolve()) for plugin in plugins),
-        findings=(*([finding("CL920", schemes=left_out)] if left_out else []), *made.findings),
+        findings=(*([finding("CL920", schemes=left_out)] if left_out else []), *remarks, *made.findings),
     )
     return replace(study, identity=_identity(study)), made
+
+
+def _variations(content: Table, folder: Path) -> tuple[tuple[Variation, ...], dict[str, Leaf], tuple[Finding, ...]]:
+    """Return what varies, in the study and in the files of lists; the entries of ``[modules]``; and remarks on the files."""
+    entries = module_entries(content)
+    leaf = content.get("list")
+    rows = read_list(leaf, folder) if isinstance(leaf, Leaf) else ((), ())
+    modules = listed_modules(entries, folder)
+    variations = (*read_variations(content.table("vary")), *rows[0], *modules[0])
+    if not variations:
+        raise content.table("vary").error('write what varies, such as "axes.x.plant.mass" = { normal = ["80 kg", "4 kg"] }')
+    return variations, entries, (*rows[1], *modules[1])
 
 
 def _known(content: Table, key: str, names: Sequence[str], known: Mapping[str, str]) -> tuple[str, ...]:
@@ -170,29 +188,32 @@ def _known(content: Table, key: str, names: Sequence[str], known: Mapping[str, s
 # --- the design ------------------------------------------------------------------------------------------------------------------------
 
 
-def _design(plain: StudyTable, content: Table, made: Structured) -> Design:
-    levels = tuple(count for _, count in made.dimensions)
-    variants = plain.variants
-    if plain.design in ("grid", "list"):
-        if 0 in levels:
-            continuous = made.dimensions[levels.index(0)][0][0]
-            raise content.error(f"{continuous}: a {plain.design} needs values = [...]" + _steps(plain.design), "vary")
+def _design(plain: StudyTable, content: Table, made: Structured, modules: tuple[Modules, ...]) -> Design:
+    counts, variants = [count for _, count in made.dimensions], plain.variants
+    drawn = {i for one in modules for i in one.dimensions}
+    if modules and plain.design not in INDEPENDENT:
+        raise content.error(f"modules are drawn: write {', '.join(INDEPENDENT)} instead of {plain.design}", "design")
+    fixed = "study with modules" if modules else plain.design if plain.design in FIXED else ""
+    levels = tuple(0 if i in drawn or not fixed else count for i, count in enumerate(counts))
+    if fixed:
+        for i, (names, count) in enumerate(made.dimensions):
+            if not count and i not in drawn:
+                raise content.error(f"{names[0]}: a {fixed} needs values = [...]{_steps(fixed)}", "vary")
         if plain.design == "list" and len(set(levels)) > 1:
             raise content.error(f"lists of {sorted(set(levels))} values: a list needs as many of each", "vary")
         if variants is not None:
-            raise content.error(f"a {plain.design} has as many variants as its values give: leave this out", "variants")
-        variants = math.prod(levels) if plain.design == "grid" else levels[0]
+            raise content.error(f"a {fixed} has as many variants as its values give: leave this out", "variants")
+        variants = levels[0] if plain.design == "list" else math.prod([*(one.count for one in modules), *filter(None, levels)])
         if variants > MOST:
-            raise content.error(f"{variants} variants: {MOST} are the most", "vary")
+            raise content.error(f"{variants} variants: {MOST} are the most", "modules" if modules else "vary")
     elif variants is None:
         raise content.error("1 key is missing: variants")
     chunk = _chunk(plain, content, made)
-    factor = _factor(content, made, plain.design)
-    return Design(plain.design, variants, chunk, levels if plain.design in ("grid", "list") else (0,) * len(levels), plain.seed, factor)
+    return Design(plain.design, variants, chunk, levels, plain.seed, _factor(content, made, plain.design, modules), modules)
 
 
 def _steps(design: str) -> str:
-    return ", or steps = 21 beside uniform" if design == "grid" else ""
+    return "" if design == "list" else ", or steps = 21 beside uniform"
 
 
 def _chunk(plain: StudyTable, content: Table, made: Structured) -> int:
@@ -208,14 +229,15 @@ def _chunk(plain: StudyTable, content: Table, made: Structured) -> int:
     return min(max(1 << max(fits, 1).bit_length() - 1, LANES), CHUNK)
 
 
-def _factor(content: Table, made: Structured, design: str) -> tuple[tuple[float, ...], ...]:
+def _factor(content: Table, made: Structured, design: str, modules: tuple[Modules, ...]) -> tuple[tuple[float, ...], ...]:
     """Return the factor of the correlations, given as ``correlations = [["axes.x.plant.mass", "axes.y.plant.mass", 0.8]]``."""
     node = content.get("correlations")
     if node is None:
         return ()
-    if design not in ("random", "sobol", "latin-hypercube"):
+    if design not in INDEPENDENT:
         raise content.error(f"a {design} has none: leave this out", "correlations")
     dimension = {name: i for i, (names, _) in enumerate(made.dimensions) for name in names}
+    kind = {i: one.name for one in modules for i in one.dimensions if i not in one.listed}
     matrix = np.eye(len(made.dimensions))
     items = node.plain()
     if not isinstance(items, list):
@@ -232,6 +254,8 @@ def _factor(content: Table, made: Structured, design: str) -> tuple[tuple[float,
         for i, j in product(*pairs):
             if i == j:
                 raise content.error(f"{item!r:.80}: both are one draw: name two", "correlations")
+            if modules and (i not in kind or kind[i] != kind.get(j)):
+                raise content.error(f"{item!r:.80}: only what is drawn for the same module can be correlated", "correlations")
             matrix[i, j] = matrix[j, i] = item[2]
     try:
         factor = np.linalg.cholesky(matrix)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from contourlab.features.sweep.answers import GOAL, Answers, Effect, Subset
+from contourlab.features.sweep.answers import GOAL, Answers
+from contourlab.features.sweep.effects import Effect, Subset
+from contourlab.features.sweep.pairings import Pairings, enough
 from contourlab.features.sweep.summary import display
 from contourlab.figures import figure, listing, number
 
@@ -13,6 +15,8 @@ SHORT = 0.1
 """Time [s] below which milliseconds are shown."""
 CLEAR = 0.02
 """Least difference of two yields that is worth a sentence."""
+SORTED = (0.9, 0.99, 0.999)
+"""Yields to reach by sorting out modules: the next one above the yield of all."""
 MATTERS = 0.01
 """Least share of the variance of a parameter that matters."""
 
@@ -23,20 +27,22 @@ class Words:
 
     Attributes
     ----------
-    sentence, decides, stop, front : str
-        The first answer; what decides the figure; whether more variants are needed; the Pareto front. Empty where there is none.
+    sentence, decides, stop, front, modules : str
+        The first answer; what decides the figure; whether more variants are needed; the Pareto front; what the modules decide, and which
+        to sort out. Empty where there is none.
     """
 
     sentence: str
     decides: str
     stop: str
     front: str
+    modules: str
 
 
 def said(answers: Answers) -> Words:
     """Return the answers in sentences."""
     first = _yield(answers) if answers.share is not None else _spread(answers)
-    return Words(" ".join(filter(None, (first, _which(answers)))), _decides(answers), _stop(answers), _front(answers))
+    return Words(" ".join(filter(None, (first, _which(answers)))), _decides(answers), _stop(answers), _front(answers), _modules(answers))
 
 
 def title_of(name: str) -> str:
@@ -50,7 +56,9 @@ def title_of(name: str) -> str:
 
 
 def kind_of(answers: Answers) -> str:
-    """Return what the variants are: machines, if only these vary."""
+    """Return what the variants are: pairings of modules, or machines, if only these vary."""
+    if answers.pairings is not None:
+        return "pairings"
     return "machines" if answers.effects and all(one.column.startswith("axes.") for one in answers.effects) else "variants"
 
 
@@ -107,10 +115,10 @@ def _decides(answers: Answers) -> str:
     if not answers.effects:
         return ""
     if not strong:
-        return f"No parameter alone explains 1 % of the variance of the {title_of(answers.figure)}."
+        return f"Of no parameter is it certain that it alone explains 1 % of the variance of the {title_of(answers.figure)}."
     named = listing([f"{one.column} ({share_text(one.index, 2)})" for one in strong])
-    others = f" The {'other one' if rest == 1 else f'other {rest}'} {'explains' if rest == 1 else 'explain'} less than 1 %" if rest else ""
-    tail = f"{others}{' each' if rest > 1 else ''}." if rest else ""
+    others = "The other one explains" if rest == 1 else f"The other {rest} each explain"
+    tail = f" {others} less than 1 %, or nothing that is certain." if rest else ""
     twice = " They add up to more than 100 %, because some of them are correlated." if sum(one.index for one in strong) > 1.0 else ""
     what = f"What decides the {title_of(answers.figure)}, in order, with the share of its variance that each explains"
     return f"{what}: {named}.{twice}{tail}"
@@ -122,22 +130,25 @@ def _stop(answers: Answers) -> str:
     said = []
     if answers.low is not None and answers.high is not None:
         half = figure((answers.high - answers.low) / 2.0, "%", 2)
-        said.append(f"The yield is known to +-{half}; {_enough(answers.needed_for_yield, answers.judged)}.")
+        said.append(f"The yield is known to +-{half}; {_enough(answers.needed_for_yield, answers)}.")
     if answers.p95 is not None and answers.p95_low is not None and answers.p95_high is not None:
         error = (answers.p95_high - answers.p95_low) / 2.0
         known = f"The 95 % quantile, {shown(answers.p95, answers.unit)}, is known to +-{shown(error, answers.unit, 2)}"
         share = f" ({figure(error / answers.p95, '%', 2)})" if answers.p95 > 0.0 else ""
-        said.append(f"{known}{share}; {_enough(answers.needed_for_p95, answers.judged)}.")
+        said.append(f"{known}{share}; {_enough(answers.needed_for_p95, answers)}.")
     return " ".join(said)
 
 
-def _enough(needed: int | None, judged: int) -> str:
+def _enough(needed: int | None, answers: Answers) -> str:
     if needed is None:
         return "how many more it needs cannot be told"
     goal = f"+-{figure(GOAL, '%')}"
-    if needed <= judged:
+    if answers.pairings is not None:
+        times = (needed / answers.judged) ** (1.0 / len(answers.pairings.kinds))
+        return f"{goal} needs about {number(times, 2)} times as many modules of each kind" if times > 1.0 else f"that is enough for {goal}"
+    if needed <= answers.judged:
         return f"{_about(needed)} are enough for {goal}"
-    return f"{goal} needs about {_about(needed - judged)} more"
+    return f"{goal} needs about {_about(needed - answers.judged)} more"
 
 
 def _about(count: int) -> str:
@@ -149,3 +160,37 @@ def _front(answers: Answers) -> str:
         return ""
     names = listing([title_of(name) for name in answers.objectives])
     return f"{answers.front_size:,} of {answers.judged:,} {kind_of(answers)} are best compromises of {names}: no other is better in all."
+
+
+def _modules(answers: Answers) -> str:
+    found = answers.pairings
+    if found is None:
+        return ""
+    explained = listing([f"{kind.column.removesuffix('.module')} ({share_text(kind.index, 2)})" for kind in found.kinds])
+    rest = max(1.0 - sum(kind.index for kind in found.kinds), 0.0)
+    what = f"Share of the variance of the {title_of(answers.figure)} that the module explains, whatever its partners: {explained}"
+    pairing = f"; the pairing itself: {share_text(rest, 2)}" if len(found.kinds) > 1 else ""
+    return " ".join(filter(None, (_under(found), f"{what}{pairing}.", _sorting(found))))
+
+
+def _under(found: Pairings) -> str:
+    """Return under which choices the modules are judged."""
+    if not found.choices:
+        return ""
+    named = listing([f"{name} {value if isinstance(value, str) else number(value)}" for name, value in found.choices.items()])
+    yields = f", with which {share_text(found.share)} of {found.judged:,} pairings pass" if found.share is not None else ""
+    return f"Modules are judged under the best choice, {named}{yields}."
+
+
+def _sorting(found: Pairings) -> str:
+    """Return how few modules spoil the yield."""
+    if found.share is None or not found.bad:
+        return ""
+    goal = next((goal for goal in SORTED if found.share < goal), 1.0)
+    count = enough(found.bad, goal)
+    bad = found.bad[:count]
+    if bad[-1].left < goal:
+        return f"Even without the worst {count} modules the yield stays below {share_text(goal)}."
+    parts = [(kind.column.removesuffix(".module"), sum(one.column == kind.column for one in bad), kind.modules) for kind in found.kinds]
+    which = listing([f"{gone} of {modules:,} {name}" for name, gone, modules in parts if gone])
+    return f"Without the worst modules, {which}, the yield rises from {share_text(found.share)} to {share_text(bad[-1].left)}."

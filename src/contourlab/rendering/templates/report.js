@@ -41,6 +41,15 @@
     });
   }
 
+  // On a narrow screen a legend has more rows than planned: make room for it between buttons and panels.
+  function makeRoom(place, layout) {
+    const legend = place.querySelector("g.legend"), margin = layout.margin;
+    if (!legend || layout.legend.orientation !== "h") { return; }
+    const label = (layout.legend.y - 1) * (layout.height - margin.t - margin.b);
+    const missing = Math.ceil(24 + legend.getBBox().height + label - margin.t);
+    if (missing > 4) { Plotly.relayout(place, { "margin.t": margin.t + missing, height: layout.height + missing }); }
+  }
+
   function draw(place) {
     const spec = figures[place.id];
     if (!spec || place.dataset.drawn || place.closest("[hidden], details:not([open])")) { return; }
@@ -62,6 +71,7 @@
     }
     const more = Object.assign({ scrollZoom: Boolean(spec.magnify), modeBarButtons: spec.layout.scene ? space : flat }, config);
     Plotly.newPlot(place, spec.data, spec.layout, more).then(function () {
+      makeRoom(place, spec.layout);
       if (spec.numbered) { place.on("plotly_click", function (event) { pickPoint(spec, event.points[0]); }); }
       if (picked !== null) { highlight(place, picked); }
     }).catch(function (error) { place.textContent = "This picture could not be drawn: " + error.message; });

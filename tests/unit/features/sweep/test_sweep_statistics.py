@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from SALib.analyze import sobol
 
+from contourlab.features.sweep.design import Design
 from contourlab.features.sweep.query import wilson
 from contourlab.features.sweep.statistics import (
     best_split,
@@ -17,6 +20,7 @@ from contourlab.features.sweep.statistics import (
     quantile,
     rank_correlation,
     ranks,
+    total_indices,
     variants_needed,
 )
 
@@ -104,3 +108,19 @@ def test_the_front_is_what_no_row_beats(columns: int, levels: int) -> None:
     front = pareto_front(points)
     assert {tuple(row) for row in points[front]} == best and len(front) == len(best)
     assert np.all(np.diff(points[front, 0]) >= 0.0)
+
+
+def test_total_indices_of_a_saltelli_design_are_those_of_salib_and_of_the_closed_form() -> None:
+    """The function of Ishigami: the second parameter acts alone, the third one only in combination with the first."""
+    design = Design("saltelli", 2048 * 5, 1024, (0, 0, 0), seed=1)
+    assert np.array_equal(replace(design, variants=3000).places(2), design.places(2)[:952])
+    x = (2.0 * np.concatenate([design.places(k) for k in range(design.chunks)]) - 1.0) * np.pi
+    y = np.sin(x[:, 0]) + 7.0 * np.sin(x[:, 1]) ** 2 + 0.1 * x[:, 2] ** 4 * np.sin(x[:, 0])
+    found = total_indices(y.reshape(-1, 5))
+    problem = {"num_vars": 3, "names": ["a", "b", "c"], "bounds": [[0.0, 1.0]] * 3}
+    theirs = sobol.analyze(problem, y.reshape(-1, 5)[:, [0, 2, 3, 4, 1]].ravel(), calc_second_order=False, seed=1)
+    assert [middle for middle, _, _ in found] == pytest.approx(theirs["ST"], rel=1e-9)
+    for (_, low, high), half, exact in zip(found, theirs["ST_conf"], (0.5576, 0.4424, 0.2437), strict=True):
+        assert low < exact < high
+        assert (high - low) / 2.0 == pytest.approx(half, rel=0.5)  # a jackknife over 20 groups and a bootstrap
+    assert total_indices(y.reshape(-1, 5)[:, [0, 1, 0, 3, 4]])[0][0] == 0.0
