@@ -196,6 +196,14 @@ def test_limits_are_read_from_the_values_in_order() -> None:
     assert math.isnan(lost.most) and lost.limited
 
 
+def test_a_quick_limit_by_chance_leaves_room() -> None:
+    values, error, median = np.arange(4.0), np.array([1.0, 1.5, 2.0, 9.0]), np.array([1.0, 1.0, 1.4, 5.0])
+    unknown = np.full(4, np.nan)
+    whole, quick = (LinkSweep("loss", values, error, median, unknown, unknown, 2.1, coarse=coarse) for coarse in (False, True))
+    assert (whole.most, whole.fails) == (2.0, 3.0)
+    assert (quick.most, quick.fails) == (1.0, 3.0)
+
+
 def test_different_links_are_run_as_given(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     slow, quick = (divided(controller, "observer", link=Network(delay=delay)).axes for delay in (3e-3, 1e-3))
     made = replace(controller, axes={"1": slow["1"], "3": quick["3"]})
