@@ -52,8 +52,8 @@ def _cyclic(runs: Sequence[CircleRun], residuals: Sequence[Array], axes: tuple[s
     most = min(len(run.turned) / abs(run.turned[-1] - run.turned[0]) for run in runs) / PER_CYCLE
     if pitch is not None:
         if not FEWEST_PITCHES <= radius / pitch <= most:
-            wanted = f"from {1e3 * radius / most:.4g} to {1e3 * radius / FEWEST_PITCHES:.4g} mm here"
-            raise ParameterError("--pitch", f"{1e3 * pitch:.6g} mm", wanted)
+            shown = f"from {1e3 * radius / most:.4g} to {1e3 * radius / FEWEST_PITCHES:.4g} mm on this circle"
+            raise ParameterError("--pitch", f"{1e3 * pitch:.6g} mm", shown)
         yield from (Term("cyclic error", axis, 2, length=pitch) for axis in axes)
         return
     for axis, along in zip(axes, (np.cos, np.sin), strict=True):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -25,8 +26,7 @@ from contourlab.features.commission.tuning import AxisTask, TunedAxis, tune_axis
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import Table, paragraphs
-from contourlab.result import write_text_atomic
-from contourlab.result.atomic import write_bytes_atomic
+from contourlab.result.atomic import replacing
 
 HIDDEN: dict[str, Any] = {"json": False}
 FIRST, SECOND = ("excite.ngc", "sampler.hal", "steps.md"), ("report.html", "gains.diff", "safe.diff", "circle.png")
@@ -99,8 +99,7 @@ def prepare(ini: str | Path, hal: str | Path, out: str | Path) -> Commissioned:
     """
     setup = read_setup(ini, hal)
     files = _files(out, FIRST, (ini, hal))
-    for file, text in zip(files, (excitation(setup), sampler_lines(setup), steps(setup, Path(out))), strict=True):
-        write_text_atomic(file, text)
+    _write(dict(zip(files, (excitation(setup), sampler_lines(setup), steps(setup, Path(out))), strict=True)))
     return Commissioned({}, {}, {}, {}, setup.findings, files)
 
 
@@ -109,6 +108,13 @@ def _files(out: str | Path, names: Sequence[str], inputs: Sequence[str | Path]) 
     for file in files:
         check_file(file, inputs, "--out")
     return files
+
+
+def _write(contents: Mapping[Path, str | bytes]) -> None:
+    """Write all files or none."""
+    with ExitStack() as stack:
+        for file, content in contents.items():
+            stack.enter_context(replacing(file)).write_bytes(content if isinstance(content, bytes) else content.encode("utf-8", "replace"))
 
 
 def commission(
@@ -279,14 +285,12 @@ def _written(
     diff, picture = changes(setup, gains), _circle(work, gains)
     report, gain_diff, safe_diff, image = files
     title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {Path(program).name}")
-    texts = {report: page(title, answer, tables, diff, picture, findings), gain_diff: diff, safe_diff: changes(setup, safe)}
-    for file, text in texts.items():
-        write_text_atomic(file, text)
-    if picture is not None:
-        write_bytes_atomic(image, picture)
-    written = tuple(file for file in files if picture is not None or file != image)
+    text = page(title, answer, tables, diff, picture, findings)
+    contents: dict[Path, str | bytes] = {report: text, gain_diff: diff, safe_diff: changes(setup, safe)}
+    contents |= {} if picture is None else {image: picture}
+    _write(contents)
     shown = tuple(tables.values())
-    return Commissioned(gains, safe, work.predicted, work.models, tuple(findings), written, terms, answer, shown)
+    return Commissioned(gains, safe, work.predicted, work.models, tuple(findings), tuple(contents), terms, answer, shown)
 
 
 def _line(axis: AxisSetup, work: _Work, gains: Mapping[str, Mapping[str, float]]) -> str:

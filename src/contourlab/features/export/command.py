@@ -24,6 +24,8 @@ from contourlab.features.export.recorded_run import SAMPLES, record, there_and_b
 from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.result import write_text_atomic
+from contourlab.result.atomic import write_bytes_atomic
 
 if TYPE_CHECKING:
     from contourlab.loop import Controller, Machine
@@ -176,8 +178,8 @@ def export_controller(
     with staged(out, summary, *made, inputs=inputs) as stage:
         for name, content in made.items():
             data = content if isinstance(content, bytes) else content.encode("ascii", "replace")
-            (stage / name).write_bytes(data)
-        (stage / summary).write_text(json.dumps(json_values(result), indent=2, allow_nan=False) + "\n", encoding="utf-8")
+            write_bytes_atomic(stage / name, data)
+        write_text_atomic(stage / summary, json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
     return result
 
 

@@ -89,6 +89,19 @@ def test_no_pid_at_all_is_refused(tmp_path: Path) -> None:
         setup_of(tmp_path, ("pid.x.command", "other.x"), ("pid.y.command", "other.y"))
 
 
+def test_a_file_that_the_ini_file_does_not_name_is_read_alone(tmp_path: Path) -> None:
+    ini, hal = Rig().write(tmp_path)
+    copy = tmp_path / "copy.hal"
+    copy.write_text(hal.read_text().replace("setp pid.x.Pgain [JOINT_0]P", "setp pid.x.Pgain 3"))
+    assert read_setup(ini, copy).axes[0].gains["Pgain"] == 3.0
+    assert read_setup(ini, hal).axes[0].gains["Pgain"] == 0.8
+
+
+def test_angular_joints_are_left_out(tmp_path: Path) -> None:
+    setup = setup_of(tmp_path, ini=(("[JOINT_1]\nTYPE = LINEAR", "[JOINT_1]\nTYPE = ANGULAR"),))
+    assert [axis.name for axis in setup.axes] == ["x"] and places(setup, "CL863") == ["axis y"]
+
+
 def test_excitation_stays_within_travel_and_limits(tmp_path: Path) -> None:
     pairs = (("MIN_LIMIT = -200", "MIN_LIMIT = 10"), ("MAX_LIMIT = 200", "MAX_LIMIT = 50"), ("MAX_VELOCITY = 200", "MAX_VELOCITY = 80"))
     setup = setup_of(tmp_path, ini=pairs)
