@@ -273,7 +273,9 @@ class Rig:
             mounts = f"mount --bind {folder} /mnt && mount -t tmpfs none /tmp"
             inside = f"ip link set lo up 2>/dev/null; {mounts} && cd /mnt && linuxcnc -r rig.ini"
             spaces = ("--ipc", "--pid", "--net", "--mount", "--fork", "--mount-proc", "--kill-child")
-            environment = {**os.environ, "RTAPI_UID": "1000", "RTAPI_FIFO_PATH": "/mnt/fifo", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}
+            # In $HOME LinuxCNC maps its tools into memory: a second one that starts there breaks the first.
+            own = {"HOME": "/mnt", "RTAPI_UID": "1000", "RTAPI_FIFO_PATH": "/mnt/fifo", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}
+            environment = {**os.environ, **own}
             environment.pop("PYTHONPATH", None)
             call = ["unshare", *spaces, "sh", "-c", inside]
             try:

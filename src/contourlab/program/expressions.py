@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
+from itertools import chain
 from typing import TypeAlias
 
 from contourlab.program.vocabulary import BlockError
@@ -122,6 +123,11 @@ class Parameters:
             self._names(key)[key] = value
         else:
             self._numbered[key] = value
+
+    def outermost(self) -> dict[Key, float]:
+        """Return all parameters that are set, as the main program sees them."""
+        local, numbers = self._callers[0] if self._callers else (self._local, None)
+        return dict[Key, float](chain(*(values.items() for values in (self._numbered, numbers or {}, self._global, local))))
 
     def point(self, first: int) -> tuple[float, float, float]:
         """Return the lengths [m] in three parameters in mm."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, TypeAlias, get_args
@@ -92,6 +92,9 @@ class Reader:
     ----------
     state : ModalState
         The state after the last block whose moves were yielded.
+    notices : list of Notice
+    on_block : callable or None
+        Called with each line that is executed and its block, before its moves.
 
     Notes
     -----
@@ -129,6 +132,7 @@ class Reader:
         self._lines, self._n_read = iter(lines), 0
         self._walker = Walker(Tape(self._framed(), str(name)), self.parameters, self._subprogram, self.reading.most_moves)
         self.parameters.own = own_names(self.state, lambda: self._walker.place[1])
+        self.on_block: Callable[[str, Block], None] | None = None
         self._open = self._closed = self._ended = False
 
     def moves(self) -> Iterator[Move]:
@@ -147,6 +151,8 @@ class Reader:
                 if line is None or (self._closed and line.strip() == "%"):
                     break
                 block = self._block(line)
+                if self.on_block is not None and block is not None:
+                    self.on_block(line, block)
                 made = execute(block, state, walker.main_line) if block else []
                 if len(made) > 1:
                     walker.spend(len(made) - 1)
@@ -182,6 +188,15 @@ class Reader:
     def repeating(self) -> bool:
         """Whether a loop or a subprogram is running."""
         return self._walker.repeating
+
+    @property
+    def on_region(self) -> Callable[[bool, int], None] | None:
+        """Called where an outermost loop or call begins (True) and after it (False), with the number of its first or last line."""
+        return self._walker.on_region
+
+    @on_region.setter
+    def on_region(self, call: Callable[[bool, int], None] | None) -> None:
+        self._walker.on_region = call
 
     def count_lines(self) -> int:
         """Return the number of lines of the program; reads those after its end."""

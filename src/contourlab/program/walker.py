@@ -68,6 +68,8 @@ class Walker:
         self._subs: dict[str, tuple[Tape, int]] = {}
         self._seen: dict[str, _Seen] = {}
         self._begun: dict[tuple[str, str], tuple[str, int]] = {}
+        self._repeated = False
+        self.on_region: Callable[[bool, int], None] | None = None
 
     @property
     def frame(self) -> _Frame:
@@ -98,13 +100,17 @@ class Walker:
     def lines(self) -> Iterator[str]:
         """Yield lines until the end of the text; execute O-words."""
         while True:
-            frame = self.frame
+            frame, repeating = self.frame, self.repeating
+            if repeating != self._repeated:
+                self._repeated = repeating
+                if self.on_region is not None:
+                    self.on_region(repeating, self._frames[0].index)
             line = frame.tape.line(frame.index)
             if line is None:
                 self._at_end(frame)
                 return
             frame.index += 1
-            if frame.loops or len(self._frames) > 1:
+            if repeating:
                 self.spend(1 + len(line) // LONG_LINE)
             else:
                 frame.tape.forget(frame.index - 1)

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
+from contourlab.errors import ProgramError
+from contourlab.features.precompensate.unrolling import COMMENT, Regions, unrolled
 from contourlab.program import Arc, Dwell, Feed, Move, Point, Program, Reader, Reading, Spline
 from contourlab.program.coordinates import Frame
 from contourlab.program.moves import PLANE_AXES
 from contourlab.program.reader import read_text, split_lines
 from contourlab.program.vocabulary import CYCLES
 
-_COMMENT = re.compile(r"\([^()]*\)|;.*")
 _NOT_TOUCHED = re.compile(r"G\s*0*(4|10|28|30|53|92)(\.\d)?(?![\d.])|M\s*0*(0|1|2|30|60|98|99)(?!\d)|^\s*/", re.IGNORECASE)
 """Codes that a corrected line may not hold: they act at its end, or on its axis words."""
 _SPLINE_START = re.compile(r"G\s*0*5\.2", re.IGNORECASE)
@@ -64,15 +66,20 @@ class Source:
     lines : tuple of str
     blocks : tuple of Block
         One for each move.
+    numbers : sequence of int
+        Number of each line in the file; they differ where loops and calls were unrolled.
     """
 
     program: Program
     lines: tuple[str, ...]
     blocks: tuple[Block, ...]
+    numbers: Sequence[int]
 
 
 def read_blocks(file: Path, reading: Reading, axes: Sequence[str]) -> Source:
-    """Read a program.
+    """Read a program, and unroll the loops and calls whose moves can be corrected.
+
+    If the unrolled program would move differently, it stays as it is.
 
     Parameters
     ----------
@@ -87,16 +94,43 @@ def read_blocks(file: Path, reading: Reading, axes: Sequence[str]) -> Source:
         If it cannot be read.
     """
     lines = split_lines(read_text(file))
-    return _source(lines, file, replace(reading, folder=file.parent) if reading.folder is None else reading, axes)
+    reading = replace(reading, folder=file.parent) if reading.folder is None else reading
+    source, regions = _source(lines, file, reading, axes)
+    if not any(region.corrected for region in regions.found):
+        return source
+    plain, numbers = unrolled(lines, regions.found)
+    try:
+        other, _ = _source(plain, file, reading, axes)
+    except ProgramError:
+        return source
+    return replace(other, numbers=numbers) if _same(source.program, other.program) else source
+
+
+def _same(program: Program, other: Program) -> bool:
+    """Return whether two programs move alike, apart from rounding, and have the same events."""
+
+    def values(one: Program) -> Iterable[object]:
+        for move in one.moves:
+            yield type(move)
+            yield from (getattr(move, one.name) for one in fields(move) if one.name != "source_line")
+        yield from ((event.word, event.value) for event in one.events)
+
+    def equal(a: object, b: object) -> bool:
+        if isinstance(a, tuple) and isinstance(b, tuple):
+            return len(a) == len(b) and all(map(equal, a, b))
+        return math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-12) if isinstance(a, float) and isinstance(b, float) else a == b
+
+    return equal(tuple(values(program)), tuple(values(other)))
 
 
 def parse_blocks(text: str, name: str, reading: Reading, axes: Sequence[str]) -> Source:
     """Read a program from text; see `read_blocks`."""
-    return _source(split_lines(text), name, reading, axes)
+    return _source(split_lines(text), name, reading, axes)[0]
 
 
-def _source(lines: list[str], name: str | Path, reading: Reading, axes: Sequence[str]) -> Source:
+def _source(lines: list[str], name: str | Path, reading: Reading, axes: Sequence[str]) -> tuple[Source, Regions]:
     reader = Reader(lines, name, reading)
+    regions = Regions(reader)
     columns = ["xyz".index(axis) for axis in axes]
     blocks: list[Block] = []
     count: dict[int, int] = {}
@@ -105,19 +139,21 @@ def _source(lines: list[str], name: str | Path, reading: Reading, axes: Sequence
         first = line
         if isinstance(move, Spline) and not _motion_of(lines[line - 1]).startswith("5.1"):
             first = next((k for k in range(line, 0, -1) if _SPLINE_START.search(lines[k - 1])), line)
-        reason = "inside a loop or subprogram" if reader.repeating else _reason(move, columns, lines[first - 1 : line], state.motion)
+        reason = _reason(move, columns, [] if reader.repeating else lines[first - 1 : line], state.motion)
         if state.diameter and not reason:
             reason = "in diameters (G7)"
+        if reader.repeating and not reason:
+            reason, regions.found[-1].corrected = "inside a loop or subprogram", True
         frame = Frame(state.frame.system, state.frame.origin, state.frame.rotation, state.frame.shift, state.frame.tool, state.frame.plain)
         blocks.append(Block(move, (first, line), frame, state.millimetres, state.absolute, state.feed_mode, reason))
         count[line] = count.get(line, 0) + 1
     blocks = [replace(b, reason=b.reason or "several moves in a line") if count[b.lines[1]] > 1 else b for b in blocks]
     program = Program(str(name), tuple(b.move for b in blocks), tuple(lines), tuple(reader.state.events), tuple(reader.notices))
-    return Source(program, tuple(lines), tuple(blocks))
+    return Source(program, tuple(lines), tuple(blocks), range(1, len(lines) + 1)), regions
 
 
 def _motion_of(line: str) -> str:
-    found = _MOTION.search(_COMMENT.sub("", line))
+    found = _MOTION.search(COMMENT.sub("", line))
     return found[1] if found else ""
 
 
@@ -132,7 +168,7 @@ def _reason(move: Move, columns: Sequence[int], lines: Sequence[str], motion: in
         return "-"
     if motion in CYCLES:
         return "a canned cycle"
-    if any(_NOT_TOUCHED.search(_COMMENT.sub("", line)) for line in lines):
+    if any(_NOT_TOUCHED.search(COMMENT.sub("", line)) for line in lines):
         return "with another code that acts on its line"
     return ""
 
@@ -143,7 +179,7 @@ def without_motion(line: str) -> str:
     >>> without_motion("N10 G17 G2 (arc) X9 Y[3+1] I-2. F200 M8")
     'N10 G17 (arc) F200 M8'
     """
-    blend = re.search(r"G\s*0*64(?!\d)", _COMMENT.sub("", line), re.IGNORECASE)
+    blend = re.search(r"G\s*0*64(?!\d)", COMMENT.sub("", line), re.IGNORECASE)
     dropped = _GEOMETRY + ("" if blend else "PQ")
     kept, at = [], 0
     while at < len(line):

@@ -27,6 +27,7 @@ from contourlab.feed import LimitReport
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
 from contourlab.program import Reading
+from contourlab.program.reader import read_text, split_lines
 from contourlab.result import write_text_atomic
 
 SMOOTHER = 0.8
@@ -223,7 +224,7 @@ class _Work:
         if not self.contour.corrected.any():
             raise ProgramError(f"no cutting move along {', '.join(axes)} can be corrected", file=part)
         known = repr((tuple(axes), period, settings.tolerance))
-        self.passes = Passes(digest_of(part.read_bytes(), known.encode()), tuple(axes))
+        self.passes = Passes(digest_of("\n".join(source.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
         self._read: tuple[Written, Contour] | None = None
 
     @property
@@ -349,7 +350,7 @@ class _Work:
         """Return the program of a pass."""
         if number:
             return self.passes.written[number - 1].text
-        return "\n".join(self.contour.source.lines) + "\n"
+        return "\n".join(split_lines(read_text(self.part))) + "\n"
 
     def result(self, out: Path, position: str, rest: float | None, findings: Sequence[Finding], proceed: bool) -> Precompensated:
         """Return the result."""
@@ -357,7 +358,8 @@ class _Work:
         assert learned is not None
         number = len(passes.written) if proceed else passes.best
         written = passes.written[number - 1] if number else None
-        left = [LeftMove(b.lines[0], b.reason) for b in self.contour.source.blocks if b.reason not in ("", "-")]
+        source = self.contour.source
+        left = [LeftMove(source.numbers[b.lines[0] - 1], b.reason) for b in source.blocks if b.reason not in ("", "-")]
         reasons = Counter(one.reason for one in left)
         more = [
             finding("CL909", count=count, reason=reason, line=next(one.line for one in left if one.reason == reason))

@@ -27,8 +27,9 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags
 
-CUTOFF = 1.2
-"""Cutoff of the robustness filter over the bandwidth of the slowest axis."""
+CUTOFF = 0.8
+"""Cutoff of the robustness filter over the bandwidth of the slowest axis; from about 1 on, the control's feed on the bends that are then
+written changes from pass to pass, and passes get worse."""
 FIT_BAND = 2.4
 """Band of the fit of the loop, over its bandwidth."""
 ORDER = 4
