@@ -30,6 +30,7 @@ QUIET = (
     "--hide-scrollbars",
     "--enable-logging=stderr",
     "--host-resolver-rules=MAP * ~NOTFOUND",
+    "--run-all-compositor-stages-before-draw",  # else pictures in view may stay undrawn
     "--virtual-time-budget=20000",
     "--window-size=1440,12000",
 )
