@@ -17,7 +17,7 @@ from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ProgramError, ResultError
 from contourlab.features.measure.log_choice import LogChoice, positive
 from contourlab.features.precompensate.blocks import Source, parse_blocks, read_blocks
-from contourlab.features.precompensate.contour import Contour, contour_of
+from contourlab.features.precompensate.contour import Contour, contour_of, room
 from contourlab.features.precompensate.law import CUTOFF, Run, learn, proposed, smoother, spread
 from contourlab.features.precompensate.passes import Passes, PassFigures, digest_of, load, save
 from contourlab.features.precompensate.result import LeftMove, Precompensated
@@ -317,7 +317,7 @@ class _Work:
         """Write the program of the next pass; return the findings."""
         learned = self.passes.learned
         assert learned is not None
-        tried, capped = proposed(learned, self.settings.cap)
+        tried, capped = proposed(learned, self.settings.cap, room(self.contour))
         written = write_corrected(self.contour, tried, self.settings.tolerance)
         number = len(self.passes.written) + 1
         written = replace(written, text=marked(written.text, number, self.part.name))

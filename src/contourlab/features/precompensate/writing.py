@@ -112,7 +112,7 @@ def _replacing(
         points, places = np.vstack([points, points[-1:]]), np.append(places, places[-1])
         points[-1, columns] = contour.positions[index[-1]]
     digits = 6 if block.millimetres else 8
-    shown = np.round([block.shown(tuple(point)) for point in points.tolist()], digits)
+    shown = np.round([block.shown(tuple(point)) for point in points.tolist()], digits) + 0.0  # no -0
     moved = np.append(True, (np.diff(shown[:, columns], axis=0) != 0.0).any(axis=1))
     shown, points, places = shown[moved], points[moved], places[moved]
     kept = polygon_corners(shown, tolerance * (1e3 if block.millimetres else 1.0 / 0.0254))[1:]
