@@ -111,8 +111,8 @@ def _followed(
     found = np.empty(len(tool), dtype=int)
     at, total, worst, distance = start, 0.0, 0.0, 0.0
     for i, (position, reach) in enumerate(zip(tool, ahead.tolist(), strict=True)):
-        # A tool that turned before the end of a spike is off the path until it is seen on the way back, twice as far ahead.
-        far = at + reach + int(2.0 * distance / spacing) + 1
+        # A tool that turned before the end of a spike is off the path until it is found further ahead, on the way back.
+        far = at + reach + int(4.0 * max(distance - OUTSIDE, 0.0) / spacing) + 1
         square = ((places[at:far] - position) ** 2).sum(axis=1)
         nearest = int(np.argmin(square))
         at += nearest
