@@ -61,6 +61,28 @@ def test_pass_after_pass_from_logs(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         assert not Path("no.ngc").exists()
 
 
+def test_a_log_of_the_program_before_or_of_a_part_of_it_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text(PART)
+    log = log_of(PART, Path("run.csv"))
+    lines = log.read_text().splitlines(keepends=True)
+    Path("short.csv").write_text("".join(lines[: len(lines) // 2]))
+    Path("again.csv").write_text("".join(lines[:-5]))
+    words = ["precompensate", "part.ngc", "--passes", "passes", "--log"]
+    assert main([*words, "short.csv", "--out", "no.ngc"]) == 2
+    assert main([*words, "run.csv", "--out", "part-1.ngc"]) == 0
+    assert main([*words, "again.csv", "--out", "no.ngc"]) == 2
+    assert not Path("no.ngc").exists()
+
+
+def test_a_program_among_the_passes_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("pass-1.ngc").write_text(PART)
+    log_of(PART, Path("run.csv"))
+    assert main(["precompensate", "pass-1.ngc", "--log", "run.csv", "--passes", ".", "--out", "out.ngc"]) == 2
+    assert Path("pass-1.ngc").read_text() == PART
+
+
 def test_motor_only_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.chdir(tmp_path)
     Path("part.ngc").write_text(PART)

@@ -69,7 +69,7 @@ def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
     ways: list[tuple[float, Index]] = []
     strays, most = np.inf, np.inf
     for start in _starts(first, limit):
-        found, total, far = _followed(places, tool, ahead, start, limit, most)
+        found, total, far = _followed(places, spacing, tool, ahead, start, limit, most)
         strays = min(strays, far)
         if far <= limit and total <= most:
             ways.append((total, found))
@@ -101,7 +101,7 @@ def _starts(distance: Array, limit: float) -> list[int]:
 
 
 def _followed(
-    places: Array, tool: Array, ahead: Index, start: int, limit: float, most: float
+    places: Array, spacing: float, tool: Array, ahead: Index, start: int, limit: float, most: float
 ) -> tuple[Index, float, float]:
     """Follow the tool from a starting point.
 
@@ -109,12 +109,15 @@ def _followed(
     exceeds `limit`, or the sum exceeds `most`.
     """
     found = np.empty(len(tool), dtype=int)
-    at, total, worst = start, 0.0, 0.0
-    for i, (position, reach) in enumerate(zip(tool, ahead, strict=True)):
-        square = ((places[at : at + reach + 1] - position) ** 2).sum(axis=1)
+    at, total, worst, distance = start, 0.0, 0.0, 0.0
+    for i, (position, reach) in enumerate(zip(tool, ahead.tolist(), strict=True)):
+        # A tool that turned before the end of a spike is off the path until it is found further ahead, on the way back.
+        far = at + reach + int(4.0 * max(distance - OUTSIDE, 0.0) / spacing) + 1
+        square = ((places[at:far] - position) ** 2).sum(axis=1)
         nearest = int(np.argmin(square))
         at += nearest
         found[i] = at
+        distance = float(square[nearest]) ** 0.5
         total += float(square[nearest])
         worst = max(worst, float(square[nearest]))
         if worst > limit**2 or total > most:

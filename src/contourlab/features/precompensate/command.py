@@ -11,15 +11,15 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab.app.results import check_file
+from contourlab.app.results import check_file, spared
 from contourlab.app.stages import shown
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ProgramError, ResultError
 from contourlab.features.measure.log_choice import LogChoice, positive
 from contourlab.features.precompensate.blocks import Source, parse_blocks, read_blocks
-from contourlab.features.precompensate.contour import Contour, contour_of
+from contourlab.features.precompensate.contour import Contour, chunks, contour_of, room
 from contourlab.features.precompensate.law import CUTOFF, Run, learn, proposed, smoother, spread
-from contourlab.features.precompensate.passes import Passes, PassFigures, digest_of, load, save
+from contourlab.features.precompensate.passes import STATE, Passes, PassFigures, digest_of, load, save
 from contourlab.features.precompensate.result import LeftMove, Precompensated
 from contourlab.features.precompensate.runs import Measured, limits_of, open_run, run_of, simulated
 from contourlab.features.precompensate.writing import MARK, Written, complaint, marked, write_corrected
@@ -35,6 +35,9 @@ SMOOTHER = 0.8
 POOR = 0.5
 """Unexplained share of the following error from which the model of the loop is doubted."""
 COVERED = 0.98
+"""Share of the corrected path that a log must cover."""
+AT_START = 0.5
+"""Share of the squared error just after starts of cuts from which it is said."""
 NODE_TIME = 1e-3
 """Least time between nodes at the programmed feed [s]."""
 
@@ -113,7 +116,10 @@ def precompensate_from_logs(
     """
     options, reading = options or Options(), reading or Reading(require_end=False)
     settings, part, out = _settings(options), Path(part), Path(out)
-    check_file(out, [part, *(file for log in logs for file in log.files)], "--out")
+    given = [part, *(file for log in logs for file in log.files)]
+    check_file(out, given, "--out")
+    if passes is not None:
+        check_file(Path(passes) / STATE, given, "--passes")
     opened = [open_run(log, machine) for log in logs]
     measured, axes, _ = opened[0]
     if any(other[1] != axes for other in opened):
@@ -131,6 +137,8 @@ def precompensate_from_logs(
     proceed = work.passes.helps
     if proceed:
         findings += work.propose()
+    if passes is not None:
+        spared(Path(passes) / f"pass-{len(work.passes.written)}.ngc", given, "--passes")
     result = work.result(out, measured.source, spread(runs), findings, proceed)
     write_text_atomic(out, work.text(result.written))
     if passes is not None:
@@ -270,13 +278,22 @@ class _Work:
         Raises
         ------
         ResultError
-            If it is a run of the program itself, although corrected ones were written.
+            If it is a run of another program, or of a part of it, or if all passes were learned from.
         """
         written = self.passes.written[-1] if self.passes.written else None
-        driven = self.driven
-        run = run_of(self.contour, measured, driven, written)
         if written is not None and len(self.passes.figures) > len(self.passes.written):
-            raise ResultError("all passes were learned from: run the program written last, or use a new folder with --passes")
+            raise ResultError(f"all passes were learned from: keep pass {self.passes.best}, or use a new folder with --passes")
+        try:
+            run = run_of(self.contour, measured, self.driven, written)
+        except ResultError as error:
+            if written is None:
+                raise
+            number, best = len(self.passes.written), self.passes.best
+            raise ResultError(f"pass {number} is to be run and logged, but {error} If it was, keep pass {best}, the best so far") from error
+        on = self.contour.is_corrected(self.contour.nodes)
+        covered = float(on[(self.contour.nodes >= run.place[0]) & (self.contour.nodes <= run.place[-1])].sum()) / float(on.sum())
+        if covered < COVERED:
+            raise ResultError(f"the log covers {covered:.0%} of the cuts: record from before the program's start to after its end")
         return run
 
     def learn(self, measured: Measured, runs: list[Run]) -> list[Finding]:
@@ -299,8 +316,7 @@ class _Work:
                 for axis, loop in zip(passes.axes, loops, strict=True)
                 if loop.unexplained > POOR
             ]
-            covered = (run.place[-1] - run.place[0]) / self.contour.path.length
-            findings += [finding("CL917", share=covered)] if covered < COVERED else []
+            findings += self._starts(run, passes.cutoff)
         learned = learn(passes.learned, runs, list(passes.loops), nodes, passes.cutoff)
         self.passes = replace(passes, figures=(*passes.figures, figures), learned=learned)
         best = self.passes.figures[self.passes.best]
@@ -313,11 +329,23 @@ class _Work:
             findings.append(finding("CL911", number=number, change=slower, band=limit))
         return findings
 
+    def _starts(self, run: Run, cutoff: float) -> list[Finding]:
+        """Say where cuts begin while the axes still settle from the move before."""
+        square = np.where(run.moves, (run.error**2).sum(axis=1), 0.0)
+        first = [part[0] for part in chunks(self.contour)]
+        begins = np.searchsorted(run.place, self.contour.path.breaks[first], side="right")
+        spans = [square[begin : begin + max(round(1.0 / (cutoff * run.period)), 1)].sum() for begin in begins.tolist()]
+        share = float(np.sum(spans) / max(square.sum(), 1e-300))
+        if share < AT_START:
+            return []
+        block = self.contour.source.blocks[self.contour.route.source_line[first[int(np.argmax(spans))]] - 1]
+        return [finding("CL917", share=share, time=1.0 / cutoff, line=self.contour.source.numbers[block.lines[0] - 1])]
+
     def propose(self) -> list[Finding]:
         """Write the program of the next pass; return the findings."""
         learned = self.passes.learned
         assert learned is not None
-        tried, capped = proposed(learned, self.settings.cap)
+        tried, capped = proposed(learned, self.settings.cap, room(self.contour))
         written = write_corrected(self.contour, tried, self.settings.tolerance)
         number = len(self.passes.written) + 1
         written = replace(written, text=marked(written.text, number, self.part.name))

@@ -121,6 +121,16 @@ def chunks(contour: Contour) -> list[tuple[int, int]]:
     return ranges
 
 
+def room(contour: Contour) -> Array:
+    """Return the distance (n_node,) [m] along the path of each node from the nearer end of its corrected part; 0 outside."""
+    distance = np.zeros(len(contour.nodes))
+    for first, last in chunks(contour):
+        index = node_range(contour, first, last - 1)
+        places = contour.nodes[index]
+        distance[index] = np.minimum(places - places[0], places[-1] - places)
+    return distance
+
+
 def node_range(contour: Contour, first: int, last: int) -> Index:
     """Return the numbers of the nodes from the start of one curve to the end of another, both included."""
     breaks, nodes = contour.path.breaks, contour.nodes

@@ -38,6 +38,8 @@ NEAR = 0.5
 """Time over which an error counts for its place, times the cutoff."""
 RESTS = 1.0 / 10.0
 """Error over the first error, both rms, up to which a place is left as it is."""
+STEEPEST = 0.5
+"""Displacement near the end of a corrected part over the distance from it."""
 STICKING = 1e-4
 """Speed [m/s] over which friction changes its sign in the fit."""
 
@@ -268,13 +270,23 @@ def _nearby(values: Array, period: float, cutoff: float) -> Array:
     return np.maximum(filtered(values[:, None], period, around(cutoff), 4.0 * NEAR / cutoff), 0.0)
 
 
-def proposed(learned: Learned, cap: float) -> tuple[Array, Array]:
-    """Return the correction of the next pass (n_node, n_axis) [m], and at which nodes (n_node,) the cap held it."""
+def proposed(learned: Learned, cap: float, room: Array | float = np.inf) -> tuple[Array, Array]:
+    """Return the correction of the next pass (n_node, n_axis) [m], and at which nodes (n_node,) the cap held it.
+
+    Parameters
+    ----------
+    learned : Learned
+    cap : float [m]
+        Largest displacement.
+    room : ndarray (n_node,) [m], optional
+        Distance to the nearer end of a corrected part. There the displacement is zero, and grows so slowly that the path never turns back.
+    """
     rest = np.clip((np.sqrt(np.maximum(learned.error, 0.0)) - learned.rests) / max(2.0 * learned.rests, 1e-300), 0.0, 1.0)
     tried = learned.kept + (learned.gain * rest)[:, None] * learned.step
     size = np.linalg.norm(tried, axis=1)
     capped = size > cap
-    return tried * np.where(capped, cap / np.maximum(size, 1e-300), 1.0)[:, None], capped
+    most = np.minimum(cap, STEEPEST * room)
+    return tried * np.minimum(1.0, most / np.maximum(size, 1e-300))[:, None], capped
 
 
 def smoother(learned: Learned, run: Run, nodes: Array, cutoff: float) -> Learned:

@@ -18,6 +18,8 @@ from contourlab.result.atomic import write_bytes_atomic
 
 HELPS = 0.02
 """Least gain of two passes over the best before them, as a share of its rms."""
+LATE = 3
+"""Passes in a row that took too long after which no further one is tried."""
 STATE = "passes.npz"
 _FORMAT = 1
 
@@ -84,7 +86,9 @@ class Passes:
 
     @property
     def helps(self) -> bool:
-        """Whether the last two passes were better than the best before them, or fewer were run."""
+        """Whether the last two passes were better than the best before them, or fewer were run, and one of the last three was in time."""
+        if len(self.figures) > LATE and not any(one.in_time for one in self.figures[-LATE:]):
+            return False
         rms = [one.rms for one in self.figures if one.in_time]
         return len(self.figures) < 3 or len(rms) < 3 or min(rms[-2:]) < (1.0 - HELPS) * min(rms[:-2])
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import LogError
+from contourlab.errors import LogError, ResultError
 from contourlab.features.measure.log_choice import LogChoice
 from contourlab.features.measure.measured_path import moving, progress_along
 from contourlab.features.precompensate.contour import Contour, chunks
@@ -34,6 +34,8 @@ AFTER = 0.3
 """Time after the last motion of the command that is looked at [s]."""
 WINDOW = 1e-3
 """Distance along the path around a command's progress in which its place is searched [m]."""
+ALIKE = 1e-6
+"""Distance, rms, of a command from the path it was meant to follow, up to which it did [m]."""
 AT_END = 1e-9
 """Distance of a foot point from the end of a corrected part at which it is that end [m]."""
 
@@ -158,9 +160,14 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
     command, load = measured.command[first : last + 1], measured.load[first:stop]
     path = contour.path if driven is None else driven.path
     progress, _ = progress_along(path, command)
-    place = np.maximum.accumulate(np.asarray(path.foot_point(command, progress, WINDOW).arc_length))
+    at = path.foot_point(command, progress, WINDOW)
+    place = np.maximum.accumulate(np.asarray(at.arc_length))
     if written is not None:
         place = np.interp(place, written.corrected_arc, written.programmed_arc)
+        away = float(np.sqrt(((at.position - command) ** 2).sum(axis=1).mean()))
+        from_first = contour.path.foot_point(command, place, WINDOW).position - command
+        if away > ALIKE and float(np.sqrt((from_first**2).sum(axis=1).mean())) < 0.5 * away:
+            raise ResultError("the log is of the program before any correction.")
     place = np.append(place, np.full(stop - first - len(place), place[-1]))
     farthest = float(np.linalg.norm(measured.command[first:stop] - load, axis=1).max())
     foot = contour.path.foot_point(load, place, min(4.0 * farthest + 1e-4, 0.25 * contour.path.length))

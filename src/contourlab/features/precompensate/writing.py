@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import re
 import subprocess
 import tempfile
 from dataclasses import dataclass, field
@@ -12,6 +14,7 @@ import numpy as np
 from contourlab.arrays import Array, Index
 from contourlab.features.precompensate.blocks import Block, without_motion
 from contourlab.features.precompensate.contour import Contour, chunks, node_range
+from contourlab.features.precompensate.unrolling import COMMENT
 from contourlab.geometry.thinning import polygon_corners
 from contourlab.program import Mode, Spline
 
@@ -19,6 +22,8 @@ MARK = "(contourlab precompensate: pass "
 """How a corrected program begins."""
 _CONTROLS = {"exact_path": "G61", "exact_stop": "G61.1"}
 _SMOOTH = 1e-9
+_PLAIN = re.compile(r"\s*((N\d+|G0*[0123]|[XYZIJKRF][-+]?[\d.]+)\s*)+", re.IGNORECASE)
+"""A line of motion only: between two corrected moves it is one without length, to a point that moved away."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,7 +117,7 @@ def _replacing(
         points, places = np.vstack([points, points[-1:]]), np.append(places, places[-1])
         points[-1, columns] = contour.positions[index[-1]]
     digits = 6 if block.millimetres else 8
-    shown = np.round([block.shown(tuple(point)) for point in points.tolist()], digits)
+    shown = np.round([block.shown(tuple(point)) for point in points.tolist()], digits) + 0.0  # no -0
     moved = np.append(True, (np.diff(shown[:, columns], axis=0) != 0.0).any(axis=1))
     shown, points, places = shown[moved], points[moved], places[moved]
     kept = polygon_corners(shown, tolerance * (1e3 if block.millimetres else 1.0 / 0.0254))[1:]
@@ -160,6 +165,13 @@ def _text(contour: Contour, replaced: dict[int, _Lines]) -> str:
                 text = text if "(" in text or ";" in text else ""
             by_line[number] = [text] if text else []
         by_line[last] += lines.text
+    for first, last in chunks(contour):
+        numbers = np.unique(contour.route.source_line[first:last]) - 1
+        for before, after in itertools.pairwise(numbers.tolist()):
+            for number in range(source.blocks[before].lines[1] + 1, source.blocks[after].lines[0]):
+                if _PLAIN.fullmatch(COMMENT.sub("", source.lines[number - 1])):
+                    text = without_motion(source.lines[number - 1])
+                    by_line[number] = [text] if text else []
     written: list[str] = []
     for number, line in enumerate(source.lines, 1):
         written += by_line.get(number, [line])

@@ -70,3 +70,13 @@ def test_a_straight_partial_run_does_not_determine_the_shift_along_it() -> None:
     _, tool = tool_on(PATHS["there and back"], (0.0, 0.5), 0.0)
     with pytest.raises(ResultError, match="straight"):
         fitted_shift(PATHS["there and back"], tool + 0.3)
+
+
+@pytest.mark.parametrize("cut", [1e-4, 4e-4])
+def test_a_tool_that_turns_before_the_end_of_a_spike_is_followed(cut: float) -> None:
+    """As a control does that blends a way back: it is never near the last part of the spike."""
+    path = lines((0.0, 0.0), (0.01, 0.0), (0.002, 0.0), (0.002, 0.008))
+    along = np.linspace(0.0, path.length, 4000)
+    along = along[np.abs(along - 0.01) > cut]
+    progress, _ = progress_along(path, path.position(along))
+    assert np.abs(progress - along)[np.abs(along - 0.01) > 4.0 * cut].max() < 1e-4

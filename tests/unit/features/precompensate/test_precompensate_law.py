@@ -90,6 +90,16 @@ def test_the_cap_keeps_direction_and_says_where() -> None:
     assert correction[1000, 0] == pytest.approx(-1e-3)
 
 
+def test_near_the_ends_of_a_part_the_path_does_not_turn_back() -> None:
+    place = 0.02 * PERIOD * np.arange(2000)
+    loop = fit_loop(moves(), response(moves()), PERIOD)
+    learned = learn(None, [run_of(np.full(2000, -0.5e-3), place)], [loop], place, 10.0)
+    correction, _ = proposed(learned, 1e-3, np.minimum(place, place[-1] - place))
+    assert correction[0, 0] == correction[-1, 0] == 0.0
+    assert np.abs(np.diff(correction[:, 0])).max() <= 0.5 * (place[1] - place[0]) * 1.0001
+    assert correction[1000, 0] == pytest.approx(-0.5e-3, rel=1e-3)
+
+
 def test_what_differs_between_runs_does_not_repeat() -> None:
     place = 0.02 * PERIOD * np.arange(2000)
     rng = np.random.default_rng(3)

@@ -113,3 +113,8 @@ def test_a_corrected_program_is_recognised_by_its_moves(tmp_path: Path) -> None:
     file = tmp_path / "part.ngc"
     file.write_text("G21 G90\nG1 X5 F600 M2\n")
     assert read_blocks(file, READING, AXES).blocks[0].reason == "with another code that acts on its line"
+
+
+def test_a_line_to_the_same_point_between_two_cuts_moves_with_them() -> None:
+    text, _ = corrected("G21 G90 G64 P0.002\nG1 X10 Y0 F1500\nN5 G1 X10 Y0 (again)\nG1 X10 Y10\nG0 X0 Y0\nM2\n")
+    assert "N5 (again)" in text.splitlines()
