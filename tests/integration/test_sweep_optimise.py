@@ -15,7 +15,6 @@ from contourlab.features.sweep.store import Store
 STUDY = """\
 scenario = "scenario.toml"
 scheme = "all of it"
-variants = 100
 seed = 3
 figures = ["part_error_max", "command_energy"]
 [vary]

@@ -45,6 +45,8 @@ def test_the_answers_are_those_of_the_rows(folder: Path, capsys: pytest.CaptureF
 
     columns = [effect["column"] for effect in found["effects"]]
     assert set(columns) == {"scheme", "feed.frequency", "axes.*.friction.coulomb", "axes.1.plant.gain"} and len(columns) == 4
+    cuts = [effect["gain"] for effect in found["effects"] if effect["cut"] is not None]
+    assert all(300 * gain > 15 for gain in cuts) and len(cuts) < 4
     subsets = {(one["column"], one["value"]): one for one in found["subsets"]}
     assert len(subsets) == 2 + 2 + 3
     chosen = error[[row["scheme"] == "all of it" for row in rows]]

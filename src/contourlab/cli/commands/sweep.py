@@ -86,7 +86,8 @@ def optimise(
     found = optimised(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
     show_result(found, as_json)
     if found.best:
-        suggest(as_json, "sweep", "worst", out, "--rerun", found.best[0]["variant"], "--out", "best")
+        number = found.best[0]["variant"]
+        suggest(as_json, "sweep", "worst", out, "--rerun", number, "--out", f"variant-{number}")
     return 0
 
 
@@ -149,7 +150,8 @@ def worst(
         units = {**opened.columns, **opened.figures}
         say(rows_text(names, [[row[name] for name in names] for row in found], units))
     if found:
-        suggest(as_json, "sweep", "worst", store, "--rerun", found[0]["variant"], "--out", "worst")
+        number = found[0]["variant"]
+        suggest(as_json, "sweep", "worst", store, "--rerun", number, "--out", f"variant-{number}")
     return 0
 
 

@@ -18,6 +18,8 @@ from contourlab.threads import in_threads
 FEW = 12
 """Most values of a column whose subsets are listed."""
 Made = TypeVar("Made")
+CHANCE = 15.0
+"""Chi-square of the best of 63 cuts that chance exceeds in about 1 % of parameters without effect."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,7 @@ class Effect:
         First-order index: share of the variance that the column explains alone, and its interval of 95 %; of the variants that ended. Where
         the column is empty it explains nothing.
     cut, below, above : float or None
-        Value at which the yields up to it and above it differ most, and these yields.
+        Value at which the yields up to it and above it differ most, and these yields; None if chance may explain the difference.
     gain : float
         Part of the variance of passing that the cut explains.
     total, total_low, total_high : float or None
@@ -204,12 +206,13 @@ def _effect(rows: Rows, name: str, order: Array) -> tuple[bytes, Effect, str] | 
     there = first_order(bins[ended], y[ended], None if inner is None else inner[ended], [unit[ended] for unit in units])
     index = [share * rows.share_of_variance(known) for share in there]
     found = Effect(name, rows.store.columns[name], None, None, None, *index)
+    independent = min([len(x), *(len(np.unique(unit)) for unit in units)])
     if not labels:
-        middle, low, high = rank_correlation(rank, rank_y, min([len(x), *(len(np.unique(unit)) for unit in units)]))
+        middle, low, high = rank_correlation(rank, rank_y, independent)
         found = replace(found, correlation=middle, correlation_low=low, correlation_high=high)
     if passed is not None:
         last, below, above, gain = best_split(bins[row], passed)
-        if gain:
+        if gain * independent > CHANCE:
             found = replace(found, cut=float(x[bins == last].max()), below=below, above=above, gain=gain)
     return hashlib.sha256(f"{kind}".encode() + rank.tobytes() + known.tobytes()).digest(), found, name
 

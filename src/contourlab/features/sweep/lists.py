@@ -64,9 +64,18 @@ def _table(leaf: Leaf, folder: Path) -> Any:
     file = folder / leaf.value
     try:
         if file.suffix.lower() == ".csv":
-            return extra_module("pyarrow.csv").read_csv(file)
+            return _csv(file)
         table = extra_module("pyarrow.parquet").read_table(file)
     except (OSError, arrow.ArrowException) as error:
         raise ScenarioError(f"{leaf.value}: cannot be read: {error_text(error)}", file=leaf.file, key=leaf.key) from error
     units = [(one.metadata or {}).get(b"unit", b"").decode() for one in table.schema]
     return table.rename_columns([f"{name} [{unit}]" if unit else name for name, unit in zip(table.column_names, units, strict=True)])
+
+
+def _csv(file: Path) -> Any:
+    """Return a table with commas, or with semicolons, which allow decimal commas."""
+    csv, data = extra_module("pyarrow.csv"), file.read_bytes()
+    semicolons = b";" in data.partition(b"\n")[0]
+    comma = semicolons and b"," in data
+    options = csv.ParseOptions(delimiter=";" if semicolons else ",")
+    return csv.read_csv(file, parse_options=options, convert_options=csv.ConvertOptions(decimal_point="," if comma else "."))

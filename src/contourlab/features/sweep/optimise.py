@@ -157,7 +157,7 @@ def optimise(
         extra_module("cmaes")
     with shown(progress) as stages:
         stages.begin("planning the motions")
-        planned, structured = study_of(file, plugins, stages.advance)
+        planned, structured = study_of(file, plugins, stages.advance, variants=1)
         study, levels = _space(planned, structured, options)
         with (
             writing(out, study, lambda: structures_of(structured), resume=options.resume) as store,

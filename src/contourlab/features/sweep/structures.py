@@ -232,6 +232,7 @@ def _bound(
     listed: set[str] = set()
     numbers: dict[tuple[int, ...], list[tuple[str, int, Distribution]]] = {combo: [] for combo in cases}
     findings: dict[str, Finding] = {}
+    measured = {name for one in variations if one.listed and one not in choosing for case in cases.values() for name in _matches(one, case)}
     for variation in variations:
         if variation in choosing:
             labels, unit, codes = read[choosing.index(variation)]
@@ -244,6 +245,9 @@ def _bound(
         names = tuple(dict.fromkeys(name for some in matches.values() for name in some))
         if not names:
             _refuse_unknown(variation, next(iter(cases.values())))
+        if "*" in variation.key and (others := tuple(name for name in names if name not in measured)) and others != names:
+            names = others  # a column of a file replaces what a pattern draws
+            matches = {combo: [name for name in some if name in names] for combo, some in matches.items()}
         for name in names:
             if name in units:
                 raise variation.table.error(f"{name} is varied twice: delete one")

@@ -119,9 +119,13 @@ def load_study(file: str | Path, plugins: Sequence[str | Path] = (), progress: C
 
 
 def study_of(
-    file: str | Path, plugins: Sequence[str | Path] = (), progress: Callable[[int, int], None] | None = None
+    file: str | Path,
+    plugins: Sequence[str | Path] = (),
+    progress: Callable[[int, int], None] | None = None,
+    *,
+    variants: int | None = None,
 ) -> tuple[Study, Structured]:
-    """Read a study file; return it with the cases of its structures. See `load_study`."""
+    """Read a study file; return it with the cases of its structures. See `load_study`; ``variants`` counts if the file names no number."""
     path = Path(file)
     if path.suffix.lower() != ".toml":
         raise ScenarioError("not a study: its name must end in .toml", file=file)
@@ -151,7 +155,7 @@ def study_of(
     study = Study(
         file=str(file),
         text=path.read_text(encoding="utf-8-sig"),
-        design=_design(plain, content, made, modules_of(entries, made)),
+        design=_design(plain, content, made, modules_of(entries, made), variants),
         choices=made.choices,
         structures=made.structures,
         columns=made.units,
@@ -188,7 +192,7 @@ def _known(content: Table, key: str, names: Sequence[str], known: Mapping[str, s
 # --- the design ------------------------------------------------------------------------------------------------------------------------
 
 
-def _design(plain: StudyTable, content: Table, made: Structured, modules: tuple[Modules, ...]) -> Design:
+def _design(plain: StudyTable, content: Table, made: Structured, modules: tuple[Modules, ...], default: int | None) -> Design:
     counts, variants = [count for _, count in made.dimensions], plain.variants
     drawn = {i for one in modules for i in one.dimensions}
     if modules and plain.design not in INDEPENDENT:
@@ -198,7 +202,8 @@ def _design(plain: StudyTable, content: Table, made: Structured, modules: tuple[
     if fixed:
         for i, (names, count) in enumerate(made.dimensions):
             if not count and i not in drawn:
-                raise content.error(f"{names[0]}: a {fixed} needs values = [...]{_steps(fixed)}", "vary")
+                other = "belongs to no module: add it to [modules], or write" if modules else f"a {fixed} needs"
+                raise content.error(f"{names[0]}: {other} values = [...]{_steps(fixed)}", "vary")
         if plain.design == "list" and len(set(levels)) > 1:
             raise content.error(f"lists of {sorted(set(levels))} values: a list needs as many of each", "vary")
         if variants is not None:
@@ -206,7 +211,7 @@ def _design(plain: StudyTable, content: Table, made: Structured, modules: tuple[
         variants = levels[0] if plain.design == "list" else math.prod([*(one.count for one in modules), *filter(None, levels)])
         if variants > MOST:
             raise content.error(f"{variants} variants: {MOST} are the most", "modules" if modules else "vary")
-    elif variants is None:
+    elif variants is None and (variants := default) is None:
         raise content.error("1 key is missing: variants")
     chunk = _chunk(plain, content, made)
     return Design(plain.design, variants, chunk, levels, plain.seed, _factor(content, made, plain.design, modules), modules)

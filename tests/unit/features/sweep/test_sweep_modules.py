@@ -151,8 +151,9 @@ def test_an_exported_study_as_a_list_gives_the_same_figures(tmp_path: Path, caps
 
 
 def test_measured_modules_are_paired(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    (tmp_path / "x.csv").write_text("serial,axes.1.friction.coulomb [full_scale]\nA7,0.065\nA8,0.075\nA9,0.09\n", encoding="utf-8")
-    text = f'scenario = "scenario.toml"\n[vary]\n{ONE.replace("*", "3")}[modules]\naxes.1 = "x.csv"\naxes.3 = 4\n'
+    (tmp_path / "x.csv").write_text("serial;axes.1.friction.coulomb [full_scale]\nA7;0,065\nA8;0,075\nA9;0,09\n", encoding="utf-8")
+    drawn = '"axes.*.friction.coulomb" = { uniform = ["90 %", "110 %"] }\n'  # of axis 1 the file says it
+    text = f'scenario = "scenario.toml"\n[vary]\n{drawn}[modules]\naxes.1 = "x.csv"\naxes.3 = 4\n'
     assert main(["sweep", str(made_study(tmp_path, text)), "--out", str(tmp_path / "store")]) == 0
     sql = 'SELECT DISTINCT "axes.1.module", "axes.1.friction.coulomb" FROM results ORDER BY 1'
     found = asked(capsys, "query", str(tmp_path / "store"), sql)
@@ -173,6 +174,7 @@ ONE = '"axes.*.plant.gain" = { uniform = ["90 %", "110 %"] }\n'
         ("", ONE, "axes.1 = 'machine.stl'", "modules.axes.1"),
         ("", ONE, "axes = 5\n'axes.1' = 5", "modules"),
         ("", ONE, "axes.1 = 5", "vary"),
+        ("", ONE.replace("*", "1"), "axes.1 = 'named.csv'\naxes.3 = 5", "axes.1.plant.gain"),
         ("", ONE.replace("] }", "], together = true }"), "axes.1 = 5\naxes.3 = 5", "modules.axes.1"),
         ("variants = 5", ONE, "axes.1 = 5\naxes.3 = 5", "variants"),
         ("design = 'grid'", ONE, "axes.1 = 5\naxes.3 = 5", "design"),
@@ -187,6 +189,7 @@ ONE = '"axes.*.plant.gain" = { uniform = ["90 %", "110 %"] }\n'
 )
 def test_a_fault_of_modules_or_lists_names_its_key(tmp_path: Path, top: str, vary: str, modules: str, key: str) -> None:
     (tmp_path / "empty.csv").write_text("serial\n1\n", encoding="utf-8")
+    (tmp_path / "named.csv").write_text("axes.1.plant.gain [m/s^2/full_scale]\n1.7\n1.8\n", encoding="utf-8")
     (tmp_path / "holes.csv").write_text("axes.1.plant.gain [m/s^2/full_scale],n\n1.7,1\n,2\n", encoding="utf-8")
     (tmp_path / "mistyped.csv").write_text("axes.1.plant.gian [m/s^2/full_scale]\n1.7\n", encoding="utf-8")
     (tmp_path / "many.csv").write_text("axes.1.plant.gian [kg]\n" + "\n".join(map(str, range(300))), encoding="utf-8")
