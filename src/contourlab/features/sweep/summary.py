@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from contourlab.features.sweep.design import DRAWN
 from contourlab.features.sweep.query import Spread, Yield, counts, spreads, yield_of
 from contourlab.features.sweep.store import Store
 from contourlab.figures import figure, number, shown_unit
@@ -23,6 +24,7 @@ class SweepSummary:
     Attributes
     ----------
     store : str
+    design : str
     variants, done : int
         Variants of the study, and in the store.
     chunks, chunks_done, chunks_made : int
@@ -42,6 +44,7 @@ class SweepSummary:
     """
 
     store: str
+    design: str
     variants: int
     done: int
     chunks: int
@@ -69,6 +72,7 @@ def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> Sw
     times = store.times()
     return SweepSummary(
         store=str(store.folder),
+        design=store.manifest["design"],
         variants=store.variants,
         done=store.done,
         chunks=store.chunks,
@@ -95,16 +99,17 @@ def remarks(store: Store, statuses: Mapping[str, int]) -> tuple[Finding, ...]:
 
 def _text(result: SweepSummary) -> str:
     """Return the summary of a store."""
-    head = f"{result.done} of {result.variants} variants in {result.store}; {result.chunks_made} chunks new"
+    head = f"{result.done} of {result.variants} variants in {result.store}; {result.chunks_made} of {result.chunks} chunks new"
     if result.rate:
         head += f"; {number(result.rate)} variants per second, {figure(result.elapsed, 's')} in all"
     ended = ", ".join(f"{count} {status}" for status, count in result.statuses.items() if status != "unsure" or count)
     lines = [paragraphs([head, f"status: {ended or 'no variant yet'}"])]
     within = result.within
     if within is not None:
-        ends = f"{figure(within.low, '%', 4)} to {figure(within.high, '%', 4)}"
+        ends = f" ({figure(within.low, '%', 4)} to {figure(within.high, '%', 4)} with 95 % confidence)"
+        ends = ends if result.design in DRAWN else ""  # a grid or list is no sample
         what = f"{within.figure} within {figure(within.tolerance, 'um')}"
-        share = f"yield: {figure(within.share, '%', 4)} ({ends} with 95 % confidence)"
+        share = f"yield: {figure(within.share, '%', 4)}{ends}"
         lines.append(paragraphs([f"{share}: {within.passed} of {within.judged} have {what}"]))
     if result.figures:
         names = ("mean", "minimum", "p5", "median", "p95", "p99", "maximum")
