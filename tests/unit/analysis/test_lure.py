@@ -76,5 +76,3 @@ def test_dead_zone() -> None:
 def test_mismatched_controllers_are_refused() -> None:
     with refuses(ParameterError, name="contact_feedback"):
         two_inertia_loop(PAPER, motor_pid(1.0, 1.0), SCHEME_III)
-    with refuses(ParameterError, name="load_inertia", value=0.0):
-        drive(load_inertia=0.0)
