@@ -71,7 +71,7 @@ def test_a_search_goes_on_after_a_kill(capsys: Capture, monkeypatch: pytest.Monk
     def killed(*given: object) -> None:
         raise KeyboardInterrupt
 
-    with monkeypatch.context() as patch:  # stored, but not told
+    with monkeypatch.context() as patch:  # the batch is stored, but Optuna does not hear of it
         patch.setattr(Store, "log", killed)
         assert main(command) == 130
     assert len(list(Path("store").glob("part-*"))) == 1

@@ -28,7 +28,7 @@ class Region:
     first, last : int
         Its lines in the program, from 1.
     call : str
-        Its first line without M98: what stands beside it.
+        The other words of its first line, such as M8 beside M98.
     text : list of str
         Executed lines, then the parameters that they changed.
     corrected : bool

@@ -100,7 +100,7 @@ class Design:
         rows, n = len(self.numbers(chunk)), len(self.levels)
         if self.kind == "saltelli":
             return self._saltelli(chunk, n)
-        if self.kind not in ("grid", "list") and not self.modules:
+        if self.kind not in FIXED and not self.modules:
             return self._mixed(self._cube(chunk, n, self.chunk)[:rows])
         places, index = np.empty((rows, n)), self._index(chunk)
         for one, which in zip(self.modules, index, strict=False):

@@ -1,0 +1,260 @@
+"""The work on one part program: its passes so far, what each run teaches, and the program of the next pass."""
+
+from __future__ import annotations
+
+import shutil
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from contourlab.arrays import Array
+from contourlab.errors import ProgramError, ResultError
+from contourlab.features.precompensate.blocks import Source, parse_blocks, read_blocks
+from contourlab.features.precompensate.contour import Contour, chunks, contour_of, room
+from contourlab.features.precompensate.law import CUTOFF, Run, learn, proposed, smoother
+from contourlab.features.precompensate.passes import Passes, PassFigures, digest_of
+from contourlab.features.precompensate.result import LeftMove, Precompensated
+from contourlab.features.precompensate.runs import Measured, limits_of, run_of
+from contourlab.features.precompensate.writing import MARK, Written, complaint, marked, write_corrected
+from contourlab.feed import LimitReport
+from contourlab.findings import Finding, finding
+from contourlab.loop import Machine
+from contourlab.program import Reading
+from contourlab.program.reader import read_text, split_lines
+
+SMOOTHER = 0.8
+"""Factor on the cutoff after a pass that took too long."""
+POOR = 0.5
+"""Unexplained share of the following error from which the model of the loop is doubted."""
+COVERED = 0.98
+"""Share of the corrected path that a log must cover."""
+AT_START = 0.5
+"""Share of the squared error that lies just after starts of cuts; from here on CL917 says so."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Options in SI.
+
+    Attributes
+    ----------
+    tolerance : float [m]
+        Of the short lines.
+    cap : float [m]
+        Of the displacement.
+    band : float
+        Of the cycle time, as a share.
+    """
+
+    tolerance: float
+    cap: float
+    band: float
+
+
+class Work:
+    """A program, its passes so far, and the program of the pass that was run last."""
+
+    def __init__(
+        self, part: Path, axes: Sequence[str], settings: Settings, reading: Reading, machine: Machine | None, period: float
+    ) -> None:
+        self.part, self.settings, self.reading, self.machine = part, settings, reading, machine
+        source = read_blocks(part, reading, axes)
+        if any(MARK in line for line in source.lines[:2]):
+            raise ProgramError("is a corrected program: give the one before any correction, and the folder with --passes", file=part)
+        self.contour = contour_of(source, axes, period)
+        if not self.contour.corrected.any():
+            raise ProgramError(f"no cutting move along {', '.join(axes)} can be corrected", file=part)
+        known = repr((tuple(axes), period, settings.tolerance))
+        self.passes = Passes(digest_of("\n".join(source.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
+        self._read: tuple[Written, Contour] | None = None
+
+    @property
+    def driven(self) -> Contour:
+        """The contour of the last written program."""
+        if not self.passes.written:
+            return self.contour
+        written = self.passes.written[-1]
+        if self._read is None or self._read[0] is not written:
+            self._read = written, self.contour_again(written)
+        return self._read[1]
+
+    @cached_property
+    def needs(self) -> LimitReport:
+        """What the program itself needs of the limits of the machine."""
+        assert self.machine is not None
+        return limits_of(self.contour.source.program, self.machine)
+
+    @cached_property
+    def is_interpreted(self) -> bool:
+        """Whether LinuxCNC's interpreter is installed and reads the program itself."""
+        if shutil.which("rs274") is None or self.reading.dialect != "linuxcnc":
+            return False
+        return not complaint(self.text(0), self.part.parent)
+
+    def contour_again(self, written: Written) -> Contour:
+        """Read a written program, and check that it is the corrected path and nothing else."""
+        source = parse_blocks(written.text, f"corrected {self.part.name}", self._beside(), self.contour.axes)
+        contour = contour_of(source, self.contour.axes, self.contour.period)
+        breaks = np.asarray(contour.path.breaks)
+        if len(breaks) != len(written.corrected_arc) or np.abs(breaks - written.corrected_arc).max() > 1e-6 + 1e-6 * breaks[-1]:
+            raise ProgramError("cannot be corrected: the written program would move differently elsewhere", file=self.part)
+        if _events(source) != _events(self.contour.source):
+            raise ProgramError("cannot be corrected: the written program would lose a code", file=self.part)
+        return contour
+
+    def _beside(self) -> Reading:
+        return replace(self.reading, folder=self.part.parent) if self.reading.folder is None else self.reading
+
+    def run(self, measured: Measured) -> Run:
+        """Return what a run of the last written program shows.
+
+        Raises
+        ------
+        ResultError
+            If it is a run of another program, or of a part of it, or if all passes were learned from.
+        """
+        written = self.passes.written[-1] if self.passes.written else None
+        if written is not None and len(self.passes.figures) > len(self.passes.written):
+            raise ResultError(f"all passes were learned from: keep pass {self.passes.best}, or use a new folder with --passes")
+        try:
+            run = run_of(self.contour, measured, self.driven, written)
+        except ResultError as error:
+            if written is None:
+                raise
+            number, best = len(self.passes.written), self.passes.best
+            raise ResultError(f"pass {number} is to be run and logged, but {error} If it was, keep pass {best}, the best so far") from error
+        on = self.contour.is_corrected(self.contour.nodes)
+        covered = float(on[(self.contour.nodes >= run.place[0]) & (self.contour.nodes <= run.place[-1])].sum()) / float(on.sum())
+        if covered < COVERED:
+            raise ResultError(f"the log covers {covered:.0%} of the cuts: record from before the program's start to after its end")
+        return run
+
+    def learn(self, measured: Measured, runs: list[Run]) -> list[Finding]:
+        """Learn from the runs of a pass; return the findings."""
+        passes, run, nodes = self.passes, runs[0], self.contour.nodes
+        number, findings = len(passes.figures), list[Finding]()
+        limit = self.settings.band
+        first = passes.figures[0].duration if passes.figures else run.duration
+        rms = float(np.sqrt(np.mean([one.rms**2 for one in runs])))
+        figures = PassFigures(
+            number, rms, max(one.largest for one in runs), run.duration, tuple(run.velocity.tolist()), tuple(run.acceleration.tolist()),
+            run.duration <= (1.0 + limit) * first,
+        )  # fmt: skip
+        if not passes.loops:
+            loops = tuple(measured.loops())
+            cutoff = CUTOFF * min(loop.bandwidth for loop in loops)
+            passes = replace(passes, loops=loops, cutoff=min(cutoff, 0.2 / measured.period))
+            findings += [
+                finding("CL913", f"axis {axis}", share=loop.unexplained)
+                for axis, loop in zip(passes.axes, loops, strict=True)
+                if loop.unexplained > POOR
+            ]
+            findings += self._starts(run, passes.cutoff)
+        learned = learn(passes.learned, runs, list(passes.loops), nodes, passes.cutoff)
+        self.passes = replace(passes, figures=(*passes.figures, figures), learned=learned)
+        best = self.passes.figures[self.passes.best]
+        if number and best.number != number and figures.in_time:
+            findings.append(finding("CL914", number=number, rms=figures.rms, best=best.number, least=best.rms))
+        slower = run.duration / first - 1.0
+        if not figures.in_time:
+            cutoff = SMOOTHER * passes.cutoff
+            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, run, nodes, cutoff))
+            findings.append(finding("CL911", number=number, change=slower, band=limit))
+        return findings
+
+    def _starts(self, run: Run, cutoff: float) -> list[Finding]:
+        """Say where cuts begin while the axes still settle from the move before."""
+        square = np.where(run.moves, (run.error**2).sum(axis=1), 0.0)
+        first = [part[0] for part in chunks(self.contour)]
+        begins = np.searchsorted(run.place, self.contour.path.breaks[first], side="right")
+        spans = [square[begin : begin + max(round(1.0 / (cutoff * run.period)), 1)].sum() for begin in begins.tolist()]
+        share = float(np.sum(spans) / max(square.sum(), 1e-300))
+        if share < AT_START:
+            return []
+        block = self.contour.source.blocks[self.contour.route.source_line[first[int(np.argmax(spans))]] - 1]
+        return [finding("CL917", share=share, time=1.0 / cutoff, line=self.contour.source.numbers[block.lines[0] - 1])]
+
+    def propose(self) -> list[Finding]:
+        """Write the program of the next pass; return the findings."""
+        learned = self.passes.learned
+        assert learned is not None
+        tried, capped = proposed(learned, self.settings.cap, room(self.contour))
+        written = write_corrected(self.contour, tried, self.settings.tolerance)
+        number = len(self.passes.written) + 1
+        written = replace(written, text=marked(written.text, number, self.part.name))
+        self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
+        contour = self.driven
+        findings = [finding("CL910", cap=self.settings.cap, share=float(capped.mean()))] if capped.any() else []
+        if self.machine is not None and set(self.machine.axis_names) >= set(self.contour.axes):
+            findings += self._limits(contour)
+        return [*findings, *self._interpreted(written)]
+
+    def _limits(self, contour: Contour) -> list[Finding]:
+        """Plan the written program on the machine, and compare what it needs with the program itself."""
+        machine = self.machine
+        assert machine is not None
+        before, after = self.needs, limits_of(contour.source.program, machine)
+        findings = []
+        for kind in ("velocity", "acceleration", "jerk"):
+            for old, new in zip(getattr(before, kind), getattr(after, kind), strict=True):
+                if new.ratio > max(1.005, 1.005 * old.ratio):
+                    axis = machine.axis_names[new.axis]
+                    findings.append(finding("CL912", kind=kind, axis=axis, use=new.ratio, before=old.ratio, machine=machine.name))
+        return findings
+
+    def _interpreted(self, written: Written) -> list[Finding]:
+        """Let LinuxCNC's interpreter read the written program, where it is installed."""
+        message = complaint(written.text, self.part.parent) if self.is_interpreted else ""
+        return [finding("CL916", message=message)] if message else []
+
+    def text(self, number: int) -> str:
+        """Return the program of a pass."""
+        if number:
+            return self.passes.written[number - 1].text
+        return "\n".join(split_lines(read_text(self.part))) + "\n"
+
+    def result(self, out: Path, position: str, rest: float | None, findings: Sequence[Finding], proceed: bool) -> Precompensated:
+        """Return the result."""
+        passes, learned = self.passes, self.passes.learned
+        assert learned is not None
+        number = len(passes.written) if proceed else passes.best
+        written = passes.written[number - 1] if number else None
+        source = self.contour.source
+        left = [LeftMove(source.numbers[b.lines[0] - 1], b.reason) for b in source.blocks if b.reason not in ("", "-")]
+        reasons = Counter(one.reason for one in left)
+        more = [
+            finding("CL909", count=count, reason=reason, line=next(one.line for one in left if one.reason == reason))
+            for reason, count in reasons.items()
+        ]
+        if not passes.helps:
+            more.append(finding("CL915", best=passes.best))
+        return Precompensated(
+            program=self.part.name,
+            out=str(out),
+            position=position,
+            axes=passes.axes,
+            not_repeating=rest,
+            passes=passes.figures,
+            best=passes.best,
+            written=number,
+            status="next pass" if proceed else "done",
+            bandwidth={axis: loop.bandwidth for axis, loop in zip(passes.axes, passes.loops, strict=True) if np.isfinite(loop.bandwidth)},
+            cutoff=passes.cutoff,
+            correction=_largest(learned.tried if proceed else learned.kept),
+            lines=0 if written is None else written.n_line,
+            shortest_line=None if written is None else written.shortest,
+            left=tuple(left),
+            findings=(*findings, *more),
+        )
+
+
+def _largest(correction: Array) -> float:
+    return float(np.linalg.norm(correction, axis=1).max())
+
+
+def _events(source: Source) -> list[tuple[str, float | None]]:
+    return [(event.word, event.value) for event in source.program.events]
