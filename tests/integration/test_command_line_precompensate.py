@@ -75,6 +75,24 @@ def test_a_log_of_the_program_before_or_of_a_part_of_it_is_refused(tmp_path: Pat
     assert not Path("no.ngc").exists()
 
 
+@pytest.mark.parametrize(("missing", "code"), [(0, ""), (3, "CL427"), (20, "refused")])
+def test_missing_samples_are_reported_as_by_measure(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], missing: int, code: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text(PART)
+    lines = log_of(PART, Path("run.csv")).read_text().splitlines(keepends=True)
+    for k in range(900, 900 + missing):
+        lines[k] = lines[k].rsplit(",", 1)[0] + ",nan\n"
+    Path("run.csv").write_text("".join(lines))
+    words = ("precompensate", "part.ngc", "--log", "run.csv", "--out", "out.ngc")
+    if code == "refused":
+        assert main([*words]) == 2
+    else:
+        codes = [one["code"] for one in printed(capsys, *words)["findings"]]
+        assert codes.count("CL427") == bool(code), codes
+
+
 def test_a_program_among_the_passes_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     Path("pass-1.ngc").write_text(PART)

@@ -18,7 +18,7 @@ from contourlab.features.precompensate.law import Loop, Run, fit_loop
 from contourlab.features.precompensate.writing import Written
 from contourlab.feed import LimitReport, Reference, blended, limit_report, plan, route_from_program
 from contourlab.logs import Column, Columns, Log, read_columns, read_record, result_of
-from contourlab.logs.load import about
+from contourlab.logs.load import LONG_GAP, about
 from contourlab.logs.mapping import once, parse_columns
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.program import Program
@@ -82,7 +82,7 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
     Raises
     ------
     LogError
-        If it cannot be read, or an axis has no commanded or measured position.
+        If it cannot be read, has a long gap, or an axis has no commanded or measured position.
     """
     mapping = read_columns(choice.mapping) if choice.mapping is not None else Columns()
     typed = once((*parse_columns(choice.columns), *mapping.columns), "--column")
@@ -111,6 +111,8 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
         missing = "commanded" if not axes or command is None else "measured"
         cure = "name it, as --column 'reference.x=NAME [mm]' or 'position.x=NAME [mm]'"
         raise LogError(f"has no {missing} position: {cure}", file=choice.file)
+    if any(len(log.stretches(axis)) > 1 for axis in axes):
+        raise LogError(f"has a gap of more than {LONG_GAP} samples: record the run again", file=choice.file)
     if load is not None:
         return Measured(result.servo_period, command, load if motor is None else motor, load, "load"), axes, log
     assert motor is not None
