@@ -93,6 +93,20 @@ def test_missing_samples_are_reported_as_by_measure(
         assert codes.count("CL427") == bool(code), codes
 
 
+def test_a_slow_pass_names_the_sharpest_corner_without_a_tolerance(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text("G21 G90 G64\nG1 X5 Y0 F1500\nG1 X10 Y1\nG1 X10 Y6\nM2\n")
+    words = ("precompensate", "part.ngc", "--passes", "passes", "--out", "next.ngc", "--log")
+    printed(capsys, *words, str(log_of(Path("part.ngc").read_text(), Path("run-0.csv"))))
+    slow = Path("next.ngc").read_text().replace("F1500", "F1200")
+    result = printed(capsys, *words, str(log_of(slow, Path("run-1.csv"))))
+    corner = next(one for one in result["findings"] if one["code"] == "CL918")
+    assert corner["values"]["line"] == 3
+    assert corner["values"]["angle"] == pytest.approx(np.arctan2(5.0, 1.0))
+
+
 def test_a_program_among_the_passes_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     Path("pass-1.ngc").write_text(PART)

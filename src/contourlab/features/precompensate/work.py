@@ -163,8 +163,22 @@ class Work:
         if not figures.in_time:
             cutoff = SMOOTHER * passes.cutoff
             self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, run, nodes, cutoff))
-            findings.append(finding("CL911", number=number, change=slower, band=limit))
+            findings += [finding("CL911", number=number, change=slower, band=limit), *self._free_corners()]
         return findings
+
+    def _free_corners(self) -> list[Finding]:
+        """Name the sharpest corner that the control may round without a tolerance."""
+        contour, blocks = self.contour, self.contour.source.blocks
+        modes = [blocks[number - 1].move.mode for number in contour.route.source_line.tolist()]
+        is_free = np.array([mode.tolerance is None and mode.control in (None, "blend") for mode in modes])
+        (_, after), (_, before) = contour.path.starts, contour.path.ends
+        turn = np.linalg.norm(after[1:] - before[:-1], axis=1) * (is_free & contour.corrected)[:-1] * contour.corrected[1:]
+        if not contour.path.corners.size or turn.max() == 0.0:
+            return []
+        k = int(np.argmax(turn))
+        line = blocks[contour.route.source_line[k] - 1].lines[1]
+        angle = 2.0 * float(np.arcsin(min(0.5 * turn[k], 1.0)))
+        return [finding("CL918", angle=angle, line=contour.source.numbers[line - 1])]
 
     def _starts(self, run: Run, cutoff: float) -> list[Finding]:
         """Say where cuts begin while the axes still settle from the move before."""
@@ -183,7 +197,7 @@ class Work:
         learned = self.passes.learned
         assert learned is not None
         tried, capped = proposed(learned, self.settings.cap, room(self.contour))
-        written = write_corrected(self.contour, tried, self.settings.tolerance)
+        written = write_corrected(self.contour, tried, self.settings.tolerance, (1.0 + self.settings.band) * learned.speed)
         number = len(self.passes.written) + 1
         written = replace(written, text=marked(written.text, number, self.part.name))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))

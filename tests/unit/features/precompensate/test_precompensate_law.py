@@ -48,7 +48,7 @@ def test_the_low_pass_shifts_nothing() -> None:
 
 
 def run_of(error: np.ndarray, place: np.ndarray) -> Run:
-    return Run(PERIOD, place, error[:, None], np.ones(len(place), dtype=bool), 1.0, np.zeros(1), np.zeros(1))
+    return Run(PERIOD, place, error[:, None], np.ones(len(place), dtype=bool), np.full(len(place), 0.02), 1.0, np.zeros(1), np.zeros(1))
 
 
 def test_one_pass_removes_what_the_model_explains_below_the_cutoff() -> None:
