@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -32,6 +33,10 @@ def log_of(program: str, file: Path, columns: str = "load") -> Path:
     rows = np.column_stack([time, 1e3 * command, 1e3 * position, *([1e3 * position] if columns == "load" else [])])
     np.savetxt(file, rows, delimiter=",", header=head, comments="", fmt="%.7f")
     return file
+
+
+def feeds(text: str) -> set[str]:
+    return set(re.findall(r"F[\d.]+", text))
 
 
 def printed(capsys: pytest.CaptureFixture[str], *words: str) -> dict:
@@ -100,8 +105,10 @@ def test_a_slow_pass_names_the_sharpest_corner_without_a_tolerance(
     Path("part.ngc").write_text("G21 G90 G64\nG1 X5 Y0 F1500\nG1 X10 Y1\nG1 X10 Y6\nM2\n")
     words = ("precompensate", "part.ngc", "--passes", "passes", "--out", "next.ngc", "--log")
     printed(capsys, *words, str(log_of(Path("part.ngc").read_text(), Path("run-0.csv"))))
-    slow = Path("next.ngc").read_text().replace("F1500", "F1200")
-    result = printed(capsys, *words, str(log_of(slow, Path("run-1.csv"))))
+    text = Path("next.ngc").read_text()
+    assert len(feeds(text)) > 5, "ramps keep their feed"
+    result = printed(capsys, *words, str(log_of(text.replace("F1500", "F1200"), Path("run-1.csv"))))
+    assert feeds(Path("next.ngc").read_text()) == {"F1500"}
     corner = next(one for one in result["findings"] if one["code"] == "CL918")
     assert corner["values"]["line"] == 3
     assert corner["values"]["angle"] == pytest.approx(np.arctan2(5.0, 1.0))

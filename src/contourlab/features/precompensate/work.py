@@ -28,6 +28,9 @@ from contourlab.program.reader import read_text, split_lines
 
 SMOOTHER = 0.8
 """Factor on the cutoff after a pass that took too long."""
+SLOWED = 0.01
+"""Share by which a pass may be slower than the program, up to which lines get feed words. They slow down a control that merges lines of one
+feed, or whose acceleration is zero between lines."""
 POOR = 0.5
 """Unexplained share of the following error from which the model of the loop is doubted."""
 COVERED = 0.98
@@ -197,7 +200,10 @@ class Work:
         learned = self.passes.learned
         assert learned is not None
         tried, capped = proposed(learned, self.settings.cap, room(self.contour))
-        written = write_corrected(self.contour, tried, self.settings.tolerance, (1.0 + self.settings.band) * learned.speed)
+        durations = [one.duration for one in self.passes.figures]
+        slowed = max(durations) > (1.0 + SLOWED) * durations[0]
+        fastest = np.inf if slowed else (1.0 + self.settings.band) * learned.speed
+        written = write_corrected(self.contour, tried, self.settings.tolerance, fastest)
         number = len(self.passes.written) + 1
         written = replace(written, text=marked(written.text, number, self.part.name))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
