@@ -181,12 +181,14 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
     # Before its start and beyond its end, what a part lacks along its own direction is a matter of time, not of the path.
     off -= np.where(at_end, (off * tangent).sum(axis=1), 0.0)[:, None] * tangent
     on = contour.is_corrected(place) & contour.is_corrected(np.asarray(foot.arc_length))
+    # A step belongs to the curve at its middle: the last one of a rapid ends where the cut begins.
+    on_step = contour.is_corrected(0.5 * (place + np.append(place[:1], place[:-1])))
     steps = np.diff(measured.command[first : stop + 1], axis=0, prepend=command[:1])[: stop - first]
     return Run(
         period=period,
         place=place,
         error=np.where(on[:, None], off, 0.0),
-        moves=on & (steps != 0.0).any(axis=1),
+        moves=on & on_step & (steps != 0.0).any(axis=1),
         speed=np.linalg.norm(steps, axis=1) / period,
         duration=(last - first) * period,
         velocity=np.abs(steps).max(axis=0) / period,
