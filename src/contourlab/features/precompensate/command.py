@@ -35,7 +35,7 @@ class Options:
     cap : str
         Of the displacement.
     band : str
-        Of the cycle time, as a share.
+        Of the cycle time and of the speed at a place, as a share.
     repeat : int
         Passes to simulate.
     """

@@ -36,6 +36,8 @@ WINDOW = 1e-3
 """Distance along the path around a command's progress in which its place is searched [m]."""
 ALIKE = 1e-6
 """Distance, rms, of a command from the path it was meant to follow, up to which it did [m]."""
+ROUNDING = 1e-8
+"""Distance by which a command may pass its end in a log [m]."""
 AT_END = 1e-9
 """Distance of a foot point from the end of a corrected part at which it is that end [m]."""
 
@@ -181,8 +183,8 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
     # Before its start and beyond its end, what a part lacks along its own direction is a matter of time, not of the path.
     off -= np.where(at_end, (off * tangent).sum(axis=1), 0.0)[:, None] * tangent
     on = contour.is_corrected(place) & contour.is_corrected(np.asarray(foot.arc_length))
-    # A step belongs to the curve at its middle: the last one of a rapid ends where the cut begins.
-    on_step = contour.is_corrected(0.5 * (place + np.append(place[:1], place[:-1])))
+    # A step belongs to the curve at its middle: the last one of a rapid ends where the cut begins, up to rounding.
+    on_step = contour.is_corrected(np.maximum(0.5 * (place + np.append(place[:1], place[:-1])) - ROUNDING, 0.0))
     steps = np.diff(measured.command[first : stop + 1], axis=0, prepend=command[:1])[: stop - first]
     return Run(
         period=period,

@@ -50,7 +50,7 @@ class Settings:
     cap : float [m]
         Of the displacement.
     band : float
-        Of the cycle time, as a share.
+        Of the cycle time and of the speed at a place, as a share.
     """
 
     tolerance: float
