@@ -113,7 +113,7 @@ def test_what_differs_between_runs_does_not_repeat() -> None:
 
 def test_the_last_step_of_a_rapid_is_not_part_of_the_cut() -> None:
     source = parse_blocks("G21 G90\nG0 X10\nG1 X20 F600\nM2\n", "part", Reading(require_end=False), ("x", "y"))
-    x = np.concatenate([np.zeros(5), np.linspace(0.0, 0.01, 11), np.full(50, 0.01 + 2e-9), np.linspace(0.01, 0.02, 1001), np.full(50, 0.02)])
+    x = np.concatenate([np.zeros(5), np.linspace(0.0, 0.01, 11), np.full(9, 0.01 + 2e-9), np.linspace(0.01, 0.02, 1001), np.full(50, 0.02)])
     command = np.column_stack([x, np.zeros(len(x))])
     load = command - [0.0, 1e-4] * (x < 0.01 + 3e-9)[:, None]
     run = run_of(contour_of(source, ("x", "y"), PERIOD), Measured(PERIOD, command, command, load, "load"))
