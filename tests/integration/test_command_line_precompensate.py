@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -32,6 +33,10 @@ def log_of(program: str, file: Path, columns: str = "load") -> Path:
     rows = np.column_stack([time, 1e3 * command, 1e3 * position, *([1e3 * position] if columns == "load" else [])])
     np.savetxt(file, rows, delimiter=",", header=head, comments="", fmt="%.7f")
     return file
+
+
+def feeds(text: str) -> set[str]:
+    return set(re.findall(r"F[\d.]+", text))
 
 
 def printed(capsys: pytest.CaptureFixture[str], *words: str) -> dict:
@@ -73,6 +78,40 @@ def test_a_log_of_the_program_before_or_of_a_part_of_it_is_refused(tmp_path: Pat
     assert main([*words, "run.csv", "--out", "part-1.ngc"]) == 0
     assert main([*words, "again.csv", "--out", "no.ngc"]) == 2
     assert not Path("no.ngc").exists()
+
+
+@pytest.mark.parametrize(("missing", "code"), [(0, ""), (3, "CL427"), (20, "refused")])
+def test_missing_samples_are_reported_as_by_measure(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], missing: int, code: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text(PART)
+    lines = log_of(PART, Path("run.csv")).read_text().splitlines(keepends=True)
+    for k in range(900, 900 + missing):
+        lines[k] = lines[k].rsplit(",", 1)[0] + ",nan\n"
+    Path("run.csv").write_text("".join(lines))
+    words = ("precompensate", "part.ngc", "--log", "run.csv", "--out", "out.ngc")
+    if code == "refused":
+        assert main([*words]) == 2
+    else:
+        codes = [one["code"] for one in printed(capsys, *words)["findings"]]
+        assert codes.count("CL427") == bool(code), codes
+
+
+def test_a_slow_pass_names_the_sharpest_corner_without_a_tolerance(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text("G21 G90 G64\nG1 X5 Y0 F1500\nG1 X10 Y1\nG1 X10 Y6\nM2\n")
+    words = ("precompensate", "part.ngc", "--passes", "passes", "--out", "next.ngc", "--log")
+    printed(capsys, *words, str(log_of(Path("part.ngc").read_text(), Path("run-0.csv"))))
+    text = Path("next.ngc").read_text()
+    assert len(feeds(text)) > 5, "ramps keep their feed"
+    result = printed(capsys, *words, str(log_of(text.replace("F1500", "F1200"), Path("run-1.csv"))))
+    assert feeds(Path("next.ngc").read_text()) == {"F1500"}
+    corner = next(one for one in result["findings"] if one["code"] == "CL918")
+    assert corner["values"]["line"] == 3
+    assert corner["values"]["angle"] == pytest.approx(np.arctan2(5.0, 1.0))
 
 
 def test_a_program_among_the_passes_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

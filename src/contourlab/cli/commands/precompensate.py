@@ -40,7 +40,7 @@ def precompensate(
     repeat: Annotated[int, typer.Option(help="Passes to simulate.")] = 5,
     tolerance: Annotated[str, typer.Option(help="Largest distance of a written line from the corrected path.")] = "0.5 um",
     cap: Annotated[str, typer.Option(help="Largest displacement of the path.")] = "1 mm",
-    band: Annotated[str, typer.Option(help="By how much the cycle time may grow.")] = "2 %",
+    band: Annotated[str, typer.Option(help="By how much cycle time and local speed may grow.")] = "2 %",
     axes: Annotated[str | None, typer.Option(help="Axes of the log, e.g. x,y; by default all.", show_default=False)] = None,
     column: ColumnTexts = None,
     columns: ColumnFile = None,

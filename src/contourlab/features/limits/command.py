@@ -15,7 +15,7 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.features.check.planned_motion import DEFAULT_MACHINE
 from contourlab.features.limits.annotate import write_annotated
-from contourlab.features.limits.log_limits import KINDS, AxisPeak, course, held_samples, moving_part
+from contourlab.features.limits.log_limits import KINDS, AxisPeak, control_samples, course, moving_part
 from contourlab.features.limits.result import LimitTest, ProgramLine, comments
 from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log
 from contourlab.features.measure.measured_path import progress_along
@@ -246,9 +246,8 @@ def _logged(choice: LogChoice, options: LimitOptions, tolerance: float, reading:
     limits = _limits(options, axes, machine, names)
     lines, errors = _lines_of(log, choice, options, axes, position, reading)
     use = LineUse(int(lines.max(initial=0)) + 1)
-    held = held_samples(position, result.servo_period)
-    commanded = held * result.servo_period
-    peaks, findings = _log_peaks(position[::held], commanded, axes, limits, lines[::held], moves[::held], use)
+    first, commanded = control_samples(position, result.servo_period)
+    peaks, findings = _log_peaks(position[first], commanded, axes, limits, lines[first], moves[first], use)
     rows = _rows(np.where(moves, lines, 0), result.servo_period, use, axes, errors) if lines.any() else ()
     known = [peak for peak in peaks if peak.use is not None]
     passed = all((peak.use or 0.0) <= 1.0 + tolerance for peak in known) if known else None

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array, Flags, Index
 
 RESOLVED = 0.05
 """Largest share of the limit that the error of the positions may add."""
@@ -93,14 +93,27 @@ def position_error(position: Array) -> float:
     return max(count if is_counted else 0.0, SIGMAS * noise)
 
 
-def held_samples(position: Array, period: float) -> int:
-    """Return over how many samples each position (n, n_axis) [m] is held: more than 1 in a log that is faster than the control.
+def control_samples(position: Array, period: float) -> tuple[Index, float]:
+    """Return the first sample of each period of the control, and that period [s].
 
-    Holds longer than `SLOWEST`, and fewer than 20 changes, are steps that were commanded.
+    In a log that is faster than the control, each position is held over several samples. Their number may vary by a quarter, where log and
+    control have clocks of their own. Longer holds are rests. Fewer than 20 changes, and steps slower than `SLOWEST`, were commanded so.
+
+    Parameters
+    ----------
+    position : ndarray (n, n_axis) [m]
+    period : float [s]
+        Of the log.
     """
-    changes = np.flatnonzero(np.diff(position, axis=0).any(axis=1))
-    held = int(np.gcd.reduce(np.diff(changes), initial=0))
-    return held if len(changes) >= 20 and 1 < held <= SLOWEST / period else 1
+    changes = np.flatnonzero(np.diff(position, axis=0).any(axis=1)) + 1
+    if len(changes) >= 20:
+        between = np.diff(changes)
+        between = between[between <= SLOWEST / period]
+        held = float(between[between < 1.5 * np.quantile(between, 0.1)].mean()) if between.size else 0.0
+        if held > 1.0 and (np.abs(between - held * np.rint(between / held)) <= 0.25 * held).all():
+            edges = np.concatenate([[0], changes, [len(position)]])
+            return np.repeat(edges[:-1], np.maximum(np.rint(np.diff(edges) / held), 1).astype(np.int64)), held * period
+    return np.arange(len(position)), period
 
 
 def course(position: Array, period: float, order: int, limit: float) -> Course:

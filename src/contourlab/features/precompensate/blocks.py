@@ -49,6 +49,12 @@ class Block:
     feed_mode: str
     reason: str
 
+    @property
+    def feed_word(self) -> str:
+        """The feed of a cutting move as a word of the program, per minute."""
+        feed = self.move.feedrate * 60.0 * (1e3 if self.millimetres else 1.0 / 0.0254)  # type: ignore[union-attr]
+        return f"F{feed:.6f}".rstrip("0").rstrip(".")
+
     def shown(self, axes: Point) -> Point:
         """Return an axis position [m] in the numbers of the program."""
         scale = 1000.0 if self.millimetres else 1.0 / 0.0254

@@ -35,7 +35,7 @@ class Options:
     cap : str
         Of the displacement.
     band : str
-        Of the cycle time, as a share.
+        Of the cycle time and of the speed at a place, as a share.
     repeat : int
         Passes to simulate.
     """
@@ -107,7 +107,8 @@ def precompensate_from_logs(
             raise ParameterError("--log", str(used[0]), "the log of the last written pass: this one was used before")
     runs = [work.run(one) for one, _, _ in opened]
     rest = spread(runs)
-    findings = _log_findings(measured, runs[0], rest, machine)
+    reading_findings = {str(one): one for _, _, log in opened for one in log.findings}
+    findings = [*reading_findings.values(), *_log_findings(measured, runs[0], rest, machine)]
     findings += work.learn(measured, runs)
     work.passes = replace(work.passes, logs=(*work.passes.logs, *digests))
     proceed = work.passes.helps

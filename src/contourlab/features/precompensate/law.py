@@ -158,6 +158,8 @@ class Run:
         From the position to its foot point on the programmed path; zero off the corrected curves.
     moves : ndarray (n,) of bool
         Whether the command moved along a corrected curve.
+    speed : ndarray (n,) [m/s]
+        Of the command.
     duration : float [s]
         From the first to the last motion of the command.
     velocity, acceleration : ndarray (n_axis,) [m/s, m/s^2]
@@ -168,6 +170,7 @@ class Run:
     place: Array
     error: Array
     moves: Flags
+    speed: Array
     duration: float
     velocity: Array
     acceleration: Array
@@ -215,6 +218,8 @@ class Learned:
         Share of the step to try next.
     tried : ndarray (n_node, n_axis) [m]
         Correction of the last written pass.
+    speed : ndarray (n_node,) [m/s]
+        Of the command in the program itself.
     rests : float [m]
         Error at which a place is left as it is.
     cutoff : float [Hz]
@@ -225,6 +230,7 @@ class Learned:
     error: Array
     gain: Array
     tried: Array
+    speed: Array
     rests: float
     cutoff: float
 
@@ -252,8 +258,8 @@ def learn(before: Learned | None, runs: list[Run], loops: list[Loop], nodes: Arr
     step = np.mean([one.at(nodes, filtered(one.error, one.period, response, longest)) for one in runs], axis=0)
     square = np.mean([one.at(nodes, _nearby((one.error**2).sum(axis=1), one.period, cutoff)) for one in runs], axis=0)[:, 0]
     if before is None:
-        nothing = np.zeros_like(step)
-        return Learned(nothing, step, square, np.ones(len(nodes)), nothing, RESTS * run.rms, cutoff)
+        nothing, speed = np.zeros_like(step), run.at(nodes, run.speed[:, None])[:, 0]
+        return Learned(nothing, step, square, np.ones(len(nodes)), nothing, speed, RESTS * run.rms, cutoff)
     better = np.interp(run.place, nodes, (square < before.error).astype(np.float64))
     share = run.at(nodes, _nearby(better, run.period, cutoff)).clip(0.0, 1.0)
     return replace(

@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 
 from contourlab.errors import ParameterError, ResultError
-from contourlab.features.precompensate.law import Learned, Loop
+from contourlab.features.precompensate.law import RESTS, Learned, Loop
 from contourlab.features.precompensate.writing import Written
 from contourlab.result.atomic import write_bytes_atomic
 
 HELPS = 0.02
-"""Least gain of two passes over the best before them, as a share of its rms."""
+"""Least gain of two passes over the best before them, as a share of its rms; of one pass, where the error is below `RESTS`."""
 LATE = 3
 """Passes in a row that took too long after which no further one is tried."""
 STATE = "passes.npz"
@@ -86,11 +86,14 @@ class Passes:
 
     @property
     def helps(self) -> bool:
-        """Whether the last two passes were better than the best before them, or fewer were run, and one of the last three was in time."""
+        """Whether to go on: not after two passes in time with small gains, one where places are left as they are, or three too slow."""
         if len(self.figures) > LATE and not any(one.in_time for one in self.figures[-LATE:]):
             return False
         rms = [one.rms for one in self.figures if one.in_time]
-        return len(self.figures) < 3 or len(rms) < 3 or min(rms[-2:]) < (1.0 - HELPS) * min(rms[:-2])
+        if len(rms) < 3:
+            return True
+        rests = rms[-1] <= RESTS * rms[0] and (1.0 - HELPS) * min(rms[:-1]) < rms[-1] <= min(rms[:-1])
+        return not rests and min(rms[-2:]) < (1.0 - HELPS) * min(rms[:-2])
 
 
 def digest_of(*parts: bytes) -> str:

@@ -18,7 +18,7 @@ from contourlab.features.precompensate.law import Loop, Run, fit_loop
 from contourlab.features.precompensate.writing import Written
 from contourlab.feed import LimitReport, Reference, blended, limit_report, plan, route_from_program
 from contourlab.logs import Column, Columns, Log, read_columns, read_record, result_of
-from contourlab.logs.load import about
+from contourlab.logs.load import LONG_GAP, about
 from contourlab.logs.mapping import once, parse_columns
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.program import Program
@@ -36,6 +36,8 @@ WINDOW = 1e-3
 """Distance along the path around a command's progress in which its place is searched [m]."""
 ALIKE = 1e-6
 """Distance, rms, of a command from the path it was meant to follow, up to which it did [m]."""
+ROUNDING = 1e-8
+"""Distance by which a command may pass its end in a log [m]."""
 AT_END = 1e-9
 """Distance of a foot point from the end of a corrected part at which it is that end [m]."""
 
@@ -82,7 +84,7 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
     Raises
     ------
     LogError
-        If it cannot be read, or an axis has no commanded or measured position.
+        If it cannot be read, has a long gap, or an axis has no commanded or measured position.
     """
     mapping = read_columns(choice.mapping) if choice.mapping is not None else Columns()
     typed = once((*parse_columns(choice.columns), *mapping.columns), "--column")
@@ -111,6 +113,8 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
         missing = "commanded" if not axes or command is None else "measured"
         cure = "name it, as --column 'reference.x=NAME [mm]' or 'position.x=NAME [mm]'"
         raise LogError(f"has no {missing} position: {cure}", file=choice.file)
+    if any(len(log.stretches(axis)) > 1 for axis in axes):
+        raise LogError(f"has a gap of more than {LONG_GAP} samples: record the run again", file=choice.file)
     if load is not None:
         return Measured(result.servo_period, command, load if motor is None else motor, load, "load"), axes, log
     assert motor is not None
@@ -179,12 +183,15 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
     # Before its start and beyond its end, what a part lacks along its own direction is a matter of time, not of the path.
     off -= np.where(at_end, (off * tangent).sum(axis=1), 0.0)[:, None] * tangent
     on = contour.is_corrected(place) & contour.is_corrected(np.asarray(foot.arc_length))
+    # A step belongs to the curve at its middle: the last one of a rapid ends where the cut begins, up to rounding.
+    on_step = contour.is_corrected(np.maximum(0.5 * (place + np.append(place[:1], place[:-1])) - ROUNDING, 0.0))
     steps = np.diff(measured.command[first : stop + 1], axis=0, prepend=command[:1])[: stop - first]
     return Run(
         period=period,
         place=place,
         error=np.where(on[:, None], off, 0.0),
-        moves=on & (steps != 0.0).any(axis=1),
+        moves=on & on_step & (steps != 0.0).any(axis=1),
+        speed=np.linalg.norm(steps, axis=1) / period,
         duration=(last - first) * period,
         velocity=np.abs(steps).max(axis=0) / period,
         acceleration=np.abs(np.diff(steps, axis=0)).max(axis=0) / period**2,

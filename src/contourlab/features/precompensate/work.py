@@ -28,6 +28,9 @@ from contourlab.program.reader import read_text, split_lines
 
 SMOOTHER = 0.8
 """Factor on the cutoff after a pass that took too long."""
+SLOWED = 0.01
+"""Share by which a pass may be slower than the program, up to which lines get feed words. They slow down a control that merges lines of one
+feed, or whose acceleration is zero between lines."""
 POOR = 0.5
 """Unexplained share of the following error from which the model of the loop is doubted."""
 COVERED = 0.98
@@ -47,7 +50,7 @@ class Settings:
     cap : float [m]
         Of the displacement.
     band : float
-        Of the cycle time, as a share.
+        Of the cycle time and of the speed at a place, as a share.
     """
 
     tolerance: float
@@ -163,8 +166,22 @@ class Work:
         if not figures.in_time:
             cutoff = SMOOTHER * passes.cutoff
             self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, run, nodes, cutoff))
-            findings.append(finding("CL911", number=number, change=slower, band=limit))
+            findings += [finding("CL911", number=number, change=slower, band=limit), *self._free_corners()]
         return findings
+
+    def _free_corners(self) -> list[Finding]:
+        """Name the sharpest corner that the control may round without a tolerance."""
+        contour, blocks = self.contour, self.contour.source.blocks
+        modes = [blocks[number - 1].move.mode for number in contour.route.source_line.tolist()]
+        is_free = np.array([mode.tolerance is None and mode.control in (None, "blend") for mode in modes])
+        (_, after), (_, before) = contour.path.starts, contour.path.ends
+        turn = np.linalg.norm(after[1:] - before[:-1], axis=1) * (is_free & contour.corrected)[:-1] * contour.corrected[1:]
+        if not contour.path.corners.size or turn.max() == 0.0:
+            return []
+        k = int(np.argmax(turn))
+        line = blocks[contour.route.source_line[k] - 1].lines[1]
+        angle = 2.0 * float(np.arcsin(min(0.5 * turn[k], 1.0)))
+        return [finding("CL918", angle=angle, line=contour.source.numbers[line - 1])]
 
     def _starts(self, run: Run, cutoff: float) -> list[Finding]:
         """Say where cuts begin while the axes still settle from the move before."""
@@ -183,7 +200,10 @@ class Work:
         learned = self.passes.learned
         assert learned is not None
         tried, capped = proposed(learned, self.settings.cap, room(self.contour))
-        written = write_corrected(self.contour, tried, self.settings.tolerance)
+        durations = [one.duration for one in self.passes.figures]
+        slowed = max(durations) > (1.0 + SLOWED) * durations[0]
+        fastest = np.inf if slowed else (1.0 + self.settings.band) * learned.speed
+        written = write_corrected(self.contour, tried, self.settings.tolerance, fastest)
         number = len(self.passes.written) + 1
         written = replace(written, text=marked(written.text, number, self.part.name))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))

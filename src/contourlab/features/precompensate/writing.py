@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import re
 import subprocess
 import tempfile
@@ -20,6 +21,8 @@ from contourlab.program import Mode, Spline
 
 MARK = "(contourlab precompensate: pass "
 """How a corrected program begins."""
+STEP = 1.25
+"""Speeds of the control along a line, largest over smallest; between them, a line may be faster than the control was."""
 _CONTROLS = {"exact_path": "G61", "exact_stop": "G61.1"}
 _SMOOTH = 1e-9
 _PLAIN = re.compile(r"\s*((N\d+|G0*[0123]|[XYZIJKRF][-+]?[\d.]+)\s*)+", re.IGNORECASE)
@@ -52,14 +55,16 @@ class Written:
 
 @dataclass(eq=False)
 class _Lines:
-    """Lines that replace a block, and the places where they end."""
+    """Lines that replace a block, the places where they end, and whether a feed below the programmed one is in force behind them."""
 
+    end: Array
     text: list[str] = field(default_factory=list)
     points: list[Array] = field(default_factory=list)
     places: list[float] = field(default_factory=list)
+    slowed: bool = False
 
 
-def write_corrected(contour: Contour, correction: Array, tolerance: float) -> Written:
+def write_corrected(contour: Contour, correction: Array, tolerance: float, fastest: Array | float = np.inf) -> Written:
     """Return the program whose path is the programmed one plus a correction.
 
     Parameters
@@ -69,21 +74,23 @@ def write_corrected(contour: Contour, correction: Array, tolerance: float) -> Wr
         Displacement of each node. A corrected part begins and ends at its programmed points.
     tolerance : float [m]
         Largest distance of a written line from the corrected path.
+    fastest : ndarray (n_node,) [m/s], optional
+        Largest speed at each node along the programmed path; lines that could be faster get a feed word.
     """
+    fastest = np.broadcast_to(fastest, len(contour.nodes))
     replaced: dict[int, _Lines] = {}
     blocks, shortest = contour.source.blocks, np.inf
     for first, last in chunks(contour):
-        start = contour.path.position(contour.path.breaks[first : first + 1])[0]
+        lines = _Lines(contour.path.position(contour.path.breaks[first : first + 1])[0])
         numbers = contour.route.source_line[first:last]
         for k in np.unique(numbers).tolist():
             curves = first + np.flatnonzero(numbers == k)
             index = node_range(contour, int(curves[0]), int(curves[-1]))
-            ends = curves[-1] == last - 1
-            lines = _replacing(contour, blocks[k - 1], index, correction, start, tolerance, ends)
+            ends, start = curves[-1] == last - 1, lines.end
+            lines = _replacing(contour, blocks[k - 1], index, correction, lines, tolerance, ends, fastest)
             steps = np.linalg.norm(np.diff(np.vstack([start, *lines.points]), axis=0), axis=1)
             shortest = min(shortest, float(steps.min(initial=np.inf)) / float(contour.route.feedrate[curves[0]]))
             replaced[k - 1] = lines
-            start = lines.points[-1] if lines.points else start
     arcs, places, at = [0.0], [0.0], np.asarray(contour.path.position(np.zeros(1))[0])
     breaks = contour.path.breaks
     done = set()
@@ -104,32 +111,54 @@ def write_corrected(contour: Contour, correction: Array, tolerance: float) -> Wr
 
 
 def _replacing(
-    contour: Contour, block: Block, index: Index, correction: Array, start: Array, tolerance: float, ends: bool
+    contour: Contour, block: Block, index: Index, correction: Array, before: _Lines, tolerance: float, ends: bool, fastest: Array
 ) -> _Lines:
-    """Return the lines of one block, from where the block before ended."""
+    """Return the lines of one block, from where the lines before ended."""
     columns = ["xyz".index(axis) for axis in contour.axes]
     move, places = block.move, contour.nodes[index]
     share = (places - places[0]) / (places[-1] - places[0])
     points = np.array(move.start) + share[:, None] * (np.array(move.end) - np.array(move.start))  # type: ignore[union-attr]
     points[:, columns] = contour.positions[index] + correction[index]
-    points[0, columns] = start
+    points[0, columns] = before.end
     if ends:
-        points, places = np.vstack([points, points[-1:]]), np.append(places, places[-1])
+        index, points, places = np.append(index, index[-1]), np.vstack([points, points[-1:]]), np.append(places, places[-1])
         points[-1, columns] = contour.positions[index[-1]]
     digits = 6 if block.millimetres else 8
     shown = np.round([block.shown(tuple(point)) for point in points.tolist()], digits) + 0.0  # no -0
     moved = np.append(True, (np.diff(shown[:, columns], axis=0) != 0.0).any(axis=1))
-    shown, points, places = shown[moved], points[moved], places[moved]
-    kept = polygon_corners(shown, tolerance * (1e3 if block.millimetres else 1.0 / 0.0254))[1:]
-    lines = _Lines()
+    shown, points, places, fastest = shown[moved], points[moved], places[moved], fastest[index[moved]]
+    corners = polygon_corners(shown, tolerance * (1e3 if block.millimetres else 1.0 / 0.0254))
+    if block.feed_mode == "per_minute":
+        fastest = np.maximum(fastest, 1e-3 * move.feedrate)  # type: ignore[union-attr]
+        level = np.rint(np.log(np.minimum(fastest, move.feedrate)) / math.log(STEP))  # type: ignore[union-attr]
+        corners = np.union1d(corners, 1 + np.flatnonzero(np.diff(level)))
+    kept = corners[1:]
+    lines = _Lines(points[-1, columns], slowed=before.slowed)
     varies = np.ptp(shown, axis=0) > 0.0
     for k in kept.tolist():
         words = [f"{'XYZ'[j]}{shown[k, j]:.{digits}f}".rstrip("0").rstrip(".") for j in np.flatnonzero(varies)]
         lines.text.append("G1 " + " ".join(words))
         lines.points.append(points[k, columns])
         lines.places.append(float(places[k]))
+    if block.feed_mode == "per_minute" and len(kept):
+        speed = np.maximum(np.maximum.reduceat(fastest, corners[:-1]), fastest[kept])
+        length = np.linalg.norm(np.diff(points[corners], axis=0), axis=1)
+        _with_feeds(lines, block, speed * length / np.maximum(np.diff(places[corners]), 1e-12))
     _with_modes(lines, block, move.mode, ends or _turns(contour, places[-1]), tolerance)  # type: ignore[union-attr]
+    if lines.slowed and ends:
+        lines.text.append(block.feed_word)
     return lines
+
+
+def _with_feeds(lines: _Lines, block: Block, largest: Array) -> None:
+    """Add feed words to lines that may not have the programmed feed, and to the first one that has it again."""
+    feed, in_force = block.feed_word, "" if lines.slowed else block.feed_word
+    scale = 60.0 * (1e3 if block.millimetres else 1.0 / 0.0254)
+    for k, one in enumerate(largest.tolist()):
+        word = feed if one >= block.move.feedrate else f"F{scale * one:.{1 if block.millimetres else 3}f}"  # type: ignore[union-attr]
+        lines.text[k] += f" {word}" if word != in_force else ""
+        in_force = word
+    lines.slowed = in_force != feed
 
 
 def _turns(contour: Contour, place: float) -> bool:
@@ -149,8 +178,7 @@ def _with_modes(lines: _Lines, block: Block, mode: Mode, corner: bool, tolerance
     if not block.absolute:
         lines.text = ["G90", *lines.text, "G91"]
     if block.feed_mode == "inverse_time":
-        feed = block.move.feedrate * 60.0 * (1e3 if block.millimetres else 1.0 / 0.0254)  # type: ignore[union-attr]
-        lines.text = [f"G94 F{feed:.6f}", *lines.text, "G93"]
+        lines.text = [f"G94 {block.feed_word}", *lines.text, "G93"]
 
 
 def _text(contour: Contour, replaced: dict[int, _Lines]) -> str:

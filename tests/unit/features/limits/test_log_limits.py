@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from contourlab.features.limits.annotate import annotated
-from contourlab.features.limits.log_limits import course, held_samples, moving_part, position_error
+from contourlab.features.limits.log_limits import control_samples, course, moving_part, position_error
 
 PERIOD = 1e-3
 TIME = PERIOD * np.arange(4000)
@@ -57,11 +57,23 @@ def test_the_error_of_positions_is_a_count_or_noise() -> None:
     assert position_error(sine(0.02, 2.0)) < 1e-12
 
 
-def test_positions_of_a_log_faster_than_the_control_are_held() -> None:
-    sampled = np.cumsum(np.arange(30.0))[:, None]
-    assert held_samples(np.repeat(sampled, 8, axis=0), 1e-4) == 8
-    assert held_samples(sampled, 1e-4) == 1
-    assert held_samples(np.repeat(sampled, 8, axis=0), 0.01) == 1, "steps that were commanded"
+@pytest.mark.parametrize("holds", [(8,), (7, 8, 9), (2,)])
+def test_positions_of_a_log_faster_than_the_control_are_held(holds: tuple[int, ...]) -> None:
+    sampled, held = np.cumsum(np.arange(60.0)), np.resize(holds, 60)
+    held[30] += 500 * int(np.mean(holds))  # a rest
+    seen = np.repeat(sampled, held)[:, None]
+    first, period = control_samples(seen, 1e-4)
+    assert period == pytest.approx(1e-4 * np.mean(holds), rel=0.01)
+    np.testing.assert_array_equal(np.unique(seen[first, 0]), sampled)
+    assert len(first) == pytest.approx(60 + 500, rel=0.01)
+
+
+def test_other_logs_have_a_period_of_their_own() -> None:
+    sampled = np.cumsum(np.arange(60.0))[:, None]
+    slow = 1e-6 * np.rint(1e3 * np.sin(np.linspace(0.0, 3.0, 4000)))[:, None]
+    for seen, period in ((sampled, 1e-4), (np.repeat(sampled, 8, axis=0), 0.01), (slow, 1e-4)):
+        first, own = control_samples(seen, period)
+        assert own == period and len(first) == len(seen)
 
 
 def test_rest_is_not_cycle_time() -> None:

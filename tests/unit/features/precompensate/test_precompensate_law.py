@@ -7,8 +7,11 @@ import numpy as np
 import pytest
 from scipy.signal import lsim
 
+from contourlab.features.precompensate.blocks import parse_blocks
+from contourlab.features.precompensate.contour import contour_of
 from contourlab.features.precompensate.law import Run, filtered, fit_loop, learn, low_pass, proposed, spread
-from contourlab.features.precompensate.runs import behind_play
+from contourlab.features.precompensate.runs import Measured, behind_play, run_of
+from contourlab.program import Reading
 
 PERIOD = 1e-3
 STIFFNESS, DAMPING, FORWARD = 1600.0, 30.0, 25.0  # p'' = 1600 (c - p) + 25 c' - 30 p'
@@ -47,8 +50,8 @@ def test_the_low_pass_shifts_nothing() -> None:
     np.testing.assert_allclose(kept, kept[::-1], atol=1e-12)
 
 
-def run_of(error: np.ndarray, place: np.ndarray) -> Run:
-    return Run(PERIOD, place, error[:, None], np.ones(len(place), dtype=bool), 1.0, np.zeros(1), np.zeros(1))
+def made_run(error: np.ndarray, place: np.ndarray) -> Run:
+    return Run(PERIOD, place, error[:, None], np.ones(len(place), dtype=bool), np.full(len(place), 0.02), 1.0, np.zeros(1), np.zeros(1))
 
 
 def test_one_pass_removes_what_the_model_explains_below_the_cutoff() -> None:
@@ -57,7 +60,7 @@ def test_one_pass_removes_what_the_model_explains_below_the_cutoff() -> None:
     bump = 1e-4 * np.exp(-(((time - 1.5) / 0.12) ** 2))
     place = 0.02 * time
     loop = fit_loop(moves(), response(moves()), PERIOD)
-    learned = learn(None, [run_of(bump, place)], [loop], place, 1.2 * loop.bandwidth)
+    learned = learn(None, [made_run(bump, place)], [loop], place, 1.2 * loop.bandwidth)
     correction, capped = proposed(learned, 1e-3)
     assert not capped.any()
     left = bump - response(correction[:, 0])
@@ -70,9 +73,9 @@ def test_a_place_keeps_its_best_correction() -> None:
     place = 0.02 * time
     loop = fit_loop(moves(), response(moves()), PERIOD)
     error = np.full(4000, 50e-6)
-    learned = learn(None, [run_of(error, place)], [loop], place, 10.0)
+    learned = learn(None, [made_run(error, place)], [loop], place, 10.0)
     tried, _ = proposed(learned, 1e-3)
-    second = run_of(np.where(time < 2.0, 80e-6, 10e-6), place)
+    second = made_run(np.where(time < 2.0, 80e-6, 10e-6), place)
     learned = learn(replace(learned, tried=tried), [second], [loop], place, 10.0)
     first, last = slice(500, 1500), slice(2500, 3500)
     np.testing.assert_allclose(learned.kept[first], 0.0, atol=1e-8)
@@ -84,7 +87,7 @@ def test_a_place_keeps_its_best_correction() -> None:
 def test_the_cap_keeps_direction_and_says_where() -> None:
     place = 0.02 * PERIOD * np.arange(2000)
     loop = fit_loop(moves(), response(moves()), PERIOD)
-    learned = learn(None, [run_of(np.full(2000, -3e-3), place)], [loop], place, 10.0)
+    learned = learn(None, [made_run(np.full(2000, -3e-3), place)], [loop], place, 10.0)
     correction, capped = proposed(learned, 1e-3)
     assert capped[1000]
     assert correction[1000, 0] == pytest.approx(-1e-3)
@@ -93,7 +96,7 @@ def test_the_cap_keeps_direction_and_says_where() -> None:
 def test_near_the_ends_of_a_part_the_path_does_not_turn_back() -> None:
     place = 0.02 * PERIOD * np.arange(2000)
     loop = fit_loop(moves(), response(moves()), PERIOD)
-    learned = learn(None, [run_of(np.full(2000, -0.5e-3), place)], [loop], place, 10.0)
+    learned = learn(None, [made_run(np.full(2000, -0.5e-3), place)], [loop], place, 10.0)
     correction, _ = proposed(learned, 1e-3, np.minimum(place, place[-1] - place))
     assert correction[0, 0] == correction[-1, 0] == 0.0
     assert np.abs(np.diff(correction[:, 0])).max() <= 0.5 * (place[1] - place[0]) * 1.0001
@@ -103,9 +106,20 @@ def test_near_the_ends_of_a_part_the_path_does_not_turn_back() -> None:
 def test_what_differs_between_runs_does_not_repeat() -> None:
     place = 0.02 * PERIOD * np.arange(2000)
     rng = np.random.default_rng(3)
-    runs = [run_of(20e-6 + 5e-6 * rng.standard_normal(2000), place) for _ in range(4)]
+    runs = [made_run(20e-6 + 5e-6 * rng.standard_normal(2000), place) for _ in range(4)]
     assert spread(runs) == pytest.approx(5e-6, rel=0.1)
     assert spread(runs[:1]) is None
+
+
+def test_the_last_step_of_a_rapid_is_not_part_of_the_cut() -> None:
+    source = parse_blocks("G21 G90\nG0 X10\nG1 X20 F600\nM2\n", "part", Reading(require_end=False), ("x", "y"))
+    x = np.concatenate([np.zeros(5), np.linspace(0.0, 0.01, 11), np.full(9, 0.01 + 2e-9), np.linspace(0.01, 0.02, 1001), np.full(50, 0.02)])
+    command = np.column_stack([x, np.zeros(len(x))])
+    load = command - [0.0, 1e-4] * (x < 0.01 + 3e-9)[:, None]
+    run = run_of(contour_of(source, ("x", "y"), PERIOD), Measured(PERIOD, command, command, load, "load"))
+    assert run.moves.sum() == 1000
+    assert run.largest < 1e-9
+    np.testing.assert_allclose(run.speed[run.moves], 0.01, rtol=1e-6)
 
 
 def test_play_holds_the_load_at_a_reversal() -> None:

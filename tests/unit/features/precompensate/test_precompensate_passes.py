@@ -13,7 +13,10 @@ def figures(number: int, rms: float, in_time: bool) -> PassFigures:
     ("rms", "in_time", "helps", "best"),
     [
         ((9, 5, 4), "yyy", True, 2),
-        ((9, 5, 4.99, 5.2), "yyyy", False, 2),
+        ((9, 5, 4.99), "yyy", True, 2),
+        ((99, 5, 4.99), "yyy", False, 2),
+        ((9, 5, 4, 5.2), "yyyy", True, 2),
+        ((9, 5, 4, 5.2, 4.1), "yyyyy", False, 2),
         ((9, 5, 4), "ynn", True, 0),
         ((9, 5, 4, 3), "ynnn", False, 0),
         ((9, 5, 4, 3, 3.5), "ynnyn", True, 3),

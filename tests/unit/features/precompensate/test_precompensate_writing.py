@@ -78,6 +78,23 @@ def test_every_mode_gives_the_same_displacement(modes: str) -> None:
     assert parse_program(written).moves[-1].end == pytest.approx(last, abs=1e-9)
 
 
+def test_each_line_takes_as_long_as_the_control_took_there() -> None:
+    """A half circle written a tenth smaller, which the control drove at half the feed up to its middle."""
+    source = parse_blocks("G21 G90 G61\nG0 X10\nG3 X-10 Y0 I-10 J0 F600\nG1 Z1\nM2\n", "part", READING, AXES)
+    contour = contour_of(source, AXES, 1e-3)
+    middle = 0.01 + 0.005 * np.pi
+    fastest = np.where(contour.nodes <= middle, 0.005, 1.0)
+    written = write_corrected(contour, -0.1 * contour.positions, TOLERANCE, fastest)
+    *moves, last, lift = [move for move in parse_program(written.text).moves if isinstance(move, Feed)]
+    ends = np.array([move.end for move in moves])
+    length = np.linalg.norm(np.diff(ends, axis=0, prepend=[moves[0].start]), axis=1)
+    feed, first = np.array([move.feedrate for move in moves]), ends[:, 0] > 1e-4
+    assert (length / feed)[first][1:].sum() == pytest.approx(0.005 * np.pi / 0.005, rel=0.02)
+    np.testing.assert_allclose(feed[first][1:], 0.9 * 0.005, rtol=1e-3)
+    assert {*feed[ends[:, 0] < -1e-4], last.feedrate, lift.feedrate} == {0.01}
+    assert [move.mode.control for move in (moves[-1], last)] == ["blend", "exact_path"]
+
+
 def test_exact_stops_stay_at_corners_only() -> None:
     written, _ = corrected("G21 G90 G61\nG1 F600 X10\nG3 X20 Y10 I0 J10\nG1 X0\nM2\n")
     exact = [move.mode.control == "exact_path" for move in parse_program(written).moves]
