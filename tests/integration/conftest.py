@@ -37,13 +37,13 @@ def as_json(capsys: pytest.CaptureFixture[str]) -> AsJson:
 
 @pytest.fixture
 def refused(capsys: pytest.CaptureFixture[str]) -> Refused:
-    """Run the command in the present folder; it must refuse with exit code 2 and one line, which is returned."""
+    """Run the command in the present folder; it must refuse with exit code 2 and one line, or `lines`, which are returned."""
 
-    def run(*words: str | Path) -> str:
+    def run(*words: str | Path, lines: int = 1) -> str:
         capsys.readouterr()
         assert main([*map(str, words)]) == 2
         said = capsys.readouterr().err
-        assert said.count("\n") == 1
+        assert said.count("\n") == lines, said
         return said
 
     return run

@@ -29,7 +29,7 @@ def test_a_program_without_an_end_is_run_on_request(contourlab: Run, tmp_path: P
 @pytest.mark.parametrize("text", [ENDLESS, UNOPENED])
 def test_the_refusal_names_the_option(tmp_path: Path, refused: Refused, text: str) -> None:
     part = tmp_path / write(tmp_path, text)
-    assert "--no-require-end" in refused("run", part, *ON_XYZ, "--check")
+    assert "--no-require-end" in refused("run", part, *ON_XYZ, "--check", lines=2)
     assert main(["run", str(part), *ON_XYZ, "--check", "--no-require-end"]) == 0
 
 
@@ -37,8 +37,8 @@ def test_in_a_scenario_the_key_is_named(tmp_path: Path, refused: Refused) -> Non
     write(tmp_path, ENDLESS)
     text = 'machine = "builtin:xyz"\ncontroller = "builtin:xyz-controller"\nprogram = "part.ngc"\n'
     scenario = str(tmp_path / write(tmp_path, text, "part.toml"))
-    assert "require_end = false" in refused("run", scenario, "--check")
-    assert "require_end = false" in refused("run", scenario, "--no-require-end")
+    assert "require_end = false" in refused("run", scenario, "--check", lines=2)
+    assert "require_end = false" in refused("run", scenario, "--no-require-end", lines=2)
 
 
 def test_another_fault_does_not_mention_ends(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
