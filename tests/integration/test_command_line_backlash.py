@@ -141,9 +141,7 @@ def test_an_invalid_value_is_refused_with_its_key(
     assert said in message and "Traceback" not in message
 
 
-def test_a_moving_start_and_a_change_on_the_way_are_read_and_written_back(
-    written: Callable[..., str], refused: Refused
-) -> None:
+def test_a_moving_start_and_a_change_on_the_way_are_read_and_written_back(written: Callable[..., str], refused: Refused) -> None:
     Path(written(DRIVE)).with_name("other.toml").write_text(
         '[controller.axes."*"]\nfeedback = "motor"\n'
         'controller = {kind = "cascade", gains = {bandwidth = "80 rad/s", position_gain = "15 1/s"}}\n'

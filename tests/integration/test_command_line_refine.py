@@ -301,9 +301,7 @@ def test_an_unwritable_target_is_refused_before_refining(
 
 
 @pytest.mark.parametrize("name", ["guess-circle.toml", "guess.toml", "log.csv", "columns.toml", "second.csv"])
-def test_input_files_are_not_overwritten(
-    scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, refused: Refused, name: str
-) -> None:
+def test_input_files_are_not_overwritten(scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, refused: Refused, name: str) -> None:
     from contourlab.features.refine import command as refine
 
     copy = tmp_path / "scene"

@@ -270,9 +270,7 @@ def test_a_straight_path_does_not_determine_its_shift() -> None:
         ("t,x pos [mm],x ref [mm]\n0,1,1\n1,2,2\n2,3,3\n", ["--column", "reference.x=x ref", "--reference", "x pos"], "given twice, as"),
     ],
 )
-def test_faults_are_refused_and_nothing_is_written(
-    tmp_path: Path, refused: Refused, content: str, words: list[str], said: str
-) -> None:
+def test_faults_are_refused_and_nothing_is_written(tmp_path: Path, refused: Refused, content: str, words: list[str], said: str) -> None:
     log = tmp_path / "log.csv"
     log.write_text(content)
     assert said in refused("measure", log, "--out", tmp_path / "out", *words)
@@ -393,9 +391,7 @@ def test_a_largest_error_against_the_chord_of_a_gap(tmp_path: Path, as_json: AsJ
         ([1e3, 1.0, 1.0], "t [ms],{} [mm]", ""),
     ],
 )
-def test_wrong_units_of_all_columns_are_questioned(
-    tmp_path: Path, as_json: AsJson, factor: list[float], heads: str, code: str
-) -> None:
+def test_wrong_units_of_all_columns_are_questioned(tmp_path: Path, as_json: AsJson, factor: list[float], heads: str, code: str) -> None:
     wanted = 1e3 * circle()
     time, way = 1e-3 * factor[0] * np.arange(len(wanted)), factor[1] * wanted
     log = tmp_path / "log.csv"
