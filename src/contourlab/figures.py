@@ -7,12 +7,12 @@ import math
 NONE = "-"
 """Text of an unknown value."""
 
-# display unit -> factor from SI
-_FACTORS = {
+FACTORS = {
     "um": 1e6, "mm": 1e3, "m": 1.0, "um s": 1e6, "mm/s": 1e3, "mm/min": 6e4, "m/s": 1.0, "mm/s^2": 1e3, "m/s^2": 1.0, "m/s^3": 1.0,
     "ns": 1e9, "us": 1e6, "ms": 1e3, "s": 1.0, "min": 1 / 60, "Hz": 1.0, "kHz": 1e-3, "1/s": 1.0, "rad/s": 1.0,
     "deg": 180 / math.pi, "mrad": 1e3, "um/m": 1e6, "%": 100.0, "kg": 1.0, "N": 1.0, "V": 1.0, "": 1.0,
 }  # fmt: skip
+"""Display units, and their factors from SI."""
 _SHOWN = {"m": "mm", "m/s": "mm/min", "rad": "mrad"}
 
 
@@ -24,13 +24,13 @@ def figure(value: float, unit: str = "", digits: int = 3) -> str:
     value : float
         In SI. nan becomes ``-``, infinity ``inf``.
     unit : str
-        Display unit: one of `display_units`.
+        Display unit: one of `FACTORS`.
     digits : int
 
     >>> figure(1.234e-5, "um"), figure(0.0301, "%"), figure(1500.0)
     ('12.3 um', '3.01 %', '1500')
     """
-    text = number(value * _FACTORS[unit], digits)
+    text = number(value * FACTORS[unit], digits)
     return text if text == NONE else f"{text} {unit}".strip()
 
 
@@ -55,12 +55,7 @@ def shown_unit(unit: str) -> tuple[float, str]:
     if unit == "full_scale":
         return 100.0, "% of full scale"
     shown = _SHOWN.get(unit, unit)
-    return _FACTORS.get(shown, 1.0) if shown != unit else 1.0, shown
-
-
-def display_units() -> frozenset[str]:
-    """Return the units that `figure` knows."""
-    return frozenset(_FACTORS)
+    return FACTORS.get(shown, 1.0) if shown != unit else 1.0, shown
 
 
 def listing(names: tuple[str, ...] | list[str]) -> str:

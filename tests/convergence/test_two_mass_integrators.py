@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy.linalg import expm
+from tests.helpers.exact_run import simulate_exact
 from two_mass_reference import Reference
 from two_mass_rig import DRIVE, NONE, Drive, energy
 
-from contourlab.analysis.backlash.exact_simulation import simulate_exact
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.plant.two_sided import COARSEST

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from component_rig import make
 from numpy.typing import NDArray
 
 import contourlab as cl
-from contourlab.components.registry import component
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
 
@@ -17,11 +17,6 @@ PERIOD = 1e-3
 TIME_CONSTANT = 0.1
 PLANT = {"dc_gain": 0.05, "damping_ratio": 1.1, "natural_frequency": 150.0}
 NAMES = ("x", "y", "z", "a", "b")
-
-
-def make(family: str, kind: str, **parameters: Any) -> Any:
-    """Return a component by its name."""
-    return component(family, kind)(**parameters)
 
 
 def stage(n_axis: int = 2, period: float = PERIOD, **parts: Any) -> cl.Machine:

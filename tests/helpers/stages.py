@@ -5,15 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from component_rig import make
+
 import contourlab as cl
-from contourlab.components.registry import component
 
 PERIOD = 1e-3
-
-
-def make(family: str, kind: str, **parameters: Any) -> Any:
-    """Return a component by its name."""
-    return component(family, kind)(**parameters)
 
 
 def stage(**changes: Any) -> cl.Machine:

@@ -81,7 +81,7 @@ def scheme(name: str, reference: Reference, amplitude: float, tolerance: float =
     # The first half of each lap is line 3 of the program, the second half line 4.
     half = np.mod(result["arc_length"], reference.path.length) < 0.5 * reference.path.length
     lines = np.where(half, 3, 4)
-    return SchemeReport(name, result, metrics, bounds, verdict, bode, circles, {}, spikes, findings=(advice,), lines=lines)
+    return SchemeReport(name, result, metrics, bounds, verdict, bode, circles, spikes, findings=(advice,), lines=lines)
 
 
 def report(
@@ -94,11 +94,11 @@ def report(
     schemes = tuple(scheme(name, reference, a) for name, a in zip(names, amplitudes, strict=False))
     program = ("%", "(ring of 20 mm)", "G21 G90 F3770", "G3 X20 Y0 I-20 J0", "M30")
     source = Provenance(
-        "0.1.0",
         "contourlab run circle.toml",
         "contourlab report circle.toml --seed 1",
         '[machine]\nname = "two axes"\n\n[run]\ntolerance = "5 um"\nseed = 1\n',
         1,
+        "0.1.0",
         "Linux x86_64, Python 3.11",
     )
     return ReportData("Circle of 20 mm at 3770 mm/min", schemes, path, source, None, program, 5e-6)

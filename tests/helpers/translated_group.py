@@ -20,7 +20,7 @@ Maker = Callable[[StepGraph], Any]
 
 @cache
 def in_machine_code(made: StepGraph) -> Any:
-    return llvm_ir.compiled(llvm_ir.source_of(made))
+    return llvm_ir.loaded(llvm_ir.object_code(llvm_ir.source_of(made)), "step", llvm_ir.SIGNATURE)
 
 
 class TranslatedGroup(InterpretedGroup):

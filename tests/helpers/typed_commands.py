@@ -11,6 +11,9 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
+
+import pytest
 
 from contourlab.cli.main import main
 from contourlab.components import registry
@@ -62,6 +65,7 @@ class Drag(Component):
     def force(par, v):
         return par.coefficient * v
 """
+POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, pipes and limits of a POSIX system")
 ON_XYZ = ("--machine", "xyz", "--controller", "xyz-controller")
 
 
@@ -73,8 +77,22 @@ class Said:
     out: str
     err: str
 
+    @property
+    def answer(self) -> str:
+        """What a command prints that has no fault."""
+        assert (self.code, self.err) == (0, ""), self
+        return self.out
+
+    @property
+    def refusal(self) -> str:
+        """What a command says that is refused."""
+        assert (self.code, self.out) == (2, ""), self
+        return self.err
+
 
 Run = Callable[..., Said]
+AsJson = Callable[..., Any]
+Refused = Callable[..., str]
 
 
 def environment(changes: Mapping[str, str] | None = None) -> dict[str, str]:
@@ -146,6 +164,12 @@ class Drag(Component):
     def force(par, v):
         return {factor} * par.coefficient * v
 '''
+
+
+def write(folder: Path, text: str, name: str = "part.ngc") -> str:
+    """Write a file, by default a part program; return its name."""
+    (folder / name).write_text(text, encoding="utf-8")
+    return name
 
 
 def contents(folder: Path) -> dict[str, str]:

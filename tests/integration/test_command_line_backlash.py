@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from typed_commands import Refused
 
 from contourlab.app import quick
 from contourlab.cli.main import main
@@ -112,13 +113,9 @@ def test_the_recommendation_can_be_put_into_the_scenario(written: Callable[..., 
     assert here < 0.8 * trials["as it is"]
 
 
-def test_a_machine_without_backlash_is_refused(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["backlash", written(DRIVE, gap="0 um")]) == 2
-    said = capsys.readouterr().err
-    assert "backlash" in said and said.count("\n") == 1
-    assert main(["backlash", "builtin:demo-part.toml"]) == 2
-    said = capsys.readouterr().err
-    assert "backlash" in said and said.count("\n") == 1
+def test_a_machine_without_backlash_is_refused(written: Callable[..., str], refused: Refused) -> None:
+    assert "backlash" in refused("backlash", written(DRIVE, gap="0 um"))
+    assert "backlash" in refused("backlash", "builtin:demo-part.toml")
 
 
 MOTOR = 'feedback = "motor"'
@@ -137,17 +134,14 @@ OTHER = 'others.gap = {kind = "cascade", position_gain = "1 1/s", velocity_gain 
     ],
 )
 def test_an_invalid_value_is_refused_with_its_key(
-    old: str, new: str, said: str, written: Callable[..., str], capsys: pytest.CaptureFixture[str], tmp_path: Path
+    old: str, new: str, said: str, written: Callable[..., str], refused: Refused, tmp_path: Path
 ) -> None:
     text = DRIVE.replace("GAP", "50 um").replace(old, new)
-    assert main(["run", written(text), "--out", str(tmp_path / "o")]) == 2
-    message = capsys.readouterr().err
+    message = refused("run", written(text), "--out", tmp_path / "o")
     assert said in message and "Traceback" not in message
 
 
-def test_a_moving_start_and_a_change_on_the_way_are_read_and_written_back(
-    written: Callable[..., str], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_moving_start_and_a_change_on_the_way_are_read_and_written_back(written: Callable[..., str], refused: Refused) -> None:
     Path(written(DRIVE)).with_name("other.toml").write_text(
         '[controller.axes."*"]\nfeedback = "motor"\n'
         'controller = {kind = "cascade", gains = {bandwidth = "80 rad/s", position_gain = "15 1/s"}}\n'
@@ -161,11 +155,9 @@ def test_a_moving_start_and_a_change_on_the_way_are_read_and_written_back(
     for wrong, said in (('at = "0.5 mm"', "at"), ('controller = "none.toml"', "none.toml"), ("at = -1", "at")):
         key = wrong.partition(" ")[0]
         broken = text.replace('at = "0.5 s"', wrong) if key == "at" else text.replace('controller = "other.toml"', wrong)
-        assert main(["run", written(broken), "--check"]) == 2
-        assert said in capsys.readouterr().err
+        assert said in refused("run", written(broken), "--check")
     learning = text + '\n[learning]\nlaw = {kind = "p-type", gain = 1}\n'
-    assert main(["run", written(learning), "--check"]) == 2
-    assert "learning" in capsys.readouterr().err
+    assert "learning" in refused("run", written(learning), "--check")
 
 
 @pytest.mark.slow

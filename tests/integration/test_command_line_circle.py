@@ -8,11 +8,11 @@ import math
 import sys
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 import made_circles
 import numpy as np
 import pytest
+from typed_commands import AsJson, Refused
 
 from contourlab.cli.main import main
 
@@ -24,12 +24,6 @@ def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
 
 
-def printed(capsys: pytest.CaptureFixture[str], *words: str, code: int = 0) -> dict[str, Any]:
-    assert main([*words, "--json"]) == code
-    result: dict[str, Any] = json.loads(capsys.readouterr().out)
-    return result
-
-
 def ball_bar(file: Path, unit: str = "um", noise: float = 2e-8) -> Path:
     """Write angle and deviation of a circle in both senses."""
     rows = [(run.turned, run.deviation) for run in made_circles.runs(x=8e-6, square=1e-4, noise=noise)]
@@ -39,9 +33,9 @@ def ball_bar(file: Path, unit: str = "um", noise: float = 2e-8) -> Path:
     return file
 
 
-def test_a_log_of_both_senses(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_log_of_both_senses(as_json: AsJson) -> None:
     made_circles.write_log(Path("log.csv"), x=8e-6, lag=1e-4)
-    result = printed(capsys, "circle", "log.csv")
+    result = as_json("circle", "log.csv")
     first, second = result["causes"][:2]
     assert (first["cause"], first["axis"], second["cause"]) == ("backlash", "x", "servo mismatch")
     assert first["value"] == pytest.approx(8e-6, rel=0.01) and second["value"] == pytest.approx(1e-4, rel=0.01)
@@ -51,18 +45,18 @@ def test_a_log_of_both_senses(capsys: pytest.CaptureFixture[str]) -> None:
     assert json.loads(Path("results/summary.json").read_text(encoding="utf-8"))["causes"] == result["causes"]
 
 
-def test_two_logs_give_the_same_as_one(capsys: pytest.CaptureFixture[str]) -> None:
+def test_two_logs_give_the_same_as_one(as_json: AsJson) -> None:
     for name, clockwise in (("ccw.csv", False), ("cw.csv", True)):
         made_circles.write_log(Path(name), senses=(clockwise,), x=8e-6, square=1e-4)
-    result = printed(capsys, "circle", "ccw.csv", "cw.csv")
+    result = as_json("circle", "ccw.csv", "cw.csv")
     found = {cause["cause"]: cause for cause in reversed(result["causes"])}
     assert found["squareness"]["value"] == pytest.approx(1e-4, rel=0.01)
     assert found["backlash"]["value"] == pytest.approx(8e-6, rel=0.01)
 
 
-def test_one_sense_says_what_it_cannot_separate(capsys: pytest.CaptureFixture[str]) -> None:
+def test_one_sense_says_what_it_cannot_separate(as_json: AsJson) -> None:
     made_circles.write_log(Path("log.csv"), senses=(True,), square=1e-4)
-    result = printed(capsys, "circle", "log.csv")
+    result = as_json("circle", "log.csv")
     assert result["causes"][0]["cause"] == "squareness or servo mismatch" and result["bidirectional"] is None
     assert {"CL488", "CL489"} <= {found["code"] for found in result["findings"]}
 
@@ -78,20 +72,20 @@ def test_tolerance_and_next_command(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.parametrize("unit", ["um", "mm"])
-def test_a_file_of_angle_and_deviation(unit: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_file_of_angle_and_deviation(unit: str, as_json: AsJson) -> None:
     ball_bar(Path("bar.txt"), unit)
-    result = printed(capsys, "circle", "bar.txt", "--radius", "50 mm", "--feed", "3000 mm/min")
+    result = as_json("circle", "bar.txt", "--radius", "50 mm", "--feed", "3000 mm/min")
     found = {cause["cause"]: cause for cause in reversed(result["causes"])}
     assert found["backlash"]["value"] == pytest.approx(8e-6, rel=0.01)
     assert found["squareness"]["value"] == pytest.approx(1e-4, rel=0.01)
     assert result["feedrate"] == pytest.approx(0.05)
 
 
-def test_radii_under_other_names(capsys: pytest.CaptureFixture[str]) -> None:
+def test_radii_under_other_names(as_json: AsJson) -> None:
     (run,) = made_circles.runs(senses=(False,), x=8e-6)
     np.savetxt("r.txt", np.column_stack([np.degrees(run.turned), 1e3 * (run.radius + run.deviation)]), fmt="%.6f")
     words = ("--column", "angle=1 [deg]", "--column", "radius=2 [mm]", "--radius", "50 mm")
-    assert printed(capsys, "circle", "r.txt", *words)["causes"][0]["value"] == pytest.approx(8e-6, rel=0.01)
+    assert as_json("circle", "r.txt", *words)["causes"][0]["value"] == pytest.approx(8e-6, rel=0.01)
 
 
 @pytest.mark.slow
@@ -119,14 +113,12 @@ def test_the_report_is_one_file_with_a_slider_for_each_cause() -> None:
         (("bar.txt",), "--radius"),
     ],
 )
-def test_bad_input_is_one_line(words: tuple[str, ...], said: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_bad_input_is_one_line(words: tuple[str, ...], said: str, refused: Refused) -> None:
     made_circles.write_log(Path("log.csv"))
     ball_bar(Path("bar.txt"))
     table = np.column_stack([np.arange(500) * 1e-3, np.linspace(0.0, 10.0, 500), np.linspace(0.0, 20.0, 500)])
     np.savetxt("line.csv", table, delimiter=",", header="time [s],position.x [mm],position.y [mm]", comments="")
-    assert main(["circle", *words]) == 2
-    error = capsys.readouterr().err.strip()
-    assert said in error and len(error.splitlines()) == 1
+    assert said in refused("circle", *words)
 
 
 @pytest.fixture(scope="module")

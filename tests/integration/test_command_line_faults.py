@@ -72,9 +72,8 @@ def test_a_wrong_scenario_is_one_line_and_2(contourlab: Run, tmp_path: Path, nam
     content, pattern = SCENARIOS[name]
     (tmp_path / "part.ngc").write_text(PART, encoding="utf-8")
     (tmp_path / "bad.toml").write_bytes(content if isinstance(content, bytes) else content.encode())
-    said = contourlab("run", "bad.toml", "--out", "results")
-    assert (said.code, said.out) == (2, "")
-    assert re.search(pattern, one_line(said.err)), said.err
+    said = contourlab("run", "bad.toml", "--out", "results").refusal
+    assert re.search(pattern, one_line(said)), said
     assert sorted(contents(tmp_path)) == ["bad.toml", "part.ngc"]
     assert not (tmp_path / "results").exists()
 
@@ -83,9 +82,8 @@ def test_a_wrong_scenario_is_one_line_and_2(contourlab: Run, tmp_path: Path, nam
 def test_a_wrong_program_is_one_line_and_2(contourlab: Run, tmp_path: Path, name: str) -> None:
     content, pattern = PROGRAMS[name]
     (tmp_path / "bad.ngc").write_bytes(content if isinstance(content, bytes) else content.encode())
-    said = contourlab("run", "bad.ngc", *ON_XYZ, "--out", "results")
-    assert (said.code, said.out) == (2, "")
-    assert re.search(pattern, one_line(said.err)), said.err
+    said = contourlab("run", "bad.ngc", *ON_XYZ, "--out", "results").refusal
+    assert re.search(pattern, one_line(said)), said
     assert [path.name for path in tmp_path.iterdir()] == ["bad.ngc"]
 
 
@@ -115,9 +113,8 @@ def test_wrong_names_are_one_line_and_2(contourlab: Run, tmp_path: Path, words: 
     (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
     (tmp_path / "part.ngc").write_text(PART, encoding="utf-8")
     (tmp_path / "empty.py").write_text("import math\n", encoding="utf-8")
-    said = contourlab("run", *words, "--out", "results")
-    assert (said.code, said.out) == (2, "")
-    assert re.search(pattern, one_line(said.err)), said.err
+    said = contourlab("run", *words, "--out", "results").refusal
+    assert re.search(pattern, one_line(said)), said
     assert not (tmp_path / "results").exists()
 
 
@@ -133,9 +130,7 @@ def test_wrong_names_are_one_line_and_2(contourlab: Run, tmp_path: Path, words: 
     ],
 )
 def test_wrong_usage_says_where_help_is(contourlab: Run, tmp_path: Path, words: list[str], wrong: str) -> None:
-    said = contourlab(*words)
-    assert (said.code, said.out) == (2, "")
-    message, advice = said.err.splitlines()
+    message, advice = contourlab(*words).refusal.splitlines()
     assert wrong in message
     assert re.fullmatch(r"Try 'contourlab( run| demo)? --help'\.", advice)
     assert not any(tmp_path.iterdir())
@@ -145,9 +140,7 @@ def test_wrong_usage_says_where_help_is(contourlab: Run, tmp_path: Path, words: 
 def test_an_invalid_output_folder_is_found_before_the_run(contourlab: Run, tmp_path: Path, out: str) -> None:
     (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
     (tmp_path / "file").write_text("the user's", encoding="utf-8")
-    said = contourlab("run", "circle.toml", "--out", out)
-    assert (said.code, said.out) == (2, "")
-    assert re.search(rf"{re.escape(str(Path(out)))}: .*--out", one_line(said.err))
+    assert re.search(rf"{re.escape(str(Path(out)))}: .*--out", one_line(contourlab("run", "circle.toml", "--out", out).refusal))
     assert (tmp_path / "file").read_text(encoding="utf-8") == "the user's"
 
 
@@ -155,9 +148,7 @@ def test_an_invalid_output_folder_is_found_before_the_run(contourlab: Run, tmp_p
 @pytest.mark.skipif(not Path("/proc/self").exists(), reason="no file system here that is read-only for every user")
 def test_a_file_system_that_refuses_files_is_2(contourlab: Run, tmp_path: Path) -> None:
     (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
-    said = contourlab("run", "circle.toml", "--out", "/proc/self/results")
-    assert (said.code, said.out) == (2, "")
-    assert "/proc/self/results: " in one_line(said.err)
+    assert "/proc/self/results: " in one_line(contourlab("run", "circle.toml", "--out", "/proc/self/results").refusal)
 
 
 @pytest.mark.skipif(os.name == "nt" or not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may write anywhere")

@@ -9,25 +9,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from typed_commands import Run, Said, contents
-
-from contourlab.cli.main import main
+from typed_commands import Run, contents
 
 TURN = 2.0 * math.pi
 PITCH = 20e-6
 OFFSETS, RATIO, PHASE = (0.03, -0.02), 1.08, 0.06
-
-
-@pytest.fixture
-def typed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Run:
-    """The command in this process, which saves the second that another one takes to start."""
-    monkeypatch.chdir(tmp_path)
-
-    def run(*words: str | Path, **how: object) -> Said:
-        code = main([str(word) for word in words])
-        return Said(code, *capsys.readouterr())
-
-    return run
 
 
 def motion(n: int = 8000) -> np.ndarray:
@@ -56,9 +42,8 @@ def record(tmp_path: Path) -> Path:
 
 
 def test_constants_errors_and_counts(contourlab: Run, record: Path, tmp_path: Path) -> None:
-    said = contourlab("interpolate", "signals.csv", "--pitch", "20um", "--resolution", "25nm", "--out", "found", "--json")
-    assert (said.code, said.err) == (0, "")
-    found = json.loads(said.out)
+    said = contourlab("interpolate", "signals.csv", "--pitch", "20um", "--resolution", "25nm", "--out", "found", "--json").answer
+    found = json.loads(said)
     constants = found["constants"]
     assert [constants["offset_1"], constants["offset_2"]] == pytest.approx(OFFSETS, abs=1e-10)
     assert (constants["ratio"], constants["phase_error"], constants["amplitude"]) == pytest.approx((RATIO, PHASE, 0.5), abs=1e-10)
@@ -82,20 +67,17 @@ def test_constants_errors_and_counts(contourlab: Run, record: Path, tmp_path: Pa
 
 def test_words_for_people_and_nothing_written_without_out(contourlab: Run, record: Path, tmp_path: Path) -> None:
     before = contents(tmp_path)
-    said = contourlab("interpolate", "signals.csv", "--pitch", "20 um", "--resolution", "25 nm")
-    assert (said.code, said.err) == (0, "")
-    assert re.search(r"offsets\s+0\.03 and -0\.02 V", said.out)
-    assert re.search(r"error before\s+36\d\.?\d* nm peak", said.out)
-    assert "CL450" not in said.out
+    said = contourlab("interpolate", "signals.csv", "--pitch", "20 um", "--resolution", "25 nm").answer
+    assert re.search(r"offsets\s+0\.03 and -0\.02 V", said)
+    assert re.search(r"error before\s+36\d\.?\d* nm peak", said)
+    assert "CL450" not in said
     assert contents(tmp_path) == before
 
 
 def test_the_recursive_fit_under_noise_without_a_reference(contourlab: Run, tmp_path: Path) -> None:
     x = 400.0 * PITCH * np.sin(np.linspace(0.0, 2.3 * math.pi, 40_000))
     write(tmp_path / "signals.csv", "sin,cos", *signals(x, 0.002)[::-1])
-    said = contourlab("interpolate", "signals.csv", "--forgetting", "0.998", "--json")
-    assert (said.code, said.err) == (0, "")
-    found = json.loads(said.out)
+    found = json.loads(contourlab("interpolate", "signals.csv", "--forgetting", "0.998", "--json").answer)
     assert found["columns"] == ["cos", "sin"]
     assert found["method"] == "recursive" and found["updates"] > 1000
     constants = found["constants"]
@@ -117,14 +99,12 @@ def test_the_recursive_fit_under_noise_without_a_reference(contourlab: Run, tmp_
     ],
     ids=["decimal commas", "blanks", "quoted", "columns by number"],
 )
-def test_files_come_in_many_forms(typed: Run, tmp_path: Path, text: str, options: list[str]) -> None:
+def test_files_come_in_many_forms(contourlab: Run, tmp_path: Path, text: str, options: list[str]) -> None:
     rows = [text.format(a, b, i) for i, (a, b) in enumerate(zip(*signals(motion(2000)), strict=True))]
     if ";" in text:
         rows = [row.replace(".", ",") for row in rows]
     (tmp_path / "signals.csv").write_text("# recorded on the bench\n\n" + "\r\n".join(rows) + "\n", encoding="utf-8")
-    said = typed("interpolate", "signals.csv", *options, "--json")
-    assert (said.code, said.err) == (0, "")
-    constants = json.loads(said.out)["constants"]
+    constants = json.loads(contourlab("interpolate", "signals.csv", *options, "--json").answer)["constants"]
     assert (constants["offset_1"], constants["ratio"]) == pytest.approx((OFFSETS[0], RATIO), abs=1e-7)
 
 
@@ -171,12 +151,11 @@ FAULTS = {
 
 
 @pytest.mark.parametrize("name", FAULTS)
-def test_a_bad_file_is_2_with_its_place(typed: Run, tmp_path: Path, name: str) -> None:
+def test_a_bad_file_is_2_with_its_place(contourlab: Run, tmp_path: Path, name: str) -> None:
     text, words = FAULTS[name]
     (tmp_path / "bad.csv").write_text(text, encoding="utf-8")
-    said = typed("interpolate", "bad.csv", "--out", "found")
-    assert (said.code, said.out) == (2, "")
-    assert re.fullmatch(rf"contourlab: .*{words}.*\n", said.err), said.err
+    said = contourlab("interpolate", "bad.csv", "--out", "found").refusal
+    assert re.fullmatch(rf"contourlab: .*{words}.*\n", said), said
     assert [path.name for path in tmp_path.iterdir()] == ["bad.csv"]
 
 
@@ -195,24 +174,20 @@ def test_a_bad_file_is_2_with_its_place(typed: Run, tmp_path: Path, name: str) -
         (["--out", "signals.csv/x"], "signals.csv/x"),
     ],
 )
-def test_wrong_options_are_2_and_nothing_is_written(typed: Run, record: Path, tmp_path: Path, options: list[str], words: str) -> None:
+def test_wrong_options_are_2_and_nothing_is_written(contourlab: Run, record: Path, tmp_path: Path, options: list[str], words: str) -> None:
     before = contents(tmp_path)
-    said = typed("interpolate", "signals.csv", "--out", "found", *options)
-    assert (said.code, said.out) == (2, "")
-    assert words in said.err
+    assert words in contourlab("interpolate", "signals.csv", "--out", "found", *options).refusal
     assert contents(tmp_path) == before
 
 
 def test_a_file_that_is_not_there(contourlab: Run) -> None:
-    said = contourlab("interpolate", "none.csv")
-    assert (said.code, said.out) == (2, "")
-    assert said.err.startswith("contourlab: none.csv: ") and said.err.count("\n") == 1
+    said = contourlab("interpolate", "none.csv").refusal
+    assert said.startswith("contourlab: none.csv: ") and said.count("\n") == 1
 
 
 @pytest.mark.slow
 def test_a_million_samples(contourlab: Run, tmp_path: Path) -> None:
     x = motion(1_000_000)
     write(tmp_path / "signals.csv", "u1,u2", *signals(x, 0.002))
-    said = contourlab("interpolate", "signals.csv", "--forgetting", "0.9995", "--out", "found", "--json")
-    assert (said.code, said.err) == (0, "")
-    assert json.loads(said.out)["n_sample"] == 1_000_000
+    said = contourlab("interpolate", "signals.csv", "--forgetting", "0.9995", "--out", "found", "--json").answer
+    assert json.loads(said)["n_sample"] == 1_000_000

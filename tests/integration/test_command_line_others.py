@@ -34,10 +34,9 @@ TYPED = "\n".join(["x, y", "", "x on y", *TYPED_X, *TYPED_Y, ""])
 
 
 def test_help_names_every_command_and_what_it_does(contourlab: Run) -> None:
-    said = contourlab("--help")
-    assert (said.code, said.err) == (0, "")
+    said = contourlab("--help").answer
     for command in ("demo", "run", "components", "reproduce", "new"):
-        (line,) = (line for line in said.out.splitlines() if line.startswith(f"│ {command} "))
+        (line,) = (line for line in said.splitlines() if line.startswith(f"│ {command} "))
         assert len(line.strip("│ ").removeprefix(command).split()) > 2
 
 
@@ -71,24 +70,20 @@ def test_help_takes_less_than_half_a_second(contourlab: Run) -> None:
 
 
 def test_components_lists_each_family_and_describes_one(contourlab: Run) -> None:
-    said = contourlab("components", "--json")
-    assert (said.code, said.err) == (0, "")
-    kinds = {(entry["family"], entry["kind"]): entry for entry in json.loads(said.out)}
+    kinds = {(entry["family"], entry["kind"]): entry for entry in json.loads(contourlab("components", "--json").answer)}
     assert {family for family, _ in kinds} == set(FAMILIES)
-    said = contourlab("components", "lugre")
-    assert (said.code, said.err) == (0, "")
+    said = contourlab("components", "lugre").answer
     for parameter in kinds["friction", "lugre"]["parameters"]:
-        assert parameter["name"] in said.out
-        assert parameter["doc"].split()[0] in said.out
-    assert "friction/coulomb" not in said.out
+        assert parameter["name"] in said
+        assert parameter["doc"].split()[0] in said
+    assert "friction/coulomb" not in said
 
 
 def test_an_unknown_component_is_exit_code_2_and_lists_the_known_ones(contourlab: Run) -> None:
-    said = contourlab("components", "lugree")
-    assert (said.code, said.out) == (2, "")
-    assert said.err.count("\n") == 1
-    assert "'lugree'" in said.err
-    assert "'lugre'" in said.err
+    said = contourlab("components", "lugree").refusal
+    assert said.count("\n") == 1
+    assert "'lugree'" in said
+    assert "'lugre'" in said
 
 
 def test_typed_answers_give_a_machine_that_runs_at_once(contourlab: Run, tmp_path: Path) -> None:
@@ -127,10 +122,9 @@ def test_a_new_machine_overwrites_nothing_unasked(contourlab: Run, tmp_path: Pat
     (tmp_path / "mill").mkdir()
     (tmp_path / "mill" / "axis-x.toml").write_text("mine", encoding="utf-8")
     words = ["new", "machine", "--out", "mill", "--answers", "answers.toml"]
-    said = contourlab(*words)
-    assert (said.code, said.out) == (2, "")
-    assert "axis-x.toml" in said.err
-    assert "--force" in said.err
+    said = contourlab(*words).refusal
+    assert "axis-x.toml" in said
+    assert "--force" in said
     assert contents(tmp_path / "mill").keys() == {"axis-x.toml"}
     assert contourlab(*words, "--force").code == 0
     assert len(contents(tmp_path / "mill")) == 6
@@ -138,9 +132,8 @@ def test_a_new_machine_overwrites_nothing_unasked(contourlab: Run, tmp_path: Pat
 
 def test_a_new_machine_does_not_write_over_its_answers(contourlab: Run, tmp_path: Path) -> None:
     (tmp_path / "controller.toml").write_text(ANSWERS, encoding="utf-8")
-    said = contourlab("new", "machine", "--out", ".", "--answers", "controller.toml", "--force")
-    assert (said.code, said.out) == (2, "")
-    assert "controller.toml" in said.err and said.err.count("\n") == 1
+    said = contourlab("new", "machine", "--out", ".", "--answers", "controller.toml", "--force").refusal
+    assert "controller.toml" in said and said.count("\n") == 1
     assert (tmp_path / "controller.toml").read_text(encoding="utf-8") == ANSWERS
     assert len(contents(tmp_path)) == 1
 
@@ -162,17 +155,15 @@ SLOW = pytest.mark.slow
 def test_impossible_answers_are_one_line(contourlab: Run, tmp_path: Path, before: str, after: str, key: str) -> None:
     assert before in ANSWERS
     (tmp_path / "answers.toml").write_text(ANSWERS.replace(before, after, 1), encoding="utf-8")
-    said = contourlab("new", "machine", "--out", "mill", "--answers", "answers.toml")
-    assert (said.code, said.out) == (2, "")
-    assert said.err.startswith(f"contourlab: answers.toml: {key}: ")
-    assert said.err.count("\n") == 1
+    said = contourlab("new", "machine", "--out", "mill", "--answers", "answers.toml").refusal
+    assert said.startswith(f"contourlab: answers.toml: {key}: ")
+    assert said.count("\n") == 1
     assert not (tmp_path / "mill").exists()
 
 
 def test_answers_that_end_early_are_2_and_write_nothing(contourlab: Run, tmp_path: Path) -> None:
-    said = contourlab("new", "machine", "--out", "mill", typed="\n".join(TYPED.splitlines()[:8]))
-    assert (said.code, said.out) == (2, "")
-    assert "standard input: x.lead: " in said.err.splitlines()[-1]
+    said = contourlab("new", "machine", "--out", "mill", typed="\n".join(TYPED.splitlines()[:8])).refusal
+    assert "standard input: x.lead: " in said.splitlines()[-1]
     assert not any(tmp_path.iterdir())
 
 

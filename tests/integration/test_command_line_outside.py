@@ -6,7 +6,6 @@ import json
 import os
 import re
 import select
-import shutil
 import signal
 import subprocess
 import time
@@ -14,20 +13,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from typed_commands import CIRCLE, COMMAND, ON_XYZ, PART, Finished, Run, contents, environment
+from typed_commands import CIRCLE, COMMAND, ON_XYZ, PART, POSIX, Finished, Run, contents, environment
 
 from contourlab.result import Result
 
-POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, pipes and limits of a POSIX system")
 ESCAPE = "\x1b"
-
-
-@pytest.fixture
-def old_results(circle: Finished, tmp_path: Path) -> Path:
-    """A folder with the results of an older run."""
-    folder = tmp_path / "results"
-    shutil.copytree(circle.folder, folder)
-    return folder
 
 
 def read_until_closed(handle: int, knock: Callable[[], None], patience: float = 60.0) -> str:
@@ -150,9 +140,7 @@ def test_names_may_have_spaces_and_letters_of_any_script(contourlab: Run, tmp_pa
     place = tmp_path / "Fräs teile Ω"
     place.mkdir()
     (place / "część 1.ngc").write_text("(größer)\n" + PART.replace("%\n", ""), encoding="utf-8")
-    said = contourlab("run", place / "część 1.ngc", *ON_XYZ, "--out", "Ergebnis für 部品", "--json")
-    assert (said.code, said.err) == (0, "")
-    found = json.loads(said.out)
+    found = json.loads(contourlab("run", place / "część 1.ngc", *ON_XYZ, "--out", "Ergebnis für 部品", "--json").answer)
     assert found["name"] == "część 1"
     page = (tmp_path / "Ergebnis für 部品" / "report.html").read_text(encoding="utf-8")
     assert "część 1" in page

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from typed_commands import contents
+from typed_commands import AsJson, Refused, contents
 
 from contourlab.app.results import staged
 from contourlab.cli.main import main
@@ -90,11 +90,10 @@ def parameters(found: dict[str, Any]) -> dict[str, dict[str, Any]]:
     return {one["sought"]["label"]: one for one in found["result"]["parameters"]}
 
 
-def test_a_machine_comes_out_of_a_log(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_machine_comes_out_of_a_log(scene: Path, tmp_path: Path, as_json: AsJson) -> None:
     out = tmp_path / "machine.toml"
-    more = ["--write", str(out), "--json", "--plots", "svg", "--out", str(tmp_path / "seen"), "--validation", str(scene / "log.csv")]
-    assert main(words(scene, *more)) == 0
-    found = json.loads(capsys.readouterr().out)
+    more = ["--write", str(out), "--plots", "svg", "--out", str(tmp_path / "seen"), "--validation", str(scene / "log.csv")]
+    found = as_json(*words(scene, *more))
     for axis in "xy":
         for name, true in (("plant.damping", 300.0), ("friction.coulomb", 40.0)):
             figure = parameters(found)[f"axes.{axis}.{name}"]
@@ -125,17 +124,15 @@ def odd(scene: Path, tmp_path: Path) -> str:
     return str(tmp_path / "odd.csv")
 
 
-def test_a_fit_that_holds_only_in_its_window_is_reported(scene: Path, odd: str, capsys: pytest.CaptureFixture[str]) -> None:
-    typed = [odd if word == str(scene / "log.csv") else word for word in words(scene, "--json")]
-    assert main([*typed, "--window", "0 s..1.15 s", "--validation", odd]) == 0
-    found = json.loads(capsys.readouterr().out)
+def test_a_fit_that_holds_only_in_its_window_is_reported(scene: Path, odd: str, as_json: AsJson) -> None:
+    typed = [odd if word == str(scene / "log.csv") else word for word in words(scene)]
+    found = as_json(*typed, "--window", "0 s..1.15 s", "--validation", odd)
     before, after = ({row["axis"]: row["rms"] for row in found["result"][key]} for key in ("unseen_before", "unseen"))
     assert after["y"] > 1.01 * before["y"]
     assert all((("CL559", f"odd, position of {axis}") in codes(found)) == (after[axis] > 1.01 * before[axis]) for axis in "xy")
     assert "CL560" in {code for code, _ in codes(found)}
     # A log made with the same values is followed better outside the window too.
-    assert main([*words(scene, "--json"), "--window", "0 s..1.15 s"]) == 0
-    assert not {"CL559", "CL560"} & {code for code, _ in codes(json.loads(capsys.readouterr().out))}
+    assert not {"CL559", "CL560"} & {code for code, _ in codes(as_json(*words(scene), "--window", "0 s..1.15 s"))}
 
 
 def test_the_window_is_shaded_in_the_pictures(scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -183,9 +180,8 @@ def test_controllers_that_were_refined_get_files_of_their_own(scene: Path, tmp_p
         (NAMES, ["--validation", "nowhere.csv"], "nowhere.csv"),
     ],
 )
-def test_bad_options_are_refused(scene: Path, capsys: pytest.CaptureFixture[str], names: list[str], more: list[str], said: str) -> None:
-    assert main(words(scene, *more, names=names)) == 2
-    error = capsys.readouterr().err
+def test_bad_options_are_refused(scene: Path, refused: Refused, names: list[str], more: list[str], said: str) -> None:
+    error = refused(*words(scene, *more, names=names))
     assert said in error and "Traceback" not in error
 
 
@@ -197,10 +193,9 @@ def test_an_invalid_folder_is_refused_before_the_work(scene: Path, tmp_path: Pat
         pass
 
 
-def test_parameters_refined_together_have_correlations(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_parameters_refined_together_have_correlations(scene: Path, tmp_path: Path, as_json: AsJson) -> None:
     out = tmp_path / "machine.toml"
-    assert main(words(scene, "--write", str(out), "--json")) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = as_json(*words(scene, "--write", str(out)))
     names = found["result"]["correlation_of"]
     for axis in load_machine(out).axes:
         ((one, other, value),) = axis.correlations
@@ -209,15 +204,14 @@ def test_parameters_refined_together_have_correlations(scene: Path, tmp_path: Pa
         assert value == pytest.approx(found["result"]["correlation"][i][j], abs=1e-4) and value < -0.3
 
 
-def test_parameters_of_two_axes_have_correlations(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_parameters_of_two_axes_have_correlations(scene: Path, tmp_path: Path, as_json: AsJson, capsys: pytest.CaptureFixture[str]) -> None:
     """Under a cross-coupled controller each axis responds to the other: the machine's file has the correlations between axes."""
     coupled = tmp_path / "coupled.toml"
     text = (scene / "guess-circle.toml").read_text().replace('"guess.toml"', f'"{scene / "guess.toml"}"')
     coupled.write_text(text + '[controller.estimator]\nkind = "newton"\n[controller.coupling]\nkind = "cross-coupled"\ngain = "1 A/mm"\n')
     out = tmp_path / "machine.toml"
-    typed = [str(coupled) if word == str(scene / "guess-circle.toml") else word for word in words(scene, "--write", str(out), "--json")]
-    assert main(typed) in (0, 1)
-    found = json.loads(capsys.readouterr().out)
+    typed = [str(coupled) if word == str(scene / "guess-circle.toml") else word for word in words(scene, "--write", str(out))]
+    found = as_json(*typed, code=(0, 1))
     assert found["result"]["usable"]
     names = found["result"]["correlation_of"]
     machine = load_machine(out)
@@ -256,7 +250,7 @@ def test_old_correlations_are_kept_only_if_both_parameters_are(scene: Path, tmp_
 
 
 @pytest.mark.slow
-def test_a_log_in_a_wrong_unit_makes_no_machine(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_log_in_a_wrong_unit_makes_no_machine(scene: Path, tmp_path: Path, refused: Refused, capsys: pytest.CaptureFixture[str]) -> None:
     """Positions a tenth too small put the only parameter at its bound: unusable. Positions a thousand times too small are refused."""
     lines = [line.split(",") for line in (scene / "log.csv").read_text().splitlines()]
     small = [",".join([*cells[:3], *(f"{0.9 * float(cell):.6f}" for cell in cells[3:])]) for cells in lines[1:]]
@@ -266,54 +260,48 @@ def test_a_log_in_a_wrong_unit_makes_no_machine(scene: Path, tmp_path: Path, cap
     found = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
     assert parameters(found)["axes.x.plant.mass"]["at_bound"] and not found["result"]["usable"] and not out.exists()
     (tmp_path / "log.csv").write_text((scene / "log.csv").read_text().replace("pos [mm]", "pos [um]"))
-    assert main([str(tmp_path / "log.csv") if word == str(scene / "log.csv") else word for word in given]) == 2
-    said = capsys.readouterr().err
-    assert "log.csv: " in said and said.count("\n") == 1
+    assert "log.csv: " in refused(*[str(tmp_path / "log.csv") if word == str(scene / "log.csv") else word for word in given])
 
 
 @pytest.mark.slow
-def test_missing_samples_are_reported(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_missing_samples_are_reported(scene: Path, tmp_path: Path, as_json: AsJson) -> None:
     lines = (scene / "log.csv").read_text().splitlines()
     thin = tmp_path / "thin.csv"
     thin.write_text("\n".join(lines[:400] + lines[404:]) + "\n")
-    typed = [str(thin) if word == str(scene / "log.csv") else word for word in words(scene, "--json", names=NAMES[:1])]
-    assert main(typed) in (0, 1)
-    doubts = [one["text"] for one in json.loads(capsys.readouterr().out)["findings"] if one["code"] == "CL427"]
+    typed = [str(thin) if word == str(scene / "log.csv") else word for word in words(scene, names=NAMES[:1])]
+    doubts = [one["text"] for one in as_json(*typed, code=(0, 1))["findings"] if one["code"] == "CL427"]
     assert any("thin" in text and "4 of" in text for text in doubts)
 
 
-def test_logs_are_named_by_folder_and_equal_columns_are_reported(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_logs_are_named_by_folder_and_equal_columns_are_reported(scene: Path, tmp_path: Path, as_json: AsJson) -> None:
     for folder in ("first", "second"):
         (tmp_path / folder).mkdir()
         shutil.copyfile(scene / "log.csv", tmp_path / folder / "log.csv")
-    typed = [str(tmp_path / "first" / "log.csv") if word == str(scene / "log.csv") else word for word in words(scene, "--json")]
-    assert main([*typed, "--log", str(tmp_path / "second" / "log.csv")]) == 0
-    assert {row["run"] for row in json.loads(capsys.readouterr().out)["result"]["after"]} == {"first-log", "second-log"}
+    typed = [str(tmp_path / "first" / "log.csv") if word == str(scene / "log.csv") else word for word in words(scene)]
+    found = as_json(*typed, "--log", tmp_path / "second" / "log.csv")
+    assert {row["run"] for row in found["result"]["after"]} == {"first-log", "second-log"}
     columns = (scene / "columns.toml").read_text().replace('"y pos"', '"y ref"')
     (tmp_path / "same.toml").write_text(columns)
-    main([str(tmp_path / "same.toml") if word == str(scene / "columns.toml") else word for word in words(scene, "--json")])
-    found = json.loads(capsys.readouterr().out)
+    typed = [str(tmp_path / "same.toml") if word == str(scene / "columns.toml") else word for word in words(scene)]
+    found = as_json(*typed, code=(0, 1))
     assert "CL404" in {code for code, _ in codes(found)}
 
 
 @pytest.mark.parametrize("option", ["--write", "--out"])
 def test_an_unwritable_target_is_refused_before_refining(
-    scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], option: str
+    scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, refused: Refused, option: str
 ) -> None:
     from contourlab.features.refine import command as refine
 
     (tmp_path / "taken").mkdir()
     (tmp_path / "file").write_text("")
     monkeypatch.setattr(refine, "refine", lambda *args, **more: pytest.fail("refined"))
-    assert main(words(scene, "--plots", "png", option, str(tmp_path / {"--write": "taken", "--out": "file"}[option]))) == 2
-    assert option in capsys.readouterr().err
+    assert option in refused(*words(scene, "--plots", "png", option, str(tmp_path / {"--write": "taken", "--out": "file"}[option])))
     assert sorted(file.name for file in tmp_path.iterdir()) == ["file", "taken"]
 
 
 @pytest.mark.parametrize("name", ["guess-circle.toml", "guess.toml", "log.csv", "columns.toml", "second.csv"])
-def test_input_files_are_not_overwritten(
-    scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], name: str
-) -> None:
+def test_input_files_are_not_overwritten(scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, refused: Refused, name: str) -> None:
     from contourlab.features.refine import command as refine
 
     copy = tmp_path / "scene"
@@ -322,14 +310,13 @@ def test_input_files_are_not_overwritten(
     before = contents(copy)
     assert name in before
     monkeypatch.setattr(refine, "refine", lambda *args, **more: pytest.fail("refined"))
-    assert main(words(copy, "--validation", str(copy / "second.csv"), "--write", str(copy / name))) == 2
-    said = capsys.readouterr().err
-    assert str(copy / name) in said and "--write" in said and said.count("\n") == 1
+    said = refused(*words(copy, "--validation", str(copy / "second.csv"), "--write", str(copy / name)))
+    assert str(copy / name) in said and "--write" in said
     assert contents(copy) == before
 
 
 @pytest.mark.slow
-def test_several_logs_are_left_out_in_turn(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_several_logs_are_left_out_in_turn(scene: Path, tmp_path: Path, as_json: AsJson, capsys: pytest.CaptureFixture[str]) -> None:
     """A second log with other friction: the table, the JSON and the file state how far a new run may be from its simulation."""
     from contourlab.loop import simulate
 
@@ -340,8 +327,7 @@ def test_several_logs_are_left_out_in_turn(scene: Path, tmp_path: Path, capsys: 
     (tmp_path / "other.csv").write_text(head + "\n" + "\n".join(",".join(f"{v:.6f}" for v in row) for row in rows))
     out = tmp_path / "machine.toml"
     typed = words(scene, "--log", str(tmp_path / "other.csv"), "--write", str(out))
-    assert main([*typed, "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = as_json(*typed)
     crossed = found["cross_validation"]
     assert [one["run"] for one in crossed["held_out"]] == ["log", "other"] and crossed["level"] == 2.0 / 3.0
     (stated,) = (one["values"] for one in found["findings"] if one["code"] == "CL566")
@@ -350,6 +336,5 @@ def test_several_logs_are_left_out_in_turn(scene: Path, tmp_path: Path, capsys: 
     assert parameters(found)["axes.x.friction.coulomb"]["deviation"] == pytest.approx(4.0, rel=0.1)
     assert 'deviation = "4' in out.read_text()
     assert main(typed) == 0 and "\nleft out  " in capsys.readouterr().out
-    assert main(words(scene, "--json")) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = as_json(*words(scene))
     assert found["cross_validation"] is None and "CL567" in {code for code, _ in codes(found)}

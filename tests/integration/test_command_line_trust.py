@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from typed_commands import AsJson, Refused
 
 from contourlab.cli.main import main
 from contourlab.result import Result
@@ -145,13 +146,12 @@ def test_the_interval_is_printed_and_can_be_left_out(tmp_path: Path, capsys: pyt
 @pytest.mark.parametrize("words", [("compare", "run.toml"), ("learn", "run.toml", "--trials", "1")])
 @pytest.mark.slow
 def test_every_command_with_schemes_can_leave_the_interval_out(
-    words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, as_json: AsJson
 ) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "run.toml").write_text(RUN + LEARNING, encoding="utf-8")
     for option, known in (("--interval", True), ("--no-interval", False)):
-        assert main([*words, option, "--json"]) in (0, 1)
-        found = json.loads(capsys.readouterr().out)
+        found = as_json(*words, option, code=(0, 1))
         assert option in found["command"].split()
         assert all((scheme["trust"]["interval"] is not None) == known for scheme in found["schemes"].values())
 
@@ -164,9 +164,8 @@ def test_without_deviations_one_line_says_so(tmp_path: Path, capsys: pytest.Capt
 # --- the library ---------------------------------------------------------------------------------------------------------------------
 
 
-def test_every_shipped_file_is_listed_with_its_kind(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["machines", "--json"]) == 0
-    found = {one["name"]: one for one in json.loads(capsys.readouterr().out)}
+def test_every_shipped_file_is_listed_with_its_kind(as_json: AsJson, capsys: pytest.CaptureFixture[str]) -> None:
+    found = {one["name"]: one for one in as_json("machines")}
     assert set(found) == set(builtin_names())
     assert all(one["about"] for one in found.values())
     assert found["emps/axis"]["kind"] == "axis" and found["emps/axis"]["references"][0] == "DATA_EMPS.mat"
@@ -178,24 +177,23 @@ def test_every_shipped_file_is_listed_with_its_kind(capsys: pytest.CaptureFixtur
     assert "ghaffari/axis1" in capsys.readouterr().out
 
 
-def test_a_shipped_file_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_shipped_file_is_shown(refused: Refused, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["machines", "emps/axis"]) == 0
     said = capsys.readouterr().out
     assert "plant.mass" in said and "0.244 (0.26 %)" in said and "4 fitted" in said
     assert main(["machines", "ghaffari/calibrated"]) == 0
     assert "modified-reference" in capsys.readouterr().out
-    assert main(["machines", "emps/axes"]) == 2
-    assert "'emps/axis'" in capsys.readouterr().err
+    assert "'emps/axis'" in refused("machines", "emps/axes")
 
 
 @pytest.mark.parametrize("name", ["emps/there-and-back", "backlash/part", "gecer-ulu/contour"])
-def test_a_copy_of_a_shipped_file_runs(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["machines", name, "--copy", str(tmp_path), "--json"]) == 0
-    first = json.loads(capsys.readouterr().out)[0]
+def test_a_copy_of_a_shipped_file_runs(
+    name: str, tmp_path: Path, as_json: AsJson, refused: Refused, capsys: pytest.CaptureFixture[str]
+) -> None:
+    first = as_json("machines", name, "--copy", tmp_path)[0]
     assert main(["run", first, "--check"]) == 0
     capsys.readouterr()
-    assert main(["machines", name, "--copy", str(tmp_path)]) == 2
-    assert "already contains" in capsys.readouterr().err
+    assert "already contains" in refused("machines", name, "--copy", tmp_path)
     assert main(["machines", name, "--copy", str(tmp_path), "--force"]) == 0
     assert main(["machines", "--copy", str(tmp_path)]) == 2
 

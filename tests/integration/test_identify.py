@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from importlib.resources import files
 from pathlib import Path
@@ -11,6 +10,7 @@ from shutil import copytree
 import numpy as np
 import pytest
 from identified_logs import codes
+from typed_commands import AsJson, Refused
 
 from contourlab.cli.main import main
 from contourlab.scenario.load import load_axis
@@ -31,11 +31,10 @@ def written(folder: Path, seed: int = 0, sign: float = 1.0, seconds: float = 8.0
     return file
 
 
-def test_known_figures_are_found_and_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_known_figures_are_found_and_make_an_axis(tmp_path: Path, as_json: AsJson) -> None:
     words = ["identify", str(written(tmp_path)), "--column", "force.x=push", "--validation", str(written(tmp_path, 1))]
     out = tmp_path / "axis.toml"
-    assert main([*words, "--write", str(out), "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = as_json(*words, "--write", out)
     for name, true in (("M", MASS), ("Fv", VISCOUS), ("Fc", COULOMB), ("offset", OFFSET)):
         figure = found["parameters"][name]
         assert figure["value"] == pytest.approx(true, abs=4.0 * figure["robust_deviation"] + 0.01 * abs(true))
@@ -65,37 +64,29 @@ def test_the_table_shows_what_weakens_the_figures(tmp_path: Path, capsys: pytest
     ("column", "size", "written_as"), [("torque", 1.0, "N*m"), ("torque", 1e-3, "mN*m"), ("command", 1.0, "N*m"), ("command", 0.1, "N*dm")]
 )
 def test_a_torque_is_a_force_by_the_lead_for_every_model(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], column: str, size: float, written_as: str
+    tmp_path: Path, as_json: AsJson, refused: Refused, column: str, size: float, written_as: str
 ) -> None:
     arm, out = 0.01 / math.tau, tmp_path / "axis.toml"
     words = ["identify", str(written(tmp_path, seconds=4.0)), "--column", f"{column}.x=push [{written_as}]"]
-    assert main([*words, "--lead", "10 mm", "--write", str(out), "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)["parameters"]
+    found = as_json(*words, "--lead", "10 mm", "--write", out)["parameters"]
     assert found["M"]["value"] == pytest.approx(MASS * size / arm, rel=0.01) and found["M"]["unit"] == "kg"
     assert load_axis(out).plant.values()["force_constant"] == pytest.approx(1.0 / arm)
-    assert main([*words, "--gain", f"{1.0 / arm:.12g} N/(N*m)", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["parameters"]["M"]["value"] == pytest.approx(found["M"]["value"], rel=1e-8)
-    assert main([*words, "--lead", "10 mm", "--gain", "628 N/(N*m)"]) == 2
-    said = capsys.readouterr().err
-    assert "--lead" in said and "--gain" in said and said.count("\n") == 1
-    assert main([*words, "--model", "friction", "--lead", "10 mm", "--full-scale", "3 N*m"]) == 2
-    said = capsys.readouterr().err
-    assert "--full-scale" in said and said.count("\n") == 1
-    assert main(words) == 2
-    said = capsys.readouterr().err
-    assert "--lead" in said and said.count("\n") == 1
+    given = as_json(*words, "--gain", f"{1.0 / arm:.12g} N/(N*m)")["parameters"]
+    assert given["M"]["value"] == pytest.approx(found["M"]["value"], rel=1e-8)
+    said = refused(*words, "--lead", "10 mm", "--gain", "628 N/(N*m)")
+    assert "--lead" in said and "--gain" in said
+    assert "--full-scale" in refused(*words, "--model", "friction", "--lead", "10 mm", "--full-scale", "3 N*m")
+    assert "--lead" in refused(*words)
 
 
-def test_a_command_in_millivolts_is_in_volts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words = ["identify", str(written(tmp_path, seconds=4.0)), "--column", "command.x=push [mV]", "--gain", "2 N/mV", "--json"]
-    assert main(words) == 0
-    assert json.loads(capsys.readouterr().out)["parameters"]["M"]["value"] == pytest.approx(2.0 * MASS, rel=0.01)
-    assert main([*words[:4], "--gain", "2 N/A"]) == 2
-    said = capsys.readouterr().err
-    assert "--gain" in said and "N/V" in said and said.count("\n") == 1
+def test_a_command_in_millivolts_is_in_volts(tmp_path: Path, as_json: AsJson, refused: Refused) -> None:
+    words = ["identify", str(written(tmp_path, seconds=4.0)), "--column", "command.x=push [mV]", "--gain", "2 N/mV"]
+    assert as_json(*words)["parameters"]["M"]["value"] == pytest.approx(2.0 * MASS, rel=0.01)
+    said = refused(*words[:4], "--gain", "2 N/A")
+    assert "--gain" in said and "N/V" in said
 
 
-def test_the_measured_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_measured_axis(shared: Path, tmp_path: Path, as_json: AsJson) -> None:
     log = shared / "data" / "emps" / "DATA_EMPS.mat"
     words = [
         "--column",
@@ -107,8 +98,7 @@ def test_the_measured_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureF
         "--write",
         str(tmp_path / "axis.toml"),
     ]
-    assert main(["identify", str(log), *words, "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)["parameters"]
+    found = as_json("identify", log, *words)["parameters"]
     assert [found[name]["value"] for name in ("M", "Fv", "Fc", "offset")] == pytest.approx([95.11, 203.5, 20.39, -3.165], rel=2e-3)
     assert load_axis(tmp_path / "axis.toml").plant.values()["mass"] == pytest.approx(95.1, rel=1e-3)
 
@@ -156,21 +146,18 @@ def test_the_measured_axis_can_repeat_its_motion(
         ([], "no force, torque or command"),
     ],
 )
-def test_faults_are_refused_with_a_message(tmp_path: Path, capsys: pytest.CaptureFixture[str], words: list[str], said: str) -> None:
-    assert main(["identify", str(written(tmp_path, seconds=2.0)), *words, "--write", str(tmp_path / "axis.toml")]) == 2
-    assert said in capsys.readouterr().err
+def test_faults_are_refused_with_a_message(tmp_path: Path, refused: Refused, words: list[str], said: str) -> None:
+    assert said in refused("identify", written(tmp_path, seconds=2.0), *words, "--write", tmp_path / "axis.toml")
     assert not (tmp_path / "axis.toml").exists()
 
 
-def test_a_force_with_the_wrong_sign_is_no_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_force_with_the_wrong_sign_is_no_axis(tmp_path: Path, refused: Refused) -> None:
     log = written(tmp_path, sign=-1.0)
-    assert main(["identify", str(log), "--column", "force.x=push", "--write", str(tmp_path / "axis.toml")]) == 2
-    said = capsys.readouterr().err
-    assert "log-0.csv: M = -" in said and said.count("\n") == 1
+    assert "log-0.csv: M = -" in refused("identify", log, "--column", "force.x=push", "--write", tmp_path / "axis.toml")
     assert main(["identify", str(log), "--column", "force.x=-push", "--write", str(tmp_path / "axis.toml")]) == 0
 
 
-def test_samples_at_rest_are_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_samples_at_rest_are_left_out(tmp_path: Path, as_json: AsJson, refused: Refused) -> None:
     """The axis waits between moves under a force below its friction, where the sign of v means nothing."""
     time = np.arange(0.0, 8.0, 1e-3)
     waits = (time % 2.0) > 1.2
@@ -181,39 +168,36 @@ def test_samples_at_rest_are_left_out(tmp_path: Path, capsys: pytest.CaptureFixt
     rows = np.column_stack([time, 1e3 * place, force])
     file = tmp_path / "waits.csv"
     file.write_text("time [s],x pos [mm],push [N]\n" + "\n".join(f"{t:.3f},{p:.7f},{f:.6f}" for t, p, f in rows))
-    words = ["identify", str(file), "--column", "force.x=push", "--json"]
-    found = [(main([*words, *more]), json.loads(capsys.readouterr().out))[1] for more in ([], ["--slowest", "5 mm/s"])]
+    words = ["identify", str(file), "--column", "force.x=push"]
+    found = [as_json(*words, *more, code=(0, 1)) for more in ([], ["--slowest", "5 mm/s"])]
     assert "CL536" in codes(found[0])
     assert "CL536" not in codes(found[1])
     off = [abs(one["parameters"]["Fc"]["value"] - COULOMB) for one in found]
     assert off[1] < off[0] and off[1] < 0.02 * COULOMB
     assert found[1]["fit_percent"] > found[0]["fit_percent"]
-    assert main([*words, "--slowest", "fast"]) == 2
-    assert "--slowest" in capsys.readouterr().err
+    assert "--slowest" in refused(*words, "--slowest", "fast")
 
 
-def test_validation_with_the_same_samples_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_validation_with_the_same_samples_is_reported(tmp_path: Path, as_json: AsJson) -> None:
     log = written(tmp_path)
     again = tmp_path / "again.csv"
     again.write_bytes(log.read_bytes())
     for second, same in ((log, True), (again, True), (written(tmp_path, 1), False)):
-        assert main(["identify", str(log), "--column", "force.x=push", "--validation", str(second), "--json"]) == 0
-        assert ("CL516" in codes(json.loads(capsys.readouterr().out))) == same
+        assert ("CL516" in codes(as_json("identify", log, "--column", "force.x=push", "--validation", second))) == same
 
 
 @pytest.mark.slow
-def test_the_reference_in_place_of_the_position_makes_no_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_reference_in_place_of_the_position_makes_no_axis(shared: Path, tmp_path: Path, as_json: AsJson) -> None:
     log, out = shared / "data" / "emps" / "DATA_EMPS.mat", tmp_path / "axis.toml"
-    words = ["identify", str(log), "--column", "position.x=qg [m]", "--column", "command.x=vir [V]", "--gain", "35 N/V", "--json"]
-    assert main([*words, "--write", str(out)]) == 1 and not out.exists()
-    found = json.loads(capsys.readouterr().out)
+    words = ["identify", str(log), "--column", "position.x=qg [m]", "--column", "command.x=vir [V]", "--gain", "35 N/V"]
+    found = as_json(*words, "--write", out, code=1)
+    assert not out.exists()
     assert 60.0 < found["fit_percent"] < 75.0
     assert "CL533" in codes(found)
-    assert main([*words, "--column", "reference.x=qg [m]"]) == 1
-    assert "CL404" in codes(json.loads(capsys.readouterr().out))
+    assert "CL404" in codes(as_json(*words, "--column", "reference.x=qg [m]", code=1))
 
 
-def test_a_fit_below_ninety_percent_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_fit_below_ninety_percent_is_reported(tmp_path: Path, as_json: AsJson) -> None:
     """A force ripple that is not friction: a fit of 80 to 90 % is reported, and usable."""
     lines = written(tmp_path).read_text().splitlines()
     rows = np.array([[float(cell) for cell in line.split(",")] for line in lines[1:]])
@@ -221,19 +205,17 @@ def test_a_fit_below_ninety_percent_is_reported(tmp_path: Path, capsys: pytest.C
     rows[:, 2] += 0.24 * size * np.sin(2.0 * np.pi * rows[:, 1] / 3.0)
     log = tmp_path / "ripple.csv"
     np.savetxt(log, rows, delimiter=",", header=lines[0], comments="", fmt="%.6f")
-    assert main(["identify", str(log), "--column", "force.x=push", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = as_json("identify", log, "--column", "force.x=push")
     assert 80.0 < found["fit_percent"] < 90.0 and "CL533" in codes(found)
 
 
 @pytest.mark.parametrize("option", ["--write", "--out"])
-def test_an_unwritable_target_is_refused_before_a_log_is_read(tmp_path: Path, capsys: pytest.CaptureFixture[str], option: str) -> None:
+def test_an_unwritable_target_is_refused_before_a_log_is_read(tmp_path: Path, refused: Refused, option: str) -> None:
     (tmp_path / "taken").mkdir()
     (tmp_path / "file").write_text("")
     bad = {"--write": [str(tmp_path / "taken"), str(tmp_path / "file" / "axis.toml")], "--out": [str(tmp_path / "file")]}
     for place in bad[option]:
-        assert main(["identify", str(tmp_path / "no-log.csv"), "--plots", "png", option, place]) == 2
-        error = capsys.readouterr().err
+        error = refused("identify", tmp_path / "no-log.csv", "--plots", "png", option, place)
         assert option in error and "no-log" not in error
     assert sorted(file.name for file in tmp_path.iterdir()) == ["file", "taken"]
 
@@ -249,13 +231,9 @@ def test_folders_above_the_file_are_made_where_it_is_written(
     assert out.is_file() == (tmp_path / "new").exists() == (code == 0)
 
 
-def test_settings_have_the_names_of_the_options(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_settings_have_the_names_of_the_options(tmp_path: Path, refused: Refused) -> None:
     log = str(written(tmp_path, seconds=2.0))
-    assert main(["identify", log, "--column", "force.x=push", "--slowest", "10 m/s"]) == 2
-    assert "--slowest = 10 m/s" in capsys.readouterr().err
-    assert main(["identify", log, "--column", "force.x=push", "--cutoff", "9 kHz"]) == 2
-    assert "--cutoff = 9000 Hz" in capsys.readouterr().err
-    assert main(["identify", log, "--column", "force.x=push", "--decimation=0"]) == 2
-    assert "--decimation = 0" in capsys.readouterr().err
-    assert main(["identify", log, "--column", "command.x=push [V]", "--gain", "1e13 N/V"]) == 2
-    assert "below 1e12" in capsys.readouterr().err
+    assert "--slowest = 10 m/s" in refused("identify", log, "--column", "force.x=push", "--slowest", "10 m/s")
+    assert "--cutoff = 9000 Hz" in refused("identify", log, "--column", "force.x=push", "--cutoff", "9 kHz")
+    assert "--decimation = 0" in refused("identify", log, "--column", "force.x=push", "--decimation=0")
+    assert "below 1e12" in refused("identify", log, "--column", "command.x=push [V]", "--gain", "1e13 N/V")

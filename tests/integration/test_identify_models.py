@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from identified_logs import PERIOD, PLANT, SCENARIO, TIME, UBC, codes, driven, found_by, jogged, stepped, steps, written
+from typed_commands import Refused
 
 from contourlab.analysis.identification.first_order import closed_loop_position
 from contourlab.analysis.identification.first_order_motion import first_order_motion
@@ -29,7 +30,7 @@ def test_first_order_makes_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture
     assert "deviation" in out.read_text() and "open.csv" in out.read_text()
 
 
-def test_closed_loop_takes_the_gains_of_the_loop(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_closed_loop_takes_the_gains_of_the_loop(tmp_path: Path, refused: Refused, capsys: pytest.CaptureFixture[str]) -> None:
     asked = steps(1, 1e-4, 250)
     place = closed_loop_position(asked, PERIOD, 0.873, 19.7, 4000.0, 100.0)
     log = written(tmp_path / "closed.csv", "time [s],ref x [mm],pos x [mm]", TIME, 1e3 * asked, 1e3 * place)
@@ -43,20 +44,18 @@ def test_closed_loop_takes_the_gains_of_the_loop(tmp_path: Path, capsys: pytest.
         ([log, "--model", "closed-loop"], "no disturbance_estimate"),
         ([log, log, *gains[1:]], "a single run"),
     ):
-        assert main(["identify", *wrong]) == 2
-        assert said in capsys.readouterr().err
+        assert said in refused("identify", *wrong)
 
 
 def test_a_log_given_twice_is_refused_and_one_of_the_same_samples_reported(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, refused: Refused, capsys: pytest.CaptureFixture[str]
 ) -> None:
     log = Path(jogged(tmp_path, lambda v: 0.5 * np.sign(v) + 4.0 * v))
     monkeypatch.chdir(tmp_path)
     (tmp_path / "link.csv").symlink_to(log)
     words = ["--column", "command.x=cmd", "--model", "friction"]
     for again, said in ((log.name, "jog.csv: must be given once"), ("link.csv", "link.csv, the same file as jog.csv")):
-        assert main(["identify", log.name, again, *words]) == 2
-        assert said in capsys.readouterr().err
+        assert said in refused("identify", log.name, again, *words)
     (tmp_path / "copy.csv").write_bytes(log.read_bytes())
     (twice,) = (one for one in found_by([log.name, "copy.csv", *words], capsys)["findings"] if one["code"] == "CL500")
     assert (twice["place"], twice["values"]["other"]) == ("copy.csv", "jog.csv")
@@ -78,11 +77,10 @@ def test_sines_of_the_measured_table(shared: Path, tmp_path: Path, capsys: pytes
 @pytest.mark.parametrize(
     "model", ["friction", "stiction", "first-order", "closed-loop", "frequency-response", "linear-motor", "two-inertia"]
 )
-def test_a_log_of_an_axis_at_rest_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
+def test_a_log_of_an_axis_at_rest_is_refused(tmp_path: Path, refused: Refused, model: str) -> None:
     log = written(tmp_path / "rest.csv", "time [s],cmd [V],pos x [mm],ref x [mm]", TIME, steps(), 0.0 * TIME, 0.0 * TIME)
     gains = ["--position-gain", "4 V/mm", "--velocity-gain", "0.1 V*s/mm"]
-    assert main(["identify", log, "--column", "command.x=cmd", "--model", model, *gains, "--write", str(tmp_path / "axis.toml")]) == 2
-    said = capsys.readouterr().err
+    said = refused("identify", log, "--column", "command.x=cmd", "--model", model, *gains, "--write", tmp_path / "axis.toml")
     assert "Traceback" not in said and len(said) > 40
     assert not (tmp_path / "axis.toml").exists()
 
@@ -132,10 +130,9 @@ def test_the_file_of_an_axis_runs(
         (["--full-scale", "10 V", "--gain", "35 N/V"], "one of the two"),
     ],
 )
-def test_a_gain_per_another_unit_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], more: list[str], said: str) -> None:
+def test_a_gain_per_another_unit_is_refused(tmp_path: Path, refused: Refused, more: list[str], said: str) -> None:
     words = [stepped(tmp_path, "V", 10.0), "--column", "command.x=cmd", "--model", "first-order", *more]
-    assert main(["identify", *words]) == 2
-    error = capsys.readouterr().err
+    error = refused("identify", *words)
     assert said in error and "Traceback" not in error
 
 
@@ -227,14 +224,13 @@ def test_an_identified_axis_follows_plans_at_its_limits(
     assert Machine("m", (axis,), PERIOD).planner_limits().acceleration[0] == limits.acceleration
 
 
-def test_a_missing_limit_is_reported_with_its_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_missing_limit_is_reported_with_its_file(tmp_path: Path, refused: Refused) -> None:
     (tmp_path / "axis.toml").write_text(PLANT + '[limits]\nvelocity = "50 mm/s"\n')
     text = SCENARIO.replace("GAIN", "1.695 m/s^2/full_scale").replace("RATE", "10.1").replace("limits =", "#")
     (tmp_path / "way.ngc").write_text("G21 G90\nG1 X20 F1800\nX0\nM2\n")
     (tmp_path / "run.toml").write_text(text)
-    assert main(["run", str(tmp_path / "run.toml"), "--out", str(tmp_path / "out")]) == 2
-    said = capsys.readouterr().err
-    assert f"{tmp_path / 'axis.toml'}: axis x" in said and "limits.acceleration" in said and said.count("\n") == 1
+    said = refused("run", tmp_path / "run.toml", "--out", tmp_path / "out")
+    assert f"{tmp_path / 'axis.toml'}: axis x" in said and "limits.acceleration" in said
 
 
 def test_logs_of_one_name_are_named_by_their_folders(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from schemas import validator
-from typed_commands import ON_XYZ, Run
+from typed_commands import ON_XYZ, Run, write
 
 from contourlab.result import Result
 
@@ -35,11 +35,6 @@ G41 D1
 M2
 """
 LARGE = "G21 G90 F2000\nG1 X900 Y50\nG2 X1000 Y150 I0 J100\nG0 X200 Y-20\nM2\n"
-
-
-def write(folder: Path, text: str, name: str = "part.ngc") -> str:
-    (folder / name).write_text(text, encoding="utf-8")
-    return name
 
 
 def test_canonical_moves_as_json(contourlab: Run, tmp_path: Path) -> None:
@@ -71,9 +66,8 @@ def test_canonical_moves_as_text(contourlab: Run, tmp_path: Path) -> None:
 
 
 def test_a_fault_prints_no_moves(contourlab: Run, tmp_path: Path) -> None:
-    said = contourlab("canon", write(tmp_path, "G0 X1\nG0 X2\nG1 Y5\nM2\n"), "--json")
-    assert (said.code, said.out) == (2, "")
-    assert "part.ngc:3:1: " in said.err and "G1" in said.err and said.err.count("\n") == 1
+    said = contourlab("canon", write(tmp_path, "G0 X1\nG0 X2\nG1 Y5\nM2\n"), "--json").refusal
+    assert "part.ngc:3:1: " in said and "G1" in said and said.count("\n") == 1
 
 
 def test_leniency_of_the_reader_is_reported(contourlab: Run, tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from identified_logs import codes, found_by
+from typed_commands import AsJson, Refused
 
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.cli.main import main
@@ -112,24 +113,22 @@ def test_the_log_gives_the_resonance_and_the_masses(folder: Path, identified: di
 
 
 @pytest.mark.slow
-def test_the_reference_of_a_moving_axis_is_no_test_signal(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_reference_of_a_moving_axis_is_no_test_signal(folder: Path, refused: Refused, capsys: pytest.CaptureFixture[str]) -> None:
     capsys.readouterr()
     given = words(folder)
     del given[-2:]
     main(["identify", *given, "--json"])
     taken = capsys.readouterr()
     assert not taken.out or not json.loads(taken.out)["usable"]
-    assert main(["identify", *words(folder)[:-1], "noise"]) == 2
-    assert "--excitation" in capsys.readouterr().err
+    assert "--excitation" in refused("identify", *words(folder)[:-1], "noise")
 
 
 @pytest.mark.slow
 def test_the_notch_keeps_6_db_and_30_degrees_with_the_gains_that_break_them(
-    folder: Path, identified: dict[str, Any], capsys: pytest.CaptureFixture[str]
+    folder: Path, identified: dict[str, Any], as_json: AsJson
 ) -> None:
     out = folder / "notched.toml"
-    assert main(["notch", str(folder / "part.toml"), "--write", str(out), "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = as_json("notch", folder / "part.toml", "--write", out)
     design = found["designs"]["x"]
     assert list(found["designs"]) == ["x"] and not codes(found)
     assert design["resonance"] == pytest.approx(60.0, rel=1e-3)
@@ -162,32 +161,28 @@ def test_before_and_after_are_printed(folder: Path, identified: dict[str, Any], 
 
 
 @pytest.mark.slow
-def test_gains_that_no_notch_saves_are_lowered(folder: Path, identified: dict[str, Any], capsys: pytest.CaptureFixture[str]) -> None:
+def test_gains_that_no_notch_saves_are_lowered(folder: Path, identified: dict[str, Any], as_json: AsJson) -> None:
     (folder / "fast.toml").write_text(PART.replace('bandwidth = "70', 'bandwidth = "150'))
-    assert main(["notch", str(folder / "fast.toml"), "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = as_json("notch", folder / "fast.toml")
     assert codes(found) == {"CL642"} and not found["designs"]["x"]["margins_before"]["stable"]
     assert found["designs"]["x"]["velocity_gain_after"] == found["designs"]["x"]["largest_after"]
 
 
 @pytest.mark.slow
-def test_a_position_loop_that_is_too_fast_fails(folder: Path, identified: dict[str, Any], capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_position_loop_that_is_too_fast_fails(folder: Path, identified: dict[str, Any], as_json: AsJson) -> None:
     (folder / "stiff.toml").write_text(PART.replace('position_gain = "14', 'position_gain = "80'))
-    assert main(["notch", str(folder / "stiff.toml"), "--json"]) == 1
-    assert codes(json.loads(capsys.readouterr().out)) == {"CL641"}
+    assert codes(as_json("notch", folder / "stiff.toml", code=1)) == {"CL641"}
 
 
 @pytest.mark.parametrize(
     ("more", "word"), [(["--axes", "z"], "z"), (["--axes", "y"], "mass-damper"), (["--write", "notched.json"], ".toml")]
 )  # fmt: skip
-def test_faults_are_named(folder: Path, identified: dict[str, Any], more: list[str], word: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["notch", str(folder / "part.toml"), *more]) == 2
-    error = capsys.readouterr().err
-    assert word in error and error.count("\n") == 1
+def test_faults_are_named(folder: Path, identified: dict[str, Any], more: list[str], word: str, refused: Refused) -> None:
+    error = refused("notch", folder / "part.toml", *more)
+    assert word in error
 
 
-def test_axes_that_keep_their_margins_get_no_notch(folder: Path, identified: dict[str, Any], capsys: pytest.CaptureFixture[str]) -> None:
+def test_axes_that_keep_their_margins_get_no_notch(folder: Path, identified: dict[str, Any], as_json: AsJson) -> None:
     (folder / "slow.toml").write_text(PART.replace('bandwidth = "70', 'bandwidth = "30'))
-    assert main(["notch", str(folder / "slow.toml"), "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = as_json("notch", folder / "slow.toml")
     assert codes(found) == {"CL640"} and not found["designs"]

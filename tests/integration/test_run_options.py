@@ -10,18 +10,13 @@ from pathlib import Path
 import ezdxf
 import numpy as np
 import pytest
-from typed_commands import COMMAND, ON_XYZ, PART, Run, environment
+from typed_commands import COMMAND, ON_XYZ, PART, Refused, Run, environment, write
 
 from contourlab.cli.main import main
 from contourlab.result import Result
 
 ENDLESS = "G21 G90 F1000\nG1 X5\n"
 UNOPENED = "G21 G90 F1000\nG1 X5\n%\n"
-
-
-def write(folder: Path, text: str, name: str = "part.ngc") -> str:
-    (folder / name).write_text(text, encoding="utf-8")
-    return name
 
 
 def test_a_program_without_an_end_is_run_on_request(contourlab: Run, tmp_path: Path) -> None:
@@ -32,21 +27,18 @@ def test_a_program_without_an_end_is_run_on_request(contourlab: Run, tmp_path: P
 
 
 @pytest.mark.parametrize("text", [ENDLESS, UNOPENED])
-def test_the_refusal_names_the_option(tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str) -> None:
+def test_the_refusal_names_the_option(tmp_path: Path, refused: Refused, text: str) -> None:
     part = tmp_path / write(tmp_path, text)
-    assert main(["run", str(part), *ON_XYZ, "--check"]) == 2
-    assert "--no-require-end" in capsys.readouterr().err
+    assert "--no-require-end" in refused("run", part, *ON_XYZ, "--check", lines=2)
     assert main(["run", str(part), *ON_XYZ, "--check", "--no-require-end"]) == 0
 
 
-def test_in_a_scenario_the_key_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_in_a_scenario_the_key_is_named(tmp_path: Path, refused: Refused) -> None:
     write(tmp_path, ENDLESS)
     text = 'machine = "builtin:xyz"\ncontroller = "builtin:xyz-controller"\nprogram = "part.ngc"\n'
     scenario = str(tmp_path / write(tmp_path, text, "part.toml"))
-    assert main(["run", scenario, "--check"]) == 2
-    assert "require_end = false" in capsys.readouterr().err
-    assert main(["run", scenario, "--no-require-end"]) == 2
-    assert "require_end = false" in capsys.readouterr().err
+    assert "require_end = false" in refused("run", scenario, "--check", lines=2)
+    assert "require_end = false" in refused("run", scenario, "--no-require-end", lines=2)
 
 
 def test_another_fault_does_not_mention_ends(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

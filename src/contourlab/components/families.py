@@ -163,11 +163,7 @@ _PLANTS = (
         "contourlab.components.plant.plant.SingleMass",
         constants={"mobility_value": "mobility", "decay_value": "decay"},
     ),
-    Form(
-        (),
-        "contourlab.components.plant.two_sided.TwoSided",
-        constants=dict.fromkeys(TWO_SIDED, ""),
-    ),
+    Form((), "contourlab.components.plant.two_sided.TwoSided", constants=dict.fromkeys(TWO_SIDED, "")),
 )
 _LAGGED = Form(
     (Method("rates(self, par)", "mobility, decay, rate of the lag, force per command and back-action, as in `LaggedMass`"),),

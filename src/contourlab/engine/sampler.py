@@ -63,7 +63,7 @@ def _curves(curves, n_curve, n_axis, progress, speed, acceleration, out, stride,
             _turned(row, part, progress + 8 * first, scratch)
             for j in range(n_axis):
                 here = out + 8 * (stride * j + first)
-                _moved(row, j, part, progress + 8 * first, speed + 8 * first, acceleration + 8 * first, here, 8 * stride * n_axis, scratch)
+                _moved(row, j, part, speed + 8 * first, acceleration + 8 * first, here, 8 * stride * n_axis, scratch)
 
 
 @njit(**INLINE)
@@ -84,7 +84,7 @@ def _turned(row, n, progress, scratch):  # type: ignore[no-untyped-def]
 
 
 @njit(**INLINE)
-def _moved(row, j, n, progress, speed, acceleration, here, step, scratch):  # type: ignore[no-untyped-def]
+def _moved(row, j, n, speed, acceleration, here, step, scratch):  # type: ignore[no-untyped-def]
     """Compute position, velocity and acceleration of one axis."""
     rate, at = load_parameter(row, 4), _CURVES + 4 * j
     base, d, u, v = load_parameter(row, at), load_parameter(row, at + 1), load_parameter(row, at + 2), load_parameter(row, at + 3)

@@ -170,9 +170,7 @@ def _time(length, start, end, ceiling, acceleration, rise, taper):
 
 
 @kernel("f8[:,:] f8[:,:] f8[:,:] f8[:] f8[:] f8[:] f8[:] f8[:,:] i8[:] f8[:] f8[:,:] f8[:,:]")
-def _quickest(
-    tangent, second, third, feedrate, velocity, acceleration, jerk, shares, borders, length, pace, found
-):
+def _quickest(tangent, second, third, feedrate, velocity, acceleration, jerk, shares, borders, length, pace, found):
     """Fill the bounds (4, n_piece) by the share with which each piece takes the least time; pace: speeds at the ends, of the ceiling."""
     for piece in range(length.size):
         first, after, least = borders[piece], borders[piece + 1], math.inf

@@ -179,9 +179,7 @@ class Star(Parametric):
         positive(radius=radius)
         self.radius, self.depth = float(radius), float(depth)
         if not float(lobes).is_integer() or lobes < 2 or not 0.0 <= self.depth < 1.0:
-            raise GeometryError(
-                f"star of {lobes} lobes, depth {depth}: lobes must be a whole number >= 2, depth from 0 to below 1"
-            )
+            raise GeometryError(f"star of {lobes} lobes, depth {depth}: lobes must be a whole number >= 2, depth from 0 to below 1")
         self.lobes = int(lobes)
         self.n_joint = 4 * self.lobes + 1
         self.measure()

@@ -118,9 +118,7 @@ def _content(record: Record, arrays: list[Array]) -> dict[str, Any]:
         return places[id(values)]
 
     return {
-        "channels": [
-            (c.name, c.unit, c.is_timestamp, place(c.values), None if c.time is None else place(c.time)) for c in record.channels
-        ],
+        "channels": [(c.name, c.unit, c.is_timestamp, place(c.values), None if c.time is None else place(c.time)) for c in record.channels],
         "period": record.period,
         "constants": dict(record.constants),
         "attributes": dict(record.attributes),

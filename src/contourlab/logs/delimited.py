@@ -98,7 +98,6 @@ def _plain(rows: Iterable[tuple[int, str]], width: int, mark: str | None) -> Arr
 
 
 def _read_cells(file: Path, text: str, first: int, mark: str | None) -> Record:
-    """Read a table cell by cell."""
     lines = [(i, line) for i, line in lines_in(text) if _bare(line)]
     heads, rows = lines[:first], lines[first:]
     cut = len(rows) > 1 and not text.endswith(("\n", "\r"))

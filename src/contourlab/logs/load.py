@@ -202,7 +202,6 @@ def _times(record: Record, columns: Sequence[Column], given: Columns) -> tuple[A
 
 
 def _times_in(channel: Channel, column: Column, record: Record) -> tuple[Array, list[Finding]]:
-    """Return the times [s] in a column, and findings."""
     if channel.fault is not None:
         raise channel.fault
     missing = np.isnan(channel.values)

@@ -191,7 +191,7 @@ def backlash_of_runs(
     radius = runs[0].radius
     both = len(runs) == 2
     designs = [_signatures(run, both) for run in runs]
-    used = [_outside(run, before, after) for run in runs]
+    used = [outside(run.angle, run.clockwise, before, after) for run in runs]
     for run, use in zip(runs, used, strict=True):
         _check_cover(run, use, before + after)
     fit, covariance = _fit(
@@ -274,31 +274,36 @@ def _steps_at(fit: Array, covariance: Array, i: int) -> dict[float, tuple[float,
     return steps
 
 
-def _past(run: CircleFigures, angle: float) -> Array:
-    """Return the angle of each sample past a given angle, in the sense of the run, from -pi to pi."""
-    past = (run.angle - angle) * (-1.0 if run.clockwise else 1.0)
-    return np.asarray(past - 2.0 * math.pi * np.rint(past / (2.0 * math.pi)))
+def past(angles: Array, clockwise: bool, angle: float) -> Array:
+    """Return the angle of each sample (n,) past a given angle, in the sense of the run, from -pi to pi."""
+    gone = (angles - angle) * (-1.0 if clockwise else 1.0)
+    return np.asarray(gone - 2.0 * math.pi * np.rint(gone / (2.0 * math.pi)))
 
 
-def _outside(run: CircleFigures, before: float, after: float) -> Flags:
-    """Return which samples are away from all reversals."""
-    use = np.ones(run.angle.shape, dtype=bool)
+def outside(angles: Array, clockwise: bool, before: float, after: float) -> Flags:
+    """Return which samples (n,) are away from all reversals."""
+    use = np.ones(angles.shape, dtype=bool)
     for i in range(4):
-        past = _past(run, 0.5 * math.pi * i)
+        gone = past(angles, clockwise, 0.5 * math.pi * i)
         # At the reversal itself the signature is undefined.
-        use &= ~((past >= -before) & (past <= after)) & (past != 0.0)
+        use &= ~((gone >= -before) & (gone <= after)) & (gone != 0.0)
     return use
+
+
+def widest_hole(angles: Array, left_out: float) -> float:
+    """Return the widest part of the circle without a sample, besides what is left out at each reversal [rad]."""
+    angles = np.sort(np.mod(angles, 2.0 * math.pi))
+    holes = np.diff(angles, append=angles[0] + 2.0 * math.pi)
+    over = np.diff(np.floor(angles / (0.5 * math.pi)), append=4.0) > 0.0
+    return float((holes - left_out * over).max())
 
 
 def _check_cover(run: CircleFigures, use: Flags, left_out: float) -> None:
     """Raise an error for a run that omits a part of the circle."""
-    angles = np.sort(np.mod(run.angle[use], 2.0 * math.pi))
+    angles = run.angle[use]
     if len(angles) < LEAST_SAMPLES // 2:
         raise ResultError(f"{len(angles)} samples outside the reversals: give at least {LEAST_SAMPLES // 2}")
-    holes = np.diff(angles, append=angles[0] + 2.0 * math.pi)
-    over = np.diff(np.floor(angles / (0.5 * math.pi)), append=4.0) > 0.0
-    hole = float((holes - left_out * over).max())
-    if hole > WIDEST_HOLE:
+    if (hole := widest_hole(angles, left_out)) > WIDEST_HOLE:
         raise ResultError(f"{math.degrees(hole):.3g} degrees without a sample outside the reversals: give samples all around the circle")
 
 
@@ -307,11 +312,11 @@ def _quadrants(
 ) -> list[QuadrantStep]:
     quadrants = []
     for i in range(4):
-        past = _past(run, 0.5 * math.pi * i)
-        near = np.flatnonzero((past >= -before) & (past <= after))
-        near = near[np.argsort(past[near], kind="stable")]
+        gone = past(run.angle, run.clockwise, 0.5 * math.pi * i)
+        near = np.flatnonzero((gone >= -before) & (gone <= after))
+        near = near[np.argsort(gone[near], kind="stable")]
         step, deviation = steps[i % 2][1.0 if i < 2 else -1.0]
-        height, width = _spike(past[near], rest[near])
+        height, width = _spike(gone[near], rest[near])
         quadrants.append(QuadrantStep(axes[i % 2], run.clockwise, 0.5 * math.pi * i, step, deviation, height, width))
     return quadrants
 

@@ -119,9 +119,7 @@ def reversal_spikes(
     angles = [math.nan] * len(searches)
     if reference is not None:
         angles = _angles(result, reference, [(k, j, float(velocity[k, j])) for k, _, j in searches])
-    return tuple(
-        _spike(result, errors, velocity[k], (k, end), j, angle) for (k, end, j), angle in zip(searches, angles, strict=True)
-    )
+    return tuple(_spike(result, errors, velocity[k], (k, end), j, angle) for (k, end, j), angle in zip(searches, angles, strict=True))
 
 
 class _Errors:

@@ -134,7 +134,6 @@ def without_blanks(line: str) -> Cursor:
 
 
 def _number(token: re.Match[str]) -> float:
-    """Return the number of a word."""
     digits = token["digits"]
     try:
         value = float(digits)

@@ -141,7 +141,7 @@ class Tools:
 
     def offset(self, number: int) -> Point:
         """Return the offset of a tool [m]."""
-        return self.offsets.get(number, (0.0, 0.0, 0.0))
+        return self.offsets.get(number, ORIGIN)
 
 
 def read_tools(file: str | Path) -> Tools:

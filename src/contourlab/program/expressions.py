@@ -167,7 +167,7 @@ def _check_number(number: int, column: int) -> None:
 MOST_NESTED = 50
 LARGEST_WHOLE = 1e9
 _EQUAL = 1e-4
-_NUMBER = re.compile(r"[0-9]*\.?[0-9]*")
+NUMBER = re.compile(r"[0-9]*\.?[0-9]*")
 _OPERATION = re.compile(r"\*\*|[*/+-]|mod|and|xor|or|eq|ne|gt|ge|lt|le")
 _FUNCTION = re.compile(r"abs|acos|asin|atan|cos|exists|exp|fix|fup|ln|round|sin|sqrt|tan")
 _RANKS = (("**",), ("*", "/", "mod"), ("+", "-"), ("eq", "ne", "gt", "ge", "lt", "le"), ("and", "or", "xor"))
@@ -256,7 +256,7 @@ def read_assignment(cursor: Cursor, parameters: Parameters) -> tuple[Key, float]
 
 
 def _number(cursor: Cursor) -> float:
-    column, digits = cursor.column, cursor.take(_NUMBER)
+    column, digits = cursor.column, cursor.take(NUMBER)
     if digits in ("", "."):
         what = f"found '{cursor.next}'" if cursor.next else "the line ends here"
         raise BlockError(f"a number is missing: {what}; write for example 10.5, #1 or [1 + 2]", column)

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from contourlab.errors import ProgramError
 from contourlab.program.block import without_blanks
-from contourlab.program.expressions import Cursor, Parameters, read_value
+from contourlab.program.expressions import NUMBER, Cursor, Parameters, read_value
 from contourlab.program.vocabulary import BlockError
 
 KEYWORDS = (
@@ -74,7 +74,7 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
         cursor.at += 1
     if cursor.next == "n":
         cursor.at += 1
-        cursor.take(_NUMBER)
+        cursor.take(NUMBER)
     column = cursor.column
     cursor.at += 1  # the O
     label = _label(cursor, parameters)
@@ -92,9 +92,6 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
         raise BlockError(f"'{cursor.next}' cannot follow an O-word: write it on its own line", cursor.column)
     _check_values(keyword, len(values), column)
     return OWord(label, keyword, tuple(values), column)
-
-
-_NUMBER = re.compile(r"[0-9]*\.?[0-9]*")
 
 
 def _check_values(keyword: str, count: int, column: int) -> None:

@@ -18,12 +18,11 @@ from contourlab.program.cycles import LONGEST_DWELL, drill
 from contourlab.program.moves import Mode, Move
 from contourlab.program.offsets import go_home, machine_target, select_system, set_data, set_shift, set_tool_length, show_tool
 from contourlab.program.state import ModalState
-from contourlab.program.vocabulary import AXIS_WORDS, CYCLES, SPLINES, USERS, BlockError, g_name
+from contourlab.program.vocabulary import ARCS, AXIS_WORDS, CYCLES, SPLINES, USERS, BlockError, g_name
 
 LEAST_TIMED_RATE = 0.1
 """Slowest inverse-time move, in program units per minute, as in LinuxCNC."""
 
-_ARCS = (20, 30)
 _NO_MOTION = 800
 _PLAIN_LETTERS = frozenset("XYZF@^ST")
 _SETTINGS: dict[int, tuple[str, object]] = {
@@ -112,14 +111,14 @@ def _motion_to_be(block: Block, state: ModalState) -> int | None:
             word = next(words[letter] for letter in "XYZ@^" if letter in words)
             raise BlockError(f"{word.letter} has no motion code: write G0, G1, G2 or G3 before it", word.column)
         return state.motion
-    if state.motion in _ARCS and ("I" in words or "J" in words or "K" in words):
+    if state.motion in ARCS and ("I" in words or "J" in words or "K" in words):
         return state.motion
     return None
 
 
 def _check_axes_given(own: Code, words: dict[str, Word], axes: bool) -> None:
     # G0 and G1 need no axes; full circles and the first line of a NURBS need no end point.
-    if not axes and own.number not in (0, 10, *_ARCS, 52, _NO_MOTION):
+    if not axes and own.number not in (0, 10, *ARCS, 52, _NO_MOTION):
         raise BlockError(f"{g_name(own.number)} has no axis: write X, Y or Z", own.column)
 
 

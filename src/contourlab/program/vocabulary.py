@@ -56,14 +56,14 @@ M_GROUPS: dict[int, str] = {
 USED_LETTERS = frozenset("XYZIJKRPFST@^LQHE")
 """Letters that the supported codes use, besides G, M and N."""
 
-_ARCS = (20, 30)
+ARCS = (20, 30)
 _USERS: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
-        ("I", "G2, G3, G5, G5.1 or G87", (*_ARCS, 50, 51, 870)),
-        ("J", "G2, G3, G5, G5.1 or G87", (*_ARCS, 50, 51, 870)),
-        ("K", "G2, G3 or G87", (*_ARCS, 870)),
-        ("R", "G2, G3, G10, M19 or a cycle", (*_ARCS, 100, *CYCLES, "M19")),
+        ("I", "G2, G3, G5, G5.1 or G87", (*ARCS, 50, 51, 870)),
+        ("J", "G2, G3, G5, G5.1 or G87", (*ARCS, 50, 51, 870)),
+        ("K", "G2, G3 or G87", (*ARCS, 870)),
+        ("R", "G2, G3, G10, M19 or a cycle", (*ARCS, 100, *CYCLES, "M19")),
         ("P", "G2 to G5, G5.2, G10, G64, G74, G82, G84, G86, G88, G89, M19, M50 to M53, M62 to M65 or M98",
-         (40, *_ARCS, 50, 52, 100, 640, 740, 820, 840, 860, 880, 890,
+         (40, *ARCS, 50, 52, 100, 640, 740, 820, 840, 860, 880, 890,
           "M19", "M50", "M51", "M52", "M53", "M62", "M63", "M64", "M65", "M98")),
         ("L", "G5.2, G10, M98 or a cycle other than G74", (100, 52, *(CYCLES - {740}), "M98")),
         ("Q", "G5, G10, G64, G73, G83, M19, M61, M67 or M68", (50, 100, 640, 730, 830, "M19", "M61", "M67", "M68")),

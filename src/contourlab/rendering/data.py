@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import platform
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from contourlab import __version__
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis
 from contourlab.arrays import Array, Index
 from contourlab.errors import ParameterError
@@ -12,11 +14,12 @@ from contourlab.feed.verify import LimitReport
 from contourlab.findings import Finding
 from contourlab.geometry import Path
 from contourlab.loop.switches import Switches
-from contourlab.metrics import Bidirectional, CircleFigures, Metrics, Spike
+from contourlab.metrics import CircleFigures, Metrics, Spike
 from contourlab.rendering.judgement import Trust, Verdict
 from contourlab.rendering.run_data import AxisBounds, FeedRun, FrequencyResponse, TrialCourse
 from contourlab.result import Result
 
+_SYSTEM = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
 NANOMETRE = 1e-9
 """Paths closer than this count as one: junctions may have gaps of this size."""
 
@@ -32,8 +35,6 @@ class SchemeReport:
     result : Result
         Judged, with the signals ``contour_error`` and ``tracking_error``.
     bode : mapping of axis name to FrequencyResponse
-    bidirectional : mapping of str to Bidirectional
-        Circles that were run in both directions, by name.
     circle_spikes : sequence of sequence of int
         Points of each circle at which reversal spikes are highest, to be marked.
     limits : LimitReport or None
@@ -61,7 +62,6 @@ class SchemeReport:
     verdict: Verdict | None = None
     bode: Mapping[str, FrequencyResponse] = field(default_factory=dict)
     circles: Sequence[CircleFigures] = ()
-    bidirectional: Mapping[str, Bidirectional] = field(default_factory=dict)
     spikes: Sequence[Spike] = ()
     circle_spikes: Sequence[Sequence[int]] = ()
     limits: LimitReport | None = None
@@ -86,15 +86,15 @@ class Provenance:
     scenario : str
         As TOML.
     platform : str
-        For example ``"Linux x86_64, Python 3.11.9, numba 0.62"``.
+        For example ``"Linux x86_64, Python 3.11.9"``.
     """
 
-    version: str
-    command: str
-    run_again: str
-    scenario: str
+    command: str = ""
+    run_again: str = ""
+    scenario: str = ""
     seed: int | None = None
-    platform: str = ""
+    version: str = __version__
+    platform: str = _SYSTEM
 
 
 @dataclass(frozen=True, eq=False)

@@ -114,7 +114,6 @@ def _points(data: ReportData) -> int:
 
 
 def _figures(data: ReportData, points: int) -> dict[str, list[dict[str, Any]]]:
-    """Return the figures by section."""
     charts: dict[str, Iterable[Chart | PolarChart | PathChart | SpaceChart]] = {
         "path": path_charts(data, points),
         "circles": polar_charts(data, points),

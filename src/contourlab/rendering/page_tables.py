@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from contourlab.feed.verify import LimitReport, Worst
 from contourlab.figures import NONE, figure, number, shown_unit
 from contourlab.metrics import ReversalFigures, reversal_figures
+from contourlab.metrics.circles import pairs
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.judgement import Number
 from contourlab.rendering.table import Column, Table
@@ -40,7 +41,7 @@ def circle_tables(data: ReportData) -> tuple[CircleTable, ...]:
         for circle in scheme.circles:
             way = "cw" if circle.clockwise else "ccw"
             tables.setdefault(circle.name, {})[scheme.name, way] = dict(circle.figures())
-        for name, both in scheme.bidirectional.items():
+        for name, both in pairs(scheme.circles).items():
             tables.setdefault(name, {})[scheme.name, "both"] = {
                 "bi-directional circular deviation G(b)": both.circular_deviation,
                 "mean bi-directional radial deviation D": both.mean_radial,

@@ -119,15 +119,7 @@ def _space(data: ReportData, asked: Array, asked_at: Index, runs: list[_Drawn], 
     )
 
 
-def _chart(
-    data: ReportData,
-    pair: tuple[int, int],
-    s: Array,
-    asked: Array,
-    runs: list[_Drawn],
-    scale: float,
-    index: int,
-) -> PathChart:
+def _chart(data: ReportData, pair: tuple[int, int], s: Array, asked: Array, runs: list[_Drawn], scale: float, index: int) -> PathChart:
     """Return one view."""
     columns = list(pair)
     names = [data.axes[i] for i in pair]

@@ -90,9 +90,7 @@ def _table(name: str, switches: Switches) -> SwitchTable:
         share = f"{100.0 * held.get(kind.after, 0) / max(sum(held.values()), 1):.1f} %"
         row = _moment(switches, first[kind])
         rows.append((kind.axis, f"{kind.before} → {kind.after}", kind.reason, str(count), share, row[0], row[-1]))
-    rows += [
-        (axis, f"{switches.first[axis]} always", "", "0", "100.0 %", "", "") for axis in switches.axes if not switches.of(axis).size
-    ]
+    rows += [(axis, f"{switches.first[axis]} always", "", "0", "100.0 %", "", "") for axis in switches.axes if not switches.of(axis).size]
     listed = []
     for i in range(min(len(switches), LISTED)):
         kind, (time, place, line) = switches.kinds[switches.kind[i]], _moment(switches, i)

@@ -74,7 +74,6 @@ class Table:
         return "\n".join(filter(None, [title, "\n\n".join(panels)]))
 
     def _least(self, column: int) -> int:
-        """Return the least width of a column."""
         texts = [*_head_lines(self.columns[column].head), *(row[column] for row in self.rows)]
         if self.columns[column].prose:
             return max((len(word) for text in texts for word in text.split()), default=0)

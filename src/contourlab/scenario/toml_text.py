@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-_BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
+BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
 _WIDTH = 80
 
 
@@ -28,7 +28,7 @@ def _text(value: str) -> str:
 
 
 def _key(name: str) -> str:
-    return name if _BARE.match(name) else _text(name)
+    return name if BARE.match(name) else _text(name)
 
 
 def _number(value: float) -> str:
@@ -39,7 +39,6 @@ def _number(value: float) -> str:
 
 
 def _inline(value: Any) -> str:
-    """Return a value on one line."""
     if isinstance(value, Noted):
         return _inline(value.value)
     if isinstance(value, bool):

@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import json
-import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -17,6 +16,7 @@ from typing import Any, TypeAlias
 from contourlab.components.contract import FAMILIES
 from contourlab.errors import ContourlabError, ScenarioError
 from contourlab.file_kinds import mistaken
+from contourlab.scenario.toml_text import BARE
 
 DEFAULT = "default"
 """Resets an inherited value."""
@@ -28,7 +28,6 @@ STATED = "value"
 """Key of the value in a table of a number and its source."""
 
 MAX_DEPTH = 12
-_BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
 _TEXTS = ("name", "file")
 
 
@@ -133,7 +132,7 @@ def dotted(key: str, name: str) -> str:
     >>> dotted("axes", "x")
     'axes.x'
     """
-    shown = name if _BARE.match(name) else json.dumps(name, ensure_ascii=False)
+    shown = name if BARE.match(name) else json.dumps(name, ensure_ascii=False)
     return f"{key}.{shown}" if key else shown
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from component_rig import make
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
@@ -17,7 +18,6 @@ from contourlab.analysis.linear.divided_loop import LinkTiming, divided_loop, ti
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
-from contourlab.components.registry import component
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.feed import AxisLimits, plan, route_from_path
 from contourlab.geometry import Line, Path
@@ -26,10 +26,6 @@ from contourlab.loop import Division
 PERIOD = 1e-3
 GAIN, DAMPING = 0.9, 12.0
 NONE = LinkTiming()
-
-
-def make(family: str, kind: str, **parameters: Any) -> Any:
-    return component(family, kind)(**parameters)
 
 
 def axis(name: str = "x") -> cl.Axis:

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 from backlash_loops import FREE, HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_II, drive, integrated
+from tests.helpers.exact_run import simulate_exact
 
-from contourlab.analysis.backlash.exact_simulation import simulate_exact
 from contourlab.analysis.backlash.lure import axis_backlash_loop
 from contourlab.analysis.backlash.periodic_orbit import Shooter, close_orbit, find_orbits
 from contourlab.papers.shahin.two_inertia_loop import p_pi_cascade, two_inertia_loop

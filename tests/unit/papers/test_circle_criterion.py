@@ -9,8 +9,8 @@ import pytest
 from backlash_loops import HALF_GAP, K_S, PAPER, SCHEME_II, drive
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.helpers.exact_run import simulate_exact
 
-from contourlab.analysis.backlash.exact_simulation import simulate_exact
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.papers.shahin.circle_criterion import circle_criterion
 from contourlab.papers.shahin.two_inertia_loop import motor_pid, p_pi_cascade, two_inertia_loop

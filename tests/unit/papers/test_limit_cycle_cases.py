@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 from backlash_loops import integrated
+from tests.helpers.exact_run import ExactRun, simulate_exact
 
-from contourlab.analysis.backlash.exact_simulation import ExactRun, simulate_exact
 from contourlab.papers.shahin.limit_cycle_cases import CASES, CASES_WITHOUT, LimitCycleCase, compare
 
 # Amplitude over half of the gap and frequency [rad/s] of the orbits, from shooting with residuals below 1e-10; DOP853 confirms them

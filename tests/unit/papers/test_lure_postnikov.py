@@ -9,8 +9,8 @@ import pytest
 from backlash_loops import FREE, HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_II, SCHEME_III, drive, paper_loop
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.helpers.exact_run import simulate_exact
 
-from contourlab.analysis.backlash.exact_simulation import simulate_exact
 from contourlab.errors import ParameterError
 from contourlab.papers.shahin.lure_postnikov import energy_function
 from contourlab.papers.shahin.two_inertia_loop import motor_pid, p_pi_cascade, two_inertia_loop

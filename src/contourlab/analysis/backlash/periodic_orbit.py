@@ -14,7 +14,7 @@ from itertools import islice
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.backlash.exact_simulation import ExactRun, Span, spans
+from contourlab.analysis.backlash.exact_simulation import Span, lengthened_at, spans
 from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles, quasi_linear
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.analysis.backlash.mode_flow import GAP, Flow
@@ -213,11 +213,9 @@ def _size(shot: Shot) -> Array:
 
 def _orbit(shooter: Shooter, shot: Shot, period: float) -> PeriodicOrbit | None:
     """Return a closed shot as an orbit, unless it is a point of rest."""
-    loop, motion = shooter.flow.loop, shot.found
-    times, modes = np.array([span.time for span in motion]), np.array([span.mode for span in motion], dtype=np.int64)
-    run = ExactRun(loop, period, times, modes, False, shooter.flow, motion)
-    difference = run.difference(np.linspace(0.0, period, SAMPLES + 1))
-    amplitude = _half_range(difference)
+    loop = shooter.flow.loop
+    states = lengthened_at(shooter.flow, shot.found, np.linspace(0.0, period, SAMPLES + 1))[0]
+    amplitude = _half_range(states[:, : loop.n] @ loop.c)
     if amplitude < loop.half_gap:
         return None
     multipliers = np.linalg.eigvals(shot.jacobian).astype(np.complex128)

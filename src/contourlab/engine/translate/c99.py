@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
+from typing import ClassVar
 
 from contourlab.engine.translate.graph import CONDITION, TABLE, Block, Op
 from contourlab.engine.translate.step_graph import StepGraph
 
-_SYMBOLS = {"fadd": "+", "fsub": "-", "fmul": "*", "fdiv": "/", "and": "&&", "or": "||"}
-_LIBRARY = {"sqrt", "fabs", "floor", "rint", "copysign", "fma", "exp", "log", "tanh", "sin", "cos"}
+_LIBRARY = ("sqrt", "fabs", "floor", "rint", "copysign", "fma", "exp", "log", "tanh", "sin", "cos")
 _LEAVES = {"parameter": "par", "state": "x", "input": "inp", "table": "tables"}
 _TYPES = {CONDITION: "bool", TABLE: "const double *"}
 HASH = """
@@ -82,10 +82,16 @@ def _comment(name: str, fields: Sequence[str]) -> list[str]:
 
 
 class Writer:
-    """Writes operations as statements; each value is a variable. A subclass says where parameters, states and inputs are."""
+    """Writes operations as statements; each value is a variable. A subclass has another language, or says where numbers are."""
 
     elsewhere: tuple[str, ...] = ("constant", "k", "t", "dt", "ring")
     """Kinds of operations without a variable of their own."""
+    symbols: ClassVar = {"fadd": "+", "fsub": "-", "fmul": "*", "fdiv": "/", "and": "&&", "or": "||", "fneg": "-", "not": "!"}
+    functions: ClassVar = {name: name for name in (*_LIBRARY, "uniform")}
+    declares = True
+    """Whether a variable is declared where it is first assigned."""
+    assigns, if_, else_, while_, leave = "=", "if ({}) {{", "} else {", "for (;;) {", "if (!{}) break;"
+    end_if = end_for = end_while = "}"
 
     def __init__(self) -> None:
         self.lines: list[str] = []
@@ -97,8 +103,14 @@ class Writer:
             return str(op.extra).lower() if op.type == CONDITION else literal(op.extra)
         return op.kind if op.kind in self.elsewhere else self._names[id(op)]
 
-    def _name(self, op: Op) -> str:
-        return self._names.setdefault(id(op), f"v{len(self._names)}")
+    def name(self, op: Op, ending: str = "") -> str:
+        """Return the variable of a value."""
+        return self._names.setdefault(id(op), f"v{len(self._names)}") + ending
+
+    def _declared(self, op: Op, const: str = "const ", ending: str = "") -> str:
+        """Return the left side of the first assignment to a variable."""
+        name = self.name(op, ending)
+        return f"{const}{_TYPES.get(op.type, 'double')} {name}".replace("const const", "const") if self.declares else name
 
     def block(self, block: Block, pad: str) -> None:
         """Write the operations of a block."""
@@ -108,34 +120,41 @@ class Writer:
             elif op.kind == "loop":
                 self._loop(op, pad)
             elif op.kind.startswith("store"):
-                self.lines.append(f"{pad}{self.stored(op)} = {self.value(op.args[0])};")
+                self.assign(pad, self.stored(op), self.value(op.args[0]))
             elif op.kind not in self.elsewhere:
-                text = self._text(op)
-                self.lines.append(f"{pad}const {_type(op)} {self._name(op)} = {text};".replace("const const", "const"))
+                self.compute(op, pad)
 
-    def _text(self, op: Op) -> str:
-        args = [self.value(arg) for arg in op.args]
-        if op.kind in _SYMBOLS:
-            return f"{args[0]} {_SYMBOLS[op.kind]} {args[1]}"
+    def assign(self, pad: str, name: str, value: str) -> None:
+        """Write an assignment."""
+        self.lines.append(f"{pad}{name} {self.assigns} {value};")
+
+    def compute(self, op: Op, pad: str) -> None:
+        """Write an operation that gives a value."""
+        text = self.text(op, *map(self.value, op.args))
+        self.assign(pad, self._declared(op), text)
+
+    def text(self, op: Op, *args: str) -> str:
+        """Return the expression of an operation."""
+        if op.kind in self.functions:
+            return f"{self.functions[op.kind]}({', '.join(args)})"
         if op.kind in _LEAVES:
             return f"{_LEAVES[op.kind]}[{op.extra}]"
-        if op.kind in _LIBRARY or op.kind == "uniform":
-            return f"{op.kind}({', '.join(args)})"
         if op.kind == "compare":
-            return f"{args[0]} {op.extra} {args[1]}"
+            return f"{args[0]} {self.symbols.get(op.extra, op.extra)} {args[1]}"
         if op.kind == "select":
             return f"{args[0]} ? {args[1]} : {args[2]}"
         if op.kind == "lookup":
             return f"{args[0]}[(int64_t){args[1]}]"
         if op.kind == "delayed":
-            return self.past(op, f"(int64_t){args[0]}")
+            return self.past(op, args[0])
         if op.kind == "member":
             return self.member(op)
-        return {"fneg": f"-{args[0]}", "not": f"!{args[0]}"}[op.kind]
+        symbol = self.symbols[op.kind]
+        return f"{symbol}{args[0]}" if len(args) == 1 else f"{args[0]} {symbol} {args[1]}"
 
     def past(self, op: Op, tick: str) -> str:
         """Return the place of a past value."""
-        return f"ring[{tick} & mask]"
+        return f"ring[(int64_t){tick} & mask]"
 
     def member(self, op: Op) -> str:
         """Return the place of a number of a bank's member."""
@@ -150,38 +169,38 @@ class Writer:
         return f"{first} + {op.extra[1]} * {self.value(op.args[-1])}_n"
 
     def _branch(self, op: Op, pad: str) -> None:
-        self.lines += [f"{pad}{_type(result)} {self._name(result)};" for result in op.results]
-        for head, block in ((f"if ({self.value(op.args[0])}) {{", op.blocks[0]), ("} else {", op.blocks[1])):
+        if self.declares:
+            self.lines += [f"{pad}{self._declared(result, const='')};" for result in op.results]
+        for head, block in ((self.if_.format(self.value(op.args[0])), op.blocks[0]), (self.else_, op.blocks[1])):
             self.lines.append(pad + head)
             self.block(block, pad + "    ")
             for result, end in zip(op.results, block.ends, strict=True):
-                self.lines.append(f"{pad}    {self._name(result)} = {self.value(end)};")
-        self.lines.append(f"{pad}}}")
+                self.assign(pad + "    ", self.name(result), self.value(end))
+        self.lines.append(pad + self.end_if)
 
     def _loop(self, op: Op, pad: str) -> None:
-        test, round_ = op.blocks
+        (test, round_), inner = op.blocks, pad + "    "
         for carried, result, start in zip(op.extra, op.results, op.args, strict=True):
-            self._names[id(result)] = self._name(carried)
-            self.lines.append(f"{pad}{_type(carried)} {self._name(carried)} = {self.value(start)};")
+            self._names[id(result)] = self.name(carried)
+            self.assign(pad, self._declared(carried, const=""), self.value(start))
         if op.index:
-            index = self._name(op.index)
-            self.lines.append(f"{pad}for (int64_t {index}_n = 0; {index}_n < {op.index.extra}; ++{index}_n) {{")
-            self.lines.append(f"{pad}    const double {index} = (double){index}_n; (void){index};")
+            self.lines += [pad + line for line in self.counting(self.name(op.index), op.index.extra)]
         else:
-            self.lines.append(f"{pad}for (;;) {{")
-            self.block(test, pad + "    ")
-            self.lines.append(f"{pad}    if (!{self.value(test.ends[0])}) break;")
-        self.block(round_, pad + "    ")
+            self.lines.append(pad + self.while_)
+            self.block(test, inner)
+            self.lines.append(inner + self.leave.format(self.value(test.ends[0])))
+        self.block(round_, inner)
         # All of the next values are computed before the first is stored.
-        after = [self.value(end) for end in round_.ends]
-        for n, (carried, end) in enumerate(zip(op.extra, after, strict=True)):
-            self.lines.append(f"{pad}    const {_type(carried)} {self._name(carried)}_{n} = {end};")
-        self.lines += [f"{pad}    {self._name(carried)} = {self._name(carried)}_{n};" for n, carried in enumerate(op.extra)]
-        self.lines.append(f"{pad}}}")
+        for carried, end in zip(op.extra, [self.value(end) for end in round_.ends], strict=True):
+            self.assign(inner, self._declared(carried, ending="_after"), end)
+        for carried in op.extra:
+            self.assign(inner, self.name(carried), f"{self.name(carried)}_after")
+        self.lines.append(pad + (self.end_for if op.index else self.end_while))
 
-
-def _type(op: Op) -> str:
-    return _TYPES.get(op.type, "double")
+    def counting(self, index: str, count: int) -> list[str]:
+        """Return the head of a loop that counts, and its index as a number."""
+        head = f"for (int64_t {index}_n = 0; {index}_n < {count}; ++{index}_n) {{"
+        return [head, f"    const double {index} = (double){index}_n; (void){index};"]
 
 
 def literal(number: float) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from contourlab.engine.translate.c99 import HASH, Writer, literal
-from contourlab.engine.translate.control import Control, Field, Memory
+from contourlab.engine.translate.control import IN_PLACE, Control, Field, Memory
 from contourlab.engine.translate.graph import Op
 
 INCLUDES = ("#include <math.h>", "#include <stdbool.h>", "#include <stdint.h>")
@@ -90,7 +90,7 @@ def body_of(made: Control, storage: str = "") -> str:
             f"{storage}void {name}_init({name}_state *state, double position)",
             "{",
             *([] if any(f.slope for f in made.states.values()) else ["    (void)position;"]),
-            *(f"    state->{state.name} = {at_rest(state)};" for state in made.states.values()),
+            *(f"    state->{state.name} = {state.at_rest('position', literal)};" for state in made.states.values()),
             *(line for memory in (*made.banks, *made.rings) for line in _filled(memory)),
             *(["    state->tick = 0.0;"] if made.counts_ticks else []),
             "}",
@@ -157,14 +157,6 @@ def comment(lines: Iterable[str]) -> str:
     return "\n".join(["/*", *(f" * {line}" for line in lines), " */"])
 
 
-def at_rest(state: Field) -> str:
-    """Return the value of a state at rest at `position`."""
-    if state.slope == 0.0:
-        return literal(state.value)
-    moved = "position" if state.slope == 1.0 else f"({literal(state.slope)} * position)"
-    return moved if state.value == 0.0 else f"{literal(state.value)} + {moved}"
-
-
 def _struct(name: str, fields: Iterable[Field]) -> list[str]:
     members = [f"    double {field.name};{_meaning(field)}" for field in fields] or ["    double none; /* there are none */"]
     return ["typedef struct {", *members, f"}} {name};", ""]
@@ -182,10 +174,10 @@ def _listed(memory: Memory) -> str:
 def _filled(memory: Memory) -> list[str]:
     """Return the statements that fill an array at rest."""
     if len(set(memory.fields)) > 1:
-        return [f"    state->{memory.name}[{k}] = {at_rest(field)};" for k, field in enumerate(memory.fields)]
+        return [f"    state->{memory.name}[{k}] = {field.at_rest('position', literal)};" for k, field in enumerate(memory.fields)]
     return [
         f"    for (int64_t n = 0; n < {len(memory.fields)}; ++n) {{",
-        f"        state->{memory.name}[n] = {at_rest(memory.fields[0])};",
+        f"        state->{memory.name}[n] = {memory.fields[0].at_rest('position', literal)};",
         "    }",
     ]
 
@@ -193,7 +185,7 @@ def _filled(memory: Memory) -> list[str]:
 class _ControlWriter(Writer):
     """Writes a tick over the structs of a controller."""
 
-    elsewhere = ("constant", "parameter", "external", "before", "table", "ring", "tick", "time", "period")
+    elsewhere = IN_PLACE
 
     def __init__(self, made: Control) -> None:
         super().__init__()
@@ -208,17 +200,16 @@ class _ControlWriter(Writer):
         if op.kind == "before":
             return f"x_{made.states[op.extra].name}"
         if op.kind == "table":
-            return next(table.name for table in made.tables if table.first == op.extra)
+            return made.array(op).name
         words = {"tick": "state->tick", "time": "(state->tick * PERIOD)", "period": "PERIOD"}
         return words.get(op.kind) or super().value(op)
 
     def past(self, op: Op, tick: str) -> str:
-        ring = next(ring for ring in self.made.rings if ring.first == op.extra[0])
-        return f"state->{ring.name}[{tick} & {op.extra[1] - 1}]"
+        return f"state->{self.made.array(op).name}[(int64_t){tick} & {op.extra[1] - 1}]"
 
     def member(self, op: Op) -> str:
-        bank = next(bank for bank in self.made.banks if 0 <= op.extra[0] - bank.first < len(bank.fields))
+        bank = self.made.array(op)
         return f"state->{bank.name}[{self.member_row(op, op.extra[0] - bank.first)}]"
 
     def stored(self, op: Op) -> str:
-        return self.past(op, "(int64_t)state->tick") if op.kind == "store_ring" else self.member(op)
+        return self.past(op, "state->tick") if op.kind == "store_ring" else self.member(op)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from contourlab.arrays import Array
@@ -15,6 +15,8 @@ from contourlab.engine.translate.tick_graph import Rows, TickGraph, tick_graph
 
 LIBRARY = ("exp", "log", "tanh", "sin", "cos")
 """Operations that a mathematical library computes, each within about 1 ulp; all others are exact everywhere."""
+IN_PLACE = ("constant", "parameter", "external", "before", "table", "ring", "tick", "time", "period")
+"""Kinds of operations that are printed without a variable of their own."""
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,13 @@ class Field:
     doc: str = ""
     value: float = 0.0
     slope: float = field(default=0.0, metadata={"json": ""})
+
+    def at_rest(self, position: str, literal: Callable[[float], str]) -> str:
+        """Return the text of a state at rest at a position."""
+        if self.slope == 0.0:
+            return literal(self.value)
+        moved = position if self.slope == 1.0 else f"({literal(self.slope)} * {position})"
+        return moved if self.value == 0.0 else f"{literal(self.value)} + {moved}"
 
 
 @dataclass(frozen=True)
@@ -109,6 +118,13 @@ class Control:
         """The input that says where the axis is when the controller is switched on."""
         names = [field.name for field in self.inputs.values()]
         return next((name for name in ("position", "motor_position") if name in names), "reference")
+
+    def array(self, op: Op) -> Memory:
+        """Return the table, ring or bank that an operation takes or stores in."""
+        if op.kind == "table":
+            return next(table for table in self.tables if table.first == op.extra)
+        row = op.extra[0]
+        return next(memory for memory in (*self.rings, *self.banks) if 0 <= row - memory.first < len(memory.fields))
 
     def carried(self) -> list[tuple[int, Op]]:
         """Return the row of each state and its value after the tick."""

@@ -92,11 +92,6 @@ def loaded(code: bytes, name: str, signature: Any) -> Any:
     return function
 
 
-def compiled(source: str) -> Any:
-    """Return the function ``step`` of LLVM IR as a C function."""
-    return loaded(object_code(source), "step", SIGNATURE)
-
-
 def _machine() -> Any:
     import llvmlite.binding as llvm
 

@@ -105,9 +105,7 @@ class Writer:
         pointers = f"<{self.lanes} x ptr>"
         name = f"llvm.masked.gather.v{self.lanes}f64.v{self.lanes}p0"
         self.declared[name] = f"declare {self.number} @{name}({pointers}, i32, {self.truth}, {self.number})"
-        return self.let(
-            f"call {self.number} @{name}({pointers} {place}, i32 8, {self.truth} {self._mask}, {self.number} zeroinitializer)"
-        )
+        return self.let(f"call {self.number} @{name}({pointers} {place}, i32 8, {self.truth} {self._mask}, {self.number} zeroinitializer)")
 
     def truncated(self, value: str) -> str:
         """Return numbers as whole numbers."""

@@ -5,17 +5,15 @@ from __future__ import annotations
 import math
 import uuid
 from collections.abc import Iterable
+from typing import ClassVar
 
-from contourlab.engine.translate.control import Control, Field, Memory
-from contourlab.engine.translate.graph import CONDITION, Block, MismatchError, Op
+from contourlab.engine.translate.c99 import Writer
+from contourlab.engine.translate.control import IN_PLACE, Control, Field, Memory
+from contourlab.engine.translate.graph import CONDITION, MismatchError, Op
 
-_SYMBOLS = {"fadd": "+", "fsub": "-", "fmul": "*", "fdiv": "/", "and": "AND", "or": "OR"}
-_SIGNS = {"==": "=", "!=": "<>"}
-_LIBRARY = {"sqrt": "SQRT", "fabs": "ABS", "exp": "EXP", "log": "LN", "sin": "SIN", "cos": "COS"}
 _LARGEST = "1.7976931348623157E+308"
 _WHOLE = "4503599627370496.0"
 """2^52: a number that is added to it and subtracted again is rounded to a whole number."""
-_LEFT_OUT = ("constant", "parameter", "external", "before", "table", "ring", "tick", "time", "period")
 
 
 def plain(made: Control) -> str:
@@ -51,7 +49,7 @@ def _parts(made: Control) -> tuple[str, str]:
     writer = _Writer(made)
     writer.block(made.tick.graph.top, "    ")
     writer.block(made.tick.body, "    ")
-    states = list(made.states.values())
+    states, place = list(made.states.values()), input_name(made.feedback)
     after = [f"    s_{made.states[row].name} := {writer.value(op)};" for row, op in made.carried()]
     arrays = [*made.banks, *made.rings]
     ticks = ["s_tick : LREAL; (* number of the call *)"] if made.counts_ticks else []
@@ -77,8 +75,8 @@ def _parts(made: Control) -> tuple[str, str]:
     ]
     body = [
         "IF enable AND NOT running THEN",
-        *(f"    s_{state.name} := {_at_rest(state, _place(made))};" for state in states),
-        *(f"    {memory.name}[{k}] := {_at_rest(field, _place(made))};" for memory in arrays for k, field in enumerate(memory.fields)),
+        *(f"    s_{state.name} := {state.at_rest(place, literal)};" for state in states),
+        *(f"    {memory.name}[{k}] := {field.at_rest(place, literal)};" for memory in arrays for k, field in enumerate(memory.fields)),
         *(["    s_tick := 0.0;"] if ticks else []),
         "END_IF",
         "running := enable;",
@@ -103,10 +101,6 @@ def _input(field: Field) -> Field:
     return Field(input_name(field.name), field.unit, field.doc)
 
 
-def _place(made: Control) -> str:
-    return input_name(made.feedback)
-
-
 def _section(head: str, lines: Iterable[str]) -> list[str]:
     inner = [f"    {line}" for line in lines]
     return [head, *inner, "END_VAR"] if inner else []
@@ -126,13 +120,6 @@ def _listed(memory: Memory) -> str:
     return ", ".join(literal(field.value).strip("()") for field in memory.fields)
 
 
-def _at_rest(state: Field, place: str) -> str:
-    if state.slope == 0.0:
-        return literal(state.value)
-    moved = place if state.slope == 1.0 else f"{literal(state.slope)} * {place}"
-    return moved if state.value == 0.0 else f"{literal(state.value)} + {moved}"
-
-
 def literal(number: float) -> str:
     """Return a number of type LREAL that reads back identical; infinity is the largest number."""
     if math.isnan(number):
@@ -144,15 +131,21 @@ def literal(number: float) -> str:
     return text if math.copysign(1.0, number) > 0.0 else f"(-{text})"
 
 
-class _Writer:
-    """Writes operations as statements; each value is a variable, declared in `locals`."""
+class _Writer(Writer):
+    """Writes statements of Structured Text; variables are declared in `locals`."""
+
+    elsewhere = IN_PLACE
+    symbols: ClassVar = Writer.symbols | {"and": "AND", "or": "OR", "not": "NOT ", "==": "=", "!=": "<>"}
+    functions: ClassVar = {"sqrt": "SQRT", "fabs": "ABS", "exp": "EXP", "log": "LN", "sin": "SIN", "cos": "COS"}
+    declares = False
+    assigns, if_, else_, while_, leave = ":=", "IF {} THEN", "ELSE", "WHILE TRUE DO", "IF NOT {} THEN EXIT; END_IF"
+    end_if, end_for, end_while = "END_IF", "END_FOR", "END_WHILE"
 
     def __init__(self, made: Control) -> None:
+        super().__init__()
         self.made = made
-        self.lines: list[str] = []
         self.locals: dict[str, str] = {}
         self.indices: list[str] = []
-        self._names: dict[int, str] = {}
 
     def value(self, op: Op) -> str:
         made = self.made
@@ -165,56 +158,32 @@ class _Writer:
         if op.kind == "before":
             return f"x_{made.states[op.extra].name}"
         if op.kind == "table":
-            return next(table.name for table in made.tables if table.first == op.extra)
+            return made.array(op).name
         words = {"tick": "s_tick", "time": "(s_tick * PERIOD)", "period": "PERIOD"}
-        return words.get(op.kind) or self._names[id(op)]
+        return words.get(op.kind) or super().value(op)
 
-    def _name(self, op: Op) -> str:
-        name = self._names.setdefault(id(op), f"v{len(self._names)}")
+    def name(self, op: Op, ending: str = "") -> str:
+        name = super().name(op, ending)
         self.locals[name] = "BOOL" if op.type == CONDITION else "LREAL"
         return name
 
-    def block(self, block: Block, pad: str) -> None:
-        for op in block.ops:
-            if op.kind == "branch":
-                self._branch(op, pad)
-            elif op.kind == "loop":
-                self._loop(op, pad)
-            elif op.kind == "store_ring":
-                self.lines.append(f"{pad}{self._past(op, 's_tick')} := {self.value(op.args[0])};")
-            elif op.kind == "store_member":
-                self.lines.append(f"{pad}{self._member(op)} := {self.value(op.args[0])};")
-            elif op.kind in ("floor", "rint", "tanh"):
-                self._in_steps(op, pad)
-            elif op.kind not in _LEFT_OUT:
-                text = self._text(op)
-                self.lines.append(f"{pad}{self._name(op)} := {text};")
-
-    def _text(self, op: Op) -> str:
-        args = [self.value(arg) for arg in op.args]
-        if op.kind in _SYMBOLS:
-            return f"{args[0]} {_SYMBOLS[op.kind]} {args[1]}"
-        if op.kind in _LIBRARY:
-            return f"{_LIBRARY[op.kind]}({args[0]})"
-        if op.kind == "compare":
-            return f"{args[0]} {_SIGNS.get(op.extra, op.extra)} {args[1]}"
+    def text(self, op: Op, *args: str) -> str:
         if op.kind == "select":
             return f"SEL({args[0]}, {args[2]}, {args[1]})"
         if op.kind == "copysign":
             return f"SEL({args[1]} < 0.0, ABS({args[0]}), -ABS({args[0]}))"
         if op.kind == "lookup":
             return f"{args[0]}[LREAL_TO_LINT({args[1]})]"
-        if op.kind == "delayed":
-            return self._past(op, args[0])
-        if op.kind == "member":
-            return self._member(op)
         if op.kind == "uniform":
             raise MismatchError("random numbers: Structured Text has none")
-        return {"fneg": "-", "not": "NOT "}[op.kind] + args[0]
+        return super().text(op, *args)
 
-    def _in_steps(self, op: Op, pad: str) -> None:
-        """Write a function that the language lacks."""
-        x, name = self.value(op.args[0]), self._name(op)
+    def compute(self, op: Op, pad: str) -> None:
+        if op.kind not in ("floor", "rint", "tanh"):
+            super().compute(op, pad)
+            return
+        # The language lacks these functions.
+        x, name = self.value(op.args[0]), self.name(op)
         sign = f"{name} := SEL({x} < 0.0, {name}, -{name});"
         if op.kind == "tanh":
             steps = [f"{name} := EXP(-2.0 * ABS({x}));", f"{name} := (1.0 - {name}) / (1.0 + {name});", sign]
@@ -223,41 +192,16 @@ class _Writer:
             steps += [f"IF {name} > {x} THEN {name} := {name} - 1.0; END_IF"] if op.kind == "floor" else []
         self.lines += [pad + step for step in steps]
 
-    def _past(self, op: Op, tick: str) -> str:
-        ring = next(ring for ring in self.made.rings if ring.first == op.extra[0])
-        return f"{ring.name}[(LREAL_TO_LINT({tick}) + {op.extra[1]}) MOD {op.extra[1]}]"
+    def past(self, op: Op, tick: str) -> str:
+        return f"{self.made.array(op).name}[(LREAL_TO_LINT({tick}) + {op.extra[1]}) MOD {op.extra[1]}]"
 
-    def _member(self, op: Op) -> str:
-        bank = next(bank for bank in self.made.banks if 0 <= op.extra[0] - bank.first < len(bank.fields))
-        return f"{bank.name}[{op.extra[0] - bank.first} + {op.extra[1]} * {self.value(op.args[-1])}_n]"
+    def member(self, op: Op) -> str:
+        bank = self.made.array(op)
+        return f"{bank.name}[{self.member_row(op, op.extra[0] - bank.first)}]"
 
-    def _branch(self, op: Op, pad: str) -> None:
-        for head, block in ((f"IF {self.value(op.args[0])} THEN", op.blocks[0]), ("ELSE", op.blocks[1])):
-            self.lines.append(pad + head)
-            self.block(block, pad + "    ")
-            for result, end in zip(op.results, block.ends, strict=True):
-                self.lines.append(f"{pad}    {self._name(result)} := {self.value(end)};")
-        self.lines.append(f"{pad}END_IF")
+    def stored(self, op: Op) -> str:
+        return self.past(op, "s_tick") if op.kind == "store_ring" else self.member(op)
 
-    def _loop(self, op: Op, pad: str) -> None:
-        test, round_ = op.blocks
-        for carried, result, start in zip(op.extra, op.results, op.args, strict=True):
-            self._names[id(result)] = self._name(carried)
-            self.lines.append(f"{pad}{self._name(carried)} := {self.value(start)};")
-        if op.index:
-            index = self._name(op.index)
-            self.indices.append(index)
-            self.lines.append(f"{pad}FOR {index}_n := 0 TO {op.index.extra - 1} DO")
-            self.lines.append(f"{pad}    {index} := LINT_TO_LREAL({index}_n);")
-        else:
-            self.lines.append(f"{pad}WHILE TRUE DO")
-            self.block(test, pad + "    ")
-            self.lines.append(f"{pad}    IF NOT {self.value(test.ends[0])} THEN EXIT; END_IF")
-        self.block(round_, pad + "    ")
-        # All of the next values are computed before the first is stored.
-        after = [(self._name(carried), self.value(end)) for carried, end in zip(op.extra, round_.ends, strict=True)]
-        for name, end in after:
-            self.locals[f"{name}_after"] = self.locals[name]
-            self.lines.append(f"{pad}    {name}_after := {end};")
-        self.lines += [f"{pad}    {name} := {name}_after;" for name, _ in after]
-        self.lines.append(f"{pad}{'END_FOR' if op.index else 'END_WHILE'}")
+    def counting(self, index: str, count: int) -> list[str]:
+        self.indices.append(index)
+        return [f"FOR {index}_n := 0 TO {count - 1} DO", f"    {index} := LINT_TO_LREAL({index}_n);"]

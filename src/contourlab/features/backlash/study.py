@@ -344,7 +344,6 @@ def _conclusions(axes: Mapping[str, AxisGap], others: list[str]) -> Iterator[Fin
 
 
 def _toml(parts: Mapping[str, Component], machine: Machine) -> str:
-    """Return the compensation as TOML."""
 
     def units(name: str) -> tuple[str, str]:
         plant = machine.axis(name).plant

@@ -184,7 +184,6 @@ def write_canon(file: str | Path, out: TextIO, *, as_json: bool, reading: Readin
 
 
 def _line(move: dict[str, Any]) -> str:
-    """Return a move as one line of text."""
     words = [f"{move['line']:>6}", f"{move['kind']:<8}"]
     if move["kind"] == "dwell":
         return " ".join([*words, f"{move['seconds']:g} s"]) + "\n"

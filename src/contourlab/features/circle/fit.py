@@ -13,7 +13,8 @@ from contourlab.arrays import Array
 from contourlab.errors import ResultError
 from contourlab.features.circle.periodic import refined, strongest
 from contourlab.features.circle.runs import CircleRun
-from contourlab.features.circle.signatures import AFTER, BEFORE, Term, columns_of, outside, past, usual_terms
+from contourlab.features.circle.signatures import AFTER, BEFORE, Term, columns_of, usual_terms
+from contourlab.metrics.circle_backlash import WIDEST_HOLE, outside, past, widest_hole
 
 MOST_PERIODIC = 4
 """Cyclic errors and vibrations together."""
@@ -21,8 +22,6 @@ CERTAIN = 5.0
 """Deviations that the amplitude of a cyclic error or vibration must exceed: it is the largest of about a thousand candidates."""
 LEAST_GAIN = 0.02
 """Share of the residual's squares that a cyclic error or vibration must remove."""
-WIDEST_HOLE = math.radians(12.0)
-"""Widest part of the circle without samples, besides what is left out at the reversals."""
 LEAST_IN_BIN = 6
 """Least number of samples whose mean gives the height of a spike."""
 BIN = (math.radians(0.2), math.radians(1.0))
@@ -99,7 +98,7 @@ class CircleFit:
         curves = [np.zeros(run.turned.shape) for run in self.runs]
         for curve, run in zip(curves, self.runs, strict=True):
             for angle in {spike.angle for spike in self.spikes if spike.axis == axis}:
-                curve += np.interp(past(run, angle), place, shape, left=0.0, right=0.0)
+                curve += np.interp(past(run.turned, run.clockwise, angle), place, shape, left=0.0, right=0.0)
         return curves
 
 
@@ -126,7 +125,8 @@ def fit_circle(runs: Sequence[CircleRun], axes: tuple[str, str], pitch: float | 
     The covariance allows for the autocorrelation of the residual (`contourlab.analysis.identification.gauss_newton.fit_covariance`).
     """
     _check(runs)
-    kept = [replace(run, turned=run.turned[use], deviation=run.deviation[use]) for run in runs for use in [outside(run)]]
+    uses = [outside(run.turned, run.clockwise, BEFORE, AFTER) for run in runs]
+    kept = [replace(run, turned=run.turned[use], deviation=run.deviation[use]) for run, use in zip(runs, uses, strict=True)]
     _check_cover(kept)
     terms = usual_terms(axes, len({run.clockwise for run in runs}) == 2)
     coefficients, covariance, residuals = _solved(kept, terms, axes)
@@ -161,11 +161,7 @@ def _check(runs: Sequence[CircleRun]) -> None:
 def _check_cover(kept: Sequence[CircleRun]) -> None:
     """Raise for a run with a hole."""
     for run in kept:
-        angles = np.sort(run.angle)
-        holes = np.diff(angles, append=angles[0] + 2.0 * math.pi)
-        over = np.diff(np.floor(angles / (0.5 * math.pi)), append=4.0) > 0.0
-        hole = float((holes - (BEFORE + AFTER) * over).max())
-        if hole > WIDEST_HOLE:
+        if (hole := widest_hole(run.turned, BEFORE + AFTER)) > WIDEST_HOLE:
             raise ResultError(f"{math.degrees(hole):.3g} degrees without a sample outside the reversals: measure the whole circle")
 
 
@@ -255,11 +251,11 @@ def _top(shape: Array) -> tuple[slice, Array]:
 
 
 def _window(fit: CircleFit, k: int, angle: float, left: Array, residual: Array, edges: Array) -> _Window:
-    gone, n = past(fit.runs[k], angle), len(edges) - 1
+    run, n = fit.runs[k], len(edges) - 1
+    gone = past(run.turned, run.clockwise, angle)
     near = np.flatnonzero((gone >= edges[0]) & (gone < edges[-1]))
     bins = np.clip(np.searchsorted(edges, gone[near], side="right") - 1, 0, n - 1)
     count = np.maximum(np.bincount(bins, minlength=n), 1)
-    run = fit.runs[k]
     part = replace(run, turned=run.turned[near], deviation=run.deviation[near])
     rows = np.column_stack([columns_of(term, part, k, len(fit.runs), fit.axes) for term in fit.terms])
     base = np.array([np.bincount(bins, column, n) / count for column in rows.T]).T

@@ -35,7 +35,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array
 from contourlab.features.circle.runs import CircleRun
 
 BEFORE, AFTER = math.radians(2.0), math.radians(15.0)
@@ -101,18 +101,3 @@ def columns_of(term: Term, run: CircleRun, k: int, n: int, axes: tuple[str, str]
         "lateral play": 0.5 * sense * (np.abs(s) if first else -np.abs(c)),
     }
     return np.asarray(one[term.cause][:, None])
-
-
-def past(run: CircleRun, angle: float) -> Array:
-    """Return the angle of each sample past a given angle in the sense of the run, from -pi to pi."""
-    gone = (run.turned - angle) * run.sense
-    return np.asarray(gone - 2.0 * math.pi * np.rint(gone / (2.0 * math.pi)))
-
-
-def outside(run: CircleRun) -> Flags:
-    """Return which samples are away from all reversals."""
-    use = np.ones(run.turned.shape, dtype=bool)
-    for i in range(4):
-        gone = past(run, 0.5 * math.pi * i)
-        use &= (gone < -BEFORE) | (gone > AFTER)
-    return use

@@ -34,7 +34,7 @@ def identify_open_loop(record: AxisRecord) -> Identified:
     unit, forces = record.unit, forces_of([record])
     uncertainty = _propagated(forces, fit)
     on_mass, possible = mass_findings(1.0 / fit["a"]) if unit == "N" else ([], True)
-    units = {"a": _per("m/s^2", unit), "b": "1/s", "friction": unit, "offset": unit, "delay": "s", "start": "m/s"}
+    units = {"a": f"m/s^2/{unit}".rstrip("/"), "b": "1/s", "friction": unit, "offset": unit, "delay": "s", "start": "m/s"}
     found = fit.found
     steady = f"steady {1e3 * fit['a'] / max(fit['b'], 1e-12):.4g} mm/s per {unit or 'command'}"
     return Identified(
@@ -82,7 +82,7 @@ def identify_behind_observer(record: AxisRecord, gains: tuple[float, float, str]
         fit = identify_first_order(record.time, record.driven() + record.estimate, record.position, friction=False)
         unit, labels, start = record.unit, ("velocity [mm/s]", command_label(record.unit)), FROM_COMMAND
     found, key = fit.found, labels[0].partition(" ")[0]
-    units = {"a'": _per("m/s^2", unit), "b'": "1/s", "delay": "s", "start": "m/s"}
+    units = {"a'": f"m/s^2/{unit}".rstrip("/"), "b'": "1/s", "delay": "s", "start": "m/s"}
     names = [{"a": "a'", "b": "b'"}.get(name, name) for name in found.names]
     return Identified(
         "closed-loop",
@@ -96,10 +96,6 @@ def identify_behind_observer(record: AxisRecord, gains: tuple[float, float, str]
         lines=(start, "use them as model_gain and model_damping of a controller, not in a plant"),
         pictures=_pictures(fit, key, f"{key.capitalize()} of axis {record.axis}, {record.source}", labels),
     )
-
-
-def _per(top: str, unit: str) -> str:
-    return f"{top}/{unit}" if unit else top
 
 
 def _pictures(fit: FirstOrderFit, key: str, title: str, labels: tuple[str, str]) -> tuple[Picture, ...]:

@@ -264,7 +264,6 @@ def identified_drive(
 
 
 def _units(unit: str) -> dict[str, str]:
-    """Return the units of the parameters."""
     force = unit or "command"
     mass, loss = ("kg", "N*s/m") if unit == "N" else (f"{force}*s^2/m", f"{force}*s/m")
     units = dict.fromkeys(("M", "mass", "motor_mass", "load_mass"), mass) | dict.fromkeys(("B", "damping", "shaft_damping"), loss)

@@ -116,7 +116,6 @@ def _mean_friction(x: Mapping[str, float]) -> Sequence[float]:
 
 
 def _force(record: AxisRecord) -> np.ndarray:
-    """Return the force [N]."""
     command = record.driven()
     if record.unit != "N":
         raise ResultError(f"{record.source}: the force per command is unknown: give {newton_option(record.logged)}")

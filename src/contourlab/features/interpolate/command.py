@@ -71,7 +71,6 @@ def interpolate_file(
 
 
 def _length(option: str, text: str, example: str) -> float:
-    """Read a length."""
     try:
         return to_si(text, "m")
     except UnitError as error:

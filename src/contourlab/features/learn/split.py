@@ -160,7 +160,7 @@ def growth_of(errors: list[Array], servo_period: float, axes: tuple[str, ...]) -
     """
     if len(errors) < 3:
         return None
-    before, after = (_spectrum(errors[i] - errors[i - 1], servo_period) for i in (-2, -1))
+    before, after = (_spectrum(errors[i] - errors[i - 1]) for i in (-2, -1))
     grown = after - before
     k, j = np.unravel_index(int(np.argmax(grown)), grown.shape)
     if not grown[k, j] > 0.0:
@@ -180,7 +180,7 @@ def growth_of(errors: list[Array], servo_period: float, axes: tuple[str, ...]) -
     return Growth(max(low - 0.5, 0.0) * step, (high + 0.5) * step, middle * step, factor, axes[int(j)])
 
 
-def _spectrum(signal: Array, servo_period: float) -> Array:
+def _spectrum(signal: Array) -> Array:
     """Return the power spectrum (n_frequency, n_axis), averaged over neighbours up to a tenth of the frequency."""
     from scipy.fft import rfft
 

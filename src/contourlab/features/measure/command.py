@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import platform
 import shlex
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -13,7 +12,6 @@ from typing import Any, Literal
 
 import numpy as np
 
-from contourlab import __version__
 from contourlab.app.command_line import as_typed, chosen_options
 from contourlab.app.json_values import json_values
 from contourlab.app.results import staged
@@ -36,7 +34,6 @@ from contourlab.findings import Finding, finding
 from contourlab.logs import Log
 from contourlab.logs.load import about
 from contourlab.metrics import reversal_figures
-from contourlab.metrics.circles import pairs
 from contourlab.result import write_text_atomic
 from contourlab.units import to_si
 
@@ -136,7 +133,6 @@ def _judged(choice: LogChoice, reference: str | None = None, shift: str | None =
 
 
 def _shift(text: str | None, axes: tuple[str, ...]) -> Array | Literal["fit"] | None:
-    """Read ``--shift``."""
     if text is None or text == "fit":
         return text  # type: ignore[return-value]  # the literal
     wanted = f'"fit", or a length for each of {", ".join(axes)}, such as "{", ".join("10 mm" for _ in axes)}"'
@@ -226,15 +222,11 @@ def _report(
     from contourlab.rendering.page_tables import reversal_text
     from contourlab.rendering.tables import comparison_text
 
-    system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
-    provenance = Provenance(__version__, command, command, "", None, system)
-    schemes = [
-        SchemeReport(run.name, m.result, m.metrics, circles=m.circles, spikes=m.spikes, bidirectional=pairs(m.circles))
-        for run, m in ((run, run.measured) for run in runs)
-    ]
+    measured = ((run.name, run.measured) for run in runs)
+    schemes = [SchemeReport(name, one.result, one.metrics, circles=one.circles, spikes=one.spikes) for name, one in measured]
     notes = [str(note) if len(runs) == 1 else f"{run.name}: {note}" for run in runs for note in run.findings]
     about_runs: dict[str, Any] = {"tolerance": limit, "notes": notes, "is_measured": True, "next_steps": [step]}
-    data = ReportData(title, schemes, runs[0].measured.reference.path, provenance, **about_runs)
+    data = ReportData(title, schemes, runs[0].measured.reference.path, Provenance(command, command), **about_runs)
     write_html(data, folder / "report.html")
     if plots:
         from contourlab.rendering.plots import write_plots

@@ -278,7 +278,6 @@ def _refined(
 
 
 def _placed(run: LogRun, parameters: Sequence[RefinedParameter], which: int) -> LogRun:
-    """Return a run with its refined parameters."""
     values = {parameter.sought.name: parameter.value for parameter in parameters if which in parameter.sought.runs}
     machine, controller = with_values(run.machine, run.controller, values)
     return replace(run, machine=machine, controller=controller)

@@ -63,7 +63,6 @@ def _of_case(options: Sequence[str]) -> list[str]:
 
 
 def _without(options: Sequence[str], name: str) -> list[str]:
-    """Return options without one and its value."""
     if name not in options:
         return list(options)
     at = options.index(name)

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import math
-import platform
 from collections.abc import Sequence
 
 import numpy as np
 
-from contourlab import __version__
 from contourlab.arrays import Array
 from contourlab.features.run.margin_words import gain_words, phase_words
 from contourlab.features.run.outcome import AxisBode, Outcome
 from contourlab.feed.binding import Binding, limiting
 from contourlab.figures import listing
-from contourlab.metrics.circles import CircleFigures, pairs
+from contourlab.metrics.circles import CircleFigures
 from contourlab.rendering.data import Provenance, ReportData, SchemeReport
 from contourlab.rendering.run_data import AxisBounds, FeedRun, FrequencyResponse, TrialCourse
 
@@ -39,9 +37,8 @@ def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, comma
     first = outcomes[0]
     reference = first.reference
     programmed = None if reference.programmed is reference.path else reference.programmed
-    system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
     again = "save the scenario below as scenario.toml, then: contourlab run scenario.toml"
-    provenance = Provenance(__version__, command, again, scenario, first.case.seed, system)
+    provenance = Provenance(command, again, scenario, first.case.seed)
     schemes = [_scheme(outcome) for outcome in outcomes]
     notes = [*first.case.notes]
     others = [outcome.name for outcome in outcomes if outcome.reference.digest != reference.digest]
@@ -84,7 +81,6 @@ def _scheme(outcome: Outcome) -> SchemeReport:
         circles=outcome.circles,
         spikes=outcome.spikes,
         circle_spikes=[_marked(circle, outcome) for circle in outcome.circles],
-        bidirectional=pairs(outcome.circles),
         limits=outcome.limits,
         trials=_course(outcome),
         foretold=outcome.foretold,

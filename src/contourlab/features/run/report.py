@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import platform
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from contourlab import __version__
 from contourlab.errors import ParameterError
 from contourlab.features.run.outcome import judged_spikes
 from contourlab.features.run.verdict import unexplained
 from contourlab.feed import Reference
 from contourlab.metrics import circles_of, judge, summarise
-from contourlab.metrics.circles import pairs
 from contourlab.program import Program
 from contourlab.rendering.data import Provenance, ReportData, SchemeReport
 from contourlab.rendering.html import write_html
@@ -75,10 +72,8 @@ def report(
             raise ParameterError(f"path of {name!r}", "another one", f"that of {first!r}")
     schemes = [_scheme(name, result, motions[name], tolerance, program) for name, result in named.items()]
     programmed = None if motion.programmed is motion.path else motion.programmed
-    system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
-    provenance = Provenance(__version__, "", "", "", platform=system)
     lines = () if program is None else program.lines
-    data = ReportData(title or ", ".join(named), schemes, motion.path, provenance, programmed, lines, tolerance)
+    data = ReportData(title or ", ".join(named), schemes, motion.path, Provenance(), programmed, lines, tolerance)
     if Path(file).suffix.lower() == ".pdf":
         from contourlab.rendering.one_page import write_page
 
@@ -105,7 +100,6 @@ def _named(results: Result | Sequence[Result] | Mapping[str, Result]) -> dict[st
 
 
 def _references(named: Mapping[str, Result], reference: Reference | Sequence[Reference] | None) -> dict[str, Reference]:
-    """Return the reference of each result."""
     given = [reference] * len(named) if reference is None or isinstance(reference, Reference) else list(reference)
     if len(given) != len(named):
         raise ParameterError("reference", f"{len(given)} references", f"one for all, or one for each of {len(named)} results")
@@ -129,7 +123,6 @@ def _scheme(name: str, result: Result, reference: Reference, tolerance: float | 
         metrics=summarise(judged, reference),
         verdict=verdict,
         circles=circles,
-        bidirectional=pairs(circles),
         spikes=judged_spikes(judged, reference),
         findings=() if verdict is None else verdict.findings,
         lines=None if program is None else reference.source_line(judged["arc_length"]),

@@ -98,7 +98,6 @@ def remarks(store: Store, statuses: Mapping[str, int]) -> tuple[Finding, ...]:
 
 
 def _text(result: SweepSummary) -> str:
-    """Return the summary of a store."""
     head = f"{result.done} of {result.variants} variants in {result.store}; {result.chunks_made} of {result.chunks} chunks new"
     if result.rate:
         head += f"; {number(result.rate)} variants per second, {figure(result.elapsed, 's')} in all"

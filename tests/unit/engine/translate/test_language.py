@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
+from tests.helpers.translated_group import in_machine_code
 
 from contourlab.engine.step import Port, Step
-from contourlab.engine.translate import llvm_ir
 from contourlab.engine.translate.step_graph import graph_of
 from contourlab.errors import EngineError
 from contourlab.primitives import clip, copysign, dot, exp, fabs, floor, lookup, maximum, minimum, rint, select, sqrt
@@ -29,7 +29,7 @@ def step_of(function: Callable[[float, float], float]) -> Step:
 
 
 def compiled(function: Callable[[float, float], float]) -> Callable[[float, float], float]:
-    native = llvm_ir.compiled(llvm_ir.source_of(graph_of(step_of(function))))
+    native = in_machine_code(graph_of(step_of(function)))
 
     def run(a: float, b: float) -> float:
         inputs, out = np.array([a, b]), np.empty(1)
@@ -325,7 +325,7 @@ def test_what_decides_is_computed_first() -> None:
         return (), (i if inside else -i,)
 
     step = Step("made", found, tables=("table",), inputs=(Port("a"),), outputs=(Port("y"),))
-    native, table = llvm_ir.compiled(llvm_ir.source_of(graph_of(step))), np.arange(4.0)
+    native, table = in_machine_code(graph_of(step)), np.arange(4.0)
     for a, wanted in ((1.0, -1e15), (-1.0, 3.0)):
         tables, inputs, out = np.array([table.ctypes.data]), np.array([a]), np.empty(1)
         native(None, tables.ctypes.data, None, None, inputs.ctypes.data, 0, 0.0, 0.0, 1e-3, None, out.ctypes.data)

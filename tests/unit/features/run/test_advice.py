@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from component_rig import make
 
 import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.components.registry import component
 from contourlab.features.run.causes.advice import Trial, advice
 from contourlab.features.run.causes.remedies import remedies
 from contourlab.features.run.outcome import run_case
@@ -20,10 +20,6 @@ from contourlab.scenario import scenario_from_parts
 PERIOD = 1e-3
 A, B = 5.0, 4.0
 """Acceleration per command and decay of the plant."""
-
-
-def make(family: str, kind: str, **values: Any) -> Any:
-    return component(family, kind)(**values)
 
 
 def machine(**slots: Any) -> cl.Machine:

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from component_rig import make
 
 import contourlab as cl
-from contourlab.components.registry import component
 from contourlab.features.run.causes.causes import causes
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import AxisLimits, Reference, plan, route_from_path
@@ -19,10 +19,6 @@ from contourlab.geometry import Line, Path
 
 PERIOD = 1e-3
 MASS, FORCE = 10.0, 50.0
-
-
-def make(family: str, kind: str, **values: Any) -> Any:
-    return component(family, kind)(**values)
 
 
 def axis(name: str, **slots: Any) -> cl.Axis:
