@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from typed_commands import drag
 
 from contourlab.cli.main import main
 
@@ -23,7 +24,7 @@ y.file = "plain.toml"
 """
 PLAIN = """\
 plant = {kind = "rigid-axis", gain = "1000 mm/s^2/full_scale"}
-friction = {kind = "coulomb", coulomb = "0.01 full_scale"}
+friction = {kind = "drag", coefficient = "0.01 full_scale*s/mm"}
 drive = {kind = "saturation", limit = "1 full_scale"}
 """
 CIRCLE = """\
@@ -56,6 +57,7 @@ FILES = {
     "plain.toml": PLAIN,
     "strong.toml": PLAIN.replace("1000", "2000"),
     "study.toml": STUDY,
+    "drag.py": drag("drag"),
 }
 GAINS = ["--parameter", "x.model_gain", "--parameter", "y.position_gain"]
 BRIEF = ["--budget", "100", "--ways", "one", "--longest", "1 ms"]
@@ -72,7 +74,7 @@ def answer(folder: Path, *words: str) -> Any:
     folder.mkdir()
     for name, text in FILES.items():
         (folder / name).write_text(text)
-    command = [sys.executable, "-m", "contourlab", *words, "--json"]
+    command = [sys.executable, "-m", "contourlab", *words, "--plugin", "drag.py", "--json"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=500)
     assert done.returncode in (0, 1), done.stderr
     found = json.loads(done.stdout)

@@ -6,6 +6,7 @@ import hashlib
 import logging
 import os
 import pickle
+import re
 import shutil
 import signal
 import tempfile
@@ -49,7 +50,7 @@ class Executor:
     workers: int | None = None
 
     def __post_init__(self) -> None:
-        if self.kind not in EXECUTORS and not self.kind.startswith("dask://"):
+        if self.kind not in EXECUTORS and not re.fullmatch(r"dask://[^/]+:\d+", self.kind):
             raise ParameterError("--executor", repr(self.kind), f"one of {', '.join(EXECUTORS)}, or dask://HOST:PORT")
         if self.workers is not None and self.workers < 1:
             raise ParameterError("--workers", f"{self.workers}", "1 or more")
@@ -312,6 +313,8 @@ def _client(executor: str, count: int) -> Iterator[Any]:
         except (OSError, TimeoutError, ValueError) as error:
             raise EngineError(f"no Dask scheduler answers at {executor}: start one with  dask scheduler") from error
         with client:
+            if not client.nthreads():
+                raise EngineError(f"no worker at {executor}: start some with  dask worker {executor.removeprefix('dask://')}")
             yield client
         return
     if executor == "slurm":

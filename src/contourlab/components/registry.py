@@ -134,7 +134,7 @@ def load_plugin(file: str | Path) -> list[type[Component]]:
         (`docs/reference/ports.md`), or uses a name that is taken; then nothing is registered. The message names file, line and class.
     """
     path = Path(file).resolve()
-    name = str(path)  # so that whatever shows the module shows the file
+    name = str(path).replace(".", "_")  # shows the file; pickle takes what stands before a dot for a package
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None or spec.loader is None or not path.is_file():
         raise ComponentError(f"{file}: not a Python file: name one that defines components")

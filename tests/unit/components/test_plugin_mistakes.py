@@ -156,7 +156,7 @@ def fresh(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:
     monkeypatch.setattr(registry, "_plugins", {})
     monkeypatch.chdir(tmp_path)
     yield
-    sys.modules.pop(str(tmp_path / "mine.py"), None)
+    sys.modules.pop(str(tmp_path / "mine.py").replace(".", "_"), None)
 
 
 def said_of(text: str | bytes, capsys: pytest.CaptureFixture[str]) -> str:

@@ -50,7 +50,7 @@ def fresh(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.setattr(registry, "_plugins", {})
     yield
     registry._built_in.cache_clear()
-    for name in [name for name in sys.modules if name.endswith(".py")]:  # a plug-in is the module of its file's name
+    for name in [name for name in sys.modules if name.endswith("_py")]:  # a plug-in is the module of its file's name
         del sys.modules[name]
 
 

@@ -11,7 +11,7 @@ from time import perf_counter
 from typing import Any
 
 from contourlab.app.checkpoint import noted
-from contourlab.app.executors import Executor
+from contourlab.app.executors import Executor, Workers
 from contourlab.app.stages import shown
 from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
@@ -26,6 +26,8 @@ from contourlab.features.sweep.summary import SweepSummary, summary
 from contourlab.findings import finding
 from contourlab.result import write_text_atomic
 from contourlab.scenario import Scenario, dump, parse_scenario
+
+AGAIN = "Repeat the command with --resume to continue"
 
 
 @dataclass(frozen=True)
@@ -91,13 +93,17 @@ def sweep_study(
         stages.begin("planning the motions")
         study, structured = study_of(file, plugins, stages.advance)
         wanted = options.chosen(study.design.chunks)
-        with writing(out, study, lambda: structures_of(structured), resume=options.resume) as store, kept_note(store):
+        with (
+            options.executor.started(study.plugins, AGAIN) as pool,
+            writing(out, study, lambda: structures_of(structured), resume=options.resume) as store,
+            kept_note(store),
+        ):
             todo = [number for number in wanted if number not in store.parts]
             total, size = sum(len(study.design.numbers(number)) for number in todo), study.design.chunk
             done, last = 0, perf_counter()
             stages.begin("running variants")
             tell = lambda share: stages.advance(done + int(share * size), total)  # noqa: E731
-            for chunk in _chunks(study, todo, options.executor, tell):
+            for chunk in _chunks(study, todo, pool, options.executor.workers, tell):
                 store.write(chunk)
                 now = perf_counter()
                 store.log(chunk, now - last)
@@ -108,14 +114,14 @@ def sweep_study(
         return summary(store, made, (*study.findings, *damaged))
 
 
-def _chunks(study: Study, numbers: Sequence[int], executor: Executor, progress: Callable[[float], None]) -> Iterator[Chunk]:
+def _chunks(
+    study: Study, numbers: Sequence[int], pool: Workers | None, threads: int | None, progress: Callable[[float], None]
+) -> Iterator[Chunk]:
     """Yield finished chunks, in any order. They do not depend on the executor; progress of the present chunk is known for threads only."""
-    with executor.started(study.plugins, "Repeat the command with --resume to continue") as pool:
-        if pool is None:
-            for number in numbers:
-                yield run_chunk(study, number, executor.workers, progress)
-        else:
-            yield from (chunk for _, chunk in pool.run(chunk_elsewhere, pool.shared(study), numbers))
+    if pool is None:
+        yield from (run_chunk(study, number, threads, progress) for number in numbers)
+    else:
+        yield from (chunk for _, chunk in pool.run(chunk_elsewhere, pool.shared(study), numbers))
 
 
 def kept_note(store: Store) -> AbstractContextManager[None]:

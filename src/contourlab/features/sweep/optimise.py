@@ -21,7 +21,7 @@ from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, joined, run_chunk
-from contourlab.features.sweep.command import kept_note, structures_of
+from contourlab.features.sweep.command import AGAIN, kept_note, structures_of
 from contourlab.features.sweep.design import Design
 from contourlab.features.sweep.query import counts, rows
 from contourlab.features.sweep.statistics import pareto_front
@@ -163,10 +163,10 @@ def optimise(
         planned, structured = study_of(file, plugins, stages.advance, variants=1)
         study, levels = _space(planned, structured, options)
         with (
+            options.executor.started(study.plugins, AGAIN) as pool,
             writing(out, study, lambda: structures_of(structured), resume=options.resume) as store,
             kept_note(store),
             _journal(store, options) as journal,
-            options.executor.started(study.plugins, "Repeat the command with --resume to continue") as pool,
         ):
             stages.begin("searching")
             run = _simulated(study, options.executor.workers, pool)

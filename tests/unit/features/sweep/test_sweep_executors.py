@@ -72,6 +72,17 @@ def test_an_unknown_executor_or_an_absent_scheduler_is_said(study: Path, capsys:
     assert capsys.readouterr().err.count("\n") == 1
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("is_there", [False, True])
+def test_without_a_scheduler_or_a_worker_nothing_begins(study: Path, cluster: Callable[[int], Cluster], is_there: bool) -> None:
+    alone = cluster(0)
+    if not is_there:
+        alone.scheduler.kill()
+    done = subprocess.run(alone.command(), capture_output=True, text=True, timeout=100)
+    assert (done.returncode, done.stderr.count("\n")) == (2, 1)
+    assert not Path("store").exists()
+
+
 def test_without_its_package_a_cluster_says_what_to_type(
     study: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -81,14 +92,14 @@ def test_without_its_package_a_cluster_says_what_to_type(
 
 
 class Cluster:
-    """A Dask scheduler and two workers, each in a process of its own."""
+    """A Dask scheduler and workers, each in a process of its own."""
 
-    def __init__(self, stack: contextlib.ExitStack) -> None:
+    def __init__(self, stack: contextlib.ExitStack, workers: int) -> None:
         with socket.create_server(("127.0.0.1", 0)) as free:
             self.port = free.getsockname()[1]
         self.stack = stack
         self.scheduler = self._start("scheduler", "--host", "127.0.0.1", "--port", str(self.port))
-        self.workers = [self._start("worker", f"tcp://127.0.0.1:{self.port}", "--nthreads", "1", "--no-nanny") for _ in range(2)]
+        self.workers = [self._start("worker", f"tcp://127.0.0.1:{self.port}", "--nthreads", "1", "--no-nanny") for _ in range(workers)]
 
     def _start(self, role: str, *words: str) -> subprocess.Popen[bytes]:
         command = [*MODULE, f"distributed.cli.dask_{role}", *words, "--no-dashboard"]
@@ -102,10 +113,10 @@ class Cluster:
 
 
 @pytest.fixture
-def cluster() -> Iterator[Callable[[], Cluster]]:
+def cluster() -> Iterator[Callable[[int], Cluster]]:
     """A function that starts a cluster."""
     with contextlib.ExitStack() as stack:
-        yield lambda: Cluster(stack)
+        yield lambda workers: Cluster(stack, workers)
 
 
 def wait_for(store: str, count: int, process: subprocess.Popen[str]) -> None:
@@ -117,10 +128,10 @@ def wait_for(store: str, count: int, process: subprocess.Popen[str]) -> None:
 
 @pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")
-def test_a_cluster_may_lose_a_worker_and_then_its_scheduler(study: Path, cluster: Callable[[], Cluster]) -> None:
+def test_a_cluster_may_lose_a_worker_and_then_its_scheduler(study: Path, cluster: Callable[[int], Cluster]) -> None:
     study.write_text(MANY)
     assert main(["sweep", "study.toml", "--out", "undisturbed"]) == 0
-    first = cluster()
+    first = cluster(2)
     with subprocess.Popen(first.command(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         wait_for("store", 3, process)
         first.workers[0].kill()
@@ -129,7 +140,7 @@ def test_a_cluster_may_lose_a_worker_and_then_its_scheduler(study: Path, cluster
         _, errors = process.communicate(timeout=300)
     assert process.returncode == 2 and errors.count("\n") == 1 and "--resume" in errors
     before = parts("store")
-    second = cluster()
+    second = cluster(2)
     time.sleep(2.0)
     done = subprocess.run(second.command("--resume", "--json"), capture_output=True, text=True, timeout=500)
     assert done.returncode == 0, done.stderr
