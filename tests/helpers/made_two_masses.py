@@ -65,6 +65,29 @@ class TwoMasses:
         return out[:, 0], out[:, 1]
 
 
+def drawn(seed: int) -> tuple[TwoMasses, float]:
+    """Return a random axis, and the largest noise of its encoder [m]."""
+    generator = np.random.default_rng([24, seed])
+
+    def between(low: float, high: float) -> float:
+        return float(np.exp(generator.uniform(np.log(low), np.log(high))))
+
+    plant = TwoMasses(
+        gain=between(0.8, 6.0),
+        damping=between(5.0, 80.0),
+        load=float(generator.uniform(0.2, 0.6)),
+        frequency=between(30.0, 250.0),
+        damping_ratio=between(0.01, 0.08),
+        frictions=(between(0.005, 0.06), between(0.0005, 0.03)),
+        play=float(generator.choice([0.0, between(5e-6, 5e-5)])),
+        damped=float(generator.uniform()),
+        breakaway=float(generator.choice([0.0, generator.uniform(0.0, 0.5)])),
+        count=between(1e-7, 2e-6),
+        delay=int(generator.integers(SUBSTEPS)),
+    )
+    return plant, between(2e-8, 5e-7)
+
+
 def _rubbed(v: float, force: float, mass: float, level: float, breakaway: float, h: float) -> float:
     """Return the velocity after a step with friction that falls with the speed."""
     friction = level * (1.0 + breakaway * math.exp(-abs(v) / STRIBECK))

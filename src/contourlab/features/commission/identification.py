@@ -24,8 +24,8 @@ WELL_KNOWN = 0.1
 """Largest deviation of gain, relative to itself, with which the gains can be trusted."""
 USABLE, POOR = 60.0, 95.0
 """Fit [percent] below which the model is unusable, or gets a warning."""
-PARTS = 8
-"""Parts of a record, each left out in turn: they differ in speed and acceleration, and so does what the model lacks."""
+PARTS = range(4, 13)
+"""Numbers of parts that a record is divided into. How long it lasts what the model lacks is unknown: the largest deviation counts."""
 SHAFT = {
     "resonance": Free(60.0, 15.0, 400.0, 10.0),
     "damping_ratio": Free(0.03, 3e-3, 0.3, 0.02),
@@ -172,6 +172,7 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, fi
     rigid = best = _descended(model, measured, free)
     start, low, high = (np.array([getattr(one, part) for one in SHAFT.values()]) for part in ("start", "low", "high"))
     for count, reach, settings in SEARCHES:
+        ends = [] if best is rigid else [best]
         known = {name: replace(one, start=best[name]) for name, one in free.items()}
         values = {name: one.start for name, one in known.items()}
 
@@ -180,9 +181,11 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, fi
 
         for point in spread_starts(left, start, low, high, count, 256, reach):
             shaft = {name: replace(one, start=float(at)) for (name, one), at in zip(SHAFT.items(), point, strict=True)}
-            end = _descended(model, measured, {**known, **shaft}, settings)
-            best = end if best is rigid or end.fit > best.fit else best
+            ends.append(_descended(model, measured, {**known, **shaft}, settings))
+        best = max(ends, key=lambda end: end.fit)
         start = best.values[-len(SHAFT) :]
+    # Behind play a search does not always end at the same point: how far its ends differ is not known better.
+    best = replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std([end.values for end in ends], axis=0)))
     sure = best.deviation("resonance") < SURE * best["resonance"] and 4.0 * best.deviation("share") < best["share"]
     # The criterion of Schwarz: the residual is smaller than by chance.
     explains = 2.0 * measured.size * math.log((100.0 - rigid.fit) / max(100.0 - best.fit, 1e-9)) > len(SHAFT) * math.log(measured.size)
@@ -203,7 +206,7 @@ def _descended(
     result = descend(lambda points: np.array([(predicted(x) - measured) / size for x in points]), start, low, high, scale, settings)
     inside = (result.values > low) & (result.values < high)
     deviations = np.zeros(len(names))
-    deviations[inside] = parted_deviations(result.jacobian[:, inside], result.residual, PARTS)
+    deviations[inside] = np.max([parted_deviations(result.jacobian[:, inside], result.residual, parts) for parts in PARTS], axis=0)
     stuck = tuple(name for name, kept in zip(names, inside, strict=True) if not kept)
     output = predicted(result.values)
     fit = fit_percent(measured, output)
