@@ -344,7 +344,7 @@ def test_parts_missing_from_a_module_are_named(typed: Path) -> None:
         (["--axis", "x", "--with", "strong.toml", "--from", "gains.toml"], "widen all default bounds with --width 10"),
         (["--axis", "x", "--with", "strong.toml", "--from", "circle.toml"], "circle.toml"),
         (["--axis", "x", "--with", "strong.toml", "--seed", "-1"], "0 or more"),
-        (["--axis", "x", "--with", "strong.toml", "--threads", "0"], "1 or more"),
+        (["--axis", "x", "--with", "strong.toml", "--workers", "0"], "1 or more"),
         (["--axis", "x", "--with", "strong.toml", "--width", "0.5"], "a factor either side"),
         (["--axis", "x", "--with", "strong.toml", "--places", "3"], "a power of 2"),
         (["--axis", "x", "--with", "strong.toml", "--division", "half"], "drive, observer, controller"),

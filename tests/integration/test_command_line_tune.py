@@ -197,7 +197,7 @@ def test_a_scheme_is_chosen_by_its_name(capsys: pytest.CaptureFixture[str]) -> N
         (["--plateau", "flat"], "robust"),
         (["--lanes", "2"], "8 to 1024"),
         (["--seed", "-1"], "0 to "),
-        (["--threads", "0"], "1 or more"),
+        (["--workers", "0"], "1 or more"),
         (["--gain-margin", "-1"], "0 to 60"),
         (["--plots", "bmp"], "png"),
         (["--write", "tuned.txt"], ".toml"),

@@ -71,7 +71,7 @@ def test_a_study_says_what_matters_and_keeps_its_runs(circle: Path, capsys: pyte
     assert found["runs_reused"] == 0
     assert {file.name for file in Path("out/plots").iterdir()} == {"curves.svg", "interactions.svg", "morris.svg", "sobol.svg"}
     assert json.loads(Path("out/summary.json").read_text()) == found
-    assert main([*words, "--threads", "1"]) == 0
+    assert main([*words, "--workers", "1"]) == 0
     again = json.loads(capsys.readouterr().out)
     assert (again["runs_made"], again["runs_reused"]) == (0, found["runs_made"])
     assert again["study"] == study and again["ranking"] == found["ranking"]
@@ -175,7 +175,7 @@ def test_a_scenario_that_runs_away_says_where(circle: Path, capsys: pytest.Captu
         ([*TWO, "--deviation", "x=5 %"], "with a varied parameter"),
         ([*TWO, "--transform", "square"], "log or none"),
         ([*TWO, "--servo-period", "1 mm"], "--servo-period"),
-        ([*TWO, "--threads", "0"], "1 or more"),
+        ([*TWO, "--workers", "0"], "1 or more"),
         ([*TWO, "--seed", "-1"], "0 or more"),
         ([*TWO, "--width", "0.5"], "a factor either side"),
         ([*TWO, "--scheme", "none such"], "none such"),

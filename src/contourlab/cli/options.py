@@ -90,8 +90,11 @@ Width: TypeAlias = Annotated[float, typer.Option(help="Range of a parameter with
 GainMargin: TypeAlias = Annotated[float, typer.Option(help="Smallest allowed gain margin of an axis, in dB.")]
 PhaseMargin: TypeAlias = Annotated[float, typer.Option(help="Smallest allowed phase margin of an axis, in degrees.")]
 Seed: TypeAlias = Annotated[int, typer.Option(help="Seed of sampling and search; the same seed gives the same result.")]
-Threads: TypeAlias = Annotated[
-    int | None, typer.Option(help="Number of threads; by default one per processor. Results do not depend on it.", show_default=False)
+ExecutorKind: TypeAlias = Annotated[
+    str, typer.Option(help="threads, processes, dask-local, dask://HOST:PORT or slurm; the results are the same.")
+]
+Workers: TypeAlias = Annotated[
+    int | None, typer.Option(help="Threads, processes or jobs; by default one per processor.", show_default=False)
 ]
 
 ColumnTexts: TypeAlias = Annotated[

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -11,9 +12,24 @@ from contourlab.arrays import Array
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop import Controller, Machine, simulate_batch
+from contourlab.loop.batch import LANES, checked_variants
 
 CHUNK = 1024
 """Largest number of candidates in memory."""
+
+
+class Pool(Protocol):
+    """Workers elsewhere, see `contourlab.app.executors.Workers`."""
+
+    @property
+    def count(self) -> int:
+        """Number of workers."""
+
+    def shared(self, value: object) -> str:
+        """Send a value to all workers; return its key."""
+
+    def run(self, work: Callable[[Any, Any], Any], key: str, items: Iterable[Any]) -> Iterator[tuple[int, Any]]:
+        """Yield the number of each item and its result, in any order."""
 
 
 @dataclass(eq=False)
@@ -36,6 +52,8 @@ class Evaluator:
         Whether to compute the part error as well.
     effort : bool
         Whether to compute figures of the drives as well.
+    pool : Pool, optional
+        Where to run; by default in threads of this process.
     """
 
     machine: Machine
@@ -46,8 +64,10 @@ class Evaluator:
     threads: int | None = None
     part: bool = False
     effort: bool = True
+    pool: Pool | None = None
     runs: int = 0
     view: PathView = field(init=False, repr=False)
+    _key: str = field(init=False, repr=False, default="")
 
     def __post_init__(self) -> None:
         self.view = view_of(self.reference.path)
@@ -68,21 +88,34 @@ class Evaluator:
             If a name is unknown or a value out of range.
         """
         n = len(next(iter(columns.values())))
-        parts: list[dict[str, Array]] = []
-        for first in range(0, n, CHUNK):
-            part = {name: np.asarray(values)[first : first + CHUNK] for name, values in columns.items()}
-            batch = simulate_batch(
-                self.machine,
-                self.controller,
-                self.reference,
-                part,
-                part=self.part,
-                effort=self.effort,
-                view=self.view,
-                seed=self.seed,
-                threads=threads or self.threads,
-                moving=self.moving,
-            )
-            parts.append({**batch.figures, "failed_at": batch.failed_at.astype(float), "unsure": batch.unsure})
-            self.runs += len(batch.failed_at)
+        size = CHUNK if self.pool is None else min(CHUNK, LANES * -(-n // (LANES * self.pool.count)))
+        pieces = [{name: np.asarray(values)[first : first + size] for name, values in columns.items()} for first in range(0, n, size)]
+        if self.pool is None:
+            parts = [self.run(piece, self.part, threads or self.threads) for piece in pieces]
+        else:
+            checked_variants(self.machine, self.controller, columns)
+            self._key = self._key or self.pool.shared(replace(self, pool=None))
+            found = dict(self.pool.run(_run_elsewhere, self._key, [(piece, self.part) for piece in pieces]))
+            parts = [found[number] for number in range(len(pieces))]
+        self.runs += n
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+    def run(self, columns: Mapping[str, Array], part: bool, threads: int | None) -> dict[str, Array]:
+        """Run candidates in this process; `part` replaces that of the evaluator."""
+        batch = simulate_batch(
+            self.machine,
+            self.controller,
+            self.reference,
+            columns,
+            part=part,
+            effort=self.effort,
+            view=self.view,
+            seed=self.seed,
+            threads=threads,
+            moving=self.moving,
+        )
+        return {**batch.figures, "failed_at": batch.failed_at.astype(float), "unsure": batch.unsure}
+
+
+def _run_elsewhere(evaluator: Evaluator, item: tuple[Mapping[str, Array], bool]) -> dict[str, Array]:
+    return evaluator.run(*item, threads=1)

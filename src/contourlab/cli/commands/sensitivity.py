@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import Json, Judge, Out, Parameters, Plots, Plugins, ScenarioFile, Seed, Threads, Width, listed
+from contourlab.cli.options import ExecutorKind, Json, Judge, Out, Parameters, Plots, Plugins, ScenarioFile, Seed, Width, Workers, listed
 from contourlab.cli.output import emit_json, say, suggest, wants_progress
 
 
@@ -40,7 +40,8 @@ def sensitivity(
     ] = False,
     judge: Judge = None,
     seed: Seed = 0,
-    threads: Threads = None,
+    executor: ExecutorKind = "threads",
+    workers: Workers = None,
     out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
@@ -50,11 +51,12 @@ def sensitivity(
 
     It keeps its runs in the folder of the results: after an interrupt repeat the command, and it continues.
     """
+    from contourlab.app.executors import Executor
     from contourlab.features.sensitivity.command import Request, sensitivity_of
     from contourlab.features.sensitivity.study import PARTS, Plan
 
     plan = Plan(listed(parts) or PARTS, figure, values, base, second_order, trajectories, transform, seed)
-    given = (tuple(parameter or ()), width, distribution, tuple(deviation or ()), servo_period, threads, judge, quick)
+    given = (tuple(parameter or ()), width, distribution, tuple(deviation or ()), servo_period, Executor(executor, workers), judge, quick)
     request = Request(plan, scheme, *given)
     result = sensitivity_of(file, out, request, plugins=tuple(plugin or ()), plots=tuple(plots or ()), progress=wants_progress(as_json))
     if as_json:

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.options import (
+    ExecutorKind,
     GainMargin,
     Json,
     Out,
@@ -17,8 +18,8 @@ from contourlab.cli.options import (
     Plugins,
     ScenarioFile,
     Seed,
-    Threads,
     Width,
+    Workers,
     listed,
 )
 from contourlab.cli.output import conclude, suggest, suggest_again, wants_progress
@@ -60,7 +61,8 @@ def swap(
     budget: Annotated[int, typer.Option(help="Candidates of each search.")] = 8000,
     quick: Annotated[bool, typer.Option("--quick", help="Answer within a minute, with its uncertainty.")] = False,
     seed: Seed = 0,
-    threads: Threads = None,
+    executor: ExecutorKind = "threads",
+    workers: Workers = None,
     gain_margin: GainMargin = 6.0,
     phase_margin: PhaseMargin = 30.0,
     region: Annotated[
@@ -99,6 +101,7 @@ def swap(
     plugin: Plugins = None,
 ) -> int:
     """Find out whether one controller serves all modules of a swapped axis, or which parameters must be local."""
+    from contourlab.app.executors import Executor
     from contourlab.errors import ParameterError
     from contourlab.features.link.command import LinkOptions
     from contourlab.features.swap.command import SwapOptions, swap_scenario
@@ -119,7 +122,7 @@ def swap(
         budget=budget,
         quick=quick,
         seed=seed,
-        threads=threads,
+        executor=Executor(executor, workers),
         gain_margin=gain_margin,
         phase_margin=phase_margin,
         region=tuple(region or ()),

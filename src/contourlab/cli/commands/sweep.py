@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from contourlab.cli.options import Json, Out, Plugins
+from contourlab.cli.options import ExecutorKind, Json, Out, Plugins, Workers
 from contourlab.cli.output import conclude, emit_json, say, show_result, suggest, wants_progress
 
 
@@ -27,6 +27,7 @@ class StudyFirst(TyperGroup):
 sweep = typer.Typer(
     cls=StudyFirst, help="Run studies of thousands to millions of variants; ask their stores. `run` may be left out.", no_args_is_help=True
 )
+Resume = Annotated[bool, typer.Option("--resume", help="Continue a store; starts an empty one.")]
 StoreFolder = Annotated[Path, typer.Argument(metavar="STORE", help="Folder of a store.", show_default=False)]
 
 
@@ -39,13 +40,9 @@ def _sweep() -> None:
 def run(
     study: Annotated[Path, typer.Argument(metavar="STUDY", help="A study (.toml).", show_default=False)],
     out: Out = Path("store"),
-    resume: Annotated[bool, typer.Option("--resume", help="Continue a store; starts an empty one.")] = False,
-    executor: Annotated[
-        str, typer.Option(help="threads, processes, dask-local, dask://HOST:PORT or slurm; the results are the same.")
-    ] = "threads",
-    workers: Annotated[
-        int | None, typer.Option(help="Threads, processes or jobs; by default one per processor.", show_default=False)
-    ] = None,
+    resume: Resume = False,
+    executor: ExecutorKind = "threads",
+    workers: Workers = None,
     chunks: Annotated[
         str,
         typer.Option(metavar="FIRST:END", help="Run only these chunks, to share a study between machines; then merge.", show_default=False),
@@ -54,9 +51,10 @@ def run(
     plugin: Plugins = None,
 ) -> int:
     """Run a study into a store. Finished chunks stay, whatever happens."""
+    from contourlab.app.executors import Executor
     from contourlab.features.sweep.command import SweepOptions, sweep_study
 
-    options = SweepOptions(executor, workers, resume, chunks)
+    options = SweepOptions(Executor(executor, workers), resume, chunks)
     result = sweep_study(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
     show_result(result, as_json)
     suggest(as_json, "sweep", "report", out)
@@ -74,15 +72,18 @@ def optimise(
     sampler: Annotated[str, typer.Option(help="tpe, nsga2 or cma-es; by default tpe, or nsga2 for several.", show_default=False)] = "",
     trials: Annotated[int, typer.Option(min=1, max=1_000_000, help="Variants in all.")] = 1024,
     batch: Annotated[int, typer.Option(min=8, max=4096, help="Variants that are simulated together.")] = 64,
-    resume: Annotated[bool, typer.Option("--resume", help="Continue a store; starts an empty one.")] = False,
+    resume: Resume = False,
+    executor: ExecutorKind = "threads",
+    workers: Workers = None,
     as_json: Json = False,
     plugin: Plugins = None,
 ) -> int:
     """Search the space of a study for the smallest figures. Finished batches stay, whatever happens."""
+    from contourlab.app.executors import Executor
     from contourlab.features.sweep.optimise import SearchOptions
     from contourlab.features.sweep.optimise import optimise as optimised
 
-    options = SearchOptions(tuple(minimise or ("part_error_max",)), sampler, trials, batch, resume)
+    options = SearchOptions(tuple(minimise or ("part_error_max",)), sampler, trials, batch, resume, Executor(executor, workers))
     found = optimised(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
     show_result(found, as_json)
     if found.best:

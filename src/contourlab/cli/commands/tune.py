@@ -10,6 +10,7 @@ import typer
 from contourlab.cli.options import (
     AnyDialect,
     BlockDelete,
+    ExecutorKind,
     Fit,
     GainMargin,
     Json,
@@ -22,9 +23,9 @@ from contourlab.cli.options import (
     Plots,
     Plugins,
     Seed,
-    Threads,
     ToolTable,
     Width,
+    Workers,
     Write,
     program_keys,
     typed_keys,
@@ -66,7 +67,8 @@ def tune(
     budget: Annotated[int, typer.Option(help="Runs of the global search.")] = 6000,
     starts: Annotated[int, typer.Option(help="Starts of the global search.")] = 5,
     seed: Seed = 0,
-    threads: Threads = None,
+    executor: ExecutorKind = "threads",
+    workers: Workers = None,
     write: Write = None,
     out: Out = Path("results"),
     as_json: Json = False,
@@ -76,6 +78,7 @@ def tune(
     """Tune gains, innermost loop first, within margins and drive limits; write a controller file."""
     import math
 
+    from contourlab.app.executors import Executor
     from contourlab.design.guards import Bounds
     from contourlab.features.tune.command import tune_scenario
     from contourlab.features.tune.line_search import LineRule
@@ -95,7 +98,7 @@ def tune(
         budget=budget,
         starts=starts,
         seed=seed,
-        threads=threads,
+        executor=Executor(executor, workers),
     )
     calibration = tune_scenario(
         file,

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from contourlab.app.checkpoint import resumable, run_identity
+from contourlab.app.executors import Executor, Workers
 from contourlab.app.json_values import json_values
 from contourlab.app.quick import affordable
 from contourlab.app.results import staged
@@ -19,7 +20,7 @@ from contourlab.errors import ParameterError
 from contourlab.features.measure.log_choice import positive
 from contourlab.features.run.command import check_plots
 from contourlab.features.run.schemes import loaded
-from contourlab.features.sensitivity.indices import distributions
+from contourlab.features.sensitivity.indices import Distribution, distributions
 from contourlab.features.sensitivity.runs import Kept, Runs
 from contourlab.features.sensitivity.study import Plan, Study, holds, present_values, sensitivity_study
 from contourlab.features.sensitivity.text import tables
@@ -58,7 +59,7 @@ class Request:
         See `contourlab.features.sensitivity.indices.distributions`.
     servo_period : str
         Replaces that of the machine, with its unit; empty to keep it.
-    threads : int, optional
+    executor : Executor
     judge : str, optional
         Moves to judge; by default as in the scenario.
     quick : bool
@@ -72,13 +73,9 @@ class Request:
     distribution: str = "uniform"
     deviations: Sequence[str] = ()
     servo_period: str = ""
-    threads: int | None = None
+    executor: Executor = field(default_factory=Executor)
     judge: str | None = None
     quick: bool = False
-
-    def __post_init__(self) -> None:
-        if self.threads is not None and self.threads < 1:
-            raise ParameterError("--threads", f"{self.threads}", "1 or more")
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,10 +152,13 @@ def sensitivity_of(
         case = replace(case, machine=replace(case.machine, servo_period=period))
     if case.changes:
         raise ParameterError("scenario", "one that changes its controller", "a scheme with the same controller throughout")
+    space = Space.chosen(case.machine, case.controller, request.parameters, request.width)
+    drawn = distributions(space, request.distribution, request.deviations)
+    request.plan.check(len(drawn))
     left_out = () if request.scheme else tuple(repr(other.name) for other in scenario.all_cases)
     with resumable(Path(out) / KEPT, "runs"), staged(out, "summary.json", inputs=scenario.inputs) as stage:
-        with shown(progress) as stages:
-            study, runs = _studied(case, request, Path(out) / KEPT, stages)
+        with shown(progress) as stages, request.executor.started(plugins) as pool:
+            study, runs = _studied(case, request, (space, drawn), Path(out) / KEPT, stages, pool)
         kept = () if runs.kept is None else runs.kept.findings("runs", runs.reused)
         doubts = [finding("CL675", doubtful=runs.doubtful, runs=runs.made + runs.reused)] if runs.doubtful else []
         findings = (*_on_case(case, left_out), *kept, *_on_quick(request, study), *doubts, *verdict(study))
@@ -174,14 +174,14 @@ def sensitivity_of(
     return result
 
 
-def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tuple[Study, Runs]:
-    machine, controller = case.machine, case.controller
-    plan, space = request.plan, Space.chosen(machine, controller, request.parameters, request.width)
-    drawn = distributions(space, request.distribution, request.deviations)
-    plan.check(len(space.numbers))
+def _studied(
+    case: Case, request: Request, varied: tuple[Space, tuple[Distribution, ...]], folder: Path, stages: Stages, pool: Workers | None
+) -> tuple[Study, Runs]:
+    machine, controller, plan, (space, drawn) = case.machine, case.controller, request.plan, varied
     stages.begin("planning the motion")
     reference = case.reference()
-    evaluator = Evaluator(machine, controller, reference, moving=case.moving, seed=case.seed, threads=request.threads, effort=False)
+    given = {"moving": case.moving, "seed": case.seed, "threads": request.executor.workers}
+    evaluator = Evaluator(machine, controller, reference, **given, effort=False, pool=pool)  # type: ignore[arg-type]
     identity = run_identity([machine], controller, reference, seed=case.seed, moving=case.moving)
     runs = Runs(evaluator, Kept(folder, identity), stages.advance)
     if not holds(space, runs):
@@ -190,7 +190,7 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
     if request.quick:
         stages.begin("timing a run")
         one = present_values(space)
-        fits = affordable(lambda motion: replace(evaluator, reference=motion)(one), reference, request.threads)
+        fits = affordable(lambda motion: replace(evaluator, reference=motion, pool=None)(one), reference, request.executor.workers)
         plan = plan.quick(len(space.numbers), LANES * fits)
     stages.expect(plan.work(len(space.numbers)))
     known = parameters_of(machine, controller)

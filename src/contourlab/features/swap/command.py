@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from contourlab.app.checkpoint import Checkpoint, resumable, run_identity
+from contourlab.app.executors import Executor
 from contourlab.app.json_values import json_values
 from contourlab.app.quick import affordable, too_slow
 from contourlab.app.results import staged
@@ -58,6 +59,8 @@ class SwapOptions:
         Sets of local parameters to test instead of searching for one; names separated by commas.
     quick : bool
         Whether to use as much of the budget as fits into a minute, and state the uncertainty.
+    executor : Executor
+        Of the searches.
     gain_margin, phase_margin
         In dB and degrees.
     region : sequence of str
@@ -84,7 +87,7 @@ class SwapOptions:
     budget: int = 8000
     quick: bool = False
     seed: int = 0
-    threads: int | None = None
+    executor: Executor = field(default_factory=Executor)
     gain_margin: float = 6.0
     phase_margin: float = 30.0
     region: tuple[str, ...] = ()
@@ -137,10 +140,16 @@ def swap_scenario(
     if network.longest < period:
         raise ParameterError("--longest", options.network.longest or USUAL_LONGEST, f"at least the servo period, {period * 1e3:g} ms")
     searches = Path(out) / SEARCHES
-    with resumable(searches, "searches"), shown(progress) as stages, staged(out, "swap.json", inputs=ready.inputs) as folder:
+    with (
+        resumable(searches, "searches"),
+        shown(progress) as stages,
+        staged(out, "swap.json", inputs=ready.inputs) as folder,
+        options.executor.started(options.plugins) as pool,
+    ):
         if settings.quick:
             stages.begin("timing a run")
             settings = replace(settings, budget=_quick_budget(variants, settings.budget))
+        variants.run_in(pool)
         checkpoint = Checkpoint(searches, _identity(ready, settings))
         stages.expect(_work(len(variants), len(ready.candidates), settings.quick))
         study = swap_study(variants, ready.candidates, settings, _stage(stages, variants), checkpoint)
@@ -171,7 +180,7 @@ def _quick_budget(variants: Variants, most: int) -> int:
     """
     column = variants.space.columns(variants.space.start[None])
     one = variants.evaluators[0]
-    batches = affordable(lambda reference: replace(one, reference=reference)(column), variants.reference, variants.threads)
+    batches = affordable(lambda motion: replace(one, reference=motion)(column), variants.reference, variants.threads)
     fits = batches * LANES / (2 * 3 * len(variants))
     if fits < 4 * LANES:
         raise too_slow(4 * LANES, fits)
@@ -305,7 +314,7 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
         bounds=Bounds(options.gain_margin, options.phase_margin),
         moving=case.moving,
         seed=case.seed,
-        threads=options.threads,
+        threads=options.executor.workers,
     )
     candidates = tuple(name for name in variants.space.names if variants.members[0].module(name) and _may_move(controller, name))
     local, starts = _local_sets(variants, candidates, options.local), warm_starts(variants, options.origins, options.plugins)
@@ -331,7 +340,6 @@ def _check(options: SwapOptions) -> None:
     faults = [
         (options.budget < 100, "--budget", options.budget, "100 or more candidates a search"),
         (options.seed < 0, "--seed", options.seed, "0 or more"),
-        (options.threads is not None and options.threads < 1, "--threads", options.threads, "1 or more"),
         (places is not None and (places < 1 or places & (places - 1)), "--places", places, "a power of 2"),
         (options.objective not in OBJECTIVES, "--objective", repr(options.objective), "one of " + ", ".join(OBJECTIVES)),
         (options.exhaustive and options.quick, "--exhaustive", "given with --quick", "left out: there are too many sets for a minute"),

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags
 from contourlab.design import Evaluator, Space
+from contourlab.design.evaluator import Pool
 from contourlab.design.guards import Bounds, Guards
 from contourlab.design.values import controller_with
 from contourlab.errors import ParameterError
@@ -142,6 +143,12 @@ class Variants:
     def runs(self) -> int:
         """Runs so far."""
         return sum(evaluator.runs for evaluator in self.evaluators)
+
+    def run_in(self, pool: Pool | None) -> None:
+        """Run in the workers of a pool from now on; in threads of this process if there is none."""
+        for evaluator in self.evaluators:
+            evaluator.pool = pool
+        self.threads = self.threads if pool is None else pool.count
 
     @property
     def unit(self) -> str:

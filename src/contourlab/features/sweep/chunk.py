@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from time import perf_counter, process_time
 from typing import Any
@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import ParameterError
+from contourlab.errors import ContourlabError, EngineError, ParameterError
 from contourlab.features.sweep.distributions import chosen
 from contourlab.features.sweep.structures import Structure
 from contourlab.features.sweep.study import Study
@@ -81,6 +81,30 @@ def run_chunk(study: Study, number: int, threads: int | None = None, progress: C
     for choice, code in zip(study.choices, codes, strict=True):
         columns[choice.key] = np.array(choice.labels, dtype=object if isinstance(choice.labels[0], str) else float)[code]
     return Chunk(number, columns, signals, perf_counter() - began, process_time() - cpu)
+
+
+def chunk_elsewhere(study: Study, number: int) -> Chunk:
+    """Run a chunk in one thread; raise errors of a kind that can be sent."""
+    try:
+        return run_chunk(study, number, 1)
+    except ContourlabError as error:
+        raise EngineError(f"chunk {number}: {error}") from None
+
+
+def joined(parts: Sequence[Chunk]) -> Chunk:
+    """Return one chunk of parts of its variants, in order."""
+    names = {name: values.shape[1:] for part in parts for name, values in part.signals.items()}
+    empty = [len(part.columns["status"]) for part in parts]
+    return Chunk(
+        parts[0].number,
+        {name: np.concatenate([part.columns[name] for part in parts]) for name in parts[0].columns},
+        {
+            name: np.concatenate([part.signals.get(name, np.full((n, *shape), np.nan)) for part, n in zip(parts, empty, strict=True)])
+            for name, shape in names.items()
+        },
+        sum(part.seconds for part in parts),
+        sum(part.cpu_seconds for part in parts),
+    )
 
 
 def _accepted(structure: Structure, given: Mapping[str, Array], n: int) -> Flags:

@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import perf_counter
 from typing import Any
 
 from contourlab.app.checkpoint import noted
+from contourlab.app.executors import Executor
 from contourlab.app.stages import shown
 from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
-from contourlab.features.sweep.executors import check_executor, run_chunks
+from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, run_chunk
 from contourlab.features.sweep.query import variant
 from contourlab.features.sweep.store import Store, read_store, writing
 from contourlab.features.sweep.structures import Structured
-from contourlab.features.sweep.study import study_of
+from contourlab.features.sweep.study import Study, study_of
 from contourlab.features.sweep.summary import SweepSummary, summary
 from contourlab.findings import finding
 from contourlab.result import write_text_atomic
@@ -33,24 +34,16 @@ class SweepOptions:
 
     Attributes
     ----------
-    executor : str
-        One of `contourlab.features.sweep.executors.EXECUTORS`, or ``dask://HOST:PORT``.
-    workers : int, optional
-        Threads, processes or jobs; by default one for each processor.
+    executor : Executor
     resume : bool
         Whether to continue a store.
     chunks : str
         Chunks to run, as ``0:50``, the end excluded; empty for all.
     """
 
-    executor: str = "threads"
-    workers: int | None = None
+    executor: Executor = field(default_factory=Executor)
     resume: bool = False
     chunks: str = ""
-
-    def __post_init__(self) -> None:
-        if self.workers is not None and self.workers < 1:
-            raise ParameterError("--workers", f"{self.workers}", "1 or more")
 
     def chosen(self, count: int) -> range:
         """Return the chunks to run, of `count`.
@@ -93,7 +86,6 @@ def sweep_study(
     """
     for package in ("duckdb", "pyarrow.parquet"):
         extra_module(package)
-    check_executor(options.executor)
     made = 0
     with shown(progress) as stages:
         stages.begin("planning the motions")
@@ -105,7 +97,7 @@ def sweep_study(
             done, last = 0, perf_counter()
             stages.begin("running variants")
             tell = lambda share: stages.advance(done + int(share * size), total)  # noqa: E731
-            for chunk in run_chunks(study, todo, options.executor, options.workers, tell):
+            for chunk in _chunks(study, todo, options.executor, tell):
                 store.write(chunk)
                 now = perf_counter()
                 store.log(chunk, now - last)
@@ -114,6 +106,16 @@ def sweep_study(
         damaged = (finding("CL930", count=len(store.damaged)),) if store.damaged else ()
         stages.begin("reading the store")
         return summary(store, made, (*study.findings, *damaged))
+
+
+def _chunks(study: Study, numbers: Sequence[int], executor: Executor, progress: Callable[[float], None]) -> Iterator[Chunk]:
+    """Yield finished chunks, in any order. They do not depend on the executor; progress of the present chunk is known for threads only."""
+    with executor.started(study.plugins, "Repeat the command with --resume to continue") as pool:
+        if pool is None:
+            for number in numbers:
+                yield run_chunk(study, number, executor.workers, progress)
+        else:
+            yield from (chunk for _, chunk in pool.run(chunk_elsewhere, pool.shared(study), numbers))
 
 
 def kept_note(store: Store) -> AbstractContextManager[None]:

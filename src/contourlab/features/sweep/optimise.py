@@ -6,7 +6,7 @@ import hashlib
 import json
 import math
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -15,18 +15,19 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.app.executors import Executor, Workers
 from contourlab.app.stages import shown
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
-from contourlab.features.sweep.chunk import run_chunk
+from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, joined, run_chunk
 from contourlab.features.sweep.command import kept_note, structures_of
 from contourlab.features.sweep.design import Design
 from contourlab.features.sweep.query import counts, rows
 from contourlab.features.sweep.statistics import pareto_front
 from contourlab.features.sweep.store import Store, writing
 from contourlab.features.sweep.structures import Structured
-from contourlab.features.sweep.study import Study, study_of
+from contourlab.features.sweep.study import LANES, Study, study_of
 from contourlab.features.sweep.summary import remarks, rows_text
 from contourlab.features.sweep.words import title_of
 from contourlab.figures import listing
@@ -55,6 +56,7 @@ class SearchOptions:
         Variants in all, and those that are simulated together.
     resume : bool
         Whether to continue a store.
+    executor : Executor
     """
 
     minimise: tuple[str, ...] = ("part_error_max",)
@@ -62,6 +64,7 @@ class SearchOptions:
     trials: int = 1024
     batch: int = 64
     resume: bool = False
+    executor: Executor = field(default_factory=Executor)
 
     def __post_init__(self) -> None:
         if self.sampler not in ("", *SAMPLERS):
@@ -163,10 +166,12 @@ def optimise(
             writing(out, study, lambda: structures_of(structured), resume=options.resume) as store,
             kept_note(store),
             _journal(store, options) as journal,
+            options.executor.started(study.plugins, "Repeat the command with --resume to continue") as pool,
         ):
             stages.begin("searching")
+            run = _simulated(study, options.executor.workers, pool)
             for number in range(store.chunks):
-                _batch(study, levels, store, journal, options, number)
+                _batch(study, levels, store, journal, options, number, run)
                 stages.advance(store.done, store.variants)
         return _result(store, options, study)
 
@@ -230,7 +235,38 @@ def _sampler(options: SearchOptions, seed: int) -> Any:
     return CmaEsSampler(seed=seed, popsize=options.batch)
 
 
-def _batch(study: Study, levels: Sequence[Array], store: Store, journal: Any, options: SearchOptions, number: int) -> None:
+def _simulated(study: Study, threads: int | None, pool: Workers | None) -> Callable[[Array, int], Chunk]:
+    """Return the function that simulates the places of a batch, given its number."""
+    if pool is None:
+        return lambda places, number: run_chunk(_at(study, places), number, threads)
+    key = pool.shared(study)
+
+    def run(places: Array, number: int) -> Chunk:
+        size = LANES * -(-len(places) // (LANES * pool.count))
+        found = dict(pool.run(_run_elsewhere, key, ((places[first : first + size], number) for first in range(0, len(places), size))))
+        return joined([found[part] for part in range(len(found))])
+
+    return run
+
+
+def _run_elsewhere(study: Study, item: tuple[Array, int]) -> Chunk:
+    return chunk_elsewhere(_at(study, item[0]), item[1])
+
+
+def _at(study: Study, places: Array) -> Study:
+    design = study.design
+    return replace(study, design=Asked("search", design.variants, design.chunk, design.levels, asked=places))
+
+
+def _batch(
+    study: Study,
+    levels: Sequence[Array],
+    store: Store,
+    journal: Any,
+    options: SearchOptions,
+    number: int,
+    run: Callable[[Array, int], Chunk],
+) -> None:
     """Ask for a batch, simulate and store it, and tell its figures; what a killed run has done of it is not repeated.
 
     The number of a trial is that of its variant. Each batch has a sampler of its own seed, so that a search that goes on finds the same.
@@ -245,8 +281,7 @@ def _batch(study: Study, levels: Sequence[Array], store: Store, journal: Any, op
     places = np.array([_places(trial, levels) for trial in asked])
     if number not in store.parts:
         began = perf_counter()
-        design = Asked("search", options.trials, options.batch, study.design.levels, asked=places)
-        chunk = run_chunk(replace(study, design=design), number)
+        chunk = run(places, number)
         store.write(chunk)
         store.log(chunk, perf_counter() - began)
     if is_new:

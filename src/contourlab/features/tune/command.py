@@ -121,12 +121,12 @@ def tune_scenario(
     if out is not None:
         check_file(out, scenario.inputs)
     with staged(folder, *([KEPT] if out is None else []), inputs=scenario.inputs) as stage:
-        with shown(progress) as stages:
+        with shown(progress) as stages, settings.executor.started(plugins, "Repeat the command") as pool:
             stages.expect(_work(case, settings))
             stages.begin("planning")
             reference = case.reference()
-            callbacks = {"begin": stages.begin, "progress": stages.advance}
-            tuned = tune(case.machine, case.controller, reference, settings, moving=case.moving, seed=case.seed, **callbacks)  # type: ignore[arg-type]
+            given = {"moving": case.moving, "seed": case.seed, "pool": pool, "begin": stages.begin, "progress": stages.advance}
+            tuned = tune(case.machine, case.controller, reference, settings, **given)  # type: ignore[arg-type]
         written = None if tuned.after.violations else Path(folder) / KEPT if out is None else Path(out)
         if written is not None:
             _write(tuned, case, stage / KEPT if out is None else written, scenario.name, plugins)

@@ -8,7 +8,9 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from contourlab.app.executors import Executor
 from contourlab.design import Evaluator, Space, calibration_order
+from contourlab.design.evaluator import Pool
 from contourlab.design.guards import Bounds, Guards
 from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
@@ -50,6 +52,7 @@ class TuneSettings:
         Starts of the global search.
     seed : int
         Seed of the global search.
+    executor : Executor
     """
 
     goal: Goal = field(default_factory=Goal)
@@ -63,7 +66,7 @@ class TuneSettings:
     budget: int = 6000
     starts: int = 5
     seed: int = 0
-    threads: int | None = None
+    executor: Executor = field(default_factory=Executor)
 
     def __post_init__(self) -> None:
         for name, value, known in (("method", self.method, METHODS), ("start", self.start, STARTS)):
@@ -74,8 +77,6 @@ class TuneSettings:
         for name, low, high in (("passes", 1, 100), ("budget", 32, 10_000_000), ("starts", 1, 100), ("seed", 0, 2**63 - 1)):
             if not low <= getattr(self, name) <= high:
                 raise ParameterError(name, f"{getattr(self, name)}", f"{low} to {high}")
-        if self.threads is not None and self.threads < 1:
-            raise ParameterError("threads", f"{self.threads}", "1 or more")
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,6 +126,7 @@ def tune(
     *,
     moving: bool = False,
     seed: int = 0,
+    pool: Pool | None = None,
     begin: Callable[[str], None] = lambda stage: None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Tuned:
@@ -138,6 +140,8 @@ def tune(
         Whether the axes start with the velocity of the reference.
     seed : int
         Seed of all noise.
+    pool : Pool, optional
+        Workers of the executor of the settings.
     begin : callable, optional
         Called with the name of each stage.
     progress : callable, optional
@@ -154,7 +158,7 @@ def tune(
     poles.
     """
     settings = settings or TuneSettings()
-    given: dict[str, Any] = {"moving": moving, "seed": seed, "begin": begin, "progress": progress}
+    given: dict[str, Any] = {"moving": moving, "seed": seed, "pool": pool, "begin": begin, "progress": progress}
     found = _tuned(machine, controller, reference, settings, **given)
     if found.interrupted:
         return found
@@ -174,6 +178,7 @@ def _tuned(
     *,
     moving: bool,
     seed: int,
+    pool: Pool | None,
     begin: Callable[[str], None],
     progress: Callable[[int, int], None] | None,
 ) -> Tuned:
@@ -181,7 +186,7 @@ def _tuned(
     _check(machine, controller, settings)
     begin("first run")
     before = evaluate(machine, controller, reference, Guards([(machine, controller)], settings.bounds), seed=seed, moving=moving)
-    evaluator = Evaluator(machine, controller, reference, seed=seed, threads=settings.threads, moving=moving)
+    evaluator = Evaluator(machine, controller, reference, seed=seed, threads=settings.executor.workers, moving=moving, pool=pool)
     if settings.start == "placed":
         begin("placing poles")
         evaluator = replace(evaluator, controller=placed_start(evaluator, settings.goal, settings.bounds))

@@ -140,9 +140,9 @@ def test_a_full_disk_keeps_what_is_finished(study: Path, capsys: Capture, monkey
 
 
 def test_an_interrupt_keeps_what_is_finished(study: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
-    from contourlab.features.sweep import executors
+    from contourlab.features.sweep import command
 
-    run = executors.run_chunk
+    run = command.run_chunk
 
     def interrupted(study: object, number: int, *rest: object) -> object:
         if number == 2:
@@ -150,7 +150,7 @@ def test_an_interrupt_keeps_what_is_finished(study: Path, capsys: Capture, monke
         return run(study, number, *rest)  # type: ignore[arg-type]
 
     with monkeypatch.context() as patch:
-        patch.setattr(executors, "run_chunk", interrupted)
+        patch.setattr(command, "run_chunk", interrupted)
         assert main(["sweep", "study.toml", "--out", "store"]) == 130
     assert "--resume" in capsys.readouterr().err
     assert asked(capsys, "study.toml", "--out", "store", "--resume")["chunks_made"] == 2

@@ -11,6 +11,7 @@ import pytest
 from tuned_axes import DAMPING, GAIN, circle, position_control, rigid_stage
 
 from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.app.executors import Executor
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.velocity.filtered_difference import FilteredDifference
@@ -163,8 +164,8 @@ def test_the_result_is_the_same_on_any_number_of_threads(method: str) -> None:
     names = ("model_gain", "model_damping")
     made = position_control(model_gain=0.8, model_damping=5.0)
     one, two = (
-        tune(rigid_stage(), made, circle(), TuneSettings(parameters=names, method=method, budget=800, threads=threads))
-        for threads in (1, 2)
+        tune(rigid_stage(), made, circle(), TuneSettings(parameters=names, method=method, budget=800, executor=Executor(workers=count)))
+        for count in (1, 2)
     )
     assert one.values == two.values
     assert one.after.figures == two.after.figures

@@ -1,0 +1,350 @@
+"""Where independent work is done: processes of this machine, or the workers of a Dask cluster."""
+
+from __future__ import annotations
+
+import hashlib
+import logging
+import os
+import pickle
+import shutil
+import signal
+import tempfile
+import threading
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import partial
+from importlib.metadata import version
+from itertools import islice
+from pathlib import Path
+from typing import Any, TypeAlias
+
+from contourlab.app.checkpoint import program_identity
+from contourlab.errors import EngineError, ParameterError
+from contourlab.extras import extra_module
+
+EXECUTORS = ("threads", "processes", "dask-local", "slurm")
+AHEAD = 2
+"""Items in work or waiting for each worker: enough to keep it busy, and memory does not grow with the work."""
+QUIET = {"distributed.worker.profile.enabled": False, "distributed.admin.tick.interval": "500 ms"}
+"""Settings of Dask that save a tenth of the processor time of short tasks: nobody looks at its profile."""
+Work: TypeAlias = Callable[[Any, Any], Any]
+
+
+@dataclass(frozen=True)
+class Executor:
+    """Where a command does its work; the results do not depend on it.
+
+    Attributes
+    ----------
+    kind : str
+        One of `EXECUTORS`, or ``dask://HOST:PORT``.
+    workers : int, optional
+        Threads, processes or Slurm jobs; by default one for each processor. A cluster at an address has its own number.
+    """
+
+    kind: str = "threads"
+    workers: int | None = None
+
+    def __post_init__(self) -> None:
+        if self.kind not in EXECUTORS and not self.kind.startswith("dask://"):
+            raise ParameterError("--executor", repr(self.kind), f"one of {', '.join(EXECUTORS)}, or dask://HOST:PORT")
+        if self.workers is not None and self.workers < 1:
+            raise ParameterError("--workers", f"{self.workers}", "1 or more")
+        if self.kind not in ("threads", "processes"):
+            extra_module("distributed")
+        if self.kind == "slurm":
+            extra_module("dask_jobqueue")
+
+    @contextmanager
+    def started(self, plugins: Iterable[str | Path] = (), then: str = "Repeat the command to continue") -> Iterator[Workers | None]:
+        """Start workers, and stop them after the block; None for ``threads``, which need none.
+
+        Parameters
+        ----------
+        plugins : iterable of str or Path
+            Python files with components.
+        then : str
+            What to do after workers are lost.
+
+        Raises
+        ------
+        EngineError
+            If the cluster cannot be reached.
+        """
+        if self.kind == "threads":
+            yield None
+            return
+        files = tuple(str(Path(plugin).resolve()) for plugin in plugins)
+        with (_processes if self.kind == "processes" else _cluster)(self, files, then) as made:
+            yield made
+
+
+@dataclass(frozen=True)
+class Shared:
+    """A value that many items of work need: sent to each worker once.
+
+    Attributes
+    ----------
+    key : str
+        A digest of the value.
+    program : str
+        Versions of contourlab and its libraries.
+    plugins : tuple of str
+        Python files with components.
+    packed : bytes
+    """
+
+    key: str
+    program: str
+    plugins: tuple[str, ...]
+    packed: bytes
+
+    def value(self) -> Any:
+        """Return the value, on a worker.
+
+        Raises
+        ------
+        EngineError
+            If the worker has another version of contourlab or its libraries.
+        """
+        from contourlab.components.registry import load_plugin
+
+        if self.program != _program():
+            raise EngineError("a worker has another version of contourlab, numpy or scipy: install the same on all machines")
+        for plugin in self.plugins:
+            load_plugin(plugin)
+        return pickle.loads(self.packed)
+
+
+Place: TypeAlias = tuple[Callable[[str], Shared], str]
+"""The function that finds a shared value on a worker, and its argument."""
+
+
+def _program() -> str:
+    return "; ".join([*program_identity(("analysis", "design", "features")), f"scipy {version('scipy')}"])
+
+
+@dataclass(frozen=True, eq=False)
+class Workers:
+    """Workers that do items of work, a few more at a time than there are workers.
+
+    Attributes
+    ----------
+    count : int
+        Number of items at work at the same time.
+    plugins : tuple of str
+    submit : callable
+        Starts a call on a worker; returns its `concurrent.futures.Future`.
+    share : callable
+        Makes a shared value known to all workers; returns the function that finds it there, and its argument.
+    lost : mapping of type to str
+        Exceptions that mean that workers are lost, and what to say.
+    places : dict
+        What `share` returned, by key.
+    """
+
+    count: int
+    plugins: tuple[str, ...]
+    submit: Callable[..., Future[Any]]
+    share: Callable[[Shared], Place]
+    lost: Mapping[type[BaseException], str]
+    places: dict[str, Place] = field(default_factory=dict, repr=False)
+
+    def shared(self, value: object) -> str:
+        """Send a value to all workers; return its key."""
+        packed = pickle.dumps(value)
+        key = hashlib.sha256(packed).hexdigest()[:16]
+        if key not in self.places:
+            self.places[key] = self.share(Shared(key, _program(), self.plugins, packed))
+        return key
+
+    def run(self, work: Work, key: str, items: Iterable[Any]) -> Iterator[tuple[int, Any]]:
+        """Yield the number of each item and ``work(value, item)``, in any order.
+
+        Parameters
+        ----------
+        work : callable
+            A function of a module, which raises errors that can be pickled.
+        key : str
+            Key of the shared value.
+        items : iterable
+
+        Raises
+        ------
+        EngineError
+            If the workers are lost.
+        """
+        left, waiting = enumerate(items), dict[Future[Any], int]()
+
+        def fill(count: int) -> None:
+            for number, item in islice(left, count):
+                waiting[self.submit(_done, *self.places[key], key, work, item)] = number
+
+        try:
+            fill(AHEAD * self.count)
+            while waiting:
+                done, _ = wait(waiting, return_when=FIRST_COMPLETED)
+                fill(len(done))
+                for future in done:
+                    yield waiting.pop(future), future.result()
+        except tuple(self.lost) as error:
+            raise EngineError(next(text for kind, text in self.lost.items() if isinstance(error, kind))) from error
+
+
+_values: dict[str, Any] = {}
+"""Shared values that this worker has opened."""
+_opening = threading.Lock()
+
+
+def _done(find: Callable[[str], Shared], place: str, key: str, work: Work, item: Any) -> Any:
+    """Do an item of work on a worker, which opens each shared value once."""
+    with _opening:
+        if key not in _values:
+            _values[key] = find(place).value()
+    return work(_values[key], item)
+
+
+# --- processes -------------------------------------------------------------------------------------------------------------------------
+
+
+def _begin() -> None:
+    """Prepare a worker process: leave Ctrl-C to its parent, and end with its parent."""
+    import multiprocessing
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+
+        def watch() -> None:
+            parent.join()
+            os._exit(1)
+
+        threading.Thread(target=watch, daemon=True).start()
+
+
+def _read(file: str) -> Shared:
+    shared: Shared = pickle.loads(Path(file).read_bytes())
+    return shared
+
+
+@contextmanager
+def _processes(executor: Executor, plugins: tuple[str, ...], then: str) -> Iterator[Workers]:
+    import multiprocessing
+
+    count = executor.workers or os.cpu_count() or 1
+    lost: dict[type[BaseException], str] = {BrokenProcessPool: f"a worker process ended: killed, or out of memory. {then}"}
+    with tempfile.TemporaryDirectory(prefix="contourlab-") as folder:
+
+        def share(shared: Shared) -> Place:
+            file = Path(folder) / shared.key
+            file.write_bytes(pickle.dumps(shared))
+            return _read, str(file)
+
+        pool = ProcessPoolExecutor(count, multiprocessing.get_context("spawn"), _begin)
+        try:
+            yield Workers(count, plugins, pool.submit, share, lost)
+        except BaseException:
+            for process in multiprocessing.active_children():
+                process.terminate()
+            raise
+        finally:
+            pool.shutdown(wait=True, cancel_futures=True)
+
+
+# --- Dask ------------------------------------------------------------------------------------------------------------------------------
+
+
+def _carried(key: str) -> Shared:
+    from distributed import get_worker
+
+    shared: Shared = get_worker().plugins[key].shared
+    return shared
+
+
+@contextmanager
+def _cluster(executor: Executor, plugins: tuple[str, ...], then: str) -> Iterator[Workers]:
+    """Start or find a cluster; Dask repeats the work of a worker that is lost."""
+    from distributed import KilledWorker, WorkerPlugin
+
+    killed, gone = "some work has ended several Dask workers: do they have enough memory?", f"the Dask scheduler is lost. {then}"
+    lost: dict[type[BaseException], str] = {KilledWorker: killed, OSError: gone, TimeoutError: gone, CancelledError: gone}
+    with _client(executor.kind, executor.workers or os.cpu_count() or 1) as client:
+
+        def share(shared: Shared) -> Place:
+            carrier = WorkerPlugin()  # the scheduler gives it to workers that join later, too
+            carrier.shared = shared
+            name = f"contourlab-{shared.key}"
+            client.register_plugin(carrier, name=name)
+            return _carried, name
+
+        def submit(*call: Any) -> Future[Any]:
+            passed = Future[Any]()
+            client.submit(*call, pure=False).add_done_callback(partial(_pass_on, passed=passed))
+            return passed
+
+        made = Workers(max(sum(client.nthreads().values()), 1), plugins, submit, share, lost)
+        yield made
+        for _, name in made.places.values():
+            client.unregister_worker_plugin(name)
+
+
+def _pass_on(future: Any, passed: Future[Any]) -> None:
+    """Pass on how a task of Dask ended; Dask's own adapter leaves its futures pending if the scheduler is lost at the wrong moment."""
+    try:
+        passed.set_result(future.result())
+    except BaseException as error:
+        passed.set_exception(error)
+
+
+@contextmanager
+def _client(executor: str, count: int) -> Iterator[Any]:
+    distributed = extra_module("distributed")
+    for name in logging.root.manager.loggerDict:
+        if name.partition(".")[0] == "distributed":  # each of its loggers has a level of its own
+            logging.getLogger(name).setLevel(logging.CRITICAL)
+    if executor.startswith("dask://"):
+        address = "tcp://" + executor.removeprefix("dask://")
+        try:
+            client = distributed.Client(address, timeout="10s")
+        except (OSError, TimeoutError, ValueError) as error:
+            raise EngineError(f"no Dask scheduler answers at {executor}: start one with  dask scheduler") from error
+        with client:
+            yield client
+        return
+    if executor == "slurm":
+        cluster = _slurm(count)
+    else:
+        extra_module("dask").config.set(QUIET)
+        with _deaf():
+            cluster = distributed.LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None, silence_logs=logging.CRITICAL)
+    with cluster, distributed.Client(cluster) as client:
+        yield client
+
+
+@contextmanager
+def _deaf() -> Iterator[None]:
+    """Let processes that the block starts leave Ctrl-C to this one."""
+    if threading.current_thread() is not threading.main_thread():  # which cannot set it
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _slurm(jobs: int) -> Any:
+    """Return a cluster of Slurm jobs, as the user's ``jobqueue.yaml`` describes them."""
+    if shutil.which("sbatch") is None:
+        raise EngineError("no sbatch on this machine: type the command where you submit Slurm jobs")
+    try:
+        cluster = extra_module("dask_jobqueue").SLURMCluster(scheduler_options={"dashboard_address": ":0"})
+    except ValueError as error:
+        where = "set cores and memory under jobqueue: slurm: in ~/.config/dask/jobqueue.yaml"
+        raise EngineError(f"Slurm: {' '.join(str(error).split())}: {where}") from error
+    cluster.scale(jobs=jobs)
+    return cluster

@@ -1,0 +1,97 @@
+"""Searches give the same numbers in threads, in processes and on a Dask cluster."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from contourlab.cli.main import main
+
+STAGE = """\
+[machine]
+name = "stage"
+servo_period = "1 ms"
+axes = ["x", "y"]
+[axes]
+x.file = "plain.toml"
+y.file = "plain.toml"
+"""
+PLAIN = """\
+plant = {kind = "rigid-axis", gain = "1000 mm/s^2/full_scale"}
+friction = {kind = "coulomb", coulomb = "0.01 full_scale"}
+drive = {kind = "saturation", limit = "1 full_scale"}
+"""
+CIRCLE = """\
+machine = "stage.toml"
+[controller.axes."*".controller]
+kind = "position"
+velocity_gain = "0.06 full_scale*s/mm"
+position_gain = "3 full_scale/mm"
+integral_gain = "10 1/s"
+model_gain = "1050 mm/s^2/full_scale"
+[contour]
+name = "circle"
+radius = "10 mm"
+[feed]
+law = "uniform"
+frequency = "1 Hz"
+laps = 2
+[run]
+start = "moving"
+"""
+STUDY = """\
+scenario = "circle.toml"
+figures = ["contour_error_max"]
+[vary]
+"controller.axes.x.*.position_gain" = {uniform = ["50 %", "200 %"]}
+"""
+FILES = {
+    "circle.toml": CIRCLE,
+    "stage.toml": STAGE,
+    "plain.toml": PLAIN,
+    "strong.toml": PLAIN.replace("1000", "2000"),
+    "study.toml": STUDY,
+}
+GAINS = ["--parameter", "x.model_gain", "--parameter", "y.position_gain"]
+BRIEF = ["--budget", "100", "--ways", "one", "--longest", "1 ms"]
+COMMANDS = {
+    "sensitivity": ["sensitivity", "circle.toml", *GAINS, "--base", "32", "--values", "9", "--trajectories", "4"],
+    "tune": ["tune", "circle.toml", *GAINS, "--budget", "200"],
+    "swap": ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", "--parameter", "model_gain", *BRIEF],
+    "optimise": ["sweep", "optimise", "study.toml", "--minimise", "contour_error_max", "--trials", "96", "--batch", "48"],
+}
+
+
+def answer(folder: Path, *words: str) -> Any:
+    """Return the JSON output of a command in a folder of its own, without what it says of the executor."""
+    folder.mkdir()
+    for name, text in FILES.items():
+        (folder / name).write_text(text)
+    command = [sys.executable, "-m", "contourlab", *words, "--json"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=500)
+    assert done.returncode in (0, 1), done.stderr
+    found = json.loads(done.stdout)
+    for part in (found, found.get("request", {}), found.get("settings", {})):
+        part.pop("executor", None)
+    return found
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("executor", ["processes", "dask-local"])
+@pytest.mark.parametrize("command", COMMANDS)
+def test_an_executor_does_not_change_the_answer(tmp_path: Path, command: str, executor: str) -> None:
+    words = COMMANDS[command]
+    elsewhere = answer(tmp_path / "elsewhere", *words, "--executor", executor, "--workers", "2")
+    assert elsewhere == answer(tmp_path / "here", *words)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_an_unknown_executor_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: str) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main([*COMMANDS[command], "--executor", "cloud"]) == 2
+    assert not list(tmp_path.iterdir())
