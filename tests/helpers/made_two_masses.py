@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +11,8 @@ from contourlab.arrays import Array
 from contourlab.native.kernel import kernel
 
 SUBSTEPS = 50
+STRIBECK = 2e-3
+"""Velocity [m/s]."""
 
 
 @dataclass(frozen=True)
@@ -20,7 +23,6 @@ class TwoMasses:
     ----------
     gain : float [m/s^2 per unit of output]
     damping : float [1/s]
-        At the motor.
     load : float
         Mass of the load; the motor has the rest of 1.
     frequency : float [Hz]
@@ -29,6 +31,14 @@ class TwoMasses:
     frictions : tuple of float [m/s^2]
         At motor and load.
     play : float [m]
+    damped : float
+        Part of the damping at the motor; the load has the rest.
+    breakaway : float
+        Friction at rest over that in motion, less 1; it fades over `STRIBECK`.
+    count : float [m]
+        Step of the encoder.
+    delay : int
+        Substeps by which the output acts late.
     """
 
     gain: float = 2.0
@@ -38,6 +48,10 @@ class TwoMasses:
     damping_ratio: float = 0.03
     frictions: tuple[float, float] = (0.01, 0.02)
     play: float = 0.0
+    damped: float = 1.0
+    breakaway: float = 0.0
+    count: float = 0.0
+    delay: int = 0
 
     def measured(self, command: Array, gains: dict[str, float], period: float, noise: Array) -> tuple[Array, Array]:
         """Return motor position (n,) [m] and output (n,) under HAL's pid, with gains per mm."""
@@ -46,12 +60,37 @@ class TwoMasses:
         parts = [self.gain, self.damping, motor, self.load, reduced * w**2, 2.0 * self.damping_ratio * reduced * w, self.play]
         law = [1e3 * gains[name] for name in ("Pgain", "Igain", "Dgain", "FF1", "FF2")]
         out = np.zeros((command.size, 2))
-        _run(command, noise, np.array([*parts, *self.frictions]), np.array([*law, period]), out)
+        more = [*self.frictions, self.damped, self.breakaway, self.count, float(self.delay)]
+        _run(command, noise, np.array([*parts, *more]), np.array([*law, period]), out)
         return out[:, 0], out[:, 1]
 
 
-def _rubbed(v: float, force: float, mass: float, friction: float, h: float) -> float:
-    """Return the velocity after a step with Coulomb friction."""
+def drawn(seed: int) -> tuple[TwoMasses, float]:
+    """Return a random axis, and the largest noise of its encoder [m]."""
+    generator = np.random.default_rng([24, seed])
+
+    def between(low: float, high: float) -> float:
+        return float(np.exp(generator.uniform(np.log(low), np.log(high))))
+
+    plant = TwoMasses(
+        gain=between(0.8, 6.0),
+        damping=between(5.0, 80.0),
+        load=float(generator.uniform(0.2, 0.6)),
+        frequency=between(30.0, 250.0),
+        damping_ratio=between(0.01, 0.08),
+        frictions=(between(0.005, 0.06), between(0.0005, 0.03)),
+        play=float(generator.choice([0.0, between(5e-6, 5e-5)])),
+        damped=float(generator.uniform()),
+        breakaway=float(generator.choice([0.0, generator.uniform(0.0, 0.5)])),
+        count=between(1e-7, 2e-6),
+        delay=int(generator.integers(SUBSTEPS)),
+    )
+    return plant, between(2e-8, 5e-7)
+
+
+def _rubbed(v: float, force: float, mass: float, level: float, breakaway: float, h: float) -> float:
+    """Return the velocity after a step with friction that falls with the speed."""
+    friction = level * (1.0 + breakaway * math.exp(-abs(v) / STRIBECK))
     if v == 0.0:
         if abs(force) <= friction:
             return 0.0
@@ -64,23 +103,28 @@ def _rubbed(v: float, force: float, mass: float, friction: float, h: float) -> f
 def _run(command: Array, noise: Array, axis: Array, law: Array, out: Array) -> None:
     gain, damping, motor, load, stiffness, shaft, play = axis[0], axis[1], axis[2], axis[3], axis[4], axis[5], axis[6]
     period, summed = law[5], 0.0
-    h = period / SUBSTEPS
+    h, count, late, before = period / SUBSTEPS, axis[11], int(axis[12]), 0.0
+    at_motor, at_load = axis[9] * damping, (1.0 - axis[9]) * damping
     x, v, y, w = command[0], 0.0, command[0], 0.0
     last, rate, back = command[0], 0.0, command[0]
     for k in range(command.size):
         seen = x + noise[k]
+        if count > 0.0:
+            seen = count * math.floor(seen / count + 0.5)
         error = last - seen
         summed += error * period
         now = (command[k] - last) / period
         u = law[0] * error + law[1] * summed + law[2] * (now - (seen - back) / period) + law[3] * now + law[4] * (now - rate) / period
         out[k, 0], out[k, 1] = seen, u
         last, rate, back = command[k], now, seen
-        for _ in range(SUBSTEPS):
+        for part in range(SUBSTEPS):
             bent = x - y
             force = 0.0
             if abs(bent) >= 0.5 * play:
                 force = stiffness * (bent - (0.5 * play if bent > 0.0 else -0.5 * play)) + shaft * (v - w)
-            v = _rubbed(v, gain * u - damping * v - force, motor, axis[7], h)
-            w = _rubbed(w, force, load, axis[8], h)
+            push = gain * (before if part < late else u)
+            v = _rubbed(v, push - at_motor * v - force, motor + 0.5 * h * at_motor, axis[7], axis[10], h)
+            w = _rubbed(w, force - at_load * w, load + 0.5 * h * at_load, axis[8], axis[10], h)
             x += h * v
             y += h * w
+        before = u

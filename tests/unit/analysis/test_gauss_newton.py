@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from contourlab.analysis.identification.gauss_newton import DescentSettings, descend, fit_covariance, jacobian, spread_starts
+from contourlab.analysis.identification.gauss_newton import (
+    DescentSettings,
+    descend,
+    fit_covariance,
+    jacobian,
+    parted_deviations,
+    spread_starts,
+)
 from contourlab.errors import ParameterError
 
 RNG = np.random.default_rng(5)
@@ -103,3 +110,12 @@ def test_parameters_without_an_effect_of_their_own_are_reported() -> None:
     known = fit_covariance([columns], [RNG.standard_normal((200, 2))])
     assert known.untold.tolist() == [False, True, True, True]
     assert np.isfinite(known.deviations).tolist() == [True, False, False, False]
+
+
+def test_parted_deviation_of_a_mean_is_the_spread_of_the_means_of_parts() -> None:
+    values = np.random.default_rng(1).normal(size=120)
+    means = values.reshape(6, 20).mean(axis=1)
+    found = parted_deviations(np.ones((120, 1)), values - values.mean(), 6)
+    assert found == pytest.approx([means.std(ddof=1) / np.sqrt(6.0)])
+    alone = np.column_stack([np.ones(120), np.arange(120) < 20])
+    assert np.isinf(parted_deviations(alone, values, 6)).all()

@@ -134,15 +134,7 @@ def identify_first_order(time: ArrayLike, command: ArrayLike, position: ArrayLik
         If the record is too short, uneven, not finite or at rest, if the axis moves against its command, or if parameters cannot be
         separated.
     """
-    period, (_, u, p) = even_record(time, {"command": command, "position": position})
-    if not np.ptp(u) > 0.0:
-        raise ParameterError("command", f"{u[0]:g} throughout", "a record whose command changes: one level cannot separate a and b")
-    smoothing = smoothing_of(p)
-    blocks = _Blocks(u, period, smoothing)
-    measured = blocks.differenced(p)
-    if not np.ptp(measured) > 0.0:
-        raise ParameterError("position", "a record", "one in which the axis moves")
-    free = _start(blocks, measured, friction)
+    blocks, measured, free = _prepared(time, command, position, friction)
     fit = fit_output(blocks.model, measured, free)
     left_out: list[Finding] = []
     for name in ("start", "delay", "friction"):
@@ -150,9 +142,30 @@ def identify_first_order(time: ArrayLike, command: ArrayLike, position: ArrayLik
             left_out.append(finding("CL528", name))
             free = {key: replace(part, start=fit[key]) for key, part in free.items() if key != name}
             fit = fit_output(blocks.model, measured, free)
-    middle = np.asarray(time, dtype=float)[0] + period * smoothing * (np.arange(measured.size) + 0.5)
+    middle = np.asarray(time, dtype=float)[0] + blocks.period * blocks.smoothing * (np.arange(measured.size) + 0.5)
     findings, usable = _fit_findings(fit, "velocity")
-    return FirstOrderFit(fit, middle, blocks.averaged(u), smoothing, usable, (*left_out, *findings))
+    return FirstOrderFit(fit, middle, blocks.averaged(blocks.command), blocks.smoothing, usable, (*left_out, *findings))
+
+
+def first_order_start(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tuple[int, dict[str, float]]:
+    """Return the smoothing of `identify_first_order` and its parameters, roughly, in a moment; delay and start are guesses.
+
+    Parameters, errors: those of `identify_first_order`.
+    """
+    blocks, _, free = _prepared(time, command, position, True)
+    return blocks.smoothing, {name: one.start for name, one in free.items()}
+
+
+def _prepared(time: ArrayLike, command: ArrayLike, position: ArrayLike, friction: bool) -> tuple[_Blocks, Array, dict[str, Free]]:
+    """Return the record, its velocities, and the start of the fit."""
+    period, (_, u, p) = even_record(time, {"command": command, "position": position})
+    if not np.ptp(u) > 0.0:
+        raise ParameterError("command", f"{u[0]:g} throughout", "a record whose command changes: one level cannot separate a and b")
+    blocks = _Blocks(u, period, smoothing_of(p))
+    measured = blocks.differenced(p)
+    if not np.ptp(measured) > 0.0:
+        raise ParameterError("position", "a record", "one in which the axis moves")
+    return blocks, measured, _start(blocks, measured, friction)
 
 
 def _start(blocks: _Blocks, measured: Array, with_friction: bool) -> dict[str, Free]:

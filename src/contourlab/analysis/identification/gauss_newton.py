@@ -107,7 +107,7 @@ def descend(
             converged = True
             break
         factors = damping * DAMPINGS
-        trials = np.array([_trial(x, r, slopes, free, low, high, f) for f in factors])
+        trials = _trials(x, r, slopes, free, low, high, factors)
         left = residuals(trials)
         costs = np.where(np.isfinite(left).all(axis=1), (np.nan_to_num(left) ** 2).sum(axis=1), math.inf)
         best = int(np.argmin(costs))
@@ -137,17 +137,18 @@ def _held(x: Array, gradient: Array, low: Array, high: Array) -> Flags:
     return held
 
 
-def _trial(x: Array, r: Array, slopes: Array, free: Flags, low: Array, high: Array, damping: float) -> Array:
-    """Return the end of a damped step, clipped to the bounds."""
+def _trials(x: Array, r: Array, slopes: Array, free: Flags, low: Array, high: Array, dampings: Array) -> Array:
+    """Return the ends (k, p) of damped steps, clipped to the bounds."""
     j = slopes[:, free]
     lengths = np.linalg.norm(j, axis=0)
     lengths = np.where(lengths > 0.0, lengths, 1.0)  # a parameter without effect stays where it is
-    unit = j / lengths
     # Solved as least squares: normal equations would square the condition number.
-    matrix = np.vstack([unit, math.sqrt(damping) * np.eye(unit.shape[1])])
-    step = np.linalg.lstsq(matrix, np.append(-r, np.zeros(unit.shape[1])), rcond=None)[0] / lengths
-    moved = x.copy()
-    moved[free] += step
+    q, unit = np.linalg.qr(j / lengths)
+    wanted = np.append(-r @ q, np.zeros(lengths.size))
+    moved = np.repeat(x[None], dampings.size, axis=0)
+    for trial, damping in zip(moved, dampings, strict=True):
+        matrix = np.vstack([unit, math.sqrt(damping) * np.eye(lengths.size)])
+        trial[free] += np.linalg.lstsq(matrix, wanted, rcond=None)[0] / lengths
     return np.clip(moved, low, high)
 
 
@@ -289,6 +290,45 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     scale = np.sqrt(np.where(np.diag(inverse) > 0.0, np.diag(inverse), 1.0))
     deviations = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     return FitCovariance(deviations, np.where(untold, np.inf, white), inverse / np.outer(scale, scale), untold)
+
+
+def parted_deviations(jacobian: Array, residual: Array, parts: int) -> Array:
+    """Return standard deviations (p,) by the jackknife: the spread of estimates that leave out one part of the record after another.
+
+    Parameters
+    ----------
+    jacobian : ndarray (n, p)
+        At the least sum of squares.
+    residual : ndarray (n,)
+    parts : int, >= 2
+        Consecutive parts of equal length. What the model lacks lasts for a motion and differs from one kind of motion to the next: it is
+        not noise, and is seen only between parts.
+
+    Returns
+    -------
+    ndarray (p,)
+        Infinite if a part alone determines a parameter.
+
+    Notes
+    -----
+    Each estimate takes one Gauss-Newton step from the whole record's.
+
+    References
+    ----------
+    Efron & Stein, "The jackknife estimate of variance", Annals of Statistics 9(3), 1981.
+    """
+    lengths = np.linalg.norm(jacobian, axis=0)
+    if not lengths.all():
+        return np.full(lengths.size, math.inf)
+    columns = jacobian / lengths
+    normal, moved = columns.T @ columns, []
+    for rows in np.array_split(np.arange(residual.size), parts):
+        part = columns[rows]
+        rest = normal - part.T @ part
+        if np.linalg.cond(rest) * UNTOLD > 1.0:
+            return np.full(lengths.size, math.inf)
+        moved.append(np.linalg.solve(rest, part.T @ residual[rows]))
+    return np.asarray(np.std(moved, axis=0) * math.sqrt(parts - 1.0) / lengths)
 
 
 def _remembered(residual: Array) -> int:

@@ -301,7 +301,7 @@ def _line(axis: AxisSetup, work: _Work, gains: Mapping[str, Mapping[str, float]]
     before, after = (figure(1e-6 * value, "um") for value in (predicted.before, predicted.after))
     line = f"{listed} for {axis.name}: largest error {before} -> about {after}"
     if math.isfinite(model.play):
-        play, deviation = figure(model.play, "um", 2), figure(max(model.play_deviation, 1e-7), "um", 1)
+        play, deviation = figure(model.play, "um", 2), figure(model.play_deviation, "um", 1)
         line += f"; play of {play.removesuffix(' um')} +-{deviation} remains"
     return line
 

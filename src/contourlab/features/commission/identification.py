@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
 
-from contourlab.analysis.identification.first_order import FirstOrderFit, identify_first_order
-from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output
+from contourlab.analysis.identification.first_order import first_order_start
+from contourlab.analysis.identification.gauss_newton import DescentSettings, descend, parted_deviations, spread_starts
+from contourlab.analysis.identification.output_error import Free, OutputFit, fit_percent
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.features.commission.loop import MOST_DELAY, AxisModel, Law, driven, run_lanes
@@ -23,12 +24,25 @@ WELL_KNOWN = 0.1
 """Largest deviation of gain, relative to itself, with which the gains can be trusted."""
 USABLE, POOR = 60.0, 95.0
 """Fit [percent] below which the model is unusable, or gets a warning."""
-PEAK = 2.5
-"""Height of a resonance in the spectrum of the residual over its neighbourhood."""
+PARTS = range(4, 13)
+"""Numbers of parts that a record is divided into. How long it lasts what the model lacks is unknown: the largest deviation counts."""
+SHAFT = {
+    "resonance": Free(60.0, 15.0, 400.0, 10.0),
+    "damping_ratio": Free(0.03, 3e-3, 0.3, 0.02),
+    "share": Free(0.5, 0.05, 5.0, 0.3),
+    "play": Free(1e-5, 0.0, 1e-4, 1e-5),
+    "behind": Free(0.5, 0.0, 1.0, 0.3),
+    "damped": Free(0.5, 0.0, 1.0, 0.3),
+}
+"""What a second mass adds to the model."""
+SEARCHES = ((4, 1.0, DescentSettings(most_iterations=20)), (2, 0.2, DescentSettings(least_gain=1e-5)))
+"""Searches for a second mass: number of starts, reach, and descent from each; the later one around the end of the former."""
 SURE = 0.05
 """Largest deviation of a resonance, relative to its frequency, with which it enters the model."""
 SLOW = 5e-4
 """Speed [m/s] below which inertia does not matter at a reversal: the load stops, and the motor crosses the play alone."""
+LEAST = 1e-7
+"""Smallest deviation of play [m]: it depends on load and temperature."""
 STEP = 0.05
 """Smallest part of the friction that has to return behind the play to be seen."""
 
@@ -98,8 +112,8 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
     first = logs[longest]
     part = slice(0, split[longest])
     try:
-        start = identify_first_order(law.period * np.arange(split[longest]), first.output[part], first.measured[part])
-        fit = _refined(logs, split, law, start)
+        smoothing, start = first_order_start(law.period * np.arange(split[longest]), first.output[part], first.measured[part])
+        fit = _refined(logs, split, law, smoothing, start)
     except ParameterError as error:
         return finding("CL887" if "counted the other way" in str(error) else "CL886", place, reason=str(error), parameters=("the axis",))
     model = AxisModel(**{name: fit[name] for name in fit.names})
@@ -132,9 +146,9 @@ def _split(log: AxisLog) -> int:
     return int(np.searchsorted(moves, FITTED * moves[-1])) + 1
 
 
-def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, first: FirstOrderFit) -> OutputFit:
-    """Fit the sampled axis to the velocities of all logs, from the parameters of a fit in continuous time."""
-    s, period = first.smoothing, law.period
+def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, first: Mapping[str, float]) -> OutputFit:
+    """Fit the sampled axis to the velocities of all logs, differenced over s samples, from rough parameters."""
+    period = law.period
     pairs = [(log.output[:n], log.measured[:n]) for log, n in zip(logs, split, strict=True)]
 
     def differenced(position: Array) -> Array:
@@ -154,25 +168,49 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, first: Fir
         "friction": Free(max(a * first["friction"], 1e-3 * size), 0.0, 10.0 * size, 0.1 * size),
         "offset": Free(a * first["offset"], -10.0 * size, 10.0 * size, 0.1 * size),
     }
-    # The whole part of the delay steps: try each, with a continuous rest.
-    best: OutputFit | None = None
-    guess = first["delay"] / period
-    for whole in sorted({0, *range(max(round(guess) - 1, 0), min(round(guess) + 3, MOST_DELAY))}):
-        low, high = ((whole + shift) * period for shift in (-0.5 if whole else -0.75, 0.4999))
-        delay = Free(min(max(first["delay"], low + 0.1 * period), high - 0.1 * period), low, high, period)
-        fit = fit_output(model, measured, {**free, "delay": delay})
-        if best is None or fit.fit > best.fit:
-            best, free["delay"] = fit, delay
-    assert best is not None
-    frequency = _ringing(best, s * period)
-    if not frequency:
-        return best
-    again = {name: replace(one, start=best[name]) for name, one in free.items()}
-    again["resonance"] = Free(frequency, 0.7 * frequency, 1.4 * frequency, 0.1 * frequency)
-    again |= {"damping_ratio": Free(0.03, 1e-3, 0.5, 0.02), "share": Free(0.3, 1e-3, 20.0, 0.3)}
-    fit = fit_output(model, measured, again)
-    sure = fit.deviation("resonance") < SURE * fit["resonance"] and 4.0 * fit.deviation("share") < fit["share"]
-    return fit if sure and fit.fit > best.fit and not {"resonance", "share"} & {*fit.at_bound} else best
+    free["delay"] = Free(0.0, -0.75 * period, (MOST_DELAY - 1) * period, period)
+    rigid = best = _descended(model, measured, free)
+    start, low, high = (np.array([getattr(one, part) for one in SHAFT.values()]) for part in ("start", "low", "high"))
+    for count, reach, settings in SEARCHES:
+        ends = [] if best is rigid else [best]
+        known = {name: replace(one, start=best[name]) for name, one in free.items()}
+        values = {name: one.start for name, one in known.items()}
+
+        def left(points: Array, values: Mapping[str, float] = values) -> Array:
+            return np.array([model({**values, **dict(zip(SHAFT, x.tolist(), strict=True))}) - measured for x in points])
+
+        for point in spread_starts(left, start, low, high, count, 256, reach):
+            shaft = {name: replace(one, start=float(at)) for (name, one), at in zip(SHAFT.items(), point, strict=True)}
+            ends.append(_descended(model, measured, {**known, **shaft}, settings))
+        best = max(ends, key=lambda end: end.fit)
+        start = best.values[-len(SHAFT) :]
+    # Behind play a search does not always end at the same point: how far its ends differ is not known better.
+    best = replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std([end.values for end in ends], axis=0)))
+    sure = best.deviation("resonance") < SURE * best["resonance"] and 4.0 * best.deviation("share") < best["share"]
+    # The criterion of Schwarz: the residual is smaller than by chance.
+    explains = 2.0 * measured.size * math.log((100.0 - rigid.fit) / max(100.0 - best.fit, 1e-9)) > len(SHAFT) * math.log(measured.size)
+    return best if sure and explains and not {"resonance", "share"} & {*best.at_bound} else rigid
+
+
+def _descended(
+    model: Callable[[Mapping[str, float]], Array], measured: Array, free: Mapping[str, Free], settings: DescentSettings | None = None
+) -> OutputFit:
+    """Fit a model's output in steps that bridge its kinks; deviations are those of the jackknife over parts of the record."""
+    names = tuple(free)
+    start, low, high, scale = (np.array([getattr(f, part) for f in free.values()]) for part in ("start", "low", "high", "scale"))
+
+    def predicted(x: Array) -> Array:
+        return model(dict(zip(names, x.tolist(), strict=True)))
+
+    size = float(np.sqrt(np.mean((predicted(start) - measured) ** 2)))
+    result = descend(lambda points: np.array([(predicted(x) - measured) / size for x in points]), start, low, high, scale, settings)
+    inside = (result.values > low) & (result.values < high)
+    deviations = np.zeros(len(names))
+    deviations[inside] = np.max([parted_deviations(result.jacobian[:, inside], result.residual, parts) for parts in PARTS], axis=0)
+    stuck = tuple(name for name, kept in zip(names, inside, strict=True) if not kept)
+    output = predicted(result.values)
+    fit = fit_percent(measured, output)
+    return OutputFit(names, result.values, deviations, deviations, np.eye(len(names)), 1.0, stuck, measured, output, fit)
 
 
 def _noise_at_rest(log: AxisLog) -> Array:
@@ -217,7 +255,7 @@ def _play(logs: Sequence[AxisLog]) -> tuple[float, float]:
         return math.nan, math.nan
     up, down = (np.array(values) for values in ahead.values())
     deviation = math.hypot(up.std(ddof=1) / math.sqrt(up.size), down.std(ddof=1) / math.sqrt(down.size))
-    return max(float(up.mean() - down.mean()), 0.0), max(deviation, 1e-8)
+    return max(float(up.mean() - down.mean()), 0.0), max(deviation, LEAST)
 
 
 def _lost_motion(logs: Sequence[AxisLog], model: AxisModel, noise: float) -> tuple[float, float]:
@@ -283,17 +321,3 @@ def _quality(fit: OutputFit, deviations: Mapping[str, float], place: str) -> lis
     if fit.fit < USABLE:
         return [*findings, finding("CL886", place, parameters=(f"the motion, of which it explains {max(fit.fit, 0.0):.3g} %",))]
     return [*findings, finding("CL888", place, fit=fit.fit / 100.0)] if fit.fit < POOR else findings
-
-
-def _ringing(fit: OutputFit, period: float) -> float:
-    """Return the frequency [Hz] of the highest narrow peak in the spectrum of the residual; 0 if there is none."""
-    from scipy.ndimage import median_filter
-    from scipy.signal import welch
-
-    if fit.measured.size < 4096:
-        return 0.0
-    frequency, power = welch(fit.measured - fit.predicted, 1.0 / period, nperseg=1024)
-    ratio = power / np.maximum(median_filter(power, 61), 1e-30)
-    inside = (frequency > 15.0) & (frequency < 0.4 / period)
-    k = int(np.argmax(np.where(inside, ratio, 0.0)))
-    return float(frequency[k]) if ratio[k] > PEAK else 0.0

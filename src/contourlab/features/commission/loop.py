@@ -3,11 +3,12 @@
 The law is that of ``src/hal/components/pid.c``: the error of the same period is in the integral, derivatives are differences over a period,
 and with ``error-previous-target`` (on by default since 2.8) the error is counted from the command of the period before.
 
-The axis is v' = -damping v + gain u - offset - friction sign(v) under a held output, exact between samples, and sticks where it turns. Its
+The axis is v' = -damping v + gain u - offset - friction sign(v) under a held output, exact between samples, and sticks where it stops. Its
 output arrives after a whole number of periods; the rest of the delay is a shift of the measured position, x - rest v. The rest may be
 negative, down to about half a period: an axis simulated in the servo thread is ahead of a held output.
 
-A resonance adds q'' + 2 zeta w q' + w^2 q = share v' of the undamped motor: two masses with a shaft between them, seen from the motor.
+With a resonance there are two masses with a shaft and play between them, each with its part of friction and damping: while friction holds
+the motor, the load rings at another frequency than with the motor free.
 """
 
 from __future__ import annotations
@@ -27,6 +28,8 @@ GAINS = ("Pgain", "Igain", "Dgain", "FF0", "FF1", "FF2", "FF3")
 """Gains in the columns of `run_lanes`, under HAL's names."""
 MOST_DELAY = 64
 """Largest delay of an output in periods."""
+SUBSTEPS = 4
+"""Steps in a period in which a shaft turns."""
 
 
 @dataclass(frozen=True)
@@ -38,13 +41,18 @@ class AxisModel:
     gain : float [m/s^2 per unit of output], > 0
     damping : float [1/s], >= 0
     friction, offset : float [m/s^2]
+        Friction of motor and load together.
     delay : float [s]
         From the output to the measured position, beyond the hold.
     resonance : float [Hz]
-        0 for a rigid axis.
+        Of the free masses; 0 for a rigid axis.
     damping_ratio : float, below 1
     share : float
         Mass behind the shaft over the mass at the motor.
+    behind, damped : float, 0 to 1
+        Part of the friction, and of the damping, behind the shaft.
+    play : float [m]
+        Between the masses.
     """
 
     gain: float
@@ -55,66 +63,102 @@ class AxisModel:
     resonance: float = 0.0
     damping_ratio: float = 0.0
     share: float = 0.0
+    behind: float = 0.0
+    damped: float = 0.0
+    play: float = 0.0
+
+    def delayed(self, period: float) -> tuple[int, float]:
+        """Return the delay as whole periods and a rest [s]."""
+        whole = max(math.floor(self.delay / period + 0.5), 0)
+        return whole, self.delay - whole * period
+
+    def motion(self, time: float) -> Array:
+        """Return (4, 6): position, velocity, twist and its rate at the motor after a time, from these and the forces at motor and load."""
+        rates, share = np.zeros((6, 6)), self.share
+        damping = self.damping * (1.0 - self.damped if share else 1.0)
+        rates[0, 1] = 1.0
+        rates[1, [1, 4]] = -(1.0 + share) * damping, 1.0 + share
+        if share:
+            w, load = 2.0 * math.pi * self.resonance, share / (1.0 + share)
+            spring, loss, rear = w**2, 2.0 * self.damping_ratio * w, self.damped * self.damping / load
+            rates[1, 2:4], rates[2, 3] = [-load * spring, -load * loss], 1.0
+            # The load moves with the velocity of the motor less the rate of the twist.
+            rates[3] = [0.0, rates[1, 1] + rear, -spring, -loss - rear, 1.0 + share, -1.0 / load]
+        # The exponential by its series over a 256th of the time: SciPy's takes longer than a run.
+        part, term = np.eye(6), np.eye(6)
+        for k in range(1, 9):
+            term = term @ (time / 256.0 * rates) / k
+            part = part + term
+        return np.asarray(np.linalg.matrix_power(part, 256)[:4])
 
     def row(self, period: float) -> list[float]:
-        """Return the numbers that the kernels need: decay, velocity and travel per acceleration, the parameters, and `mode`."""
-        x = max(self.damping * period, 1e-8)  # below it the formulas lose digits
-        gained = -math.expm1(-x) / x * period
-        travel = (period - gained) / x * period
-        whole = max(math.floor(self.delay / period + 0.5), 0)
-        rigid = [math.exp(-x), gained, travel, self.gain, self.friction, self.offset, float(whole), self.delay - whole * period]
-        return rigid + self.mode(period)
-
-    def mode(self, period: float) -> list[float]:
-        """Return transition (2, 2), row by row, and input (2,) of the resonance's deflection and its velocity over a period."""
-        if not self.share:
-            return [0.0] * 6
-        w, zeta = 2.0 * math.pi * self.resonance, self.damping_ratio
-        damped = w * math.sqrt(1.0 - zeta**2)
-        faded = math.exp(-zeta * w * period)
-        cosine, sine = faded * math.cos(damped * period), faded * math.sin(damped * period) / damped
-        kept = cosine + zeta * w * sine
-        return [kept, sine, -w * w * sine, cosine - zeta * w * sine, self.share * (1.0 - kept) / w**2, self.share * sine]
+        """Return the numbers that the kernels need: parameters, delay, steps in a period, and the motion in one of them."""
+        steps, back = (SUBSTEPS, self.behind) if self.share else (1, 0.0)
+        frictions = (1.0 - back) * self.friction, back * self.friction
+        parameters = [self.gain, self.offset, *frictions, *self.delayed(period), float(steps)]
+        w, reduced = 2.0 * math.pi * self.resonance, self.share / (1.0 + self.share) ** 2
+        slack = [0.5 * self.play, period / steps, reduced * w**2, 2.0 * self.damping_ratio * reduced * w * steps / period]
+        return [*parameters, *self.motion(period / steps)[:, 1:].ravel(), *slack]
 
 
-def step(axis: Array, i: int, v: float, u: float) -> tuple[float, float, float]:
-    """Return velocity and travel after a period under an output, and the acceleration by output and friction."""
-    push = axis[i, 3] * u - axis[i, 5]
-    friction = axis[i, 4]
-    if v > 0.0 or (v == 0.0 and push > friction):
-        push -= friction
-    elif v < 0.0 or push < -friction:
-        push += friction
-    else:
-        return 0.0, 0.0, 0.0
-    after = axis[i, 0] * v + axis[i, 1] * push
-    if v * after < 0.0:
-        # It turns within the period; damping does not matter in what is left of it.
-        turn = v / (v - after)
-        left, travel = (1.0 - turn) * axis[i, 1], 0.5 * v * turn * axis[i, 1]
-        push = axis[i, 3] * u - axis[i, 5]
-        if abs(push) <= friction:
-            return 0.0, travel, 0.0
-        push -= friction if push > 0.0 else -friction
-        return push * left, travel + 0.5 * push * left * left, push
-    return after, axis[i, 1] * v + axis[i, 2] * push, push
+State = tuple[float, float, float, float, float]
+"""Position and velocity of the motor, twist of the shaft and its rate, and the friction of the load."""
 
 
-def deflect(axis: Array, i: int, q: float, w: float, push: float) -> tuple[float, float]:
-    """Return deflection and velocity of the resonance after a period."""
-    return axis[i, 8] * q + axis[i, 9] * w + axis[i, 12] * push, axis[i, 10] * q + axis[i, 11] * w + axis[i, 13] * push
+def step(axis: Array, i: int, state: State, u: float) -> State:
+    """Return the state of an axis after a period under an output."""
+    x, v, s, r, behind = state
+    push = axis[i, 0] * u - axis[i, 1]
+    for _ in range(int(axis[i, 6])):
+        coasting = axis[i, 12] * v + axis[i, 13] * s + axis[i, 14] * r
+        # Within the play the shaft exerts no force: what it would exert there, a mean over the step, is taken back.
+        gone, loose = axis[i, 28] * r, min(max(s, -axis[i, 27]), axis[i, 27])
+        after = min(max(s + gone, -axis[i, 27]), axis[i, 27])
+        mean = loose if abs(gone) < 1e-15 else (after * (s + gone - 0.5 * after) - loose * (s - 0.5 * loose)) / gone
+        slack = axis[i, 29] * mean + axis[i, 30] * (after - loose)
+        force = rubbed(v, coasting + axis[i, 16] * behind, axis[i, 15], push + slack, axis[i, 2])
+        rate = axis[i, 22] * v + axis[i, 23] * s + axis[i, 24] * r + axis[i, 25] * force
+        after = coasting + axis[i, 15] * force
+        if axis[i, 29] > 0.0:
+            behind = rubbed(v - r, after - rate, axis[i, 16] - axis[i, 26], -slack, axis[i, 3])
+        x += axis[i, 7] * v + axis[i, 8] * s + axis[i, 9] * r + axis[i, 10] * force + axis[i, 11] * behind
+        s = axis[i, 17] * v + axis[i, 18] * s + axis[i, 19] * r + axis[i, 20] * force + axis[i, 21] * behind
+        v, r = after + axis[i, 16] * behind, rate + axis[i, 26] * behind
+    return x, v, s, r, behind
+
+
+def rubbed(v: float, coasting: float, reach: float, push: float, friction: float) -> float:
+    """Return the mean force on a body with friction over a step: it sticks where it stops, unless it is pushed on.
+
+    Parameters
+    ----------
+    v : float [m/s]
+    coasting : float [m/s]
+        Velocity after the step without push and friction.
+    reach : float [s]
+        Velocity after the step per m/s^2.
+    push, friction : float [m/s^2]
+    """
+    held = -coasting / reach
+    if v == 0.0:
+        return min(max(held, push - friction), push + friction)
+    drag = -friction if v > 0.0 else friction
+    after = coasting + reach * (push + drag)
+    if v * after >= 0.0:
+        return push + drag
+    if abs(push + (coasting - v) / reach) <= friction:
+        return held
+    return push + drag * (2.0 * v / (v - after) - 1.0)
 
 
 @kernel("f8[:] f8[:,:] f8[:] f8[:]")
 def _driven(output: Array, axis: Array, start: Array, position: Array) -> None:
     """Move an axis by a recorded output."""
-    v, x, q, w = start[1], start[0], 0.0, 0.0
-    whole, rest = int(axis[0, 6]), axis[0, 7]
+    state = start[0], start[1], 0.0, 0.0, 0.0
+    whole, rest = int(axis[0, 4]), axis[0, 5]
     for k in range(output.size):
-        position[k] = x + q - rest * (v + w)
-        v, travel, push = step(axis, 0, v, output[max(k - whole, 0)])
-        x += travel
-        q, w = deflect(axis, 0, q, w, push)
+        position[k] = state[0] - rest * state[1]
+        state = step(axis, 0, state, output[max(k - whole, 0)])
 
 
 @kernel("f8[:] f8[:] f8[:,:] f8[:,:] f8[:] f8[:] f8[:,:] f8[:,:]")
@@ -123,14 +167,14 @@ def _closed(command: Array, noise: Array, gains: Array, axis: Array, law: Array,
     period, previous, limit, free = law[0], law[1] > 0.0, law[2], int(law[3])
     for i in range(gains.shape[0]):
         p, integral, d = gains[i, 0], gains[i, 1], gains[i, 2]
-        whole, rest = int(axis[i, 6]), axis[i, 7]
-        x, v, q, w, summed, held = command[0], 0.0, 0.0, 0.0, 0.0, 0.0
+        whole, rest = int(axis[i, 4]), axis[i, 5]
+        state, summed, held = (command[0], 0.0, 0.0, 0.0, 0.0), 0.0, 0.0
         last, last_rate, last_second, last_measured, last_output = command[0], 0.0, 0.0, command[0], 0.0
         largest, square, most, rough, limited, shift = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
         for k in range(memory.size):
             memory[k] = 0.0
         for k in range(command.size):
-            measured = x + q - rest * (v + w) + noise[k]
+            measured = state[0] - rest * state[1] + noise[k]
             if k < free:
                 shift = measured - command[k]
             target = command[k] + shift
@@ -161,9 +205,7 @@ def _closed(command: Array, noise: Array, gains: Array, axis: Array, law: Array,
                 trace[k, 1] = u
             if not largest < 1e3:
                 break
-            v, travel, push = step(axis, i, v, memory[(k - whole) % memory.size] if k >= whole else 0.0)
-            x += travel
-            q, w = deflect(axis, i, q, w, push)
+            state = step(axis, i, state, memory[(k - whole) % memory.size] if k >= whole else 0.0)
         figures[i, 0] = largest
         figures[i, 1] = math.sqrt(square / command.size)
         figures[i, 2] = most
@@ -269,15 +311,13 @@ Complex = NDArray[np.complex128]
 
 def _axis_ratio(model: AxisModel, period: float) -> tuple[Array, Array]:
     """Return numerator and denominator in z of the measured position over the output."""
-    decay, gained, travel, gain, _, _, whole, rest, *mode = model.row(period)
-    above = np.array([travel - rest * gained, gained**2 - travel * decay + rest * gained])
-    below = np.polymul([1.0, -decay], [1.0, -1.0])
-    if model.share:
-        m11, m12, m21, m22, b1, b2 = mode
-        ratio = [1.0, -m11 - m22, m11 * m22 - m12 * m21]
-        deflected = [b1 - rest * b2, m12 * b2 - m22 * b1 - rest * (m21 * b1 - m11 * b2)]
-        above, below = np.polyadd(np.polymul(above, ratio), np.polymul(deflected, below)), np.polymul(below, ratio)
-    return gain * above, np.concatenate([below, np.zeros(int(whole))])
+    whole, rest = model.delayed(period)
+    size = 4 if model.share else 2
+    motion = model.motion(period)
+    below = np.poly(motion[:size, :size])
+    seen = np.outer(motion[:size, 4], np.eye(size)[0] - rest * np.eye(size)[1])
+    above = np.poly(motion[:size, :size] - seen) - below
+    return model.gain * above, np.concatenate([below, np.zeros(whole)])
 
 
 def loop_gain(gains: Array, model: AxisModel, period: float, z: Complex) -> Complex:
