@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +28,7 @@ from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import Table, paragraphs
 from contourlab.result.atomic import replacing
+from contourlab.threads import in_threads
 
 HIDDEN: dict[str, Any] = {"json": False}
 FIRST, SECOND = ("excite.ngc", "sampler.hal", "steps.md"), ("report.html", "gains.diff", "safe.diff", "circle.png")
@@ -174,10 +176,8 @@ def commission(
     work = _Work(setup, records, planned, margins, seed)
     if all(one.code != "CL871" for one in findings):
         with shown(progress) as stages:
-            stages.expect(len(setup.axes))
-            for axis in setup.axes:
-                stages.begin(f"identifying and tuning axis {axis.name}")
-                findings += work.axis(axis)
+            stages.begin("identifying and tuning the axes")
+            findings += chain.from_iterable(in_threads(work.axis, setup.axes))
     return _written(work, findings, files, program, control)
 
 
@@ -290,7 +290,9 @@ def _written(
     contents |= {} if picture is None else {image: picture}
     _write(contents)
     shown = tuple(tables.values())
-    return Commissioned(gains, safe, work.predicted, work.models, tuple(findings), tuple(contents), terms, answer, shown)
+    models = {axis.name: work.models[axis.name] for axis in setup.axes if axis.name in work.models}
+    predicted = {name: work.predicted[name] for name in models if name in work.predicted}
+    return Commissioned(gains, safe, predicted, models, tuple(findings), tuple(contents), terms, answer, shown)
 
 
 def _line(axis: AxisSetup, work: _Work, gains: Mapping[str, Mapping[str, float]]) -> str:

@@ -45,6 +45,8 @@ LEAST = 1e-7
 """Smallest deviation of play [m]: it depends on load and temperature."""
 STEP = 0.05
 """Smallest part of the friction that has to return behind the play to be seen."""
+Model = Callable[[Mapping[str, float]], Array]
+"""Velocities [m/s] for the values of the parameters."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,32 +171,38 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, fi
         "offset": Free(a * first["offset"], -10.0 * size, 10.0 * size, 0.1 * size),
     }
     free["delay"] = Free(0.0, -0.75 * period, (MOST_DELAY - 1) * period, period)
-    rigid = best = _descended(model, measured, free)
+    rigid = _descended(model, measured, free)
+    two = _with_shaft(model, measured, free, rigid)
+    sure = two.deviation("resonance") < SURE * two["resonance"] and 4.0 * two.deviation("share") < two["share"]
+    # The criterion of Schwarz: the residual is smaller than by chance.
+    explains = 2.0 * measured.size * math.log((100.0 - rigid.fit) / max(100.0 - two.fit, 1e-9)) > len(SHAFT) * math.log(measured.size)
+    return two if sure and explains and not {"resonance", "share"} & {*two.at_bound} else rigid
+
+
+def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: OutputFit) -> OutputFit:
+    """Fit two masses with a shaft between them from several starts."""
+    best: OutputFit | None = None
     start, low, high = (np.array([getattr(one, part) for one in SHAFT.values()]) for part in ("start", "low", "high"))
     for count, reach, settings in SEARCHES:
-        ends = [] if best is rigid else [best]
-        known = {name: replace(one, start=best[name]) for name, one in free.items()}
+        before = best or rigid
+        known = {name: replace(one, start=before[name]) for name, one in free.items()}
         values = {name: one.start for name, one in known.items()}
 
         def left(points: Array, values: Mapping[str, float] = values) -> Array:
             return np.array([model({**values, **dict(zip(SHAFT, x.tolist(), strict=True))}) - measured for x in points])
 
+        ends = [] if best is None else [best]
         for point in spread_starts(left, start, low, high, count, 256, reach):
             shaft = {name: replace(one, start=float(at)) for (name, one), at in zip(SHAFT.items(), point, strict=True)}
             ends.append(_descended(model, measured, {**known, **shaft}, settings))
         best = max(ends, key=lambda end: end.fit)
         start = best.values[-len(SHAFT) :]
+    assert best is not None
     # Behind play a search does not always end at the same point: how far its ends differ is not known better.
-    best = replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std([end.values for end in ends], axis=0)))
-    sure = best.deviation("resonance") < SURE * best["resonance"] and 4.0 * best.deviation("share") < best["share"]
-    # The criterion of Schwarz: the residual is smaller than by chance.
-    explains = 2.0 * measured.size * math.log((100.0 - rigid.fit) / max(100.0 - best.fit, 1e-9)) > len(SHAFT) * math.log(measured.size)
-    return best if sure and explains and not {"resonance", "share"} & {*best.at_bound} else rigid
+    return replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std([end.values for end in ends], axis=0)))
 
 
-def _descended(
-    model: Callable[[Mapping[str, float]], Array], measured: Array, free: Mapping[str, Free], settings: DescentSettings | None = None
-) -> OutputFit:
+def _descended(model: Model, measured: Array, free: Mapping[str, Free], settings: DescentSettings | None = None) -> OutputFit:
     """Fit a model's output in steps that bridge its kinks; deviations are those of the jackknife over parts of the record."""
     names = tuple(free)
     start, low, high, scale = (np.array([getattr(f, part) for f in free.values()]) for part in ("start", "low", "high", "scale"))
