@@ -97,8 +97,13 @@ def test_the_store_of_another_study_is_refused(whole: Path, capsys: Capture, cha
 
 
 def test_a_comment_or_another_tolerance_is_the_same_study(whole: Path, capsys: Capture) -> None:
-    Path("study.toml").write_text('# a comment\ntolerance = "10 um"\n' + STUDY)
-    assert asked(capsys, "study.toml", "--out", "whole", "--resume")["chunks_made"] == 0
+    assert main(["sweep", "merge", "whole", "--out", "before"]) == 0
+    Path("study.toml").write_text('# Which are perfect?\ntolerance = "1 nm"\n' + STUDY)
+    again = asked(capsys, "study.toml", "--out", "whole", "--resume")
+    assert (again["chunks_made"], again["yield"]["tolerance"], again["yield"]["passed"]) == (0, pytest.approx(1e-9), 0)
+    assert asked(capsys, "report", "whole")["answers"]["question"] == "Which are perfect?"
+    assert asked(capsys, "show", "before")["yield"]["passed"] > 0
+    assert main(["sweep", "merge", "before", "whole", "--out", "both"]) == 2 and not Path("both").exists()
 
 
 def test_folders_that_are_no_store_of_this_study_stay(whole: Path, capsys: Capture) -> None:
