@@ -78,6 +78,11 @@ class Store:
         return sum(min(size, self.variants - number * size) for number in self.parts)
 
     @property
+    def tolerance(self) -> float | None:
+        """Tolerance [m] of the yield; None without one, and of a search, which has no yield."""
+        return None if self.manifest["design"] == "search" else self.manifest["tolerance"]
+
+    @property
     def figures(self) -> dict[str, str]:
         """SI unit of each figure."""
         return dict(self.manifest["figures"])

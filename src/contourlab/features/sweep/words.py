@@ -41,7 +41,7 @@ class Words:
 
 def said(answers: Answers) -> Words:
     """Return the answers in sentences."""
-    first = _yield(answers) if answers.share is not None else _spread(answers)
+    first = _best(answers) if answers.design == "search" else _yield(answers) if answers.share is not None else _spread(answers)
     return Words(" ".join(filter(None, (first, _which(answers)))), _decides(answers), _stop(answers), _front(answers), _modules(answers))
 
 
@@ -90,6 +90,11 @@ def _yield(answers: Answers) -> str:
     interval = f" ({ends} with 95 % confidence)" if answers.is_sample else ""
     passing = f"{answers.passed:,} of {answers.judged:,} {kind_of(answers)} make the part within {shown(answers.tolerance, 'm', 6)}"
     return f"{passing}: {share_text(answers.share)}{interval}."
+
+
+def _best(answers: Answers) -> str:
+    value = shown(answers.smallest, answers.unit)
+    return f"The best of {answers.judged:,} variants of a search has a {title_of(answers.figure)} of {value}."
 
 
 def _spread(answers: Answers) -> str:
