@@ -120,10 +120,10 @@ def _decides(answers: Answers) -> str:
     if not answers.effects:
         return ""
     if not strong:
-        return f"Of no parameter is it certain that it alone explains 1 % of the variance of the {title_of(answers.figure)}."
+        return f"No parameter decides the {title_of(answers.figure)} alone: each explains less than 1 %, or perhaps nothing."
     named = listing([f"{one.column} ({share_text(one.index, 2)})" for one in strong])
     others = "The other one explains" if rest == 1 else f"The other {rest} each explain"
-    tail = f" {others} less than 1 %, or nothing that is certain." if rest else ""
+    tail = f" {others} less than 1 %, or perhaps nothing." if rest else ""
     twice = " They add up to more than 100 %, because some of them are correlated." if sum(one.index for one in strong) > 1.0 else ""
     what = f"What decides the {title_of(answers.figure)}, in order, with the share of its variance that each explains"
     return f"{what}: {named}.{twice}{tail}"
@@ -150,14 +150,20 @@ def _enough(needed: int | None, answers: Answers) -> str:
     goal = f"+-{figure(GOAL, '%')}"
     if answers.pairings is not None:
         times = (needed / answers.judged) ** (1.0 / len(answers.pairings.kinds))
-        return f"{goal} needs about {number(times, 2)} times as many modules of each kind" if times > 1.0 else f"that is enough for {goal}"
+        modules = listing([f"{_about(times * kind.modules)} {kind.column.removesuffix('.module')}" for kind in answers.pairings.kinds])
+        return f"{goal} needs about {modules} modules" if times > 1.0 else f"that is enough for {goal}"
     if needed <= answers.judged:
-        return f"{_about(needed)} are enough for {goal}"
-    return f"{goal} needs about {_about(needed - answers.judged)} more"
+        return f"{_about(needed)} variants are enough for {goal}"
+    return f"{goal} needs about {_about(needed - answers.judged)} variants more"
 
 
-def _about(count: int) -> str:
-    return f"{float(f'{count:.2g}'):,.0f} variants"
+def _about(count: float) -> str:
+    """Return a count in two digits.
+
+    >>> _about(22_400), _about(87)
+    ('22,000', '87')
+    """
+    return f"{float(f'{count:.2g}'):,.0f}"
 
 
 def _front(answers: Answers) -> str:
