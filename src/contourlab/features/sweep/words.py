@@ -154,7 +154,7 @@ def _enough(needed: int | None, answers: Answers) -> str:
         return f"{goal} needs about {modules} modules" if times > 1.0 else f"that is enough for {goal}"
     if needed <= answers.judged:
         return f"{_about(needed)} variants are enough for {goal}"
-    return f"{goal} needs about {_about(needed - answers.judged)} variants more"
+    return f"{goal} needs about {_about(needed - answers.judged)} more variants"
 
 
 def _about(count: float) -> str:
