@@ -19,6 +19,8 @@ SORTED = (0.9, 0.99, 0.999)
 """Yields to reach by sorting out modules: the next one above the yield of all."""
 MATTERS = 0.01
 """Least share of the variance of a parameter that matters."""
+LITTLE = "less than 1 %, or may explain nothing (interval from 0 %)"
+"""What a parameter explains that does not matter for certain."""
 
 
 @dataclass(frozen=True)
@@ -120,10 +122,10 @@ def _decides(answers: Answers) -> str:
     if not answers.effects:
         return ""
     if not strong:
-        return f"No parameter decides the {title_of(answers.figure)} alone: each explains less than 1 %, or perhaps nothing."
+        return f"No parameter decides the {title_of(answers.figure)} alone: each explains {LITTLE}."
     named = listing([f"{one.column} ({share_text(one.index, 2)})" for one in strong])
-    others = "The other one explains" if rest == 1 else f"The other {rest} each explain"
-    tail = f" {others} less than 1 %, or perhaps nothing." if rest else ""
+    others = "The other one explains" if rest == 1 else f"Each of the other {rest} explains"
+    tail = f" {others} {LITTLE}." if rest else ""
     twice = " They add up to more than 100 %, because some of them are correlated." if sum(one.index for one in strong) > 1.0 else ""
     what = f"What decides the {title_of(answers.figure)}, in order, with the share of its variance that each explains"
     return f"{what}: {named}.{twice}{tail}"
@@ -149,9 +151,10 @@ def _enough(needed: int | None, answers: Answers) -> str:
         return "how many more it needs cannot be told"
     goal = f"+-{figure(GOAL, '%')}"
     if answers.pairings is not None:
-        times = (needed / answers.judged) ** (1.0 / len(answers.pairings.kinds))
-        modules = listing([f"{_about(times * kind.modules)} {kind.column.removesuffix('.module')}" for kind in answers.pairings.kinds])
-        return f"{goal} needs about {modules} modules" if times > 1.0 else f"that is enough for {goal}"
+        kinds = answers.pairings.kinds
+        times = (needed / answers.judged) ** (1.0 / len(kinds))
+        modules = " and ".join(f"{_about(times * kind.modules)} {kind.column.removesuffix('.module')} modules" for kind in kinds)
+        return f"{goal} needs about {modules}" if times > 1.0 else f"that is enough for {goal}"
     if needed <= answers.judged:
         return f"{_about(needed)} variants are enough for {goal}"
     return f"{goal} needs about {_about(needed - answers.judged)} more variants"
