@@ -45,7 +45,10 @@ def test_a_search_finds_better_variants(capsys: Capture, sampler: str) -> None:
     assert found["best"][0]["variant"] == np.argmin(errors) and found["best"][0]["part_error_max"] == errors.min()
     assert np.median(errors[96:]) < np.quantile(errors[:32], 0.3)  # the last batch is where the first was good
     report = asked(capsys, "report", "store")["answers"]
-    assert report["design"] == "search" and report["needed_for_yield"] is None
+    assert (report["design"], report["smallest"]) == ("search", errors.min())
+    assert [report[name] for name in ("tolerance", "share", "needed_for_yield", "effects", "subsets")] == [None, None, None, [], []]
+    assert 'href="#decides"' not in Path("store/report.html").read_text(encoding="utf-8")
+    assert asked(capsys, "show", "store")["yield"] is None
     assert main(["sweep", "worst", "store", "--rerun", str(np.argmin(errors)), "--out", "best"]) in (0, 1)
 
 

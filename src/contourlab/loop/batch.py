@@ -60,8 +60,8 @@ def simulate_batch(
     reference : Reference
         All three common to all variants.
     variants : mapping of str to array_like (n_variant,)
-        Parameters that differ [SI], by dotted name (`contourlab.loop.parameter_names` lists them), or by the end of one. A pattern such as
-        ``axes.*.plant.mass``, in which ``*`` stands for one name between dots, gives all names that match it the same values.
+        Parameters that differ [SI], by dotted name (`contourlab.loop.parameter_names` lists them), or by the end of one; ``*`` stands for
+        anything, as in ``axes.*.plant.mass``. All parameters that a text means get the same values.
     keep : sequence of str
         Signals to keep; none by default.
     threads : int, optional

@@ -69,16 +69,17 @@ def declared(machine: Machine, name: str, part: Component, parameter: str) -> Pa
 
 
 def fits(name: str, wanted: str) -> bool:
-    """Tell whether a dotted name ends in the wanted one, or matches it as a whole if that has a ``*``: any name between two dots."""
-    if "*" in wanted:
-        return re.fullmatch("[^.]*".join(map(re.escape, wanted.split("*"))), name) is not None
-    return f".{name}".endswith(f".{wanted}")
+    """Tell whether a text means a parameter: its dotted name or the end of it, with ``*`` for anything.
+
+    The slot ``controller`` may be left out: ``3.position_gain`` is ``controller.axes.3.controller.position_gain``. What begins with
+    ``axes.`` is a parameter of the machine.
+    """
+    pattern = ("" if wanted.startswith("axes.") else r"(.*\.)?") + ".*".join(map(re.escape, wanted.split("*")))
+    return any(re.fullmatch(pattern, written) for written in (name, name.replace(".controller.", ".")))
 
 
 def matching(wanted: str, known: Mapping[str, Any], called: str, whose: str = "the machine or its controller") -> list[str]:
-    """Return the dotted names that a text matches: a name, the end of one, or a pattern such as ``axes.*.plant.mass``.
-
-    A pattern matches whole names; its ``*`` stands for one name between dots.
+    """Return the dotted names that a text means, as `fits` tells; a text that is one of them means that one.
 
     Raises
     ------
@@ -87,10 +88,8 @@ def matching(wanted: str, known: Mapping[str, Any], called: str, whose: str = "t
     """
     if wanted in known:
         return [wanted]
-    # "3.position_gain" means controller.axes.3.controller.position_gain: the slot "controller" may be left out.
     found = [name for name in known if fits(name, wanted)]
-    found += [name for name in known if name not in found and fits(name.replace(".controller.", "."), wanted)]
-    if not wanted or not found:
+    if not found:
         raise ParameterError(called, repr(wanted), f"a parameter of {whose}, such as {', '.join(_near(wanted, known))}")
     return found
 

@@ -7,7 +7,10 @@ import pytest
 from refusals import refuses
 
 import contourlab as cl
+from contourlab.design.variables import Space
 from contourlab.errors import ParameterError
+from contourlab.features.sweep.study import load_study
+from contourlab.loop.batch import checked_variants
 from contourlab.loop.parameters import fits
 
 GAINS = np.array([0.8, 1.2])
@@ -32,19 +35,35 @@ def test_a_pattern_gives_all_that_match_the_same_values(case):
     assert np.array_equal(each.figures["contour_error_rms"], together.figures["contour_error_rms"])
 
 
+GAIN = {f"controller.axes.{axis}.controller.position_gain" for axis in "13"}
+PLANT = {f"axes.{axis}.plant.gain" for axis in "13"}
+
+
 @pytest.mark.parametrize(
-    ("pattern", "fitting"),
+    ("text", "fitting"),
     [
-        ("axes.*.plant.gain", {"axes.1.plant.gain", "axes.3.plant.gain"}),
-        ("controller.*.*.controller.position_g*", {f"controller.axes.{axis}.controller.position_gain" for axis in "13"}),
-        ("plant.gain", {"axes.1.plant.gain", "axes.3.plant.gain"}),
-        ("*.gain", set()),
-        ("axes.*.controller.position_gain", set()),
+        *((text, PLANT) for text in ("axes.*.plant.gain", "axes.*.gain", "plant.gain", "*.plant.gain", "plant*.gain", "*.gain")),
+        *((text, GAIN) for text in ("position_gain", "*.position_gain", "controller.*.position_gain", "*.controller.position_g*")),
+        *((text, {max(GAIN)}) for text in ("3.position_gain", "3.*.position_gain", "controller.axes.3.position_gain")),
+        *((text, set()) for text in ("axes.*.position_gain", "axes.3.position_gain", "ain", "*.ain", "gain.*", "")),
     ],
 )
-def test_a_star_is_one_name_between_dots_and_a_pattern_begins_at_the_start(case, pattern, fitting):
+def test_a_text_means_what_it_ends_with_a_star_for_anything_and_axes_only_the_machine(case, text, fitting):
     known = cl.parameter_names(case.machine, case.controller)
-    assert {name for name in known if fits(name, pattern)} == fitting
+    assert {name for name in known if fits(name, text)} == fitting
+
+
+@pytest.mark.parametrize("text", ["observer.*", "3.observer.*", "*.observer.bandwidth", "controller.*.position_gain", "3.*.position_gain"])
+def test_a_text_means_the_same_in_every_command(text, tmp_path):
+    scenario, scheme = "builtin:ghaffari/demo-stage", "with disturbance observer"
+    case = cl.load_scenario(scenario).case(scheme)
+    names = {name for name in cl.parameter_names(case.machine, case.controller) if fits(name, text)}
+    assert names
+    assert {variable.name for variable in Space.chosen(case.machine, case.controller, [text]).numbers} == names
+    assert set(checked_variants(case.machine, case.controller, {text: np.ones(2)})[0]) == names
+    vary = f'[vary]\n"{text}" = {{ uniform = ["90 %", "110 %"] }}\n'
+    (tmp_path / "study.toml").write_text(f'scenario = "{scenario}"\nscheme = "{scheme}"\nvariants = 4\n{vary}')
+    assert set(load_study(tmp_path / "study.toml").columns) == names
 
 
 def test_a_parameter_is_given_once(case):

@@ -36,7 +36,7 @@ def sensitivity(
     transform: Annotated[str, typer.Option(help="log or none: whether morris and sobol use the logarithm of the figure.")] = "log",
     servo_period: Annotated[str, typer.Option(help='Servo period in place of the machine\'s, e.g. "0.1 ms".', show_default=False)] = "",
     quick: Annotated[
-        bool, typer.Option("--quick", help="Answer within a minute, with wider intervals; sets --values, --base and --trajectories.")
+        bool, typer.Option("--quick", help="Answer within a minute; what does not fit is made smaller: --values, --base, --trajectories.")
     ] = False,
     judge: Judge = None,
     seed: Seed = 0,

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from typer.core import TyperGroup
 
 from contourlab.cli.options import ExecutorKind, Json, Out, Plugins, Workers
 from contourlab.cli.output import conclude, emit_json, say, show_result, suggest, wants_progress
+
+if TYPE_CHECKING:
+    from contourlab.features.sweep.store import Store
 
 
 class StudyFirst(TyperGroup):
@@ -112,12 +116,22 @@ def query(
     from contourlab.features.sweep.store import read_store
     from contourlab.features.sweep.summary import rows_text
 
-    names, found = rows(read_store(store), sql)
+    opened = read_store(store)
+    names, found = rows(opened, sql)
     if as_json:
         emit_json([dict(zip(names, row, strict=True)) for row in found])
     else:
         say(rows_text(names, found))
+    _tell_missing(opened)
     return 0
+
+
+def _tell_missing(store: Store) -> None:
+    """Say on standard error, apart from the rows, if a store is incomplete."""
+    from contourlab.features.sweep.summary import remarks
+
+    for found in remarks(store, {}):
+        print(found, file=sys.stderr)
 
 
 @sweep.command("worst")
@@ -150,6 +164,7 @@ def worst(
         names = ["variant", *opened.modules, figure, *opened.columns, "status"]
         units = {**opened.columns, **opened.figures}
         say(rows_text(names, [[row[name] for name in names] for row in found], units))
+    _tell_missing(opened)
     if found:
         number = found[0]["variant"]
         suggest(as_json, "sweep", "worst", store, "--rerun", number, "--out", f"variant-{number}")

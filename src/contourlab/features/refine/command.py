@@ -120,7 +120,7 @@ def refine_logs(
     scenarios : sequence of str or Path
         One for all logs, or one for each.
     parameters : sequence of str
-        Dotted names or their ends, ``*`` for any axis; with a range as ``"axes.x.friction.coulomb=50 N..200 N"``.
+        Dotted names or their ends, ``*`` for anything; with a range as ``"axes.x.friction.coulomb=50 N..200 N"``.
     windows : sequence of str
         Times to fit, as ``"0.8 s..1.6 s"``: one window for all logs, or one for each. Motion outside the windows tests the fit.
     validation : LogChoice, optional

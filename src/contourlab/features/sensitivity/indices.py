@@ -88,7 +88,7 @@ def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] =
     given: dict[str, float] = {}
     for text in deviations:
         name, equals, wanted = (part.strip() for part in text.rpartition("="))
-        chosen = [variable for variable in space.numbers if not equals or _matches(variable, name)]
+        chosen = [variable for variable in space.numbers if not equals or fits(variable.name, name)]
         if not chosen:
             known = ", ".join(variable.short for variable in space.numbers[:4])
             raise ParameterError("--deviation", repr(text), f"NAME=DEVIATION with a varied parameter, such as {known}")
@@ -97,10 +97,6 @@ def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] =
         Distribution(variable, NORMAL, given[variable.name]) if variable.name in given else Distribution(variable, kind)
         for variable in space.numbers
     )
-
-
-def _matches(variable: DesignVariable, name: str) -> bool:
-    return fits(variable.name, name) or fits(variable.short, name)
 
 
 def _deviation(variable: DesignVariable, text: str) -> float:

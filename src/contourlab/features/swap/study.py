@@ -12,7 +12,7 @@ import numpy as np
 
 from contourlab.app.checkpoint import Checkpoint
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError
+from contourlab.errors import ContourlabError
 from contourlab.features.swap.search import Design, Optimum, SwapSearch, SwapSettings
 from contourlab.features.swap.variants import Variants
 from contourlab.findings import Finding, finding
@@ -167,7 +167,7 @@ def swap_study(
 
     Raises
     ------
-    ParameterError
+    ContourlabError
         If no design of a variant keeps the guards.
     """
     search = SwapSearch(variants, settings, stage, checkpoint)
@@ -181,7 +181,7 @@ def swap_study(
         search.optima = [search.variant_optimum(i) for i in range(len(variants))]
     for name, best in zip(variants.names, variants.best, strict=True):
         if not math.isfinite(best):
-            raise ParameterError("guards", name, "kept by some design within the bounds: ask for smaller margins, or give wider bounds")
+            raise ContourlabError(f"{name}: no design within the bounds keeps the guards: ask for smaller margins, or give wider bounds")
     if not settings.quick:
         _search_sets(search, candidates)
         search.search_set(())

@@ -34,13 +34,14 @@ class Answers:
         First line of the study, if it is a comment.
     figure, unit : str
     tolerance : float [m] or None
+        None of a search, which has no yield, effects or subsets.
     design : str
     variants, judged : int
         Variants of the study, and those in the store that were not refused.
     passed : int or None
     share, low, high : float or None
         Yield, and its Wilson interval of 95 %.
-    median, p95, p95_low, p95_high : float or None
+    smallest, median, p95, p95_low, p95_high : float or None
         Quantiles of the figure, and the interval of 95 % of the last; variants that diverged count as largest.
     subsets : tuple of Subset
     effects : tuple of Effect
@@ -71,6 +72,7 @@ class Answers:
     share: float | None
     low: float | None
     high: float | None
+    smallest: float | None
     median: float | None
     p95: float | None
     p95_low: float | None
@@ -97,7 +99,8 @@ def answers_of(rows: Rows) -> Answers:
     store, values, tolerance = rows.store, rows.values, rows.tolerance
     n, members = len(values), rows.clusters
     found = estimate(values, tolerance, members)
-    drawn = store.manifest["design"] in DRAWN
+    design = store.manifest["design"]
+    drawn, is_search = design in DRAWN, design == "search"
     names, front = _front(rows)
     thinned = front[np.unique(np.linspace(0, len(front) - 1, SHOWN_FRONT).astype(int))] if len(front) else front
     return Answers(
@@ -106,19 +109,20 @@ def answers_of(rows: Rows) -> Answers:
         figure=rows.figure,
         unit=store.figures[rows.figure],
         tolerance=tolerance,
-        design=store.manifest["design"],
+        design=design,
         variants=store.variants,
         judged=n,
         passed=None if tolerance is None else int(np.count_nonzero(values <= tolerance)),
         share=found.share,
         low=found.share_low,
         high=found.share_high,
+        smallest=finite(float(values.min())),
         median=finite(quantile(values, 0.5)[0]),
         p95=found.p95,
         p95_low=found.p95_low,
         p95_high=found.p95_high,
-        subsets=subsets(rows),
-        effects=effects(rows),
+        subsets=() if is_search else subsets(rows),
+        effects=() if is_search else effects(rows),
         pairings=pairings_of(*best_choice(rows)) if rows.members else None,
         convergence=convergence(values, tolerance, members) if drawn else (),
         needed_for_yield=_needed_for_yield(found, len(members)) if drawn else None,

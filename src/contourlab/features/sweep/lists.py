@@ -62,6 +62,8 @@ def _table(leaf: Leaf, folder: Path) -> Any:
     if not isinstance(leaf.value, str) or Path(leaf.value).suffix.lower() not in (".csv", ".parquet"):
         raise leaf.error(f"{leaf.value!r:.60}: write the name of a .csv or .parquet file")
     file = folder / leaf.value
+    if not file.exists():
+        raise leaf.error(f"no file {leaf.value!r} in {folder.as_posix()}")
     try:
         if file.suffix.lower() == ".csv":
             return _csv(file)

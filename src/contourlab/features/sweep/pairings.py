@@ -81,7 +81,7 @@ class Pairings:
         Their yield and its interval of 95 %.
     kinds : tuple of Kind
     bad : tuple of BadModule
-        In the order in which sorting out raises the yield most, up to a yield of 100 %, half of the modules of a kind, or 200.
+        Those that raise the yield, in the order in which they raise it most, up to a yield of 100 %, half of the modules of a kind, or 200.
     """
 
     choices: dict[str, Any]
@@ -165,7 +165,7 @@ def _sorted_out(passed: Flags, members: dict[str, Index], numbers: dict[str, Ind
     while ok < total and len(found) < MOST_BAD:
         yields = [np.where(n > 0, ok_there / np.maximum(n, 1), np.inf) for n, ok_there in zip(judged, good, strict=True)]
         kind = min(range(len(kinds)), key=lambda k: float(yields[k].min()))
-        if not most[kind]:
+        if not most[kind] or yields[kind].min() >= ok / total:  # then all modules are alike
             break
         most[kind] -= 1
         worst = int(np.argmin(yields[kind]))

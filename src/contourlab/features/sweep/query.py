@@ -166,8 +166,8 @@ def counts(store: Store) -> dict[str, int]:
 
 
 def yield_of(store: Store) -> Yield | None:
-    """Return the share of variants within the tolerance; None without a tolerance or its figure."""
-    tolerance = store.manifest["tolerance"]
+    """Return the share of variants within the tolerance; None without a tolerance or its figure, and of a search."""
+    tolerance = store.tolerance
     if tolerance is None or JUDGED not in store.figures:
         return None
     tally = f"SELECT count(*), count(*) FILTER ({JUDGED} <= {float(tolerance)!r}) FROM results WHERE status <> 'refused'"

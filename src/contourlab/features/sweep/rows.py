@@ -41,8 +41,8 @@ class Rows:
 
     @property
     def tolerance(self) -> float | None:
-        """Tolerance [m] of the figure, if it has one."""
-        return self.store.manifest["tolerance"] if self.figure == JUDGED else None
+        """Tolerance [m] of the figure, if it has one and the store has a yield."""
+        return self.store.tolerance if self.figure == JUDGED else None
 
     @cached_property
     def members(self) -> dict[str, Index]:

@@ -78,6 +78,11 @@ class Store:
         return sum(min(size, self.variants - number * size) for number in self.parts)
 
     @property
+    def tolerance(self) -> float | None:
+        """Tolerance [m] of the yield; None without one, and of a search, which has no yield."""
+        return None if self.manifest["design"] == "search" else self.manifest["tolerance"]
+
+    @property
     def figures(self) -> dict[str, str]:
         """SI unit of each figure."""
         return dict(self.manifest["figures"])
@@ -245,7 +250,7 @@ def writing(folder: str | Path, study: Study, structures: Callable[[], Sequence[
         Created if missing.
     study : Study
     structures : callable
-        Returns choices and scenario of each structure, for a new store.
+        Returns choices and scenario of each structure.
     resume : bool
         Whether a store that is there goes on.
 
@@ -273,8 +278,9 @@ def writing(folder: str | Path, study: Study, structures: Callable[[], Sequence[
             what, cure = f"{path}: is the store of another study", "Name another folder with --out."
             same_study(store.manifest["identity"], study.identity, what, cure)
         else:
-            store = Store(path, manifest_of(study, structures()))
-            write_text_atomic(path / MANIFEST, json.dumps(store.manifest, indent=1, allow_nan=False) + "\n")
+            store = Store(path, {})
+        store.manifest = manifest_of(study, structures())  # comments and the tolerance may have changed
+        write_text_atomic(path / MANIFEST, json.dumps(store.manifest, indent=1, allow_nan=False) + "\n")
         yield store
 
 
@@ -335,7 +341,8 @@ def merge(folders: Iterable[str | Path], out: str | Path) -> Store:
     Raises
     ------
     ResultError
-        If a folder is no store or damaged, or the stores are not of one study, or disagree on a chunk.
+        If a folder is no store or damaged, or the stores are not of one study, or disagree on a chunk
+        or the tolerance.
     OutputError
         If the folder cannot be written, or holds something else.
     """
@@ -344,6 +351,8 @@ def merge(folders: Iterable[str | Path], out: str | Path) -> Store:
     for store in stores[1:]:
         cure = "Only stores of one study can be merged."
         same_study(first.manifest["identity"], store.manifest["identity"], f"{store.folder}: differs from {first.folder}", cure)
+        if store.manifest["tolerance"] != first.manifest["tolerance"]:
+            raise ResultError(f"{store.folder}: has another tolerance than {first.folder}: repeat its study with that one and --resume")
         for number in sorted(store.parts.keys() & first.parts.keys()):
             if store.parts[number].name != first.parts[number].name:
                 raise ResultError(f"{store.parts[number]}: differs from {first.parts[number]}: one of them is wrong")

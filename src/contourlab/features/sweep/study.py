@@ -142,8 +142,7 @@ def study_of(
     if not name.startswith(BUILTIN) and not Path(name).exists():
         raise content.error(f"no file {plain.scenario!r} in {path.parent.as_posix()}{shipped_hint(plain.scenario)}", "scenario")
     scenario = load_scenario(name, plugins)
-    if plain.scheme and plain.scheme not in (known := [case.name for case in scenario.cases()]):
-        raise content.error(f"no scheme {plain.scheme!r}: {hint(plain.scheme, known)}", "scheme")
+    _check_schemes([case.name for case in scenario.all_cases], plain, content, variations)
     base = scenario.case(plain.scheme) if plain.scheme else scenario.base
 
     def case_of(scheme: str, changes: Table) -> Case:
@@ -178,6 +177,14 @@ def _variations(content: Table, folder: Path) -> tuple[tuple[Variation, ...], di
     if not variations:
         raise content.table("vary").error('write what varies, such as "axes.x.plant.mass" = { normal = ["80 kg", "4 kg"] }')
     return variations, entries, (*rows[1], *modules[1])
+
+
+def _check_schemes(known: Sequence[str], plain: StudyTable, content: Table, variations: Sequence[Variation]) -> None:
+    """Raise `ScenarioError` if the study names a scheme that its scenario has not."""
+    varied = [(str(item), one.table, "values") for one in variations if one.key == "scheme" for item in one.items]
+    for scheme, table, key in [*([(plain.scheme, content, "scheme")] if plain.scheme else []), *varied]:
+        if scheme not in known:
+            raise table.error(f"the scenario has no scheme {scheme!r}: {hint(scheme, known)}", key)
 
 
 def _known(content: Table, key: str, names: Sequence[str], known: Mapping[str, str]) -> tuple[str, ...]:

@@ -98,7 +98,9 @@ def remarks(store: Store, statuses: Mapping[str, int]) -> tuple[Finding, ...]:
 
 
 def _text(result: SweepSummary) -> str:
-    head = f"{result.done} of {result.variants} variants in {result.store}; {result.chunks_made} of {result.chunks} chunks new"
+    head = f"{result.done} of {result.variants} variants in {result.store}"
+    if result.chunks_made:
+        head += f"; {result.chunks_made} of {result.chunks} chunks new"
     if result.rate:
         head += f"; {number(result.rate)} variants per second, {figure(result.elapsed, 's')} in all"
     ended = ", ".join(f"{count} {status}" for status, count in result.statuses.items() if status != "unsure" or count)

@@ -19,6 +19,8 @@ SORTED = (0.9, 0.99, 0.999)
 """Yields to reach by sorting out modules: the next one above the yield of all."""
 MATTERS = 0.01
 """Least share of the variance of a parameter that matters."""
+LITTLE = "less than 1 %, or may explain nothing (interval from 0 %)"
+"""What a parameter explains that does not matter for certain."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +43,7 @@ class Words:
 
 def said(answers: Answers) -> Words:
     """Return the answers in sentences."""
-    first = _yield(answers) if answers.share is not None else _spread(answers)
+    first = _best(answers) if answers.design == "search" else _yield(answers) if answers.share is not None else _spread(answers)
     return Words(" ".join(filter(None, (first, _which(answers)))), _decides(answers), _stop(answers), _front(answers), _modules(answers))
 
 
@@ -92,6 +94,11 @@ def _yield(answers: Answers) -> str:
     return f"{passing}: {share_text(answers.share)}{interval}."
 
 
+def _best(answers: Answers) -> str:
+    value = shown(answers.smallest, answers.unit)
+    return f"The best of {answers.judged:,} variants of a search has a {title_of(answers.figure)} of {value}."
+
+
 def _spread(answers: Answers) -> str:
     ends = f" ({shown(answers.p95_low, answers.unit)} to {shown(answers.p95_high, answers.unit)} with 95 % confidence)"
     interval = ends if answers.is_sample and answers.p95_low is not None else ""
@@ -115,10 +122,10 @@ def _decides(answers: Answers) -> str:
     if not answers.effects:
         return ""
     if not strong:
-        return f"Of no parameter is it certain that it alone explains 1 % of the variance of the {title_of(answers.figure)}."
+        return f"No parameter decides the {title_of(answers.figure)} alone: each explains {LITTLE}."
     named = listing([f"{one.column} ({share_text(one.index, 2)})" for one in strong])
-    others = "The other one explains" if rest == 1 else f"The other {rest} each explain"
-    tail = f" {others} less than 1 %, or nothing that is certain." if rest else ""
+    others = "The other one explains" if rest == 1 else f"Each of the other {rest} explains"
+    tail = f" {others} {LITTLE}." if rest else ""
     twice = " They add up to more than 100 %, because some of them are correlated." if sum(one.index for one in strong) > 1.0 else ""
     what = f"What decides the {title_of(answers.figure)}, in order, with the share of its variance that each explains"
     return f"{what}: {named}.{twice}{tail}"
@@ -144,15 +151,22 @@ def _enough(needed: int | None, answers: Answers) -> str:
         return "how many more it needs cannot be told"
     goal = f"+-{figure(GOAL, '%')}"
     if answers.pairings is not None:
-        times = (needed / answers.judged) ** (1.0 / len(answers.pairings.kinds))
-        return f"{goal} needs about {number(times, 2)} times as many modules of each kind" if times > 1.0 else f"that is enough for {goal}"
+        kinds = answers.pairings.kinds
+        times = (needed / answers.judged) ** (1.0 / len(kinds))
+        modules = " and ".join(f"{_about(times * kind.modules)} {kind.column.removesuffix('.module')} modules" for kind in kinds)
+        return f"{goal} needs about {modules}" if times > 1.0 else f"that is enough for {goal}"
     if needed <= answers.judged:
-        return f"{_about(needed)} are enough for {goal}"
-    return f"{goal} needs about {_about(needed - answers.judged)} more"
+        return f"{_about(needed)} variants are enough for {goal}"
+    return f"{goal} needs about {_about(needed - answers.judged)} more variants"
 
 
-def _about(count: int) -> str:
-    return f"{float(f'{count:.2g}'):,.0f} variants"
+def _about(count: float) -> str:
+    """Return a count in two digits.
+
+    >>> _about(22_400), _about(87)
+    ('22,000', '87')
+    """
+    return f"{float(f'{count:.2g}'):,.0f}"
 
 
 def _front(answers: Answers) -> str:

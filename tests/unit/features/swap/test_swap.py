@@ -16,7 +16,7 @@ from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.design import Space
 from contourlab.design.guards import Bounds
-from contourlab.errors import ParameterError
+from contourlab.errors import ContourlabError, ParameterError
 from contourlab.features.swap import search as searches
 from contourlab.features.swap.beyond import coverage, network_cost
 from contourlab.features.swap.pictures import drawing, matrices
@@ -219,7 +219,7 @@ def test_guards_count_as_constraints() -> None:
     strict = replace(variants, bounds=Bounds(40.0, 0.0, 1.0))
     start = np.tile(variants.space.start, (2, 1, 1))
     assert (variants.values(start)[1] == 0.0).all() and (strict.values(start)[1] > 0.0).all()
-    with pytest.raises(ParameterError, match="smaller margins"):
+    with pytest.raises(ContourlabError, match="smaller margins"):
         swap_study(strict, (), SwapSettings(budget=100))
 
 

@@ -127,6 +127,8 @@ def varied(entry: str, top: str = "") -> str:
         (varied('"axes.1.plant.gain" = { values = ["100 %"] }', "chunk = 100"), "chunk"),
         (varied('"axes.1.plant.gain" = { values = ["100 %"] }', "design = 'grid'"), "variants"),
         (varied('"axes.1.plant.gain" = { values = ["100 %"] }', "scheme = 'none of it'"), "scheme"),
+        (varied('scheme = { values = ["all of it", "none of it"] }'), "vary.scheme.values"),
+        (varied('"axes.1.plant.gain" = { values = ["100 %"] }', "list = 'nowhere.csv'").replace("variants = 10\n", ""), "list"),
         (varied('"axes.1.plant.gain" = { values = ["100 %"] }', "correlations = [['1.plant.gain', '3.plant.gain', 0.5]]"), "correlations"),
         (varied('"axes.*.plant.gain" = { values = ["100 %"] }', "correlations = [['1.plant.gain', '3.plant.gain', 2]]"), "correlations"),
         (varied('"axes.1.plant.gain" = { values = ["100 %"] }').replace("scenario.toml", "nowhere.toml"), "scenario"),
@@ -139,7 +141,7 @@ def test_a_fault_of_a_study_names_its_key(tmp_path: Path, text: str, key: str) -
         load_study(made_study(tmp_path, text))
     assert caught.value.key.startswith(key)
     assert Path(caught.value.file).name == "study.toml"
-    assert "\n" not in str(caught.value)
+    assert "\n" not in str(caught.value) and "Errno" not in str(caught.value)
 
 
 def test_what_a_study_leaves_out_is_a_finding(tmp_path: Path) -> None:

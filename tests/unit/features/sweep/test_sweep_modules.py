@@ -121,6 +121,9 @@ def test_sorting_out_takes_the_worst_module_again_and_again() -> None:
     bad = _sorted_out(good.ravel(), members, {"x": np.arange(6), "y": np.arange(6)})
     assert [(one.column, one.module) for one in bad] == [("x", 2), ("y", 4), ("x", 5)]
     assert [one.left for one in bad] == pytest.approx([27 / 30, 24 / 25, 1.0]) and [one.share for one in bad] == [0.0, 0.5, 5 / 6]
+    alike = np.indices((6, 6)).sum(0) % 2 == 0
+    for none in (np.zeros((6, 6), dtype=bool), alike):  # no module is worse than the others
+        assert _sorted_out(none.ravel(), members, {"x": np.arange(6), "y": np.arange(6)}) == []
 
 
 # --- lists -----------------------------------------------------------------------------------------------------------------------------

@@ -52,6 +52,7 @@ def test_a_study_has_the_figures_of_a_batch(whole: Path, capsys: Capture) -> Non
     passed = int(np.count_nonzero(largest <= 27.8e-6))
     assert (shown["yield"]["passed"], shown["yield"]["judged"]) == (passed, 100) and 0 < passed < 100
     (row,) = asked(capsys, "worst", "whole", "1", "--figure", "contour_error_max")
+    assert main(["sweep", "worst", "whole"]) == 0 and capsys.readouterr().err == ""
     assert row["variant"] == int(np.argmax(largest))
 
 
@@ -59,6 +60,9 @@ def test_parts_make_the_whole(whole: Path, capsys: Capture) -> None:
     words = ["study.toml", "--out", "half", "--chunks"]
     first = asked(capsys, *words, "0:2")
     assert (first["done"], first["chunks_made"]) == (64, 2) and "CL931" in {found["code"] for found in first["findings"]}
+    assert main(["sweep", "show", "half"]) == 0 and "0 of 4" not in capsys.readouterr().out
+    for words in (["worst", "half"], ["query", "half", "SELECT count(*) FROM results"]):
+        assert main(["sweep", *words]) == 0 and "CL931" in capsys.readouterr().err
     assert asked(capsys, "study.toml", "--out", "rest", "--chunks", "1:")["done"] == 68
     assert asked(capsys, "merge", "half", "rest", "--out", "both")["done"] == 100
     rest = asked(capsys, "study.toml", "--out", "half", "--resume")
@@ -97,8 +101,13 @@ def test_the_store_of_another_study_is_refused(whole: Path, capsys: Capture, cha
 
 
 def test_a_comment_or_another_tolerance_is_the_same_study(whole: Path, capsys: Capture) -> None:
-    Path("study.toml").write_text('# a comment\ntolerance = "10 um"\n' + STUDY)
-    assert asked(capsys, "study.toml", "--out", "whole", "--resume")["chunks_made"] == 0
+    assert main(["sweep", "merge", "whole", "--out", "before"]) == 0
+    Path("study.toml").write_text('# Which are perfect?\ntolerance = "1 nm"\n' + STUDY)
+    again = asked(capsys, "study.toml", "--out", "whole", "--resume")
+    assert (again["chunks_made"], again["yield"]["tolerance"], again["yield"]["passed"]) == (0, pytest.approx(1e-9), 0)
+    assert asked(capsys, "report", "whole")["answers"]["question"] == "Which are perfect?"
+    assert asked(capsys, "show", "before")["yield"]["passed"] > 0
+    assert main(["sweep", "merge", "before", "whole", "--out", "both"]) == 2 and not Path("both").exists()
 
 
 def test_folders_that_are_no_store_of_this_study_stay(whole: Path, capsys: Capture) -> None:
