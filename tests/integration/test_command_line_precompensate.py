@@ -80,6 +80,21 @@ def test_a_log_of_the_program_before_or_of_a_part_of_it_is_refused(tmp_path: Pat
     assert not Path("no.ngc").exists()
 
 
+@pytest.mark.parametrize(("column", "factor"), [(3, -1.0), (4, 25.4), (3, 0.0)])
+def test_positions_that_do_not_follow_their_commands_are_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, column: int, factor: float
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text(PART)
+    log = log_of(PART, Path("run.csv"), "motor")
+    rows = np.loadtxt(log, delimiter=",", skiprows=1)
+    rows[:, column] *= factor
+    np.savetxt(log, rows, delimiter=",", header=log.read_text().splitlines()[0], comments="", fmt="%.7f")
+    assert main(["precompensate", "part.ngc", "--log", "run.csv", "--out", "no.ngc"]) == 2
+    assert main(["precompensate", "part.ngc", "--log", "run.csv", "--axes", "x", "--out", "no.ngc"]) == 2
+    assert not Path("no.ngc").exists()
+
+
 @pytest.mark.parametrize(("missing", "code"), [(0, ""), (3, "CL427"), (20, "refused")])
 def test_missing_samples_are_reported_as_by_measure(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], missing: int, code: str

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -16,6 +17,8 @@ LENGTHS = {"mm": 1e-3, "metric": 1e-3, "inch": 0.0254, "in": 0.0254, "imperial":
 """LINEAR_UNITS in metres."""
 UNUSUAL = ("deadband", "maxerror", "maxerrorI", "maxerrorD", "maxcmdD", "maxcmdDD", "maxcmdDDD")
 """Parameters of ``pid`` that the model of the loop leaves out."""
+LARGEST = 1e9
+"""Limit of what an INI file may say: beyond it a number stands for no limit."""
 _REFERENCE = re.compile(r"\[(\w+)\](?:\((\w+)\)|(\w+))")
 
 
@@ -50,15 +53,19 @@ class Ini:
         """Return the first value of the first key that the section has."""
         return next((self.values[section, key][0] for key in keys if (section, key) in self.values), None)
 
-    def number(self, section: str, *keys: str) -> float | None:
-        """Return the first value as a number; None if there is none."""
-        entry = self.first(section, *keys)
+    def number(self, section: str, key: str, above: float = -LARGEST) -> float | None:
+        """Return the first value as a number above a limit; None if there is none."""
+        entry = self.first(section, key)
         if entry is None:
             return None
         try:
-            return float(entry.value)
-        except ValueError as error:
-            raise ScenarioError(f"[{section}]{keys[0]} = {entry.value!r}: must be a number", file=entry.place) from error
+            value = float(entry.value)
+        except ValueError:
+            value = math.nan
+        if not above < value < LARGEST:
+            wanted = "a number" if above else "a number above 0"
+            raise ScenarioError(f"[{section}]{key} = {entry.value!r}: must be {wanted}, below {LARGEST:g}", file=entry.place)
+        return value
 
 
 @dataclass(frozen=True)
@@ -216,7 +223,7 @@ def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
         findings.append(finding("CL850", unit_entry.place if unit_entry else ini.file.name))
         unit_name = "mm"
     unit = LENGTHS[unit_name]
-    period_ns = ini.number("EMCMOT", "SERVO_PERIOD")
+    period_ns = ini.number("EMCMOT", "SERVO_PERIOD", 0.0)
     if period_ns is None:
         findings.append(finding("CL851", ini.file.name))
     wiring = _Wiring(ini, Path(hal_file), statements, findings)
@@ -339,10 +346,13 @@ class _Wiring:
     def _limits(self, letter: str, joint: int) -> dict[str, float]:
         sections, limits = (f"AXIS_{letter.upper()}", f"JOINT_{joint}"), {}
         for name, key in (("velocity", "MAX_VELOCITY"), ("acceleration", "MAX_ACCELERATION"), ("low", "MIN_LIMIT"), ("high", "MAX_LIMIT")):
-            values = [value for section in sections if (value := self.ini.number(section, key)) is not None]
+            above = 0.0 if name in ("velocity", "acceleration") else -LARGEST
+            values = [value for section in sections if (value := self.ini.number(section, key, above)) is not None]
             if not values:
                 raise ScenarioError(f"[JOINT_{joint}]{key} is missing: the excitation needs it", file=self.ini.file.name)
             limits[name] = max(values) if name == "low" else min(values)
+        if not limits["low"] < limits["high"]:
+            raise ScenarioError(f"[JOINT_{joint}]MAX_LIMIT = {limits['high']:g}: must be above MIN_LIMIT", file=self.ini.file.name)
         return limits
 
     def _check(self, letter: str, joint: int, name: str) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -36,6 +37,8 @@ WINDOW = 1e-3
 """Distance along the path around a command's progress in which its place is searched [m]."""
 ALIKE = 1e-6
 """Distance, rms, of a command from the path it was meant to follow, up to which it did [m]."""
+FOLLOWED = 1.25
+"""Largest movement of an axis over that of its command, and the inverse of the least."""
 ROUNDING = 1e-8
 """Distance by which a command may pass its end in a log [m]."""
 AT_END = 1e-9
@@ -115,12 +118,28 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
         raise LogError(f"has no {missing} position: {cure}", file=choice.file)
     if any(len(log.stretches(axis)) > 1 for axis in axes):
         raise LogError(f"has a gap of more than {LONG_GAP} samples: record the run again", file=choice.file)
+    if len(axes) < 2:
+        raise LogError(f"has axis {axes[0]} only: a contour error needs two axes or more", file=choice.file)
+    for position in (motor, load):
+        if position is not None:
+            _check_followed(axes, command, position, choice.file)
     if load is not None:
         return Measured(result.servo_period, command, load if motor is None else motor, load, "load"), axes, log
     assert motor is not None
     gaps = [0.0 if machine is None or axis not in machine.axis_names else _gap(machine.axis(axis).plant) for axis in axes]
     load = np.column_stack([behind_play(column, gap) for column, gap in zip(motor.T, gaps, strict=True)])
     return Measured(result.servo_period, command, motor, load, "motor and model" if any(gaps) else "motor"), axes, log
+
+
+def _check_followed(axes: Sequence[str], command: Array, position: Array, file: str | Path) -> None:
+    """Refuse positions (n, n_axis) [m] that do not follow their commands at all."""
+    for axis, wanted, measured in zip(axes, command.T, position.T, strict=True):
+        moved = wanted - wanted.mean()
+        square = float(moved @ moved)
+        share = float(moved @ measured) / square if square else 1.0
+        if not 1.0 / FOLLOWED < share < FOLLOWED:
+            cure = "is a column reversed, exchanged, or in another unit?"
+            raise LogError(f"axis {axis} moves {share:.3g} times as far as its command: {cure}", file=file)
 
 
 def _gap(plant: Any) -> float:

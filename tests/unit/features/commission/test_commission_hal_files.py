@@ -84,6 +84,22 @@ def test_missing_unit_and_period(tmp_path: Path) -> None:
     assert {"CL850", "CL851"} <= {one.code for one in setup.findings}
 
 
+@pytest.mark.parametrize(
+    ("key", "old", "new"),
+    [
+        ("MAX_VELOCITY", "200", "0"),
+        ("MAX_VELOCITY", "200", "inf"),
+        ("MAX_ACCELERATION", "1000", "-5"),
+        ("MAX_LIMIT", "200", "1e99"),
+        ("MAX_LIMIT", "200", "-300"),
+        ("SERVO_PERIOD", "1000000", "0"),
+    ],
+)
+def test_limits_that_cannot_be_are_refused(tmp_path: Path, key: str, old: str, new: str) -> None:
+    with pytest.raises(ScenarioError, match=key):
+        setup_of(tmp_path, ini=((f"{key} = {old}\n", f"{key} = {new}\n"),))
+
+
 def test_no_pid_at_all_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ScenarioError, match="motor-pos-cmd"):
         setup_of(tmp_path, ("pid.x.command", "other.x"), ("pid.y.command", "other.y"))
