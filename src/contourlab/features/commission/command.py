@@ -272,8 +272,8 @@ def _written(
 ) -> Commissioned:
     """Write the files of the answer and return it."""
     setup, gains, safe = work.setup, work.gains(), work.safe()
-    answer = tuple(_line(axis, work, gains) for axis in setup.axes if axis.name in work.predicted)
-    answer = answer or ("No gains: an error below has to be removed first.",)
+    none = "No gains for {}: the findings say why."
+    answer = tuple(_line(axis, work, gains) if axis.name in work.predicted else none.format(axis.name) for axis in setup.axes)
     present = {axis.name: axis.gains for axis in setup.axes if axis.name in gains}
     tables = {"Gains": gain_table(setup.axes, {"present": present, "safe first": safe, "proposed": gains})}
     terms = tuple[Term, ...]()
