@@ -20,6 +20,8 @@ WHOLE = math.radians(340.0)
 """Least angle of a run: what is missing of a turn is short enough for the fit."""
 STEADY = 0.05
 """Share by which the feed of a used sample may differ from the run's median."""
+SETTLING = math.pi / 2.0
+"""Angle at the start of a run of more than a turn in which the axes may still swing from the line before; a whole turn remains."""
 TRIPLES = 400
 """Circles tried through three samples."""
 LEAST_SHARE = 0.3
@@ -157,7 +159,8 @@ def runs_of(name: str, position: Array, period: float, circle: Circle, reference
 
     Notes
     -----
-    Samples whose feed is off the run's median by more than `STEADY` are left out: ramps from and to rest have another lag.
+    Samples whose feed is off the run's median by more than `STEADY` are left out: ramps from and to rest have another lag; so is up to
+    `SETTLING` of a run of more than a turn.
     """
     guide = position if reference is None else reference
     out = guide - circle.centre
@@ -172,7 +175,9 @@ def runs_of(name: str, position: Array, period: float, circle: Circle, reference
             continue
         rate = speed[start:stop]
         usual = float(np.median(rate))
-        kept = np.flatnonzero(np.abs(rate - usual) <= STEADY * abs(usual)) + start
+        turned = np.abs(angle[start:stop] - angle[start])
+        settled = turned >= min(SETTLING, turned[-1] - 2.0 * math.pi)
+        kept = np.flatnonzero((np.abs(rate - usual) <= STEADY * abs(usual)) & settled) + start
         if abs(angle[kept[-1]] - angle[kept[0]]) < WHOLE:
             kept = np.arange(start, stop)
         kept = kept[:: max(len(kept) // MOST_SAMPLES, 1)]

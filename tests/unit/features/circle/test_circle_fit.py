@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from contourlab.errors import ResultError
 from contourlab.features.circle.fit import fit_circle
 from contourlab.features.circle.result import Cause, causes_of, correlations_of, lags_of, plus_minus, value_text
-from contourlab.features.circle.runs import CircleRun, find_circle, runs_of_angles
+from contourlab.features.circle.runs import CircleRun, find_circle, runs_of, runs_of_angles
 
 AXES = ("x", "y")
 
@@ -139,3 +139,13 @@ def test_different_feeds_are_refused() -> None:
 def test_values_have_as_many_digits_as_they_are_sure_of() -> None:
     assert plus_minus(8.0049e-6, 2.3e-8) == "8.005 +- 0.023"
     assert value_text(Cause("vibration", "", 1e-6, 1e-8, 5e-7, 1e-8, "m", order=60.0)).endswith("at 60 per turn")
+
+
+@pytest.mark.parametrize("turns", [1.0, 2.0])
+def test_a_swing_from_the_line_before_is_no_circle_if_a_turn_remains(turns: float) -> None:
+    time = np.arange(0.0, 2.0 * turns, 1e-3)
+    turned = np.pi * time
+    command = 0.015 * np.column_stack([np.cos(turned), np.sin(turned)])
+    position = (1.0 + 0.02 * np.exp(-time / 0.03))[:, None] * command
+    (run,) = runs_of("made", position, 1e-3, find_circle(command), command)
+    assert (np.abs(run.deviation).max() < 1e-8) == (turns > 1.0)
