@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from made_two_masses import TwoMasses
 
+from contourlab.analysis.identification.gauss_newton import DescentSettings
 from contourlab.app.json_values import json_values
 from contourlab.errors import ParameterError
 from contourlab.features.commission.command import Commissioned, commission, prepare
@@ -156,7 +157,13 @@ def untuned(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("contourlab.features.commission.command.tune_axis", tune)
 
 
-@pytest.mark.usefixtures("untuned")
+@pytest.fixture
+def stiff(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Hardly search for a shaft: that takes most of the time."""
+    monkeypatch.setattr("contourlab.features.commission.identification.SEARCHES", ((1, 1.0, DescentSettings(most_iterations=2)),))
+
+
+@pytest.mark.usefixtures("untuned", "stiff")
 @pytest.mark.parametrize(("code", "doctor"), DOCTORED, ids=[f"{code}-{k}" for k, (code, _) in enumerate(DOCTORED)])
 @pytest.mark.slow
 def test_doctored_logs_are_named(made: bench.Made, tmp_path: Path, code: str, doctor: Callable[[Rows], Rows]) -> None:
@@ -211,7 +218,7 @@ def without_output(rows: Rows) -> Rows:
     return {name: values for name, values in rows.items() if "out" not in name}
 
 
-@pytest.mark.usefixtures("untuned")
+@pytest.mark.usefixtures("untuned", "stiff")
 @pytest.mark.parametrize(
     ("code", "changes", "doctor"),
     [
@@ -237,7 +244,7 @@ def wavy(n: int, amplitude: float, frequency: float, start: float) -> np.ndarray
     return amplitude * np.sin(2.0 * np.pi * frequency * time) * (time >= start * time[-1])
 
 
-@pytest.mark.usefixtures("untuned")
+@pytest.mark.usefixtures("untuned", "stiff")
 @pytest.mark.parametrize(
     ("code", "wave", "delay"),
     [("CL888", (2e-4, 7.0, 0.0), 0.0), ("CL889", (5e-3, 2.0, 0.9), 0.0), ("CL896", (0.0, 1.0, 0.0), 2.4e-3)],
