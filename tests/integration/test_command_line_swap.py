@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from rigid_circle import SCENARIO, STAGE
 from typed_commands import Run, drag
 
 from contourlab.cli.main import main
@@ -16,34 +17,6 @@ from contourlab.features.swap.search import SwapSearch
 from contourlab.scenario import load_scenario
 from contourlab.scenario.load import load_controller, load_machine, load_module
 
-SCENARIO = """\
-name = "circle"
-machine = "stage.toml"
-[controller.axes."*".controller]
-kind = "position"
-velocity_gain = "0.06 full_scale*s/mm"
-position_gain = "3 full_scale/mm"
-integral_gain = "10 1/s"
-model_gain = "1050 mm/s^2/full_scale"
-[contour]
-name = "circle"
-radius = "10 mm"
-[feed]
-law = "uniform"
-frequency = "1 Hz"
-laps = 2
-[run]
-start = "moving"
-"""
-STAGE = """\
-[machine]
-name = "stage"
-servo_period = "1 ms"
-axes = ["x", "y"]
-[axes]
-x.file = "plain.toml"
-y.file = "plain.toml"
-"""
 PLAIN = '[plant]\nkind = "rigid-axis"\ngain = "1000 mm/s^2/full_scale"\n[drive]\nkind = "saturation"\nlimit = "1 full_scale"\n'
 WORDS = ["--parameter", "model_gain=300 mm/s^2/full_scale..4000 mm/s^2/full_scale", "--budget", "400"]
 BRIEF = ["--budget", "100", "--plots", "svg", "--ways", "one", "--longest", "1 ms"]

@@ -9,41 +9,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from rigid_circle import SCENARIO, STAGE
 from typed_commands import drag
 
 from contourlab.cli.main import main
 
-STAGE = """\
-[machine]
-name = "stage"
-servo_period = "1 ms"
-axes = ["x", "y"]
-[axes]
-x.file = "plain.toml"
-y.file = "plain.toml"
-"""
 PLAIN = """\
 plant = {kind = "rigid-axis", gain = "1000 mm/s^2/full_scale"}
 friction = {kind = "drag", coefficient = "0.01 full_scale*s/mm"}
 drive = {kind = "saturation", limit = "1 full_scale"}
-"""
-CIRCLE = """\
-machine = "stage.toml"
-[controller.axes."*".controller]
-kind = "position"
-velocity_gain = "0.06 full_scale*s/mm"
-position_gain = "3 full_scale/mm"
-integral_gain = "10 1/s"
-model_gain = "1050 mm/s^2/full_scale"
-[contour]
-name = "circle"
-radius = "10 mm"
-[feed]
-law = "uniform"
-frequency = "1 Hz"
-laps = 2
-[run]
-start = "moving"
 """
 STUDY = """\
 scenario = "circle.toml"
@@ -52,7 +26,7 @@ figures = ["contour_error_max"]
 "controller.axes.x.*.position_gain" = {uniform = ["50 %", "200 %"]}
 """
 FILES = {
-    "circle.toml": CIRCLE,
+    "circle.toml": SCENARIO,
     "stage.toml": STAGE,
     "plain.toml": PLAIN,
     "strong.toml": PLAIN.replace("1000", "2000"),

@@ -158,6 +158,11 @@ def _plugins(machines: Iterable[Machine], controller: Controller) -> list[str]:
     return [f"{Path(file).name} {hashlib.sha256(Path(file).read_bytes()).hexdigest()}" for file in files if file is not None]
 
 
+def program_text(*rooms: str) -> str:
+    """Return `program_identity` and the version of scipy as one line."""
+    return "; ".join([*program_identity(rooms), f"scipy {version('scipy')}"])
+
+
 @cache
 def program_identity(rooms: tuple[str, ...]) -> list[str]:
     """Return the versions of contourlab, cma and numpy, and a digest of the source of a run's rooms and of further ones."""

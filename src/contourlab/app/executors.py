@@ -17,12 +17,11 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
-from importlib.metadata import version
 from itertools import islice
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from contourlab.app.checkpoint import program_identity
+from contourlab.app.checkpoint import program_text
 from contourlab.errors import EngineError, ParameterError
 from contourlab.extras import extra_module
 
@@ -31,6 +30,8 @@ AHEAD = 2
 """Items in work or waiting for each worker: enough to keep it busy, and memory does not grow with the work."""
 QUIET = {"distributed.worker.profile.enabled": False, "distributed.admin.tick.interval": "500 ms"}
 """Settings of Dask that save a tenth of the processor time of short tasks: nobody looks at its profile."""
+ROOMS = ("analysis", "design", "features")
+"""Rooms of the program, besides those of a run, that must be the same on all workers."""
 Work: TypeAlias = Callable[[Any, Any], Any]
 
 
@@ -113,7 +114,7 @@ class Shared:
         """
         from contourlab.components.registry import load_plugin
 
-        if self.program != _program():
+        if self.program != program_text(*ROOMS):
             raise EngineError("a worker has another version of contourlab, numpy or scipy: install the same on all machines")
         for plugin in self.plugins:
             load_plugin(plugin)
@@ -122,10 +123,6 @@ class Shared:
 
 Place: TypeAlias = tuple[Callable[[str], Shared], str]
 """The function that finds a shared value on a worker, and its argument."""
-
-
-def _program() -> str:
-    return "; ".join([*program_identity(("analysis", "design", "features")), f"scipy {version('scipy')}"])
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,7 +156,7 @@ class Workers:
         packed = pickle.dumps(value)
         key = hashlib.sha256(packed).hexdigest()[:16]
         if key not in self.places:
-            self.places[key] = self.share(Shared(key, _program(), self.plugins, packed))
+            self.places[key] = self.share(Shared(key, program_text(*ROOMS), self.plugins, packed))
         return key
 
     def run(self, work: Work, key: str, items: Iterable[Any]) -> Iterator[tuple[int, Any]]:
@@ -193,6 +190,12 @@ class Workers:
                     yield waiting.pop(future), future.result()
         except tuple(self.lost) as error:
             raise EngineError(next(text for kind, text in self.lost.items() if isinstance(error, kind))) from error
+
+
+    def map(self, work: Work, key: str, items: Iterable[Any]) -> list[Any]:
+        """Return ``work(value, item)`` of each item, in order; see `run`."""
+        found = dict(self.run(work, key, items))
+        return [found[number] for number in range(len(found))]
 
 
 _values: dict[str, Any] = {}

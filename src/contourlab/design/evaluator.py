@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
@@ -12,7 +12,7 @@ from contourlab.arrays import Array
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop import Controller, Machine, simulate_batch
-from contourlab.loop.batch import LANES, checked_variants
+from contourlab.loop.batch import checked_variants, lanes_each
 
 CHUNK = 1024
 """Largest number of candidates in memory."""
@@ -28,8 +28,8 @@ class Pool(Protocol):
     def shared(self, value: object) -> str:
         """Send a value to all workers; return its key."""
 
-    def run(self, work: Callable[[Any, Any], Any], key: str, items: Iterable[Any]) -> Iterator[tuple[int, Any]]:
-        """Yield the number of each item and its result, in any order."""
+    def map(self, work: Callable[[Any, Any], Any], key: str, items: Iterable[Any]) -> list[Any]:
+        """Return the result of each item, in order."""
 
 
 @dataclass(eq=False)
@@ -88,15 +88,14 @@ class Evaluator:
             If a name is unknown or a value out of range.
         """
         n = len(next(iter(columns.values())))
-        size = CHUNK if self.pool is None else min(CHUNK, LANES * -(-n // (LANES * self.pool.count)))
+        size = CHUNK if self.pool is None else min(CHUNK, lanes_each(n, self.pool.count))
         pieces = [{name: np.asarray(values)[first : first + size] for name, values in columns.items()} for first in range(0, n, size)]
         if self.pool is None:
             parts = [self.run(piece, self.part, threads or self.threads) for piece in pieces]
         else:
             checked_variants(self.machine, self.controller, columns)
             self._key = self._key or self.pool.shared(replace(self, pool=None))
-            found = dict(self.pool.run(_run_elsewhere, self._key, [(piece, self.part) for piece in pieces]))
-            parts = [found[number] for number in range(len(pieces))]
+            parts = self.pool.map(_run_elsewhere, self._key, [(piece, self.part) for piece in pieces])
         self.runs += n
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 

@@ -32,6 +32,11 @@ from contourlab.metrics.streaming import SUMS
 LANES = 32
 
 
+def lanes_each(n: int, workers: int) -> int:
+    """Return how many of n variants each worker takes, in whole groups of lanes."""
+    return LANES * -(-n // (LANES * workers))
+
+
 def simulate_batch(
     machine: Machine,
     controller: Controller,

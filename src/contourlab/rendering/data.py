@@ -19,7 +19,6 @@ from contourlab.rendering.judgement import Trust, Verdict
 from contourlab.rendering.run_data import AxisBounds, FeedRun, FrequencyResponse, TrialCourse
 from contourlab.result import Result
 
-_SYSTEM = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
 NANOMETRE = 1e-9
 """Paths closer than this count as one: junctions may have gaps of this size."""
 
@@ -94,7 +93,7 @@ class Provenance:
     scenario: str = ""
     seed: int | None = None
     version: str = __version__
-    platform: str = _SYSTEM
+    platform: str = field(default_factory=lambda: f"{platform.system()} {platform.machine()}, Python {platform.python_version()}")
 
 
 @dataclass(frozen=True, eq=False)

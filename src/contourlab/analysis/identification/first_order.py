@@ -148,9 +148,9 @@ def identify_first_order(time: ArrayLike, command: ArrayLike, position: ArrayLik
 
 
 def first_order_start(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tuple[int, dict[str, float]]:
-    """Return the smoothing of `identify_first_order` and its parameters, roughly, in a moment; delay and start are guesses.
+    """Return the smoothing of `identify_first_order`, and the values from which it starts [SI].
 
-    Parameters, errors: those of `identify_first_order`.
+    Parameters and errors are those of `identify_first_order`, without its fit.
     """
     blocks, _, free = _prepared(time, command, position, True)
     return blocks.smoothing, {name: one.start for name, one in free.items()}

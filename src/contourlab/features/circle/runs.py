@@ -175,8 +175,8 @@ def runs_of(name: str, position: Array, period: float, circle: Circle, reference
             continue
         rate = speed[start:stop]
         usual = float(np.median(rate))
-        turned = np.abs(angle[start:stop] - angle[start])
-        settled = turned >= min(SETTLING, turned[-1] - 2.0 * math.pi)
+        gone = np.abs(angle[start:stop] - angle[start])
+        settled = gone >= min(SETTLING, gone[-1] - 2.0 * math.pi)
         kept = np.flatnonzero((np.abs(rate - usual) <= STEADY * abs(usual)) & settled) + start
         if abs(angle[kept[-1]] - angle[kept[0]]) < WHOLE:
             kept = np.arange(start, stop)

@@ -50,16 +50,20 @@ class Block:
     reason: str
 
     @property
+    def scale(self) -> float:
+        """Program units in a metre."""
+        return 1e3 if self.millimetres else 1.0 / 0.0254
+
+    @property
     def feed_word(self) -> str:
         """The feed of a cutting move as a word of the program, per minute."""
-        feed = self.move.feedrate * 60.0 * (1e3 if self.millimetres else 1.0 / 0.0254)  # type: ignore[union-attr]
+        feed = self.move.feedrate * 60.0 * self.scale  # type: ignore[union-attr]
         return f"F{feed:.6f}".rstrip("0").rstrip(".")
 
     def shown(self, axes: Point) -> Point:
         """Return an axis position [m] in the numbers of the program."""
-        scale = 1000.0 if self.millimetres else 1.0 / 0.0254
         x, y, z = self.frame.point(axes)
-        return (x * scale, y * scale, z * scale)
+        return (x * self.scale, y * self.scale, z * self.scale)
 
 
 @dataclass(frozen=True)

@@ -127,7 +127,7 @@ def _replacing(
     shown = np.round([block.shown(tuple(point)) for point in points.tolist()], digits) + 0.0  # no -0
     moved = np.append(True, (np.diff(shown[:, columns], axis=0) != 0.0).any(axis=1))
     shown, points, places, fastest = shown[moved], points[moved], places[moved], fastest[index[moved]]
-    corners = polygon_corners(shown, tolerance * (1e3 if block.millimetres else 1.0 / 0.0254))
+    corners = polygon_corners(shown, tolerance * block.scale)
     if block.feed_mode == "per_minute":
         fastest = np.maximum(fastest, 1e-3 * move.feedrate)  # type: ignore[union-attr]
         level = np.rint(np.log(np.minimum(fastest, move.feedrate)) / math.log(STEP))  # type: ignore[union-attr]
@@ -153,7 +153,7 @@ def _replacing(
 def _with_feeds(lines: _Lines, block: Block, largest: Array) -> None:
     """Add feed words to lines that may not have the programmed feed, and to the first one that has it again."""
     feed, in_force = block.feed_word, "" if lines.slowed else block.feed_word
-    scale = 60.0 * (1e3 if block.millimetres else 1.0 / 0.0254)
+    scale = 60.0 * block.scale
     for k, one in enumerate(largest.tolist()):
         word = feed if one >= block.move.feedrate else f"F{scale * one:.{1 if block.millimetres else 3}f}"  # type: ignore[union-attr]
         lines.text[k] += f" {word}" if word != in_force else ""
@@ -171,7 +171,7 @@ def _with_modes(lines: _Lines, block: Block, mode: Mode, corner: bool, tolerance
     """Add the codes that let short lines run as one move, and those that restore the modes of the program."""
     code = _CONTROLS.get(mode.control or "")
     if code is not None and len(lines.text) > 1:
-        blend = 2.0 * tolerance * (1e3 if block.millimetres else 1.0 / 0.0254)
+        blend = 2.0 * tolerance * block.scale
         stops = corner or mode.control == "exact_stop"
         lines.text.insert(0, f"G64 P{blend:.6f}")
         lines.text.insert(len(lines.text) - int(stops), code)

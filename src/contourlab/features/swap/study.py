@@ -21,6 +21,10 @@ SCATTER = 0.01
 """By how much the losses of two searches differ that have ended."""
 
 
+class NoDesignError(ContourlabError):
+    """No design of a variant keeps the guards."""
+
+
 @dataclass(frozen=True, eq=False)
 class Choice:
     """A choice of local parameters and its loss.
@@ -167,7 +171,7 @@ def swap_study(
 
     Raises
     ------
-    ContourlabError
+    NoDesignError
         If no design of a variant keeps the guards.
     """
     search = SwapSearch(variants, settings, stage, checkpoint)
@@ -181,7 +185,7 @@ def swap_study(
         search.optima = [search.variant_optimum(i) for i in range(len(variants))]
     for name, best in zip(variants.names, variants.best, strict=True):
         if not math.isfinite(best):
-            raise ContourlabError(f"{name}: no design within the bounds keeps the guards: ask for smaller margins, or give wider bounds")
+            raise NoDesignError(f"{name}: no design within the bounds keeps the guards: ask for smaller margins, or give wider bounds")
     if not settings.quick:
         _search_sets(search, candidates)
         search.search_set(())

@@ -27,11 +27,12 @@ from contourlab.features.sweep.query import counts, rows
 from contourlab.features.sweep.statistics import pareto_front
 from contourlab.features.sweep.store import Store, writing
 from contourlab.features.sweep.structures import Structured
-from contourlab.features.sweep.study import LANES, Study, study_of
+from contourlab.features.sweep.study import Study, study_of
 from contourlab.features.sweep.summary import remarks, rows_text
 from contourlab.features.sweep.words import title_of
 from contourlab.figures import listing
 from contourlab.findings import Finding
+from contourlab.loop.batch import lanes_each
 from contourlab.rendering.table import paragraphs
 
 SAMPLERS = ("tpe", "nsga2", "cma-es")
@@ -242,9 +243,8 @@ def _simulated(study: Study, threads: int | None, pool: Workers | None) -> Calla
     key = pool.shared(study)
 
     def run(places: Array, number: int) -> Chunk:
-        size = LANES * -(-len(places) // (LANES * pool.count))
-        found = dict(pool.run(_run_elsewhere, key, ((places[first : first + size], number) for first in range(0, len(places), size))))
-        return joined([found[part] for part in range(len(found))])
+        size = lanes_each(len(places), pool.count)
+        return joined(pool.map(_run_elsewhere, key, [(places[first : first + size], number) for first in range(0, len(places), size)]))
 
     return run
 

@@ -7,7 +7,6 @@ import json
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
-from importlib.metadata import version
 from itertools import product
 from pathlib import Path
 from typing import Annotated, Literal
@@ -15,7 +14,7 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import Field
 
-from contourlab.app.checkpoint import program_identity
+from contourlab.app.checkpoint import program_text
 from contourlab.errors import ParameterError, ScenarioError, hint
 from contourlab.features.sweep.design import FIXED, INDEPENDENT, Design, Modules
 from contourlab.features.sweep.distributions import Variation, read_variations
@@ -23,6 +22,7 @@ from contourlab.features.sweep.lists import read_list
 from contourlab.features.sweep.modules import listed_modules, module_entries, modules_of
 from contourlab.features.sweep.structures import ROOMS, Choice, Structure, Structured, structured
 from contourlab.findings import Finding, finding
+from contourlab.loop.batch import LANES
 from contourlab.loop.batch_result import FIGURE_UNITS
 from contourlab.loop.parameters import matching
 from contourlab.loop.simulate import UNITS as SIGNALS
@@ -41,7 +41,6 @@ CHUNK = 2048
 """Variants of a chunk, unless the study says another number or keeps signals."""
 SIGNAL_BYTES = 1 << 26
 """Largest memory of the kept signals of a chunk, unless the smallest chunk needs more."""
-LANES = 32
 MOST = 10**12
 """Largest number of variants."""
 
@@ -282,11 +281,6 @@ EXAMPLE = '["axes.x.plant.mass", "axes.y.plant.mass", 0.8]'
 # --- identity --------------------------------------------------------------------------------------------------------------------------
 
 
-def program() -> str:
-    """Return the version and source of the program, and the versions of the libraries that decide the results."""
-    return "; ".join([*program_identity(ROOMS), f"scipy {version('scipy')}"])
-
-
 def _identity(study: Study) -> dict[str, str]:
     """Return digests of all that decides the results: program, scenario, and what the study varies and keeps."""
     scenario = hashlib.sha256()
@@ -297,4 +291,4 @@ def _identity(study: Study) -> dict[str, str]:
     choices = [asdict(choice) for choice in study.choices]
     settings = {"design": asdict(study.design), "choices": choices, "numbers": numbers, "keep": [*study.figures, *study.signals]}
     digest = hashlib.sha256(json.dumps(settings, sort_keys=True).encode()).hexdigest()
-    return {"program": program(), "scenario": scenario.hexdigest(), "study": digest}
+    return {"program": program_text(*ROOMS), "scenario": scenario.hexdigest(), "study": digest}

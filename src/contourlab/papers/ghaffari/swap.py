@@ -12,9 +12,8 @@ import numpy as np
 from contourlab.components.disturbance.ripple import LowPassedNoise
 from contourlab.design import Space
 from contourlab.design.guards import Bounds
-from contourlab.errors import ContourlabError
 from contourlab.features.swap.search import SwapSettings
-from contourlab.features.swap.study import SwapStudy, swap_study
+from contourlab.features.swap.study import NoDesignError, SwapStudy, swap_study
 from contourlab.features.swap.variants import Variants, losses, variants_of
 from contourlab.loop import parameters_of, simulate
 from contourlab.metrics import judge, summarise
@@ -132,7 +131,7 @@ def _other_terms() -> Iterator[Row]:
         needed = loss = math.nan
         try:
             study = swap_of(terms, BUDGET[True])
-        except ContourlabError:
+        except NoDesignError:
             note = f"none of {BUDGET[True]} candidates keeps the margins"
         else:
             needed, loss, note = _needed(study), study.base.swap_loss, _told(study)
