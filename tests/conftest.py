@@ -4,14 +4,18 @@ import os
 import signal
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from host_gpu import HostGpu
 from hypothesis import settings
 from once import once
 from schemas import check_results
 
 from contourlab.__main__ import LINEAR_ALGEBRA
+from contourlab.engine import gpu
+from contourlab.errors import EngineError
 
 os.environ.setdefault("MPLBACKEND", "Agg")
 os.environ["CONTOURLAB_PROGRESS"] = "0"  # tests read standard error
@@ -65,6 +69,21 @@ def reproduction(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> tu
 
     code, out, err = once(tmp_path_factory, worker_id, "ghaffari", run)
     return code, out, err
+
+
+@pytest.fixture(params=["stand-in", "real"])
+def a_gpu(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Make variants run on a stand-in for a GPU, then on the GPU of this machine if there is one."""
+    gpu.gpu_of_process.cache_clear()
+    if request.param == "stand-in":
+        monkeypatch.setattr(gpu, "Gpu", HostGpu)
+    else:
+        try:
+            gpu.gpu_of_process()
+        except EngineError as error:
+            pytest.skip(str(error))
+    yield
+    gpu.gpu_of_process.cache_clear()
 
 
 @pytest.fixture(autouse=True)

@@ -10,7 +10,7 @@ from jsonschema import Draft202012Validator
 
 import contourlab.cli.main as main
 from contourlab.app.json_schema import json_schema
-from contourlab.app.json_values import json_values
+from contourlab.app.json_values import json_text, json_values
 from contourlab.cli.commands.schema import results
 
 
@@ -30,14 +30,13 @@ def check_results(monkeypatch: pytest.MonkeyPatch) -> None:
         commands[:] = words[:1]
         return call(words)
 
-    def checked(result: Any) -> Any:
-        values = json_values(result)
-        problems = [f"{error.json_path}: {error.message[:300]}" for error in validator(commands[0]).iter_errors(values)]
+    def checked(result: Any) -> str:
+        problems = [f"{error.json_path}: {error.message[:300]}" for error in validator(commands[0]).iter_errors(json_values(result))]
         assert not problems, problems
-        return values
+        return json_text(result)
 
     monkeypatch.setattr(main, "_call", named_call)
-    monkeypatch.setattr("contourlab.cli.output.json_values", checked)
+    monkeypatch.setattr("contourlab.cli.output.json_text", checked)
 
 
 def _closed(schema: Any) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -43,18 +44,27 @@ COMMANDS = {
 }
 
 
-def answer(folder: Path, *words: str) -> Any:
-    """Return the JSON output of a command in a folder of its own, without what it says of the executor."""
+def written(folder: Path, kind: str = "drag") -> Path:
+    """Return a new folder with the files; `kind` is that of the friction, of which a process takes one plug-in."""
     folder.mkdir()
     for name, text in FILES.items():
-        (folder / name).write_text(text)
-    command = [sys.executable, "-m", "contourlab", *words, "--plugin", "drag.py", "--json"]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=500)
-    assert done.returncode in (0, 1), done.stderr
-    found = json.loads(done.stdout)
+        (folder / name).write_text(text.replace('"drag"', f'"{kind}"'))
+    return folder
+
+
+def without_executor(found: Any) -> Any:
+    """Return a JSON output without what it says of the executor."""
     for part in (found, found.get("request", {}), found.get("settings", {})):
         part.pop("executor", None)
     return found
+
+
+def answer(folder: Path, *words: str) -> Any:
+    """Return the JSON output of a command in a folder of its own, without what it says of the executor."""
+    command = [sys.executable, "-m", "contourlab", *words, "--plugin", "drag.py", "--json"]
+    done = subprocess.run(command, cwd=written(folder), capture_output=True, text=True, timeout=500)
+    assert done.returncode in (0, 1), done.stderr
+    return without_executor(json.loads(done.stdout))
 
 
 @pytest.mark.slow
@@ -64,6 +74,21 @@ def test_an_executor_does_not_change_the_answer(tmp_path: Path, command: str, ex
     words = COMMANDS[command]
     elsewhere = answer(tmp_path / "elsewhere", *words, "--executor", executor, "--workers", "2")
     assert elsewhere == answer(tmp_path / "here", *words)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_gpu_does_not_change_the_answer(
+    tmp_path: Path, a_gpu: None, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, command: str
+) -> None:
+    monkeypatch.chdir(written(tmp_path / "here", tmp_path.name.replace("_", "-")))
+    found = []
+    for executor in ("gpu", "threads"):
+        words = ["--plugin", "drag.py", "--json", "--executor", executor, "--out", "found"]
+        assert main([*COMMANDS[command], *words]) in (0, 1)
+        found.append(without_executor(json.loads(capsys.readouterr().out)))
+        shutil.rmtree("found")
+    assert found[0] == found[1]
 
 
 @pytest.mark.parametrize("command", COMMANDS)

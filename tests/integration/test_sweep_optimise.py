@@ -71,7 +71,7 @@ def test_a_search_goes_on_after_a_kill(capsys: Capture, monkeypatch: pytest.Monk
     assert main(["sweep", "optimise", "study.toml", "--out", "whole", *words, *SMALL]) == 0
     command = ["sweep", "optimise", "study.toml", "--out", "store", *words, *SMALL, "--resume"]
 
-    def killed(*given: object) -> None:
+    def killed(*given: object, **more: object) -> None:
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:  # the batch is stored, but Optuna does not hear of it
@@ -79,7 +79,7 @@ def test_a_search_goes_on_after_a_kill(capsys: Capture, monkeypatch: pytest.Monk
         assert main(command) == 130
     assert len(list(Path("store").glob("part-*"))) == 1
     with monkeypatch.context() as patch:  # asked, but not simulated
-        patch.setattr(optimise, "run_chunk", killed)
+        patch.setattr(optimise, "run_chunks", killed)
         assert main(command) == 130
     with Path("store/optuna.log").open("a") as stream:  # half a line
         stream.write('{"op_code": 5, "work')

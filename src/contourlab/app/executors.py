@@ -1,4 +1,4 @@
-"""Where independent work is done: processes of this machine, or the workers of a Dask cluster."""
+"""Where independent work is done: threads, a GPU or processes of this machine, or the workers of a Dask cluster."""
 
 from __future__ import annotations
 
@@ -22,10 +22,11 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from contourlab.app.checkpoint import program_text
+from contourlab.engine.gpu import gpu_of_process
 from contourlab.errors import EngineError, ParameterError
 from contourlab.extras import extra_module
 
-EXECUTORS = ("threads", "processes", "dask-local", "slurm")
+EXECUTORS = ("threads", "gpu", "processes", "dask-local", "slurm")
 AHEAD = 2
 """Items in work or waiting for each worker: enough to keep it busy, and memory does not grow with the work."""
 QUIET = {"distributed.worker.profile.enabled": False, "distributed.admin.tick.interval": "500 ms"}
@@ -55,14 +56,19 @@ class Executor:
             raise ParameterError("--executor", repr(self.kind), f"one of {', '.join(EXECUTORS)}, or dask://HOST:PORT")
         if self.workers is not None and self.workers < 1:
             raise ParameterError("--workers", f"{self.workers}", "1 or more")
-        if self.kind not in ("threads", "processes"):
+        if self.kind not in ("threads", "gpu", "processes"):
             extra_module("distributed")
         if self.kind == "slurm":
             extra_module("dask_jobqueue")
 
+    @property
+    def gpu(self) -> bool:
+        """Whether a GPU does the work."""
+        return self.kind == "gpu"
+
     @contextmanager
     def started(self, plugins: Iterable[str | Path] = (), then: str = "Repeat the command to continue") -> Iterator[Workers | None]:
-        """Start workers, and stop them after the block; None for ``threads``, which need none.
+        """Start workers, and stop them after the block; None for ``threads`` and ``gpu``, which need none.
 
         Parameters
         ----------
@@ -74,9 +80,11 @@ class Executor:
         Raises
         ------
         EngineError
-            If the cluster cannot be reached.
+            If the cluster cannot be reached, or there is no GPU.
         """
-        if self.kind == "threads":
+        if self.gpu:
+            gpu_of_process()
+        if self.kind in ("threads", "gpu"):
             yield None
             return
         files = tuple(str(Path(plugin).resolve()) for plugin in plugins)

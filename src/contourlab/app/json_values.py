@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import os
 from collections.abc import Mapping
@@ -10,6 +11,14 @@ from functools import cache
 from typing import Any, get_type_hints
 
 from contourlab.findings import Finding
+
+HIDDEN: Mapping[str, Any] = {"json": False}
+"""Metadata of a field that JSON leaves out."""
+
+
+def json_text(value: Any) -> str:
+    """Return a value as strict JSON, without NaN or infinity; see `json_values`."""
+    return json.dumps(json_values(value), indent=2, allow_nan=False)
 
 
 def json_values(value: Any) -> Any:

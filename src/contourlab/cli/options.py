@@ -91,7 +91,7 @@ GainMargin: TypeAlias = Annotated[float, typer.Option(help="Smallest allowed gai
 PhaseMargin: TypeAlias = Annotated[float, typer.Option(help="Smallest allowed phase margin of an axis, in degrees.")]
 Seed: TypeAlias = Annotated[int, typer.Option(help="Seed of sampling and search; the same seed gives the same result.")]
 ExecutorKind: TypeAlias = Annotated[
-    str, typer.Option(help="threads, processes, dask-local, dask://HOST:PORT or slurm; the results are the same.")
+    str, typer.Option(help="threads, gpu, processes, dask-local, dask://HOST:PORT or slurm; the results are the same.")
 ]
 Workers: TypeAlias = Annotated[
     int | None, typer.Option(help="Threads, processes or jobs; by default one per processor.", show_default=False)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import os
 import sys
 from typing import TYPE_CHECKING, Any, Protocol
 
 from contourlab.app.command_line import as_typed
-from contourlab.app.json_values import json_values
+from contourlab.app.json_values import json_text
 
 if TYPE_CHECKING:
     from contourlab.features.run.command import RunOutcome
@@ -48,7 +47,7 @@ def say(text: str) -> None:
 
 def emit_json(value: Any) -> None:
     """Print one strict JSON document, without NaN or infinity."""
-    say(json.dumps(json_values(value), indent=2, allow_nan=False))
+    say(json_text(value))
 
 
 def show_result(result: HasText, as_json: bool) -> None:

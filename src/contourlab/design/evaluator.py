@@ -9,6 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from contourlab.arrays import Array
+from contourlab.engine.gpu import LANES as GPU_LANES
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop import Controller, Machine, simulate_batch
@@ -52,6 +53,8 @@ class Evaluator:
         Whether to compute the part error as well.
     effort : bool
         Whether to compute figures of the drives as well.
+    gpu : bool
+        Whether a GPU runs the candidates.
     pool : Pool, optional
         Where to run; by default in threads of this process.
     """
@@ -64,6 +67,7 @@ class Evaluator:
     threads: int | None = None
     part: bool = False
     effort: bool = True
+    gpu: bool = False
     pool: Pool | None = None
     runs: int = 0
     view: PathView = field(init=False, repr=False)
@@ -88,7 +92,7 @@ class Evaluator:
             If a name is unknown or a value out of range.
         """
         n = len(next(iter(columns.values())))
-        size = CHUNK if self.pool is None else min(CHUNK, lanes_each(n, self.pool.count))
+        size = GPU_LANES if self.gpu else CHUNK if self.pool is None else min(CHUNK, lanes_each(n, self.pool.count))
         pieces = [{name: np.asarray(values)[first : first + size] for name, values in columns.items()} for first in range(0, n, size)]
         if self.pool is None:
             parts = [self.run(piece, self.part, threads or self.threads) for piece in pieces]
@@ -112,6 +116,7 @@ class Evaluator:
             seed=self.seed,
             threads=threads,
             moving=self.moving,
+            gpu=self.gpu,
         )
         return {**batch.figures, "failed_at": batch.failed_at.astype(float), "unsure": batch.unsure}
 

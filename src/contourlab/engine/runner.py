@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Iterator
 from itertools import accumulate, pairwise
 from typing import Any
@@ -9,12 +10,15 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array, Flags, aligned
-from contourlab.engine.schedule import Schedule
+from contourlab.engine.gpu import Gpu
+from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Bank, Port, pack, record, rows, unpack
 from contourlab.engine.translate.tick_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.primitives import Clock
 
+TICKS, LOGGED = 2048, 1 << 25
+"""Most ticks of one call of a GPU, as one with a screen stops calls of more than a few seconds, and most numbers that a call records."""
 _NUMBER = (float, int)
 
 
@@ -47,7 +51,7 @@ class Group:
         for node in nodes:
             values += [node.parameters[name] for name in node.step.parameters]
             sizes.append(len(node.step.parameters))
-        sizes += [1 << max(node.ring_length - 1, 0).bit_length() if node.step.ring else 0 for node in nodes]
+        sizes += map(_ring_rows, nodes)
         self.memory = self._filled(values, sum(sizes))
         self.borders = list(accumulate(sizes, initial=0))
         parts = [self.memory[a:b] for a, b in pairwise(self.borders)]
@@ -108,6 +112,16 @@ class Group:
         raise NotImplementedError
 
 
+def _ring_rows(node: Node) -> int:
+    return 1 << max(node.ring_length - 1, 0).bit_length() if node.step.ring else 0
+
+
+def memory_rows(schedule: Schedule) -> int:
+    """Return the rows of the memory of a group."""
+    of_nodes = (rows((*n.step.outputs, *n.step.states)) + len(n.step.parameters) + _ring_rows(n) for n in schedule.nodes)
+    return rows(schedule.externals) + sum(of_nodes)
+
+
 def _rows_of(ports: tuple[Port, ...], values: Any) -> Iterator[Any]:
     """Return the value of each row of some ports; zero where none is given."""
     for port in ports:
@@ -144,11 +158,11 @@ class CompiledGroup(Group):
         self.tick += len(external)
         return log
 
-    def _loop(self, log_rows: tuple[int, ...]) -> Any:
+    def _loop(self, log_rows: tuple[int, ...], gpu: Gpu | None = None) -> Any:
         from contourlab.engine.fused import tick_loop_of
 
         if log_rows not in self._loops:
-            self._loops[log_rows] = tick_loop_of(self.schedule, self._places, log_rows, self.width)
+            self._loops[log_rows] = tick_loop_of(self.schedule, self._places, log_rows, self.width, gpu)
         return self._loops[log_rows]
 
 
@@ -227,6 +241,44 @@ class InterpretedGroup(Group):
         return found
 
 
-def make_group(schedule: Schedule, width: int, lanes: slice, jit: bool) -> Group:
-    """Return a group of lanes, compiled or in plain Python."""
+class GpuGroup(CompiledGroup):
+    """A group whose lanes are threads of a GPU; its memory here has states and signals after each run."""
+
+    def __init__(self, schedule: Schedule, width: int, lanes: slice, gpu: Gpu) -> None:
+        super().__init__(schedule, width, lanes)
+        self._gpu = gpu
+        gpu.use()
+        self._there = [gpu.memory(array.size) for array in (self.memory, *self._tables)]
+        for memory, values in zip(self._there, (self.memory, *self._tables), strict=True):
+            memory.write(values)
+        self._addresses = np.array([memory.address for memory in self._there[1:]], dtype=np.int64)
+
+    def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
+        gpu, external = self._gpu, np.ascontiguousarray(external, dtype=float)
+        log = np.empty((len(external), len(log_rows), self.width)) if out is None else out
+        gpu.use()
+        function, entry = self._loop(tuple(log_rows), gpu), len(log_rows) * self.width
+        ticks = max(min(TICKS, LOGGED // max(entry, 1), len(external)), 1)
+        tables, fed, logged = (gpu.memory(n) for n in (len(self._addresses), external.size, ticks * entry))
+        tables.write(self._addresses)
+        fed.write(external)
+        for k in range(0, len(external), ticks):
+            part = log[k : k + ticks]
+            of_tick = fed.address + k * external.strides[0]
+            words = (self._there[0].address, tables.address, of_tick, external.shape[1], 1, logged.address, self.tick, len(part))
+            gpu.run(function, self.width, [*map(ctypes.c_int64, words), ctypes.c_double(self.schedule.period)])
+            if part.size:
+                logged.read(part)
+            self.tick += len(part)
+        self._there[0].read(self.memory[: self._n_live])
+        return log
+
+    def refresh(self) -> None:
+        self._there[0].write(self.memory)
+
+
+def make_group(schedule: Schedule, width: int, lanes: slice, jit: bool, gpu: Gpu | None = None) -> Group:
+    """Return a group of lanes, compiled or in plain Python, or on a GPU."""
+    if gpu is not None:
+        return GpuGroup(schedule, width, lanes, gpu)
     return (CompiledGroup if jit else InterpretedGroup)(schedule, width, lanes)

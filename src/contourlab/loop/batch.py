@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike
 from contourlab.arrays import Array, Index, aligned
 from contourlab.components.contract import Component
 from contourlab.components.plant.plant import Plant
-from contourlab.engine.runner import Group, make_group
+from contourlab.engine.gpu import gpu_of_process, lanes_of
+from contourlab.engine.runner import Group, make_group, memory_rows
 from contourlab.engine.schedule import Node
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
@@ -55,6 +56,7 @@ def simulate_batch(
     reuse: BatchResult | None = None,
     learned: Learned | None = None,
     moving: bool = False,
+    gpu: bool = False,
 ) -> BatchResult:
     """Simulate variants that differ in parameters only, and judge each.
 
@@ -91,16 +93,20 @@ def simulate_batch(
         What earlier trials have learned, the same for all variants.
     moving : bool
         Whether the axes start with the velocity of the reference instead of at rest.
+    gpu : bool
+        Whether an NVIDIA GPU runs the variants.
 
     Returns
     -------
     BatchResult
-        The numbers do not depend on threads, nor on the order or number of variants.
+        The numbers do not depend on threads or GPU, nor on the order or number of variants.
 
     Raises
     ------
     ParameterError
         If a name is unknown, a value out of range, the arrays differ in length, or the view is that of another path.
+    EngineError
+        If there is no GPU, or its memory is full.
 
     Notes
     -----
@@ -125,11 +131,13 @@ def simulate_batch(
     start, progress_at = first.position[0], float(first.arc_length[0])
     speed = first.velocity[0] if moving else None
     loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed, fed=feed.names, velocity=speed)
-    groups = [make_group(loop.schedule, LANES, slice(i, i + LANES), compiled) for i in range(0, n, LANES)]
+    device = gpu_of_process() if gpu else None
+    lanes = lanes_of(n, memory_rows(loop.schedule)) if gpu else LANES
+    groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]
     rows = [loop.schedule.row(signal) for name in keep for signal in _signal(loop, name)]
-    shape = (len(groups), reference.n_sample, len(rows), LANES)
+    shape = (len(groups), reference.n_sample, len(rows), lanes)
     log = reuse.log if reuse is not None and reuse.log.shape == shape else aligned(shape)
-    failed = _advance_all(groups, feed, rows, log, threads or os.cpu_count() or 1, progress)[:n]
+    failed = _advance_all(groups, feed, rows, log, 1 if gpu else threads or os.cpu_count() or 1, progress)[:n]
     sums = sums_of(groups, "judge", n)[1:] if judge else np.zeros((len(SUMS), n))
     figures = error_figures(sums, failed, machine.servo_period) if judge else {}
     if part:
@@ -146,7 +154,7 @@ def _advance_all(
     groups: list[Group], feed: Feed, rows: list[int], log: Array, threads: int, progress: Callable[[int], None] | None
 ) -> Index:
     """Run every group through the reference, block by block; return the sample at which each lane failed, or -1."""
-    broken = np.full((len(groups), LANES), -1.0)
+    broken = np.full((len(groups), groups[0].width), -1.0)
 
     def advance(g: int, external: Array, k: int) -> None:
         groups[g].run(external, rows, log[g, k : k + len(external)])

@@ -43,7 +43,7 @@ class BatchResult:
         then upper bounds; `judge` of a single run is exact.
     signals : mapping of str to ndarray (n_sample, n, n_variant)
         The requested signals: views of `log`.
-    log : ndarray (n_group, n_sample, n_row, 32) [SI]
+    log : ndarray (n_group, n_sample, n_row, n_lane) [SI]
         Memory of the signals, in the layout of the lanes.
     variants : mapping of str to ndarray (n_variant,)
         The parameters that differ [SI].

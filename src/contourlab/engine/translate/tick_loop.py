@@ -14,10 +14,15 @@ VECTOR = 16
 SIGNATURE = ctypes.CFUNCTYPE(
     None, *(ctypes.c_void_p,) * 3, *(ctypes.c_int64,) * 2, ctypes.c_void_p, *(ctypes.c_int64,) * 2, ctypes.c_double, ctypes.c_int64
 )
-_HEAD = (
-    "define void @run(ptr noalias %memory, ptr noalias %tables, ptr noalias %external, i64 %tick_stride, i64 %signal_stride, "
-    "ptr noalias %logs, i64 %first, i64 %n_tick, double %period, i64 %lane) #0 {"
+_TAKES = (
+    "ptr noalias %memory, ptr noalias %tables, ptr noalias %external, i64 %tick_stride, i64 %signal_stride, "
+    "ptr noalias %logs, i64 %first, i64 %n_tick, double %period"
 )
+_HEAD = f"define void @run({_TAKES}, i64 %lane) #0 {{"
+_PLACES = ("tid", "ctaid", "ntid")
+"""Of a thread of a GPU: its number in its block, the number of the block, and the threads of a block."""
+_ON_GPU = "".join(f"declare i32 @llvm.nvvm.read.ptx.sreg.{name}.x()\n" for name in _PLACES)
+_ON_GPU += f"define ptx_kernel void @run({_TAKES}) {{"
 _FOOT = 'attributes #0 = { nounwind "prefer-vector-width"="512" "no-trapping-math"="true" }\n!0 = !{i32 1}'
 
 
@@ -70,14 +75,18 @@ class _LoopWriter(Writer):
         return self.gather("%mem", self.let(f"add {self.whole} {index}, {start}"))
 
 
-def source_of(made: TickGraph, lanes: int, width: int) -> str:
+def source_of(made: TickGraph, lanes: int, width: int, *, gpu: bool = False) -> str:
     """Return the LLVM IR of ``run(memory, tables, external, tick_stride, signal_stride, logs, first, n_tick, period, lane)``.
 
     It runs `n_tick` ticks of the `lanes` that begin at `lane`, records into ``logs`` (n_tick, n_log, width), and leaves states and signals
-    of the last tick in memory.
+    of the last tick in memory. For a GPU it has no argument `lane`: each thread runs the lane of its number.
     """
     w = _LoopWriter(lanes, width)
     w.start("entry")
+    if gpu:
+        thread, block, size = (w.let(f"call i32 @llvm.nvvm.read.ptx.sreg.{name}.x()") for name in _PLACES)
+        before = w.let(f"mul i32 {block}, {size}")
+        w.put(f"%lane = zext i32 {w.let(f'add i32 {before}, {thread}')} to i64")
     w.put("%mem = getelementptr double, ptr %memory, i64 %lane")
     w.put("%log = getelementptr double, ptr %logs, i64 %lane")
     w.put("%some = icmp sgt i64 %n_tick, 0")
@@ -115,4 +124,5 @@ def source_of(made: TickGraph, lanes: int, width: int) -> str:
         w.store(w.value(op), "%mem", w.row(row))
     w.put("br label %done")
     w.start("done")
-    return "\n".join([*w.declared.values(), _HEAD, *w.lines, "  ret void", "}", _FOOT]) + "\n"
+    head, foot = (_ON_GPU, "") if gpu else (_HEAD, _FOOT)
+    return "\n".join([*w.declared.values(), head, *w.lines, "  ret void", "}", foot]) + "\n"

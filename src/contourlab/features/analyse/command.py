@@ -22,6 +22,7 @@ from contourlab.analysis.linear.contour_transfer import (
 from contourlab.analysis.linear.divided_loop import link_growth
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.app.json_values import HIDDEN
 from contourlab.app.results import staged
 from contourlab.arrays import Array, Complex
 from contourlab.errors import ComponentError
@@ -42,7 +43,6 @@ NOTHING = 1e-6
 """Smallest share of an error that a trial must remove; with less, nothing is learned."""
 SLOW = 1e-3
 """Largest growth per trial that is accepted: an error doubles in 693 trials."""
-_HIDDEN = {"json": False}
 
 
 @dataclass(frozen=True)
@@ -86,8 +86,8 @@ class SchemeAnalysis:
     link_growth: float | None
     learning: Learning | None
     findings: tuple[Finding, ...]
-    transfer: ContourTransfer | None = field(metadata=_HIDDEN)
-    foretold: LearningAnalysis | None = field(metadata=_HIDDEN)
+    transfer: ContourTransfer | None = field(metadata=HIDDEN)
+    foretold: LearningAnalysis | None = field(metadata=HIDDEN)
 
 
 @dataclass(frozen=True)

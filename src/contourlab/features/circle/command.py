@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -11,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.app.command_line import as_typed
-from contourlab.app.json_values import json_values
+from contourlab.app.json_values import json_text
 from contourlab.app.results import staged
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
@@ -101,7 +100,7 @@ def circle_test(choices: Sequence[LogChoice], out: str | Path, options: CircleOp
         result = _result(fit, read, " and ".join(Path(file).name for file in files), command, tolerance)
     result = replace(result, report=str(Path(out) / "report.html"), next_command=_next(result, choices[0]))
     with staged(out, "summary.json", "report.html", inputs=files) as folder:
-        write_text_atomic(folder / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
+        write_text_atomic(folder / "summary.json", json_text(result) + "\n")
         write_page(result, fit, folder / "report.html")
     return result
 

@@ -8,10 +8,10 @@ from contextlib import ExitStack
 from dataclasses import dataclass, field
 from itertools import chain
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
+from contourlab.app.json_values import HIDDEN
 from contourlab.app.results import check_file
 from contourlab.app.stages import shown
 from contourlab.arrays import Array
@@ -30,7 +30,6 @@ from contourlab.rendering.table import Table, paragraphs
 from contourlab.result.atomic import replacing
 from contourlab.threads import in_threads
 
-HIDDEN: dict[str, Any] = {"json": False}
 FIRST, SECOND = ("excite.ngc", "sampler.hal", "steps.md"), ("report.html", "gains.diff", "safe.diff", "circle.png")
 OFF_RUNS = 8
 """Runs that begin with LinuxCNC off, where the log shows it."""

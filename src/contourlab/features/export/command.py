@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from contourlab.app.json_values import json_values
+from contourlab.app.json_values import json_text
 from contourlab.app.results import staged
 from contourlab.arrays import Array
 from contourlab.engine.translate import c99_control, fmi, hal, structured_text
@@ -179,7 +178,7 @@ def export_controller(
         for name, content in made.items():
             data = content if isinstance(content, bytes) else content.encode("ascii", "replace")
             write_bytes_atomic(stage / name, data)
-        write_text_atomic(stage / summary, json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
+        write_text_atomic(stage / summary, json_text(result) + "\n")
     return result
 
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from contourlab.analysis.encoder.interpolation import interpolation_order
-from contourlab.app.json_values import json_values
+from contourlab.app.json_values import json_text
 from contourlab.app.results import spared
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.interpolate.signals import read_quadrature
@@ -88,7 +87,7 @@ def _written(folder: Path, interpolation: Interpolation, result: Interpolated) -
     contents = {
         "counts": counts_csv(result, interpolation.record.time, interpolation.counted.counts, interpolation.position()),
         "picture": lissajous_png(LissajousData(title, interpolation.before.T, after, *interpolation.over_phase(), names)),
-        "summary": (json.dumps(json_values(result), indent=2, allow_nan=False) + "\n").encode(),
+        "summary": (json_text(result) + "\n").encode(),
     }
     # Put the files in place only after all of them are written.
     with ExitStack() as stack:

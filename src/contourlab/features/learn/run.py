@@ -12,6 +12,7 @@ from typing import ClassVar, Literal
 import numpy as np
 
 from contourlab.analysis.growth import doubling
+from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.components.feedforward.inverse_dynamics import InverseDynamics
 from contourlab.components.learning.basis import BasisFunctions
@@ -31,7 +32,6 @@ from contourlab.scenario.components import parameters_of
 Part = Literal["ends", "all", "none"]
 
 
-_HIDDEN = {"json": False}
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,19 +65,19 @@ class LearningRun:
     json_derived: ClassVar = ("reason", "gain")
 
     status: str
-    findings: tuple[Finding, ...] = field(metadata=_HIDDEN)
+    findings: tuple[Finding, ...] = field(metadata=HIDDEN)
     trials: tuple[TrialFigures, ...]
     best: int = field(metadata={"json": "best_trial"})
-    table: LearnedTable = field(metadata=_HIDDEN)
+    table: LearnedTable = field(metadata=HIDDEN)
     split: Split | None
-    growth: Growth | None = field(metadata=_HIDDEN)
-    first_position: Array = field(metadata=_HIDDEN)
-    best_position: Array = field(metadata=_HIDDEN)
-    first_contour: Array = field(metadata=_HIDDEN)
-    best_contour: Array = field(metadata=_HIDDEN)
-    seconds: float = field(default=0.0, metadata=_HIDDEN)
-    engine_seconds: float = field(default=0.0, metadata=_HIDDEN)
-    judge_seconds: float = field(default=0.0, metadata=_HIDDEN)
+    growth: Growth | None = field(metadata=HIDDEN)
+    first_position: Array = field(metadata=HIDDEN)
+    best_position: Array = field(metadata=HIDDEN)
+    first_contour: Array = field(metadata=HIDDEN)
+    best_contour: Array = field(metadata=HIDDEN)
+    seconds: float = field(default=0.0, metadata=HIDDEN)
+    engine_seconds: float = field(default=0.0, metadata=HIDDEN)
+    judge_seconds: float = field(default=0.0, metadata=HIDDEN)
 
     @property
     def reason(self) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -10,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.json_values import json_values
+from contourlab.app.json_values import json_text
 from contourlab.app.quick import affordable, too_slow
 from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
@@ -147,7 +146,7 @@ def link_scenario(
         findings = (finding("CL766", schemes=left_out),) if left_out else ()
         texts += [paragraphs(map(str, findings))] if findings else []
         result = LinkResult(scenario.name, costs, findings)
-        write_text_atomic(stage / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
+        write_text_atomic(stage / "summary.json", json_text(result) + "\n")
         if plots:
             from contourlab.rendering.plots import write_charts
 

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from contourlab.features.precompensate.passes import PassFigures
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.rendering.table import Column, Table, paragraphs
-
-_HIDDEN: dict[str, Any] = {"json": False}
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from contourlab.analysis.identification.gauss_newton import Descent, DescentSettings, descend, fit_covariance, spread_starts
+from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
 from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
@@ -26,7 +27,6 @@ COUNTS = 4.0
 """Least change of the residual [encoder counts, rms] for a finite difference."""
 FEWEST = 10
 """Least number of rows per parameter."""
-HIDDEN = {"json": False}
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
@@ -10,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.app.checkpoint import noted
-from contourlab.app.json_values import json_values
+from contourlab.app.json_values import json_text, json_values
 from contourlab.app.results import staged
 from contourlab.app.stages import part_of_command
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
@@ -66,7 +65,7 @@ def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None =
                 kept.append(str(folder / name / "report.html"))
         passed = all(_last(summary)["verdict"]["passed"] for summary in summaries.values())
         summary: dict[str, Any] = json_values(Demo(passed, summaries))
-        write_text_atomic(stage / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
+        write_text_atomic(stage / "summary.json", json_text(summary) + "\n")
         write_overview(stage / "report.html", _answer(summaries), reports, NEXT)
     verdict = paragraphs([f"{'PASS' if passed else 'FAIL'}: {_answer(summaries)}"])
     conclusion = f"{verdict}\n\nreport: {folder / 'report.html'}\nnext: {NEXT}"

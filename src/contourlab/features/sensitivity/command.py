@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from contourlab.app.checkpoint import resumable, run_identity
 from contourlab.app.executors import Executor, Workers
-from contourlab.app.json_values import json_values
+from contourlab.app.json_values import json_text
 from contourlab.app.quick import affordable
 from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
@@ -165,7 +164,7 @@ def sensitivity_of(
         request = replace(request, plan=study.plan)
         name, period = case.machine.name, case.machine.servo_period
         result = Sensitivity(str(file), request, case.name, name, period, runs.made, runs.reused, study, ranking(study), findings)
-        write_text_atomic(stage / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
+        write_text_atomic(stage / "summary.json", json_text(result) + "\n")
         if plots:
             from contourlab.features.sensitivity.pictures import charts_of
             from contourlab.rendering.plots import write_charts
@@ -180,7 +179,7 @@ def _studied(
     machine, controller, plan, (space, drawn) = case.machine, case.controller, request.plan, varied
     stages.begin("planning the motion")
     reference = case.reference()
-    given = {"moving": case.moving, "seed": case.seed, "threads": request.executor.workers}
+    given = {"moving": case.moving, "seed": case.seed, "threads": request.executor.workers, "gpu": request.executor.gpu}
     evaluator = Evaluator(machine, controller, reference, **given, effort=False, pool=pool)  # type: ignore[arg-type]
     identity = run_identity([machine], controller, reference, seed=case.seed, moving=case.moving)
     runs = Runs(evaluator, Kept(folder, identity), stages.advance)

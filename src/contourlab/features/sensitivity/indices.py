@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.design import DesignVariable, Space
 from contourlab.errors import ParameterError, UnitError
@@ -22,7 +23,6 @@ REFUSED = 0.25
 """Largest share of failed runs; with more, indices are refused."""
 BEYOND = 10.0
 """Without a following-error limit, a failed run counts as this multiple of the worst successful one."""
-HIDDEN = {"json": False}
 
 
 @dataclass(frozen=True)

@@ -8,13 +8,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from contourlab.app.json_values import HIDDEN
 from contourlab.app.quick import too_slow
 from contourlab.arrays import Array
 from contourlab.design import Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.curves import FINE, Curve, curves
 from contourlab.features.sensitivity.indices import (
-    HIDDEN,
     Distribution,
     MorrisIndices,
     Sample,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from contourlab.app.checkpoint import Checkpoint, resumable, run_identity
 from contourlab.app.executors import Executor
-from contourlab.app.json_values import json_values
+from contourlab.app.json_values import json_text, json_values
 from contourlab.app.quick import affordable, too_slow
 from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
@@ -169,7 +168,7 @@ def swap_scenario(
         stages.begin("writing")
         lines = [text_of(result), *write_results(study, folder, Path(out), plots)]
         summary = json_values(result)
-        write_text_atomic(folder / "swap.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
+        write_text_atomic(folder / "swap.json", json_text(summary) + "\n")
         return RunOutcome(result.passed, summary, "\n\n".join(lines))
 
 
@@ -315,6 +314,7 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
         moving=case.moving,
         seed=case.seed,
         threads=options.executor.workers,
+        gpu=options.executor.gpu,
     )
     candidates = tuple(name for name in variants.space.names if variants.members[0].module(name) and _may_move(controller, name))
     local, starts = _local_sets(variants, candidates, options.local), warm_starts(variants, options.origins, options.plugins)

@@ -87,7 +87,7 @@ class Variants:
     floor : float [SI]
         J_tol.
     bounds : Bounds
-    moving, seed, threads
+    moving, seed, threads, gpu
         See `contourlab.design.Evaluator`.
     progress : callable, optional
         Called with the number of candidates tried so far, including those that are not run because they break a margin.
@@ -106,6 +106,7 @@ class Variants:
     moving: bool = False
     seed: int = 0
     threads: int | None = None
+    gpu: bool = False
     progress: Callable[[int], None] | None = None
     best: Array = field(init=False)
     best_points: Array = field(init=False)
@@ -122,7 +123,7 @@ class Variants:
             raise ParameterError("parameters", outside[0], "a parameter of the controller: those of the machine differ between variants")
         self.space = replace(self.space, written=True)
         self.evaluators = tuple(
-            Evaluator(v.machine, self.controller, self.reference, moving=self.moving, seed=self.seed, threads=self.threads) for v in self
+            Evaluator(v.machine, self.controller, self.reference, self.moving, self.seed, self.threads, gpu=self.gpu) for v in self
         )
         self.guards = tuple(Guards([(v.machine, self.controller)], self.bounds) for v in self)
         self.best = np.full(len(self), np.inf)

@@ -43,25 +43,36 @@ class Chunk:
     cpu_seconds: float
 
 
-def run_chunk(study: Study, number: int, threads: int | None = None, progress: Callable[[float], None] | None = None) -> Chunk:
-    """Simulate the variants of a chunk. The numbers depend on the study and the number of the chunk alone.
+def run_chunks(
+    study: Study,
+    numbers: Sequence[int],
+    threads: int | None = None,
+    progress: Callable[[float], None] | None = None,
+    *,
+    gpu: bool = False,
+) -> list[Chunk]:
+    """Simulate the variants of chunks together. The results depend on the study and the number of each chunk alone.
 
     Parameters
     ----------
     study : Study
-    number : int
+    numbers : sequence of int
     threads : int, optional
         By default one per processor.
     progress : callable, optional
         Called with the share done.
+    gpu : bool
+        Whether a GPU runs the variants.
     """
     began, cpu = perf_counter(), process_time()
-    places = study.design.places(number)
+    drawn_places = [study.design.places(number) for number in numbers]
+    places = np.concatenate(drawn_places)
     n = len(places)
     codes = [np.asarray(choice.codes)[chosen(places[:, choice.dimension], len(choice.codes), choice.weights)] for choice in study.choices]
     names = [name for name in study.columns if name not in {choice.key for choice in study.choices}]
     columns: dict[str, Any] = {name: np.full(n, np.nan) for name in (*names, *study.figures, "failed_at", "unsure")}
-    columns |= study.design.members(number)
+    members = [study.design.members(number) for number in numbers]
+    columns |= {name: np.concatenate([of_chunk[name] for of_chunk in members]) for name in members[0]}
     columns["status"] = np.full(n, STATUSES.index(REFUSED))
     signals: dict[str, Array] = {}
     done = 0
@@ -76,17 +87,22 @@ def run_chunk(study: Study, number: int, threads: int | None = None, progress: C
         if accepted.any():
             first, share = done, len(rows) / n
             tell = None if progress is None else (lambda part, first=first, share=share: progress(first / n + share * part))
-            _simulate(study, structure, given, rows, accepted, columns, signals, threads, tell)
+            _simulate(study, structure, given, rows, accepted, columns, signals, threads, tell, gpu)
         done += len(rows)
     for choice, code in zip(study.choices, codes, strict=True):
         columns[choice.key] = np.array(choice.labels, dtype=object if isinstance(choice.labels[0], str) else float)[code]
-    return Chunk(number, columns, signals, perf_counter() - began, process_time() - cpu)
+    seconds, cpu_seconds, chunks, first = perf_counter() - began, process_time() - cpu, [], 0
+    for number, part in zip(numbers, drawn_places, strict=True):
+        own, share = slice(first, first := first + len(part)), len(part) / n
+        figures, kept = ({name: values[own] for name, values in table.items()} for table in (columns, signals))
+        chunks.append(Chunk(number, figures, kept, share * seconds, share * cpu_seconds))
+    return chunks
 
 
 def chunk_elsewhere(study: Study, number: int) -> Chunk:
     """Run a chunk in one thread; raise errors of a kind that can be sent."""
     try:
-        return run_chunk(study, number, 1)
+        return run_chunks(study, [number], 1)[0]
     except ContourlabError as error:
         raise EngineError(f"chunk {number}: {error}") from None
 
@@ -138,6 +154,7 @@ def _simulate(
     signals: dict[str, Array],
     threads: int | None,
     progress: Callable[[float], None] | None,
+    gpu: bool,
 ) -> None:
     """Simulate the accepted variants of a structure, and write their rows of the columns and signals."""
     rows, reference = rows[accepted], structure.reference
@@ -154,6 +171,7 @@ def _simulate(
         seed=structure.seed,
         moving=structure.moving,
         progress=None if progress is None else (lambda sample: progress(sample / reference.n_sample)),
+        gpu=gpu,
     )
     for name in study.figures:
         columns[name][rows] = reference.duration if name == "cycle_time" else batch.figures[name]

@@ -14,10 +14,11 @@ from contourlab.app.checkpoint import noted
 from contourlab.app.executors import Executor, Workers
 from contourlab.app.stages import shown
 from contourlab.design.values import with_values
+from contourlab.engine.gpu import LANES as GPU_LANES
 from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
-from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, run_chunk
+from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, run_chunks
 from contourlab.features.sweep.query import variant
 from contourlab.features.sweep.store import Store, read_store, writing
 from contourlab.features.sweep.structures import Structured
@@ -103,7 +104,7 @@ def sweep_study(
             done, last = 0, perf_counter()
             stages.begin("running variants")
             tell = lambda share: stages.advance(done + int(share * size), total)  # noqa: E731
-            for chunk in _chunks(study, todo, pool, options.executor.workers, tell):
+            for chunk in _chunks(study, todo, pool, options.executor, tell):
                 store.write(chunk)
                 now = perf_counter()
                 store.log(chunk, now - last)
@@ -115,13 +116,15 @@ def sweep_study(
 
 
 def _chunks(
-    study: Study, numbers: Sequence[int], pool: Workers | None, threads: int | None, progress: Callable[[float], None]
+    study: Study, numbers: Sequence[int], pool: Workers | None, executor: Executor, progress: Callable[[float], None]
 ) -> Iterator[Chunk]:
     """Yield finished chunks, in any order. They do not depend on the executor; progress of the present chunk is known for threads only."""
-    if pool is None:
-        yield from (run_chunk(study, number, threads, progress) for number in numbers)
-    else:
+    if pool is not None:
         yield from (chunk for _, chunk in pool.run(chunk_elsewhere, pool.shared(study), numbers))
+        return
+    together = max(GPU_LANES // study.design.chunk, 1) if executor.gpu and not study.signals else 1
+    for first in range(0, len(numbers), together):
+        yield from run_chunks(study, numbers[first : first + together], executor.workers, progress, gpu=executor.gpu)
 
 
 def kept_note(store: Store) -> AbstractContextManager[None]:

@@ -20,7 +20,7 @@ from contourlab.app.stages import shown
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
-from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, joined, run_chunk
+from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, joined, run_chunks
 from contourlab.features.sweep.command import AGAIN, kept_note, structures_of
 from contourlab.features.sweep.design import Design
 from contourlab.features.sweep.query import counts, rows
@@ -170,7 +170,7 @@ def optimise(
             _journal(store, options) as journal,
         ):
             stages.begin("searching")
-            run = _simulated(study, options.executor.workers, pool)
+            run = _simulated(study, options.executor, pool)
             for number in range(store.chunks):
                 _batch(study, levels, store, journal, options, number, run)
                 stages.advance(store.done, store.variants)
@@ -236,10 +236,10 @@ def _sampler(options: SearchOptions, seed: int) -> Any:
     return CmaEsSampler(seed=seed, popsize=options.batch)
 
 
-def _simulated(study: Study, threads: int | None, pool: Workers | None) -> Callable[[Array, int], Chunk]:
+def _simulated(study: Study, executor: Executor, pool: Workers | None) -> Callable[[Array, int], Chunk]:
     """Return the function that simulates the places of a batch, given its number."""
     if pool is None:
-        return lambda places, number: run_chunk(_at(study, places), number, threads)
+        return lambda places, number: run_chunks(_at(study, places), [number], executor.workers, gpu=executor.gpu)[0]
     key = pool.shared(study)
 
     def run(places: Array, number: int) -> Chunk:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from contourlab.analysis.linear.sampled_loop import SampledLoop
+from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
 from contourlab.design import DesignVariable, Space
 from contourlab.design.guards import Guards
@@ -21,7 +22,6 @@ SETTLED = 1e-3
 REFINEMENTS = 2
 """Number of finer lines, each between the neighbours of the best value so far."""
 REPAIR_VALUES = 64
-HIDDEN = {"json": False}
 
 
 @dataclass(frozen=True)

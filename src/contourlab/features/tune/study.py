@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from contourlab.app.executors import Executor
+from contourlab.app.json_values import HIDDEN
 from contourlab.design import Evaluator, Space, calibration_order
 from contourlab.design.evaluator import Pool
 from contourlab.design.guards import Bounds, Guards
@@ -16,7 +17,7 @@ from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings
 from contourlab.features.tune.global_search import GlobalResult, global_search
-from contourlab.features.tune.line_search import HIDDEN, LineRule, SearchPath, restore_margins, sequential
+from contourlab.features.tune.line_search import LineRule, SearchPath, restore_margins, sequential
 from contourlab.features.tune.objective import FIGURES, Evaluation, Goal, Objective, evaluate
 from contourlab.features.tune.pole_placement import FRACTIONS, placed_start
 from contourlab.feed import Reference
@@ -186,7 +187,8 @@ def _tuned(
     _check(machine, controller, settings)
     begin("first run")
     before = evaluate(machine, controller, reference, Guards([(machine, controller)], settings.bounds), seed=seed, moving=moving)
-    evaluator = Evaluator(machine, controller, reference, seed=seed, threads=settings.executor.workers, moving=moving, pool=pool)
+    executor = settings.executor
+    evaluator = Evaluator(machine, controller, reference, moving, seed, executor.workers, gpu=executor.gpu, pool=pool)
     if settings.start == "placed":
         begin("placing poles")
         evaluator = replace(evaluator, controller=placed_start(evaluator, settings.goal, settings.bounds))

@@ -9,6 +9,7 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -151,15 +152,15 @@ def test_a_full_disk_keeps_what_is_finished(study: Path, capsys: Capture, monkey
 def test_an_interrupt_keeps_what_is_finished(study: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
     from contourlab.features.sweep import command
 
-    run = command.run_chunk
+    run = command.run_chunks
 
-    def interrupted(study: object, number: int, *rest: object) -> object:
-        if number == 2:
+    def interrupted(study: object, numbers: Sequence[int], *rest: object, **more: object) -> object:
+        if 2 in numbers:
             raise KeyboardInterrupt
-        return run(study, number, *rest)  # type: ignore[arg-type]
+        return run(study, numbers, *rest, **more)  # type: ignore[arg-type]
 
     with monkeypatch.context() as patch:
-        patch.setattr(command, "run_chunk", interrupted)
+        patch.setattr(command, "run_chunks", interrupted)
         assert main(["sweep", "study.toml", "--out", "store"]) == 130
     assert "--resume" in capsys.readouterr().err
     assert asked(capsys, "study.toml", "--out", "store", "--resume")["chunks_made"] == 2

@@ -1,0 +1,136 @@
+"""Variants on a GPU have the bits of variants in lanes."""
+
+from __future__ import annotations
+
+import ctypes
+import re
+from typing import Any
+
+import numpy as np
+import pytest
+from host_gpu import HostMemory
+from stages import PERIOD, control, make, stage, with_axis
+
+import contourlab as cl
+from contourlab.engine import gpu, runner
+from contourlab.errors import EngineError
+from contourlab.loop import parameters_of
+from contourlab.scenario.load import load_scenario
+
+FRICTIONS = {
+    "smooth": make("friction", "smooth-coulomb", coulomb=0.05, breakaway=0.07, stribeck_velocity=2e-3, smoothing_velocity=1e-4),
+    "lugre": make("friction", "lugre", coulomb=0.05, breakaway=0.07, stribeck_velocity=2e-3, stiffness=1e4, bristle_damping=10.0),
+    "sticking": make("friction", "coulomb", coulomb=0.055, breakaway=0.066, stribeck_velocity=2e-3),
+}
+SHIPPED = ("backlash/part", "emps/circle", "gecer-ulu/contour-simulated", "ghaffari/demo-stage", "ubc/lead-lag")
+GAINS = {"axes.x.plant.gain": np.linspace(0.9, 1.3, 70), "controller.coupling.weight": np.linspace(0.0, 0.75, 70)}
+
+
+def same(machine: cl.Machine, controller: cl.Controller, reference: cl.Reference, variants: dict[str, Any], **more: Any) -> cl.BatchResult:
+    """Check that a GPU and lanes give the same bits; return the result."""
+    lanes, there = (cl.simulate_batch(machine, controller, reference, variants, gpu=on, **more) for on in (False, True))
+    assert np.array_equal(lanes.failed_at, there.failed_at) and np.array_equal(lanes.unsure, there.unsure)
+    for of_lanes, of_gpu in ((lanes.figures, there.figures), (lanes.signals, there.signals)):
+        assert of_lanes.keys() == of_gpu.keys()
+        for name, values in of_lanes.items():
+            assert np.array_equal(values, of_gpu[name], equal_nan=True), name
+    return there
+
+
+@pytest.fixture
+def turn() -> cl.Reference:
+    return cl.uniform(cl.contour("circle", radius=5e-3), 4.0, 1, PERIOD)
+
+
+@pytest.mark.parametrize("friction", FRICTIONS)
+def test_a_gpu_gives_the_bits_of_lanes(a_gpu: None, turn: cl.Reference, friction: str) -> None:
+    machine = with_axis(stage(friction=FRICTIONS[friction]), "x", substeps=3)
+    assert np.ptp(same(machine, control(), turn, GAINS, keep=("position", "command"), effort=True).figures["contour_error_max"]) > 0.0
+
+
+def test_calls_and_groups_of_any_size_give_the_same_bits(a_gpu: None, turn: cl.Reference, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(gpu, "LANES", 64)
+    monkeypatch.setattr(runner, "TICKS", 37)
+    same(stage(), control(), turn, GAINS)
+    monkeypatch.setattr(runner, "LOGGED", 2000)
+    same(stage(), control(), turn, GAINS, keep=("axis_position",))
+
+
+@pytest.mark.parametrize(("following_error", "most"), [(1e-3, 6e3), (1e308, 1e9)])
+def test_variants_that_diverge_do_so_at_the_same_sample(a_gpu: None, turn: cl.Reference, following_error: float, most: float) -> None:
+    machine = stage(drive=make("drive", "saturation"), friction=make("friction", "none"), sensor=make("sensor", "ideal"))
+    machine = with_axis(machine, "y", limits=cl.Limits(following_error=following_error))
+    found = same(machine, control(coupled=False), turn, {"controller.axes.y.controller.velocity_gain": np.geomspace(100.0, most, 40)})
+    assert 0 < np.count_nonzero(found.failed_at >= 0) < 40
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", SHIPPED)
+def test_shipped_machines_give_the_same_bits(a_gpu: None, name: str) -> None:
+    case = load_scenario(f"builtin:{name}", ()).base
+    known = {text: getattr(part, key) for text, (part, key) in parameters_of(case.machine, case.controller).items()}
+    varied = [text for text, value in known.items() if ".plant." in text and 0.0 < abs(value) < 1e12]
+    factors = np.random.default_rng(1).normal(1.0, 0.01, (len(varied), 40))
+    variants = {text: known[text] * factor for text, factor in zip(varied, factors, strict=True)}
+    same(case.machine, case.controller, case.reference(), variants, part=True, seed=3, moving=case.moving)
+
+
+def test_the_driver_may_not_round_otherwise(turn: cl.Reference, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A driver may join a product and a sum that do not say how they round; and nothing is called that a GPU has not."""
+    seen: list[str] = []
+
+    class Seen(gpu.Gpu):
+        code = "seen"
+
+        def __init__(self) -> None:
+            pass
+
+        def use(self) -> None:
+            pass
+
+        def memory(self, n: int) -> Any:
+            return HostMemory(n)
+
+        def loaded(self, assembly: bytes) -> Any:
+            seen.append(assembly.decode())
+            raise EngineError("seen")
+
+    monkeypatch.setattr(gpu, "Gpu", Seen)
+    gpu.gpu_of_process.cache_clear()
+    for friction in FRICTIONS.values():
+        with pytest.raises(EngineError, match="seen"):
+            cl.simulate_batch(stage(friction=friction), control(), turn, GAINS, gpu=True)
+    gpu.gpu_of_process.cache_clear()
+    for text in seen:
+        assert len(re.findall(r"\bfma\.rn\.f64", text)) > 100
+        assert not re.findall(r"\b(?:add|sub|mul|mad|fma|div|sqrt)(?:\.approx|\.full|\.ftz)*\.f64|\bcall\b|\.extern", text)
+
+
+class Driver:
+    """A driver whose functions return a code."""
+
+    def __init__(self, **codes: int) -> None:
+        self.codes = codes
+
+    def __getattr__(self, name: str) -> Any:
+        def function(*arguments: Any) -> int:
+            return self.codes.get(name, 0)
+
+        return function
+
+
+@pytest.mark.parametrize(("codes", "said"), [({"cuInit": 100}, "cuInit"), ({"cuMemAlloc_v2": 2}, "memory")])
+def test_what_fails_in_the_driver_is_said(codes: dict[str, int], said: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ctypes, "CDLL", lambda name: Driver(**codes))
+    with pytest.raises(EngineError, match=said):
+        gpu.Gpu().memory(10)
+
+
+def test_without_a_driver_there_is_no_gpu(turn: cl.Reference, monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing(name: str) -> None:
+        raise OSError(name)
+
+    monkeypatch.setattr(ctypes, "CDLL", missing)
+    gpu.gpu_of_process.cache_clear()
+    with pytest.raises(EngineError, match="driver"):
+        cl.simulate_batch(stage(), control(), turn, GAINS, gpu=True)
