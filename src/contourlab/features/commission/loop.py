@@ -96,7 +96,7 @@ class AxisModel:
             part = part + term
         return np.asarray(np.linalg.matrix_power(part, 256)[:4])
 
-    def block(self, period: float) -> dict[str, float]:
+    def block(self, period: float) -> dict[str, float | Array]:
         """Return the parameters of the step of the axis."""
         time, back = period / self.steps, self.behind if self.share else 0.0
         whole, rest = self.delayed(period)
@@ -177,7 +177,7 @@ AXIS = Step("axis", _moved, NUMBERS, (), "output", ports("p", "v", "t", "r", "re
 def _axis_node(models: Sequence[AxisModel], period: float, output: str, at: float) -> Node:
     """Return the node of axes that rest at a position, and all have a shaft or none."""
     blocks = [model.block(period) for model in models]
-    parameters = {name: np.array([block[name] for block in blocks]) for name in NUMBERS}
+    parameters = blocks[0] if len(blocks) == 1 else {name: np.array([block[name] for block in blocks]) for name in NUMBERS}
     start = {"initial": {"p": at}, "start": {"measured": at}, "ring_length": MOST_DELAY + 1}
     return Node("axis", AXIS, {"output": output}, parameters, repeat=models[0].steps, **start)  # type: ignore[arg-type]
 
@@ -297,7 +297,6 @@ def run_lanes(
     free : int
         Number of samples at the start in which LinuxCNC is off and the command follows the position; later commands are shifted.
     """
-    gains, models = np.asarray(gains), list(models) * (len(gains) if len(models) == 1 else 1)
     settings = {"previous": float(law.previous_target), "limit": law.limit, "free": float(free)}
     parameters = {**dict(zip(GAINS, gains.T, strict=True)), **settings}
     wires: dict[str, Any] = {"command": "in.command", "noise": "in.noise", "position": Late("axis.measured")}
@@ -311,10 +310,11 @@ def run_lanes(
         log = group.run(np.column_stack([command, noise]), log_rows)
         last = log[:, :, count - 1].T if trace else last
         sums.append(group.state_of("pid")[: len(SUMS), :count])
-    largest, square, output, rough, limited = np.concatenate(sums, axis=1)
-    left = ~(largest < LEFT)
-    largest, rms = (np.where(left, np.inf, values) for values in (largest, np.sqrt(square / command.size)))
-    return Runs(largest, rms, output, np.sqrt(rough / command.size), limited / command.size, *last)
+    found = np.concatenate(sums, axis=1)
+    # What a run that diverged leaves may be no number.
+    found = np.where(found[0] < LEFT, found, np.array([np.inf, np.inf, 0.0, 0.0, 0.0])[:, None])
+    largest, square, output, rough, limited = found
+    return Runs(largest, np.sqrt(square / command.size), output, np.sqrt(rough / command.size), limited / command.size, *last)
 
 
 def law_output(command: Array, measured: Array, gains: Sequence[float], law: Law) -> Array:

@@ -118,3 +118,12 @@ def test_command_follows_the_position_while_the_control_is_off() -> None:
     runs = run_lanes(np.zeros(600), noise, np.array([ROW, ahead]), [AXIS], Law(PERIOD), free=300)
     assert runs.largest[0] < 1e-4
     assert runs.largest[1] > 100.0 * runs.largest[0]
+
+
+def test_lanes_are_single_runs_and_one_that_diverges_is_infinite() -> None:
+    gains = np.array([ROW, 0.5 * ROW, 1e3 * ROW])
+    command = swept()
+    together = run_lanes(command, np.zeros(command.size), gains, [AXIS], Law(PERIOD), trace=True)
+    alone = [run_lanes(command, np.zeros(command.size), row[None], [AXIS], Law(PERIOD)).largest[0] for row in gains]
+    assert together.largest == pytest.approx(alone) and np.isfinite(together.largest).tolist() == [True, True, False]
+    assert np.isfinite(together.rough).all() and not np.isfinite(together.rms[2])
