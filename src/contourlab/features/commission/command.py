@@ -261,7 +261,7 @@ class _Work:
         for share in (0.5, 0.25, 0.1):
             for name, gains in self.gains(share).items():
                 row, model = np.array(list(gains.values())) / self.setup.unit, self.models[name]
-                if name not in chosen and robustly_stable(row, model.model, model.law.period):
+                if name not in chosen and robustly_stable(row[None], model.model, model.law.period)[0]:
                     chosen[name] = gains
         return chosen
 

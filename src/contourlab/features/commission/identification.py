@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from typing import TypeAlias
 
 import numpy as np
 
@@ -45,8 +46,9 @@ LEAST = 1e-7
 """Smallest deviation of play [m]: it depends on load and temperature."""
 STEP = 0.05
 """Smallest part of the friction that has to return behind the play to be seen."""
-Model = Callable[[Mapping[str, float]], Array]
-"""Velocities [m/s] for the values of the parameters."""
+Values: TypeAlias = Mapping[str, float]
+Model: TypeAlias = Callable[[Sequence[Values]], Array]
+"""Velocities (m, n) [m/s] for values of the parameters."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,13 +156,13 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, fi
     pairs = [(log.output[:n], log.measured[:n]) for log, n in zip(logs, split, strict=True)]
 
     def differenced(position: Array) -> Array:
-        return np.asarray(np.diff(position[::s]) / (s * period))
+        return np.asarray(np.diff(position[..., ::s]) / (s * period))
 
     measured = np.concatenate([differenced(position) for _, position in pairs])
 
-    def model(values: Mapping[str, float]) -> Array:
-        axis = AxisModel(**values)
-        return np.concatenate([differenced(driven(output, axis, period, (position[0], 0.0))) for output, position in pairs])
+    def model(points: Sequence[Values]) -> Array:
+        axes = [AxisModel(**values) for values in points]
+        return np.concatenate([differenced(driven(output, axes, period, position[0])) for output, position in pairs], axis=1)
 
     a = first["a"]
     size = a * float(np.sqrt(np.mean(np.concatenate([output for output, _ in pairs]) ** 2)))
@@ -188,8 +190,8 @@ def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: 
         known = {name: replace(one, start=before[name]) for name, one in free.items()}
         values = {name: one.start for name, one in known.items()}
 
-        def left(points: Array, values: Mapping[str, float] = values) -> Array:
-            return np.array([model({**values, **dict(zip(SHAFT, x.tolist(), strict=True))}) - measured for x in points])
+        def left(points: Array, values: Values = values) -> Array:
+            return model([{**values, **dict(zip(SHAFT, x.tolist(), strict=True))} for x in points]) - measured
 
         ends = [] if best is None else [best]
         for point in spread_starts(left, start, low, high, count, 256, reach):
@@ -207,16 +209,16 @@ def _descended(model: Model, measured: Array, free: Mapping[str, Free], settings
     names = tuple(free)
     start, low, high, scale = (np.array([getattr(f, part) for f in free.values()]) for part in ("start", "low", "high", "scale"))
 
-    def predicted(x: Array) -> Array:
-        return model(dict(zip(names, x.tolist(), strict=True)))
+    def predicted(points: Array) -> Array:
+        return model([dict(zip(names, x.tolist(), strict=True)) for x in points])
 
-    size = float(np.sqrt(np.mean((predicted(start) - measured) ** 2)))
-    result = descend(lambda points: np.array([(predicted(x) - measured) / size for x in points]), start, low, high, scale, settings)
+    size = float(np.sqrt(np.mean((predicted(start[None]) - measured) ** 2)))
+    result = descend(lambda points: (predicted(points) - measured) / size, start, low, high, scale, settings)
     inside = (result.values > low) & (result.values < high)
     deviations = np.zeros(len(names))
     deviations[inside] = np.max([parted_deviations(result.jacobian[:, inside], result.residual, parts) for parts in PARTS], axis=0)
     stuck = tuple(name for name, kept in zip(names, inside, strict=True) if not kept)
-    output = predicted(result.values)
+    output = measured + size * result.residual
     fit = fit_percent(measured, output)
     return OutputFit(names, result.values, deviations, deviations, np.eye(len(names)), 1.0, stuck, measured, output, fit)
 

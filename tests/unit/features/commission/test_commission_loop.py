@@ -43,7 +43,7 @@ def test_run_obeys_law_and_axis(previous: bool) -> None:
     run = run_lanes(command, np.zeros(command.size), ROW[None], [model], law, trace=True)
     assert run.command_output == pytest.approx(law_output(command, run.position, ROW.tolist(), law), abs=1e-6)
     delayed = np.concatenate([np.zeros(2), run.command_output])[: command.size]
-    assert run.position == pytest.approx(driven(delayed, replace(model, delay=0.3e-3), PERIOD), abs=1e-9)
+    assert run.position == pytest.approx(driven(delayed, [replace(model, delay=0.3e-3)], PERIOD)[0], abs=1e-9)
     assert run.largest[0] == pytest.approx(np.abs(command - run.position).max())
 
 
@@ -52,8 +52,8 @@ def test_axis_has_its_closed_form() -> None:
     friction = 0.05
     steady = (AXIS.gain * 0.1 - friction) / AXIS.damping
     expected = steady * (PERIOD * n - (1.0 - np.exp(-AXIS.damping * PERIOD * n)) / AXIS.damping)
-    assert driven(output, replace(AXIS, friction=friction), PERIOD) == pytest.approx(expected, abs=1e-12)
-    assert not driven(np.full(50, 0.02), replace(AXIS, friction=friction), PERIOD).any()
+    assert driven(output, [replace(AXIS, friction=friction)], PERIOD)[0] == pytest.approx(expected, abs=1e-12)
+    assert not driven(np.full(50, 0.02), [replace(AXIS, friction=friction)], PERIOD).any()
 
 
 def test_output_limit_holds() -> None:
@@ -69,8 +69,8 @@ def loop_margins(model: AxisModel) -> Margins:
 
 def test_a_resonance_is_in_run_and_stability_alike() -> None:
     ringing = replace(AXIS, resonance=70.0, damping_ratio=0.01, share=0.5)
-    limit = next(k for k in np.geomspace(0.05, 5.0, 200) if not robustly_stable(k * ROW, replace(ringing, gain=AXIS.gain), PERIOD))
-    assert limit < 0.7 * next(k for k in np.geomspace(0.05, 5.0, 200) if not robustly_stable(k * ROW, AXIS, PERIOD))
+    limit = next(k for k in np.geomspace(0.05, 5.0, 200) if not robustly_stable(k * ROW[None], replace(ringing, gain=AXIS.gain), PERIOD))
+    assert limit < 0.7 * next(k for k in np.geomspace(0.05, 5.0, 200) if not robustly_stable(k * ROW[None], AXIS, PERIOD))
     kick = np.r_[0.0, np.full(20000, 1e-3)]
     for share, stays in ((0.94, True), (1.06, False)):
         # Stable means stable with a quarter more gain.
@@ -88,7 +88,7 @@ def test_resonance_has_its_closed_form() -> None:
     time, damped = PERIOD * n, w * np.sqrt(1.0 - 0.05**2)
     swing = 1.0 - np.exp(-0.05 * w * time) * (np.cos(damped * time) + 0.05 * w / damped * np.sin(damped * time))
     expected = AXIS.gain * u * (0.5 * time**2 + 0.7 / w**2 * swing)
-    assert driven(np.full(n.size, u), ringing, PERIOD) == pytest.approx(expected, rel=1e-5, abs=1e-12)
+    assert driven(np.full(n.size, u), [ringing], PERIOD)[0] == pytest.approx(expected, rel=1e-5, abs=1e-12)
 
 
 def test_margins_are_where_the_loop_becomes_unstable() -> None:
@@ -107,8 +107,8 @@ def test_margins_are_where_the_loop_becomes_unstable() -> None:
 
 def test_stability_with_another_gain() -> None:
     limit = loop_margins(AXIS).gain
-    assert robustly_stable(ROW, replace(AXIS, gain=0.79 * limit * AXIS.gain), PERIOD)
-    assert not robustly_stable(ROW, replace(AXIS, gain=0.81 * limit * AXIS.gain), PERIOD)
+    assert robustly_stable(ROW[None], replace(AXIS, gain=0.79 * limit * AXIS.gain), PERIOD)
+    assert not robustly_stable(ROW[None], replace(AXIS, gain=0.81 * limit * AXIS.gain), PERIOD)
 
 
 def test_command_follows_the_position_while_the_control_is_off() -> None:
@@ -118,3 +118,12 @@ def test_command_follows_the_position_while_the_control_is_off() -> None:
     runs = run_lanes(np.zeros(600), noise, np.array([ROW, ahead]), [AXIS], Law(PERIOD), free=300)
     assert runs.largest[0] < 1e-4
     assert runs.largest[1] > 100.0 * runs.largest[0]
+
+
+def test_lanes_are_single_runs_and_one_that_diverges_is_infinite() -> None:
+    gains = np.array([ROW, 0.5 * ROW, 1e3 * ROW])
+    command = swept()
+    together = run_lanes(command, np.zeros(command.size), gains, [AXIS], Law(PERIOD), trace=True)
+    alone = [run_lanes(command, np.zeros(command.size), row[None], [AXIS], Law(PERIOD)).largest[0] for row in gains]
+    assert together.largest == pytest.approx(alone) and np.isfinite(together.largest).tolist() == [True, True, False]
+    assert np.isfinite(together.rough).all() and not np.isfinite(together.rms[2])
