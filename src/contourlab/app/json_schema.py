@@ -60,6 +60,8 @@ def json_schema(result: Any, title: str = "") -> dict[str, Any]:
 
 def _schema(kind: Any, definitions: _Definitions) -> dict[str, Any]:
     origin, arguments = get_origin(kind) or kind, get_args(kind)
+    if hasattr(origin, "__value__"):  # an alias, which NumPy's arrays are from 2.5 on
+        origin = get_origin(origin.__value__)
     if kind is Any:
         return {}
     if origin is Literal:

@@ -36,8 +36,8 @@ _SIGNATURES: dict[str, tuple[Any, ...]] = {
     "cuGetErrorString": (ctypes.c_int, ctypes.c_void_p),
 }
 _OUT_OF_MEMORY = 2
-_OLDEST = ("nvptx64-nvidia-cuda", "sm_75")
-"""The oldest processor that present drivers know; they compile for newer ones."""
+_OLDEST = ("nvptx64-nvidia-cuda", "sm_60")
+"""Pascal, of 2016; drivers compile for newer ones."""
 
 
 class Memory:
@@ -75,7 +75,7 @@ class Gpu:
         If there is no driver or no GPU.
     """
 
-    code = "portable assembly"
+    code = " ".join(_OLDEST)
     """What `compiled` returns."""
 
     def __init__(self) -> None:
@@ -114,6 +114,7 @@ class Gpu:
 
     def free(self, address: int) -> None:
         """Free memory; errors are nobody's to mend."""
+        self._driver.cuCtxSetCurrent(self._context)
         self._driver.cuMemFree_v2(address)
 
     def memory(self, n: int) -> Memory:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Iterator
 from itertools import accumulate, pairwise
+from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -15,10 +16,15 @@ from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Bank, Port, pack, record, rows, unpack
 from contourlab.engine.translate.tick_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
+from contourlab.errors import EngineError
 from contourlab.primitives import Clock
 
-TICKS, LOGGED = 2048, 1 << 25
-"""Most ticks of one call of a GPU, as one with a screen stops calls of more than a few seconds, and most numbers that a call records."""
+CALL = 0.2
+"""Time [s] of one call of a GPU: a GPU with a screen stops calls of a few seconds."""
+FIRST = 64
+"""Ticks of the first call."""
+LOGGED = 1 << 25
+"""Most numbers that a call of a GPU records."""
 _NUMBER = (float, int)
 
 
@@ -258,23 +264,28 @@ class GpuGroup(CompiledGroup):
         log = np.empty((len(external), len(log_rows), self.width)) if out is None else out
         gpu.use()
         function, entry = self._loop(tuple(log_rows), gpu), len(log_rows) * self.width
-        ticks = max(min(TICKS, LOGGED // max(entry, 1), len(external)), 1)
-        tables, fed, logged = (gpu.memory(n) for n in (len(self._addresses), external.size, ticks * entry))
+        most = max(min(LOGGED // max(entry, 1), len(external)), 1)
+        tables, fed, logged = (gpu.memory(n) for n in (len(self._addresses), external.size, most * entry))
         tables.write(self._addresses)
         fed.write(external)
-        for k in range(0, len(external), ticks):
-            part = log[k : k + ticks]
+        k, ticks = 0, min(FIRST, most)
+        while k < len(external):
+            part, began = log[k : k + ticks], perf_counter()
             of_tick = fed.address + k * external.strides[0]
             words = (self._there[0].address, tables.address, of_tick, external.shape[1], 1, logged.address, self.tick, len(part))
             gpu.run(function, self.width, [*map(ctypes.c_int64, words), ctypes.c_double(self.schedule.period)])
             if part.size:
                 logged.read(part)
-            self.tick += len(part)
+            self.tick, k = self.tick + len(part), k + len(part)
+            ticks = max(min(2 * ticks, int(ticks * CALL / (perf_counter() - began)), most), 1)
         self._there[0].read(self.memory[: self._n_live])
         return log
 
     def refresh(self) -> None:
-        self._there[0].write(self.memory)
+        raise EngineError("a group on a GPU runs with the parameters that it has")
+
+    def restore(self, saved: tuple[int, Array]) -> None:
+        raise EngineError("a group on a GPU does not go back")
 
 
 def make_group(schedule: Schedule, width: int, lanes: slice, jit: bool, gpu: Gpu | None = None) -> Group:

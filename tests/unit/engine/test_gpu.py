@@ -50,7 +50,8 @@ def test_a_gpu_gives_the_bits_of_lanes(a_gpu: None, turn: cl.Reference, friction
 
 def test_calls_and_groups_of_any_size_give_the_same_bits(a_gpu: None, turn: cl.Reference, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(gpu, "LANES", 64)
-    monkeypatch.setattr(runner, "TICKS", 37)
+    monkeypatch.setattr(runner, "FIRST", 37)
+    monkeypatch.setattr(runner, "CALL", 0.0)
     same(stage(), control(), turn, GAINS)
     monkeypatch.setattr(runner, "LOGGED", 2000)
     same(stage(), control(), turn, GAINS, keep=("axis_position",))

@@ -133,7 +133,9 @@ def _moved(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         # Within the play the shaft exerts no force: what it would exert there, a mean over the step, is taken back.
         gone, loose = clock.dt * r, clip(t, -par.half_play, par.half_play)
         after = clip(t + gone, -par.half_play, par.half_play)
-        mean = select(fabs(gone) < 1e-15, loose, (after * (t + gone - 0.5 * after) - loose * (t - 0.5 * loose)) / gone)
+        mean = loose
+        if fabs(gone) > 1e-15:
+            mean = (after * (t + gone - 0.5 * after) - loose * (t - 0.5 * loose)) / gone
         slack = par.spring * mean + par.loss * (after - loose)
     coasting = par.v_v * v + par.v_t * t + par.v_r * r
     force = _rubbed(v, coasting + par.v_l * rear, par.v_m, push + slack, par.friction)
@@ -162,7 +164,7 @@ def _rubbed(v: float, coasting: float, reach: float, push: float, friction: floa
         return clip(-coasting / reach, push - friction, push + friction)
     drag = select(v > 0.0, -friction, friction)
     after = coasting + reach * (push + drag)
-    if v * after >= 0.0:
+    if select(v > 0.0, after, -after) >= 0.0:  # no product with v: where the body sticks, rounding leaves a little of it
         return push + drag
     if fabs(push + (coasting - v) / reach) <= friction:
         return -coasting / reach
@@ -175,7 +177,8 @@ AXIS = Step("axis", _moved, NUMBERS, (), "output", ports("p", "v", "t", "r", "re
 
 
 def _axis_node(models: Sequence[AxisModel], period: float, output: str, at: float) -> Node:
-    """Return the node of axes that rest at a position, and all have a shaft or none."""
+    """Return the node of axes that rest at a position; all have a shaft, or none."""
+    assert len({model.steps for model in models}) == 1
     blocks = [model.block(period) for model in models]
     parameters = blocks[0] if len(blocks) == 1 else {name: np.array([block[name] for block in blocks]) for name in NUMBERS}
     start = {"initial": {"p": at}, "start": {"measured": at}, "ring_length": MOST_DELAY + 1}
@@ -290,7 +293,7 @@ def run_lanes(
     gains : ndarray (m, 7)
         In the order of `GAINS`, per metre.
     models : sequence of AxisModel
-        One, or one for each row.
+        One, or one for each row, all with a shaft or all without.
     law : Law
     trace : bool
         Return position and output of the last row.

@@ -189,7 +189,8 @@ def _studied(
     if request.quick:
         stages.begin("timing a run")
         one = present_values(space)
-        fits = affordable(lambda motion: replace(evaluator, reference=motion, pool=None)(one), reference, request.executor.workers)
+        here = replace(evaluator, gpu=False, pool=None)
+        fits = affordable(lambda motion: replace(here, reference=motion)(one), reference, request.executor.workers)
         plan = plan.quick(len(space.numbers), LANES * fits)
     stages.expect(plan.work(len(space.numbers)))
     known = parameters_of(machine, controller)

@@ -179,7 +179,7 @@ def _quick_budget(variants: Variants, most: int) -> int:
     """
     column = variants.space.columns(variants.space.start[None])
     one = variants.evaluators[0]
-    batches = affordable(lambda motion: replace(one, reference=motion)(column), variants.reference, variants.threads)
+    batches = affordable(lambda motion: replace(one, reference=motion, gpu=False)(column), variants.reference, variants.threads)
     fits = batches * LANES / (2 * 3 * len(variants))
     if fits < 4 * LANES:
         raise too_slow(4 * LANES, fits)

@@ -181,6 +181,8 @@ def _simulate(
     columns["unsure"][rows] = batch.unsure
     longest = max(other.reference.n_sample for other in study.structures.values())
     for name, values in batch.signals.items():
+        if failed.any():  # processors write nan differently
+            values = np.where(np.isnan(values), np.nan, values)
         whole = signals.setdefault(name, np.full((len(columns["status"]), longest, values.shape[1]), np.nan))
         whole[rows, : values.shape[0]] = np.moveaxis(values, 2, 0)
 

@@ -100,10 +100,10 @@ def sweep_study(
             kept_note(store),
         ):
             todo = [number for number in wanted if number not in store.parts]
-            total, size = sum(len(study.design.numbers(number)) for number in todo), study.design.chunk
+            total = sum(len(study.design.numbers(number)) for number in todo)
             done, last = 0, perf_counter()
             stages.begin("running variants")
-            tell = lambda share: stages.advance(done + int(share * size), total)  # noqa: E731
+            tell = lambda more: stages.advance(done + more, total)  # noqa: E731
             for chunk in _chunks(study, todo, pool, options.executor, tell):
                 store.write(chunk)
                 now = perf_counter()
@@ -116,15 +116,18 @@ def sweep_study(
 
 
 def _chunks(
-    study: Study, numbers: Sequence[int], pool: Workers | None, executor: Executor, progress: Callable[[float], None]
+    study: Study, numbers: Sequence[int], pool: Workers | None, executor: Executor, tell: Callable[[int], None]
 ) -> Iterator[Chunk]:
-    """Yield finished chunks, in any order. They do not depend on the executor; progress of the present chunk is known for threads only."""
+    """Yield finished chunks, in any order. They do not depend on the executor; only threads and a GPU tell the variants done in between."""
     if pool is not None:
         yield from (chunk for _, chunk in pool.run(chunk_elsewhere, pool.shared(study), numbers))
         return
     together = max(GPU_LANES // study.design.chunk, 1) if executor.gpu and not study.signals else 1
     for first in range(0, len(numbers), together):
-        yield from run_chunks(study, numbers[first : first + together], executor.workers, progress, gpu=executor.gpu)
+        chosen = numbers[first : first + together]
+        count = sum(len(study.design.numbers(number)) for number in chosen)
+        part = lambda share, count=count: tell(int(share * count))  # noqa: E731
+        yield from run_chunks(study, chosen, executor.workers, part, gpu=executor.gpu)
 
 
 def kept_note(store: Store) -> AbstractContextManager[None]:

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from contourlab.analysis.linear.margins import Margins, margins
+from contourlab.engine.runner import make_group
+from contourlab.features.commission import loop
 from contourlab.features.commission.loop import (
     GAINS,
     AxisModel,
@@ -127,3 +129,13 @@ def test_lanes_are_single_runs_and_one_that_diverges_is_infinite() -> None:
     alone = [run_lanes(command, np.zeros(command.size), row[None], [AXIS], Law(PERIOD)).largest[0] for row in gains]
     assert together.largest == pytest.approx(alone) and np.isfinite(together.largest).tolist() == [True, True, False]
     assert np.isfinite(together.rough).all() and not np.isfinite(together.rms[2])
+
+
+@pytest.mark.parametrize("n", [1, 3])
+@pytest.mark.parametrize("model", [AXIS, replace(AXIS, resonance=70.0, damping_ratio=0.05, share=0.5, behind=0.5, play=1e-5)])
+def test_an_axis_sticks_as_in_plain_python(model: AxisModel, n: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    model = replace(model, gain=1.71, damping=7.43, friction=0.0292)
+    output = 1.5 * model.friction / model.gain * np.sin(4.0 * np.pi * PERIOD * np.arange(2000))
+    compiled = driven(output, [model] * n, PERIOD)
+    monkeypatch.setattr(loop, "make_group", lambda schedule, width, lanes, jit: make_group(schedule, width, lanes, False))
+    assert compiled == pytest.approx(driven(output, [model] * n, PERIOD), abs=1e-12)
