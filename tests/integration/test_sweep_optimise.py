@@ -66,6 +66,7 @@ def test_several_figures_give_a_front(capsys: Capture) -> None:
     assert {row["scheme"] for row in rows} == {"position loop", "all of it"} and len({row["axes.3.friction.coulomb"] for row in rows}) == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("words", [["--sampler", "tpe"], BOTH, ["--sampler", "cma-es"]])
 def test_a_search_goes_on_after_a_kill(capsys: Capture, monkeypatch: pytest.MonkeyPatch, words: list[str]) -> None:
     assert main(["sweep", "optimise", "study.toml", "--out", "whole", *words, *SMALL]) == 0

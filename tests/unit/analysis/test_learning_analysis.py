@@ -193,6 +193,7 @@ def test_divergence_is_a_finding() -> None:
     assert [one.code for one in learning_findings(bare)] == ["CL310"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("factor", "code", "trials"),
     [(1.003, "CL310", 231.4), (1.00001, "CL310", 69315.0), (1.07, "CL310", 10.24), (1.08, "CL315", 9.006), (2.0, "CL315", 1.0)],

@@ -29,6 +29,7 @@ def controllers(plant: Any, **more: Any) -> AxisController:
     return AxisController(PositionController(**gains), **more)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("plant", "friction", "varied"),
     [

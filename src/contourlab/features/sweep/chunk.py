@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import accumulate
 from time import perf_counter, process_time
 from typing import Any
 
@@ -65,8 +66,8 @@ def run_chunks(
         Whether a GPU runs the variants.
     """
     began, cpu = perf_counter(), process_time()
-    drawn_places = [study.design.places(number) for number in numbers]
-    places = np.concatenate(drawn_places)
+    parts = [study.design.places(number) for number in numbers]
+    places = np.concatenate(parts)
     n = len(places)
     codes = [np.asarray(choice.codes)[chosen(places[:, choice.dimension], len(choice.codes), choice.weights)] for choice in study.choices]
     names = [name for name in study.columns if name not in {choice.key for choice in study.choices}]
@@ -91,11 +92,11 @@ def run_chunks(
         done += len(rows)
     for choice, code in zip(study.choices, codes, strict=True):
         columns[choice.key] = np.array(choice.labels, dtype=object if isinstance(choice.labels[0], str) else float)[code]
-    seconds, cpu_seconds, chunks, first = perf_counter() - began, process_time() - cpu, [], 0
-    for number, part in zip(numbers, drawn_places, strict=True):
-        own, share = slice(first, first := first + len(part)), len(part) / n
-        figures, kept = ({name: values[own] for name, values in table.items()} for table in (columns, signals))
-        chunks.append(Chunk(number, figures, kept, share * seconds, share * cpu_seconds))
+    seconds, cpu_seconds = perf_counter() - began, process_time() - cpu
+    chunks = []
+    for number, size, end in zip(numbers, map(len, parts), accumulate(map(len, parts)), strict=True):
+        figures, kept = ({name: values[end - size : end] for name, values in table.items()} for table in (columns, signals))
+        chunks.append(Chunk(number, figures, kept, seconds * size / n, cpu_seconds * size / n))
     return chunks
 
 

@@ -29,6 +29,7 @@ def built(folder: Path, case: str, compiler: str) -> Path:
     return folder / "bench"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiler", ["gcc", "clang"])
 @pytest.mark.parametrize("case", [case for case in CASES if case not in REFUSED])
 def test_the_bench_replays_a_run_bit_for_bit(tmp_path: Path, case: str, compiler: str) -> None:
