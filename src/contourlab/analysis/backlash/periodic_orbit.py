@@ -218,7 +218,9 @@ def _orbit(shooter: Shooter, shot: Shot, period: float) -> PeriodicOrbit | None:
     amplitude = _half_range(states[:, : loop.n] @ loop.c)
     if amplitude < loop.half_gap:
         return None
-    multipliers = np.linalg.eigvals(shot.jacobian).astype(np.complex128)
+    # A state that never changes, such as an integral without a gain, would have the multiplier 1.
+    moving = np.any([matrix[: shooter.n].any(axis=1) for matrix in shooter.flow.matrices.values()], axis=0)
+    multipliers = np.linalg.eigvals(shot.jacobian[np.ix_(moving, moving)]).astype(np.complex128)
     multipliers = np.delete(multipliers, int(np.argmin(np.abs(multipliers - 1.0))))
     multipliers = multipliers[np.argsort(-np.abs(multipliers))]
     ratio = amplitude / loop.half_gap
