@@ -1,5 +1,6 @@
 """Fixtures and settings of all tests. Machine code is kept in the user's cache between runs; CONTOURLAB_CACHE names another folder."""
 
+import ctypes
 import os
 import signal
 import subprocess
@@ -84,6 +85,17 @@ def a_gpu(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> It
             pytest.skip(str(error))
     yield
     gpu.gpu_of_process.cache_clear()
+
+
+@pytest.fixture
+def no_gpu(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Hide the driver of a GPU."""
+
+    def missing(name: str) -> None:
+        raise OSError(name)
+
+    gpu.gpu_of_process.cache_clear()
+    monkeypatch.setattr(ctypes, "CDLL", missing)
 
 
 @pytest.fixture(autouse=True)

@@ -26,7 +26,9 @@ from contourlab.engine.gpu import gpu_of_process
 from contourlab.errors import EngineError, ParameterError
 from contourlab.extras import extra_module
 
-EXECUTORS = ("threads", "gpu", "processes", "dask-local", "slurm")
+HERE = ("threads", "gpu")
+"""Executors that need no workers."""
+EXECUTORS = (*HERE, "processes", "dask-local", "slurm")
 AHEAD = 2
 """Items in work or waiting for each worker: enough to keep it busy, and memory does not grow with the work."""
 QUIET = {"distributed.worker.profile.enabled": False, "distributed.admin.tick.interval": "500 ms"}
@@ -56,7 +58,7 @@ class Executor:
             raise ParameterError("--executor", repr(self.kind), f"one of {', '.join(EXECUTORS)}, or dask://HOST:PORT")
         if self.workers is not None and self.workers < 1:
             raise ParameterError("--workers", f"{self.workers}", "1 or more")
-        if self.kind not in ("threads", "gpu", "processes"):
+        if self.kind not in (*HERE, "processes"):
             extra_module("distributed")
         if self.kind == "slurm":
             extra_module("dask_jobqueue")
@@ -68,7 +70,7 @@ class Executor:
 
     @contextmanager
     def started(self, plugins: Iterable[str | Path] = (), then: str = "Repeat the command to continue") -> Iterator[Workers | None]:
-        """Start workers, and stop them after the block; None for ``threads`` and ``gpu``, which need none.
+        """Start workers, and stop them after the block; None for an executor of `HERE`.
 
         Parameters
         ----------
@@ -84,7 +86,7 @@ class Executor:
         """
         if self.gpu:
             gpu_of_process()
-        if self.kind in ("threads", "gpu"):
+        if self.kind in HERE:
             yield None
             return
         files = tuple(str(Path(plugin).resolve()) for plugin in plugins)
@@ -198,7 +200,6 @@ class Workers:
                     yield waiting.pop(future), future.result()
         except tuple(self.lost) as error:
             raise EngineError(next(text for kind, text in self.lost.items() if isinstance(error, kind))) from error
-
 
     def map(self, work: Work, key: str, items: Iterable[Any]) -> list[Any]:
         """Return ``work(value, item)`` of each item, in order; see `run`."""

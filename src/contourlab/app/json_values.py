@@ -21,6 +21,13 @@ def json_text(value: Any) -> str:
     return json.dumps(json_values(value), indent=2, allow_nan=False)
 
 
+def write_json(file: str | os.PathLike[str], value: Any) -> None:
+    """Write a value as a JSON file, whole or not at all; see `json_values`."""
+    from contourlab.result import write_text_atomic  # would double the start of every command
+
+    write_text_atomic(os.fspath(file), json_text(value) + "\n")
+
+
 def json_values(value: Any) -> Any:
     """Return a value that JSON can hold.
 

@@ -92,7 +92,9 @@ class Evaluator:
             If a name is unknown or a value out of range.
         """
         n = len(next(iter(columns.values())))
-        size = GPU_LANES if self.gpu else CHUNK if self.pool is None else min(CHUNK, lanes_each(n, self.pool.count))
+        size = GPU_LANES if self.gpu else CHUNK
+        if self.pool is not None:
+            size = min(size, lanes_each(n, self.pool.count))
         pieces = [{name: np.asarray(values)[first : first + size] for name, values in columns.items()} for first in range(0, n, size)]
         if self.pool is None:
             parts = [self.run(piece, self.part, threads or self.threads) for piece in pieces]

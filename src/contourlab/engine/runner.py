@@ -12,7 +12,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, aligned
 from contourlab.engine.gpu import Gpu
-from contourlab.engine.schedule import Node, Schedule
+from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Bank, Port, pack, record, rows, unpack
 from contourlab.engine.translate.tick_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
@@ -49,15 +49,12 @@ class Group:
         self.tick = 0
         nodes = schedule.nodes
         values = list(self._signal_values())
-        sizes = [len(values)]
         for node in nodes:
             values += _rows_of(node.step.states, node.initial)
-            sizes.append(node.step.n_state)
         self._n_live = len(values)
         for node in nodes:
             values += [node.parameters[name] for name in node.step.parameters]
-            sizes.append(len(node.step.parameters))
-        sizes += map(_ring_rows, nodes)
+        sizes = memory_rows(schedule)
         self.memory = self._filled(values, sum(sizes))
         self.borders = list(accumulate(sizes, initial=0))
         parts = [self.memory[a:b] for a, b in pairwise(self.borders)]
@@ -118,14 +115,11 @@ class Group:
         raise NotImplementedError
 
 
-def _ring_rows(node: Node) -> int:
-    return 1 << max(node.ring_length - 1, 0).bit_length() if node.step.ring else 0
-
-
-def memory_rows(schedule: Schedule) -> int:
-    """Return the rows of the memory of a group."""
-    of_nodes = (rows((*n.step.outputs, *n.step.states)) + len(n.step.parameters) + _ring_rows(n) for n in schedule.nodes)
-    return rows(schedule.externals) + sum(of_nodes)
+def memory_rows(schedule: Schedule) -> list[int]:
+    """Return the rows of the parts of a group's memory: the signals, then the states, the parameters and the ring of each node."""
+    steps = [node.step for node in schedule.nodes]
+    rings = [1 << max(node.ring_length - 1, 0).bit_length() if node.step.ring else 0 for node in schedule.nodes]
+    return [schedule.n_row, *(step.n_state for step in steps), *(len(step.parameters) for step in steps), *rings]
 
 
 def _rows_of(ports: tuple[Port, ...], values: Any) -> Iterator[Any]:
@@ -254,10 +248,12 @@ class GpuGroup(CompiledGroup):
         super().__init__(schedule, width, lanes)
         self._gpu = gpu
         gpu.use()
-        self._there = [gpu.memory(array.size) for array in (self.memory, *self._tables)]
-        for memory, values in zip(self._there, (self.memory, *self._tables), strict=True):
+        self._rows, *self._table_memory = (gpu.memory(array.size) for array in (self.memory, *self._tables))
+        for memory, values in zip((self._rows, *self._table_memory), (self.memory, *self._tables), strict=True):
             memory.write(values)
-        self._addresses = np.array([memory.address for memory in self._there[1:]], dtype=np.int64)
+        self._addresses = np.array([memory.address for memory in self._table_memory], dtype=np.int64)
+        self._table_list = gpu.memory(self._addresses.size)
+        self._table_list.write(self._addresses)
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
         gpu, external = self._gpu, np.ascontiguousarray(external, dtype=float)
@@ -265,20 +261,20 @@ class GpuGroup(CompiledGroup):
         gpu.use()
         function, entry = self._loop(tuple(log_rows), gpu), len(log_rows) * self.width
         most = max(min(LOGGED // max(entry, 1), len(external)), 1)
-        tables, fed, logged = (gpu.memory(n) for n in (len(self._addresses), external.size, most * entry))
-        tables.write(self._addresses)
+        fed, logged = gpu.memory(external.size), gpu.memory(most * entry)
         fed.write(external)
         k, ticks = 0, min(FIRST, most)
         while k < len(external):
             part, began = log[k : k + ticks], perf_counter()
             of_tick = fed.address + k * external.strides[0]
-            words = (self._there[0].address, tables.address, of_tick, external.shape[1], 1, logged.address, self.tick, len(part))
-            gpu.run(function, self.width, [*map(ctypes.c_int64, words), ctypes.c_double(self.schedule.period)])
+            places = (self._rows.address, self._table_list.address, of_tick, external.shape[1], 1, logged.address)
+            words = map(ctypes.c_int64, (*places, self.tick, len(part)))
+            gpu.run(function, self.width, [*words, ctypes.c_double(self.schedule.period)])
             if part.size:
                 logged.read(part)
             self.tick, k = self.tick + len(part), k + len(part)
             ticks = max(min(2 * ticks, int(ticks * CALL / (perf_counter() - began)), most), 1)
-        self._there[0].read(self.memory[: self._n_live])
+        self._rows.read(self.memory[: self._n_live])
         return log
 
     def refresh(self) -> None:

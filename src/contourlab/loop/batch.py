@@ -132,7 +132,7 @@ def simulate_batch(
     speed = first.velocity[0] if moving else None
     loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed, fed=feed.names, velocity=speed)
     device = gpu_of_process() if gpu else None
-    lanes = lanes_of(n, memory_rows(loop.schedule)) if gpu else LANES
+    lanes = lanes_of(n, sum(memory_rows(loop.schedule))) if gpu else LANES
     groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]
     rows = [loop.schedule.row(signal) for name in keep for signal in _signal(loop, name)]
     shape = (len(groups), reference.n_sample, len(rows), lanes)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from host_gpu import HostMemory
+from host_gpu import HostGpu
 from stages import PERIOD, control, make, stage, with_axis
 
 import contourlab as cl
@@ -80,17 +80,9 @@ def test_the_driver_may_not_round_otherwise(turn: cl.Reference, monkeypatch: pyt
     """A driver may join a product and a sum that do not say how they round; and nothing is called that a GPU has not."""
     seen: list[str] = []
 
-    class Seen(gpu.Gpu):
+    class Seen(HostGpu):
         code = "seen"
-
-        def __init__(self) -> None:
-            pass
-
-        def use(self) -> None:
-            pass
-
-        def memory(self, n: int) -> Any:
-            return HostMemory(n)
+        compiled = gpu.Gpu.compiled  # type: ignore[assignment]
 
         def loaded(self, assembly: bytes) -> Any:
             seen.append(assembly.decode())
@@ -127,11 +119,6 @@ def test_what_fails_in_the_driver_is_said(codes: dict[str, int], said: str, monk
         gpu.Gpu().memory(10)
 
 
-def test_without_a_driver_there_is_no_gpu(turn: cl.Reference, monkeypatch: pytest.MonkeyPatch) -> None:
-    def missing(name: str) -> None:
-        raise OSError(name)
-
-    monkeypatch.setattr(ctypes, "CDLL", missing)
-    gpu.gpu_of_process.cache_clear()
+def test_without_a_driver_there_is_no_gpu(turn: cl.Reference, no_gpu: None) -> None:
     with pytest.raises(EngineError, match="driver"):
         cl.simulate_batch(stage(), control(), turn, GAINS, gpu=True)

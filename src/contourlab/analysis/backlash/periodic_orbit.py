@@ -18,6 +18,7 @@ from contourlab.analysis.backlash.exact_simulation import Span, lengthened_at, s
 from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles, quasi_linear
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.analysis.backlash.mode_flow import GAP, Flow
+from contourlab.analysis.linear.tick_map import poles_of
 from contourlab.arrays import Array, Complex
 from contourlab.errors import ParameterError
 
@@ -42,7 +43,7 @@ class PeriodicOrbit:
     ratio : float
         Amplitude over half of the gap.
     multipliers : ndarray (m,) of complex
-        Floquet multipliers by falling size; the one at 1 along the orbit is left out.
+        Floquet multipliers by falling size, without the one at 1 along the orbit, and of states that change (see `poles_of`).
     """
 
     period: float
@@ -218,9 +219,7 @@ def _orbit(shooter: Shooter, shot: Shot, period: float) -> PeriodicOrbit | None:
     amplitude = _half_range(states[:, : loop.n] @ loop.c)
     if amplitude < loop.half_gap:
         return None
-    # A state that never changes, such as an integral without a gain, would have the multiplier 1.
-    moving = np.any([matrix[: shooter.n].any(axis=1) for matrix in shooter.flow.matrices.values()], axis=0)
-    multipliers = np.linalg.eigvals(shot.jacobian[np.ix_(moving, moving)]).astype(np.complex128)
+    multipliers = poles_of(shot.jacobian)
     multipliers = np.delete(multipliers, int(np.argmin(np.abs(multipliers - 1.0))))
     multipliers = multipliers[np.argsort(-np.abs(multipliers))]
     ratio = amplitude / loop.half_gap

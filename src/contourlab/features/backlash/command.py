@@ -8,6 +8,7 @@ from pathlib import Path
 from time import process_time
 
 from contourlab.app.checkpoint import said_if_interrupted
+from contourlab.app.json_values import HIDDEN
 from contourlab.app.quick import PLANNED
 from contourlab.app.stages import shown
 from contourlab.features.backlash.study import BacklashStudy, Cycle, backlash_study, loose_axes
@@ -24,7 +25,7 @@ class BacklashOutcome:
 
     name: str
     schemes: Mapping[str, BacklashStudy]
-    servo_period: float = field(metadata={"json": False})
+    servo_period: float = field(metadata=HIDDEN)
 
     @property
     def text(self) -> str:

@@ -11,6 +11,7 @@ import numpy as np
 from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles
 from contourlab.analysis.backlash.lure import axis_backlash_loop
 from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit, find_orbits
+from contourlab.app.json_values import HIDDEN
 from contourlab.app.quick import affordable, beginning
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
@@ -106,7 +107,7 @@ class Trial:
     name: str
     part_error_rms: float | None
     part_error_max: float | None
-    parts: Mapping[str, Component] = field(default_factory=dict, metadata={"json": False})
+    parts: Mapping[str, Component] = field(default_factory=dict, metadata=HIDDEN)
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.app.command_line import as_typed
-from contourlab.app.json_values import json_text
+from contourlab.app.json_values import write_json
 from contourlab.app.results import staged
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
@@ -24,7 +24,6 @@ from contourlab.findings import Finding, finding
 from contourlab.logs import Log, read_record
 from contourlab.logs.load import about
 from contourlab.metrics import Bidirectional, CircleFigures, bidirectional, circle_figures
-from contourlab.result import write_text_atomic
 
 FINDINGS = {
     "backlash": "CL480",
@@ -100,7 +99,7 @@ def circle_test(choices: Sequence[LogChoice], out: str | Path, options: CircleOp
         result = _result(fit, read, " and ".join(Path(file).name for file in files), command, tolerance)
     result = replace(result, report=str(Path(out) / "report.html"), next_command=_next(result, choices[0]))
     with staged(out, "summary.json", "report.html", inputs=files) as folder:
-        write_text_atomic(folder / "summary.json", json_text(result) + "\n")
+        write_json(folder / "summary.json", result)
         write_page(result, fit, folder / "report.html")
     return result
 

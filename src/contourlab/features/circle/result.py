@@ -10,6 +10,7 @@ from itertools import combinations
 import numpy as np
 
 from contourlab.analysis.identification.gauss_newton import fit_covariance
+from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.features.circle.fit import CircleFit, ReversalSpike
 from contourlab.features.circle.signatures import Term, columns_of
@@ -149,8 +150,8 @@ class CircleTest:
     tolerance: float | None
     passed: bool | None
     findings: tuple[Finding, ...]
-    report: str = field(default="", metadata={"json": False})
-    next_command: str = field(default="", metadata={"json": False})
+    report: str = field(default="", metadata=HIDDEN)
+    next_command: str = field(default="", metadata=HIDDEN)
 
     @property
     def circular_deviation(self) -> float:

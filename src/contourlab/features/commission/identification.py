@@ -13,6 +13,7 @@ import numpy as np
 from contourlab.analysis.identification.first_order import first_order_start
 from contourlab.analysis.identification.gauss_newton import DescentSettings, descend, parted_deviations, spread_starts
 from contourlab.analysis.identification.output_error import Free, OutputFit, fit_percent
+from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.features.commission.loop import MOST_DELAY, AxisModel, Law, driven, run_lanes
@@ -77,7 +78,7 @@ class IdentifiedAxis:
     deviations: dict[str, float]
     fit: float
     law: Law
-    rest_noise: Array = field(metadata={"json": False})
+    rest_noise: Array = field(metadata=HIDDEN)
     noise: float
     play: float
     play_deviation: float

@@ -181,8 +181,8 @@ def _axis_node(models: Sequence[AxisModel], period: float, output: str, at: floa
     assert len({model.steps for model in models}) == 1
     blocks = [model.block(period) for model in models]
     parameters = blocks[0] if len(blocks) == 1 else {name: np.array([block[name] for block in blocks]) for name in NUMBERS}
-    start = {"initial": {"p": at}, "start": {"measured": at}, "ring_length": MOST_DELAY + 1}
-    return Node("axis", AXIS, {"output": output}, parameters, repeat=models[0].steps, **start)  # type: ignore[arg-type]
+    first, wires, steps = {"measured": at}, {"output": output}, models[0].steps
+    return Node("axis", AXIS, wires, parameters, initial={"p": at}, start=first, ring_length=MOST_DELAY + 1, repeat=steps)
 
 
 def _groups(schedule: Schedule, n: int) -> Iterator[tuple[Group, int]]:
@@ -308,9 +308,9 @@ def run_lanes(
     nodes = Node("pid", PID, wires, parameters, initial=initial), _axis_node(models, law.period, "pid.output", at)
     schedule = Schedule(nodes, ports("command", "noise"), law.period, 1)
     log_rows = [schedule.row(f"pid.{name}") for name in ("measured", "output")] if trace else []
-    sums, last = [], np.zeros((2, 0))
+    sums, last, external = [], np.zeros((2, 0)), np.column_stack([command, noise])
     for group, count in _groups(schedule, len(gains)):
-        log = group.run(np.column_stack([command, noise]), log_rows)
+        log = group.run(external, log_rows)
         last = log[:, :, count - 1].T if trace else last
         sums.append(group.state_of("pid")[: len(SUMS), :count])
     found = np.concatenate(sums, axis=1)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from contourlab.app.json_values import json_text
+from contourlab.app.json_values import write_json
 from contourlab.app.results import staged
 from contourlab.arrays import Array
 from contourlab.engine.translate import c99_control, fmi, hal, structured_text
@@ -23,7 +23,6 @@ from contourlab.features.export.recorded_run import SAMPLES, record, there_and_b
 from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import Column, Table, paragraphs
-from contourlab.result import write_text_atomic
 from contourlab.result.atomic import write_bytes_atomic
 
 if TYPE_CHECKING:
@@ -178,7 +177,7 @@ def export_controller(
         for name, content in made.items():
             data = content if isinstance(content, bytes) else content.encode("ascii", "replace")
             write_bytes_atomic(stage / name, data)
-        write_text_atomic(stage / summary, json_text(result) + "\n")
+        write_json(stage / summary, result)
     return result
 
 

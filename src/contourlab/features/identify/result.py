@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.components.origin import Origin
 from contourlab.findings import Finding
@@ -23,7 +24,6 @@ Tables = Mapping[str, Mapping[str, Row]]
 Drawn = tuple[Array, Array] | tuple[Array, Array, Array]
 """A line through (x, y); with a third array: points, and half the heights of their error bars."""
 AT_BOUND = "at the bound of the search: the log does not determine it"
-_PRINTED: dict[str, Any] = {"json": False}
 
 
 @dataclass(frozen=True)
@@ -99,11 +99,11 @@ class Identified:
     usable: bool
     findings: tuple[Finding, ...] = ()
     details: Mapping[str, Any] = field(default_factory=dict)
-    lines: tuple[str, ...] = field(default=(), metadata=_PRINTED)
-    points: Table | None = field(default=None, metadata=_PRINTED)
-    tables: Tables = field(default_factory=dict, metadata=_PRINTED)
-    correlations: tuple[tuple[str, str, float], ...] = field(default=(), metadata=_PRINTED)
-    pictures: tuple[Picture, ...] = field(default=(), metadata=_PRINTED)
+    lines: tuple[str, ...] = field(default=(), metadata=HIDDEN)
+    points: Table | None = field(default=None, metadata=HIDDEN)
+    tables: Tables = field(default_factory=dict, metadata=HIDDEN)
+    correlations: tuple[tuple[str, str, float], ...] = field(default=(), metadata=HIDDEN)
+    pictures: tuple[Picture, ...] = field(default=(), metadata=HIDDEN)
     axis_file: Path | None = None
 
 

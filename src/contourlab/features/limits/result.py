@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
+from contourlab.app.json_values import HIDDEN
 from contourlab.features.limits.log_limits import AxisPeak
 from contourlab.figures import NONE, figure, number
 from contourlab.findings import Finding
@@ -79,7 +80,7 @@ class LimitTest:
     lines: tuple[ProgramLine, ...]
     findings: tuple[Finding, ...]
     annotated: str = ""
-    next_command: str = field(default="", metadata={"json": False})
+    next_command: str = field(default="", metadata=HIDDEN)
 
     @property
     def worst(self) -> tuple[ProgramLine, ...]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.json_values import json_text
+from contourlab.app.json_values import write_json
 from contourlab.app.quick import affordable, too_slow
 from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
@@ -23,7 +23,6 @@ from contourlab.features.link.sweep import QUANTITIES, SEEDS, LinkSetting
 from contourlab.findings import finding
 from contourlab.loop import DIVISIONS
 from contourlab.rendering.table import paragraphs
-from contourlab.result import write_text_atomic
 from contourlab.units import to_si
 
 if TYPE_CHECKING:
@@ -146,7 +145,7 @@ def link_scenario(
         findings = (finding("CL766", schemes=left_out),) if left_out else ()
         texts += [paragraphs(map(str, findings))] if findings else []
         result = LinkResult(scenario.name, costs, findings)
-        write_text_atomic(stage / "summary.json", json_text(result) + "\n")
+        write_json(stage / "summary.json", result)
         if plots:
             from contourlab.rendering.plots import write_charts
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from contourlab.app.json_values import HIDDEN
 from contourlab.features.link.cost import DivisionCost
 from contourlab.features.link.sweep import GROWN, QUANTITIES, LinkSweep
 from contourlab.figures import figure
@@ -104,7 +105,7 @@ class LinkResult:
     name: str
     schemes: dict[str, SchemeCost]
     findings: tuple[Finding, ...] = ()
-    text: str = field(default="", metadata={"json": False})
+    text: str = field(default="", metadata=HIDDEN)
 
 
 # --- text --------------------------------------------------------------------------------------------------------------------------------

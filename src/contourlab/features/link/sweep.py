@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from contourlab.analysis.linear.divided_loop import DividedLoop, LinkTiming, divided_loop, timing_of
+from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
 from contourlab.components.contract import Component
 from contourlab.components.link.network import Network
@@ -69,7 +70,7 @@ class LinkSweep:
     median: Array
     growth: Array
     repeats: Array
-    allowed: float = field(metadata={"json": False})
+    allowed: float = field(metadata=HIDDEN)
     asked: float = math.nan
     coarse: bool = False
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar
 
+from contourlab.app.json_values import HIDDEN
 from contourlab.errors import OutputError
 from contourlab.features.run.trust.provenance import numbers_of_axis, numbers_of_machine, stated
 from contourlab.rendering.judgement import NOT_STATED, Number
@@ -45,7 +46,7 @@ class Shipped:
     axes: tuple[str, ...]
     about: str
     file: Path
-    numbers: tuple[Number, ...] = field(default=(), metadata={"json": False})
+    numbers: tuple[Number, ...] = field(default=(), metadata=HIDDEN)
 
     @property
     def sources(self) -> dict[str, int]:

@@ -12,7 +12,7 @@ from typing import Any, Literal
 import numpy as np
 
 from contourlab.app.command_line import as_typed, chosen_options
-from contourlab.app.json_values import json_text, json_values
+from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import staged
 from contourlab.arrays import Array
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
@@ -33,7 +33,6 @@ from contourlab.findings import Finding, finding
 from contourlab.logs import Log
 from contourlab.logs.load import about
 from contourlab.metrics import reversal_figures
-from contourlab.result import write_text_atomic
 from contourlab.units import to_si
 
 _OF_COLUMNS = ("--column", "--columns", "--format", "--period")
@@ -172,7 +171,7 @@ def _written(runs: Sequence[_Run], title: str, out: str | Path, limit: float | N
         for run in runs:
             run.measured.result.save(folder / "signals" / f"{files[run.name]}.nc")
         summary: dict[str, Any] = json_values(MeasuredSummary(title, command, limit, passed, {run.name: _scheme(run) for run in runs}))
-        write_text_atomic(folder / "summary.json", json_text(summary) + "\n")
+        write_json(folder / "summary.json", summary)
         step = _next_step(runs, limit, command)
         table = _report(runs, title, limit, folder, command, plots, step)
     return RunOutcome(passed is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}\n\nnext: {step[1]}")

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from contourlab.app.command_line import as_typed
-from contourlab.app.json_values import json_text
+from contourlab.app.json_values import write_json
 from contourlab.app.results import staged
 from contourlab.app.stages import shown
 from contourlab.components.friction.laws import NoFriction
@@ -186,7 +186,7 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
                     with switch_file(folder / "switches" / f"{names[outcome.name]}.csv") as listed:
                         listed.append(outcome.switches)
             summary = summary_of(scenario.name, outcomes, command, diverged)
-            write_text_atomic(folder / "summary.json", json_text(summary) + "\n")
+            write_json(folder / "summary.json", summary)
             stages.begin("writing the report")
             proposed = [name for name in names if (folder / "proposed" / f"{names[name]}.toml").exists()]
             steps = next_steps(outcomes, command, out, [f"proposed/{names[name]}.toml" for name in proposed])

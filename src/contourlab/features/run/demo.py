@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.app.checkpoint import noted
-from contourlab.app.json_values import json_text, json_values
+from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import staged
 from contourlab.app.stages import part_of_command
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
@@ -18,7 +18,6 @@ from contourlab.figures import figure, listing, number
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.overview import write_overview
 from contourlab.rendering.table import Column, Table, paragraphs
-from contourlab.result import write_text_atomic
 from contourlab.scenario import builtin_file, load_scenario
 
 
@@ -65,7 +64,7 @@ def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None =
                 kept.append(str(folder / name / "report.html"))
         passed = all(_last(summary)["verdict"]["passed"] for summary in summaries.values())
         summary: dict[str, Any] = json_values(Demo(passed, summaries))
-        write_text_atomic(stage / "summary.json", json_text(summary) + "\n")
+        write_json(stage / "summary.json", summary)
         write_overview(stage / "report.html", _answer(summaries), reports, NEXT)
     verdict = paragraphs([f"{'PASS' if passed else 'FAIL'}: {_answer(summaries)}"])
     conclusion = f"{verdict}\n\nreport: {folder / 'report.html'}\nnext: {NEXT}"

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from contourlab.app.checkpoint import resumable, run_identity
 from contourlab.app.executors import Executor, Workers
-from contourlab.app.json_values import json_text
+from contourlab.app.json_values import write_json
 from contourlab.app.quick import affordable
 from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
@@ -29,7 +29,6 @@ from contourlab.findings import Finding, finding
 from contourlab.loop import parameters_of, simulate
 from contourlab.loop.batch import LANES
 from contourlab.rendering.table import paragraphs
-from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
     from contourlab.feed import Reference
@@ -164,7 +163,7 @@ def sensitivity_of(
         request = replace(request, plan=study.plan)
         name, period = case.machine.name, case.machine.servo_period
         result = Sensitivity(str(file), request, case.name, name, period, runs.made, runs.reused, study, ranking(study), findings)
-        write_text_atomic(stage / "summary.json", json_text(result) + "\n")
+        write_json(stage / "summary.json", result)
         if plots:
             from contourlab.features.sensitivity.pictures import charts_of
             from contourlab.rendering.plots import write_charts

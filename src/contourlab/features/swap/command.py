@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from contourlab.app.checkpoint import Checkpoint, resumable, run_identity
 from contourlab.app.executors import Executor
-from contourlab.app.json_values import json_text, json_values
+from contourlab.app.json_values import json_values, write_json
 from contourlab.app.quick import affordable, too_slow
 from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
@@ -168,7 +168,7 @@ def swap_scenario(
         stages.begin("writing")
         lines = [text_of(result), *write_results(study, folder, Path(out), plots)]
         summary = json_values(result)
-        write_text_atomic(folder / "swap.json", json_text(summary) + "\n")
+        write_json(folder / "swap.json", summary)
         return RunOutcome(result.passed, summary, "\n\n".join(lines))
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from contourlab.analysis.linear.margins import Margins
+from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.design import DesignVariable
 from contourlab.design.guards import Bounds
@@ -78,7 +79,7 @@ class SwapResult:
     coverage: Coverage | None
     linear: tuple[LinearSwap, ...]
     findings: tuple[Finding, ...]
-    study: SwapStudy = field(metadata={"json": False})
+    study: SwapStudy = field(metadata=HIDDEN)
 
 
 def swap_result(

@@ -11,6 +11,7 @@ from typing import ClassVar
 import numpy as np
 
 from contourlab.app.checkpoint import Checkpoint
+from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.errors import ContourlabError
 from contourlab.features.swap.search import Design, Optimum, SwapSearch, SwapSettings
@@ -45,7 +46,7 @@ class Choice:
 
     name: str
     local: tuple[str, ...]
-    points: Array = field(metadata={"json": False})
+    points: Array = field(metadata=HIDDEN)
     values: Array
     losses: Array
     parameters: tuple[dict[str, float], ...]

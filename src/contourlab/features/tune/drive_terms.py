@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
 from contourlab.analysis.linear.tick_map import DelayForm
+from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.design.placement import model_of
@@ -50,7 +51,7 @@ class LinuxCNCGains:
     ff1: float = 0.0
     ff2: float = 0.0
     ff3: float = 0.0
-    findings: tuple[Finding, ...] = field(default=(), metadata={"json": False})
+    findings: tuple[Finding, ...] = field(default=(), metadata=HIDDEN)
 
     def per_millimetre(self) -> dict[str, float]:
         """Return the gains for an INI file with machine units of mm, by pin name."""

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from contourlab.analysis.linear.margins import Margins
+from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.design import Evaluator
 from contourlab.design.guards import Guards
@@ -202,7 +203,7 @@ class Evaluation:
     figures: dict[str, float]
     margins: dict[str, Margins]
     violations: tuple[str, ...]
-    run: Result | None = field(metadata={"json": False})
+    run: Result | None = field(metadata=HIDDEN)
 
     def worse_than(self, other: Evaluation, figure: str | None) -> bool:
         """Return whether the run failed, breaks a bound, or has a larger figure; None for a goal without a single figure."""

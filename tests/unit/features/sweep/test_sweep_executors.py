@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import json
 import os
 import signal
@@ -19,7 +18,6 @@ import pytest
 from made_studies import STUDY, exported, made_study
 
 from contourlab.cli.main import main
-from contourlab.engine import gpu
 
 MODULE = [sys.executable, "-m"]
 KILLS = int(os.environ.get("CONTOURLAB_TEST_KILLS", "4"))
@@ -74,15 +72,9 @@ def test_a_gpu_gives_the_same_bytes(study: Path, a_gpu: None) -> None:
     assert set(parts("threads")) == set(parts("gpu")) and exported(Path("threads")) == exported(Path("gpu"))
 
 
-def test_without_a_gpu_nothing_begins(study: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    gpu.gpu_of_process.cache_clear()
-    monkeypatch.setattr(ctypes, "CDLL", absent)
+def test_without_a_gpu_nothing_begins(study: Path, capsys: pytest.CaptureFixture[str], no_gpu: None) -> None:
     assert main(["sweep", "study.toml", "--executor", "gpu"]) == 2
     assert not Path("store").exists() and capsys.readouterr().err.count("\n") == 1
-
-
-def absent(name: str) -> None:
-    raise OSError(name)
 
 
 def test_an_unknown_executor_or_an_absent_scheduler_is_said(study: Path, capsys: pytest.CaptureFixture[str]) -> None:
