@@ -33,6 +33,8 @@ AHEAD = 2
 """Items in work or waiting for each worker: enough to keep it busy, and memory does not grow with the work."""
 QUIET = {"distributed.worker.profile.enabled": False, "distributed.admin.tick.interval": "500 ms"}
 """Settings of Dask that save a tenth of the processor time of short tasks: nobody looks at its profile."""
+NO_DASHBOARD = {"dashboard": False, "dashboard_address": "127.0.0.1:0"}
+"""A scheduler that we start serves no dashboard and takes any free port, so commands can run side by side."""
 ROOMS = ("analysis", "design", "features")
 """Rooms of the program, besides those of a run, that must be the same on all workers."""
 Work: TypeAlias = Callable[[Any, Any], Any]
@@ -334,7 +336,9 @@ def _client(executor: str, count: int) -> Iterator[Any]:
     else:
         extra_module("dask").config.set(QUIET)
         with _deaf():
-            cluster = distributed.LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None, silence_logs=logging.CRITICAL)
+            cluster = distributed.LocalCluster(
+                n_workers=count, threads_per_worker=1, silence_logs=logging.CRITICAL, scheduler_kwargs=NO_DASHBOARD
+            )
     with cluster, distributed.Client(cluster) as client:
         yield client
 
@@ -357,7 +361,7 @@ def _slurm(jobs: int) -> Any:
     if shutil.which("sbatch") is None:
         raise EngineError("no sbatch on this machine: type the command where you submit Slurm jobs")
     try:
-        cluster = extra_module("dask_jobqueue").SLURMCluster(scheduler_options={"dashboard_address": ":0"})
+        cluster = extra_module("dask_jobqueue").SLURMCluster(scheduler_options=NO_DASHBOARD)
     except ValueError as error:
         where = "set cores and memory under jobqueue: slurm: in ~/.config/dask/jobqueue.yaml"
         raise EngineError(f"Slurm: {' '.join(str(error).split())}: {where}") from error
