@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 from backlash_loops import FREE, HALF_GAP, J_L, J_M, K_S, PAPER, drive, integrated, paper_loop
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from refusals import refuses
 from scipy.linalg import expm
@@ -152,6 +152,7 @@ def test_a_run_with_too_many_changes_of_mode_is_refused() -> None:
         simulate_exact(two_inertia_loop(PAPER, FREE), [0.0, 1.0, 0.0, 0.0], 10.0, most=10)
 
 
+@example(gap=-3.515196630758031, stiffness=3.850096982282033, shaft=0.07, gains=(1.40625, 0.0), speeds=(0.0, 2.3563541902681315))
 @settings(max_examples=10, deadline=None)
 @given(
     gap=st.floats(-4.0, -1.0),

@@ -197,26 +197,26 @@ class Flow:
             with np.errstate(over="ignore", invalid="ignore"):
                 coefficients = samples @ w @ _TO_CHEBYSHEV.T
                 floor = 8.0 * ROUNDING * (np.abs(samples).max(axis=1) @ np.abs(w))
-                tails = np.abs(coefficients[:, -3:]).max(axis=1)
-                smooth = tails <= 1e-12 * np.abs(coefficients).max(axis=1) + floor
+                noise = 1e-12 * np.abs(coefficients).max(axis=1) + floor
+                smooth = np.abs(coefficients[:, -3:]).max(axis=1) <= noise
             if level >= DEEPEST or (smooth.all() and np.isfinite(coefficients).all() and np.isfinite(propagator).all()):
                 break
             level += 1
         span = self.unit * 2.0**-level
-        at, following = self._first(w, mode, coefficients, span) or (span, None)
+        at, following = self._first(w, mode, coefficients, noise, span) or (span, None)
         if at > limit:
             return limit, self.exponential(mode, limit) @ w, None, level
         if following is None:
             return span, propagator @ w, None, level - 1
         return at, self.exponential(mode, at) @ w, following, level
 
-    def _first(self, w: Array, mode: int, coefficients: Array, span: float) -> tuple[float, int] | None:
+    def _first(self, w: Array, mode: int, coefficients: Array, noise: Array, span: float) -> tuple[float, int] | None:
         """Return the first instant at which a guard rises through 0, with the mode that follows."""
         best: tuple[float, int] | None = None
-        for (row, following), series in zip(self.guards[mode], coefficients, strict=True):
+        for (row, following), series, least in zip(self.guards[mode], coefficients, noise, strict=True):
             if abs(series[0]) > np.abs(series[1:]).sum():
                 continue
-            for place in _rises(series):
+            for place in _rises(series, least):
                 at = self._polish(w, mode, row, 0.5 * span * (place + 1.0), span)
                 # A mode may start on its own guard: a rise there that does not last is rounding.
                 lasts = at > 1e-9 * self.unit or np.polynomial.chebyshev.chebval(min(place + 2e-3, 1.0), series) > 0.0
@@ -249,8 +249,8 @@ class Flow:
         return self._chunks[key]
 
 
-def _rises(series: Array) -> list[float]:
-    """Return where a Chebyshev series passes from below 0 to above on [-1, 1], in order."""
+def _rises(series: Array, noise: float) -> list[float]:
+    """Return where a Chebyshev series rises through 0 on [-1, 1], in order; rises that end below `noise` do not count."""
     from numpy.polynomial import chebyshev
 
     kept = np.trim_zeros(np.where(np.abs(series) > 1e-17 * np.abs(series).max(), series, 0.0), "b")
@@ -262,7 +262,9 @@ def _rises(series: Array) -> list[float]:
         return []
     # Signs between neighbours separate a crossing from a touch.
     edges = np.concatenate([[-1.0], places, [1.0]])
-    above = chebyshev.chebval(0.5 * (edges[:-1] + edges[1:]), kept) > 0.0
+    between = chebyshev.chebval(0.5 * (edges[:-1] + edges[1:]), kept)
+    above = between > 0.0
+    above[1:-1] &= between[1:-1] > noise
     return [float(places[i]) for i in range(places.size) if above[i + 1] and not above[i]]
 
 
