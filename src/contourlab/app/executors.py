@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from contourlab.app.checkpoint import program_text
+from contourlab.app.stages import INTERVAL, wait_for
 from contourlab.engine.gpu import gpu_of_process
 from contourlab.errors import EngineError, ParameterError
 from contourlab.extras import extra_module
@@ -143,8 +144,12 @@ class Workers:
 
     Attributes
     ----------
-    count : int
-        Number of items at work at the same time.
+    least : int
+        Number of workers to plan for before they are there.
+    present : callable
+        Returns the number of workers there now.
+    name : str
+        What to wait for while none is there.
     plugins : tuple of str
     submit : callable
         Starts a call on a worker; returns its `concurrent.futures.Future`.
@@ -156,12 +161,19 @@ class Workers:
         What `share` returned, by key.
     """
 
-    count: int
+    least: int
+    present: Callable[[], int]
+    name: str
     plugins: tuple[str, ...]
     submit: Callable[..., Future[Any]]
     share: Callable[[Shared], Place]
     lost: Mapping[type[BaseException], str]
     places: dict[str, Place] = field(default_factory=dict, repr=False)
+
+    @property
+    def count(self) -> int:
+        """Number of items at work at the same time."""
+        return max(self.least, self.present())
 
     def shared(self, value: object) -> str:
         """Send a value to all workers; return its key."""
@@ -196,8 +208,9 @@ class Workers:
         try:
             fill(AHEAD * self.count)
             while waiting:
-                done, _ = wait(waiting, return_when=FIRST_COMPLETED)
-                fill(len(done))
+                done, _ = wait(waiting, INTERVAL, FIRST_COMPLETED)
+                wait_for("" if done or self.present() else self.name)
+                fill(max(AHEAD * self.count + len(done) - len(waiting), 0))
                 for future in done:
                     yield waiting.pop(future), future.result()
         except tuple(self.lost) as error:
@@ -260,7 +273,7 @@ def _processes(executor: Executor, plugins: tuple[str, ...], then: str) -> Itera
 
         pool = ProcessPoolExecutor(count, multiprocessing.get_context("spawn"), _begin)
         try:
-            yield Workers(count, plugins, pool.submit, share, lost)
+            yield Workers(count, lambda: count, "", plugins, pool.submit, share, lost)
         except BaseException:
             for process in multiprocessing.active_children():
                 process.terminate()
@@ -286,7 +299,8 @@ def _cluster(executor: Executor, plugins: tuple[str, ...], then: str) -> Iterato
 
     killed, gone = "some work has ended several Dask workers: do they have enough memory?", f"the Dask scheduler is lost. {then}"
     lost: dict[type[BaseException], str] = {KilledWorker: killed, OSError: gone, TimeoutError: gone, CancelledError: gone}
-    with _client(executor.kind, executor.workers or os.cpu_count() or 1) as client:
+    count = executor.workers or os.cpu_count() or 1
+    with _client(executor.kind, count) as client:
 
         def share(shared: Shared) -> Place:
             carrier = WorkerPlugin()  # the scheduler gives it to workers that join later, too
@@ -300,7 +314,14 @@ def _cluster(executor: Executor, plugins: tuple[str, ...], then: str) -> Iterato
             client.submit(*call, pure=False).add_done_callback(partial(_pass_on, passed=passed))
             return passed
 
-        made = Workers(max(sum(client.nthreads().values()), 1), plugins, submit, share, lost)
+        def present() -> int:
+            try:
+                return sum(client.nthreads().values())
+            except (OSError, TimeoutError):  # the futures say so, too
+                return 0
+
+        least, name = (count, "a Slurm job") if executor.kind == "slurm" else (1, "a Dask worker")
+        made = Workers(least, present, name, plugins, submit, share, lost)
         yield made
         for _, name in made.places.values():
             client.unregister_worker_plugin(name)

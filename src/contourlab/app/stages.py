@@ -6,7 +6,7 @@ import math
 import os
 import sys
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -24,19 +24,22 @@ KNOWN = 0.02
 
 
 class Heartbeat:
-    """Prints what a command is doing, every two seconds, unless a bar shows it.
+    """Prints what a command is doing every two seconds, or renews the bar that shows it.
 
     Attributes
     ----------
     command : str
     stage : str
         Empty for a command without stages.
-    has_bar : bool
-        Whether a bar shows the progress.
+    waits_for : str
+        What the work cannot go on without; empty while it goes on.
+    show_bar : callable, optional
+        Renews the bar.
     """
 
     def __init__(self, command: str) -> None:
-        self.command, self.stage, self.has_bar = command, "", False
+        self.command, self.stage, self.waits_for = command, "", ""
+        self.show_bar: Callable[[], None] | None = None
         self._began = self._stage_began = monotonic()
         self._in_stage = self._share = self._reached = 0.0
         self._work: list[tuple[str, float]] = []
@@ -85,6 +88,10 @@ class Heartbeat:
         start, stop = self._window
         return start + (stop - start) * (sum(work[:at]) + in_stage * work[at]) / sum(work)
 
+    def doing(self) -> str:
+        """Return what the command waits for, or its stage."""
+        return f"waiting for {self.waits_for}" if self.waits_for else self.stage
+
     def line(self) -> str:
         """Return command, stage, share and time left, or the time since the command began; the stage is cut where it does not fit."""
         share, left = self.progress()
@@ -92,15 +99,18 @@ class Heartbeat:
         if 0.0 < share < 1.0:
             end = f", {left:.0f} s left" if share >= KNOWN else end
             end = f", {100.0 * share:.0f} %{'' if self._work else ' of this step'}{end}"
-        words, room = f"{self.command}: {self.stage}" if self.stage else self.command, page_width() - len(end)
+        words, room = ": ".join(filter(None, (self.command, self.doing()))), page_width() - len(end)
         return (words if len(words) <= room else f"{words[: room - 3]}...") + end
 
     def beat(self) -> None:
         """Print lines until `end`."""
         while not self._ended.wait(INTERVAL):
             with suppress(OSError, ValueError):  # its reader is gone
-                sys.stderr.write("" if self.has_bar else self.line() + "\n")
-                sys.stderr.flush()
+                if self.show_bar is None:
+                    sys.stderr.write(self.line() + "\n")
+                    sys.stderr.flush()
+                else:
+                    self.show_bar()
 
     def end(self) -> None:
         """Print no further line."""
@@ -136,6 +146,12 @@ def part_of_command(start: float, stop: float) -> Iterator[None]:
     yield
 
 
+def wait_for(what: str) -> None:
+    """Show what the work of the command waits for; nothing, if empty."""
+    if _running is not None:
+        _running.waits_for = what
+
+
 class Stages:
     """The stages of a run, one after another.
 
@@ -148,6 +164,8 @@ class Stages:
     def __init__(self, bar: Progress | None = None) -> None:
         self._bar, self._heart = bar, _running or Heartbeat("")
         self._task: TaskID | None = None
+        if bar is not None:
+            self._heart.show_bar = self._show
 
     def expect(self, stages: int | Sequence[tuple[str, float]]) -> None:
         """Take the stages that follow: their number if about equally long, or the first word and the relative work of each."""
@@ -165,16 +183,15 @@ class Stages:
     def advance(self, done: int, total: int) -> None:
         """Show the progress of the stage."""
         self._heart.advance(done, total)
-        if self._bar is not None and self._task is not None:
-            self._show()
+        self._show()
 
     def _show(self) -> None:
-        """Update the bar; without a known share it pulses instead of being empty."""
-        assert self._bar is not None
-        assert self._task is not None
+        """Update the bar, if there is one; without a known share it pulses instead of being empty."""
+        if self._bar is None or self._task is None:
+            return
         share, left = self._heart.progress()
         words = f"{left:.0f} s left" if share >= KNOWN else ""
-        self._bar.update(self._task, completed=share, total=1.0 if share else None, left=words, description=self._heart.stage)
+        self._bar.update(self._task, completed=share, total=1.0 if share else None, left=words, description=self._heart.doing())
 
 
 @contextmanager
@@ -199,10 +216,8 @@ def shown(wanted: bool, console: Console | None = None) -> Iterator[Stages]:
     terminal = console or Terminal(stderr=True)
     columns = (SpinnerColumn(), text, BarColumn(), TaskProgressColumn(), TimeElapsedColumn(), left)
     with Progress(*columns, console=terminal, transient=True) as bar:
-        if _running is not None:
-            _running.has_bar = True
         try:
             yield Stages(bar)
         finally:
             if _running is not None:
-                _running.has_bar = False
+                _running.show_bar = None

@@ -115,7 +115,10 @@ class Cluster:
             self.port = free.getsockname()[1]
         self.stack = stack
         self.scheduler = self._start("scheduler", "--host", "127.0.0.1", "--port", str(self.port))
-        self.workers = [self._start("worker", f"tcp://127.0.0.1:{self.port}", "--nthreads", "1", "--no-nanny") for _ in range(workers)]
+        self.workers = [self.started_worker() for _ in range(workers)]
+
+    def started_worker(self) -> subprocess.Popen[bytes]:
+        return self._start("worker", f"tcp://127.0.0.1:{self.port}", "--nthreads", "1", "--no-nanny")
 
     def _start(self, role: str, *words: str) -> subprocess.Popen[bytes]:
         command = [*MODULE, f"distributed.cli.dask_{role}", *words, "--no-dashboard"]
@@ -162,6 +165,25 @@ def test_a_cluster_may_lose_a_worker_and_then_its_scheduler(study: Path, cluster
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout)["chunks_made"] == 32 - len(before) and before.items() <= parts("store").items()
     assert exported(Path("store")) == exported(Path("undisturbed"))
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")
+def test_a_cluster_without_workers_is_said_and_goes_on_with_the_next(
+    study: Path, cluster: Callable[[int], Cluster], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    study.write_text(MANY)
+    monkeypatch.delenv("CONTOURLAB_PROGRESS", raising=False)
+    alone = cluster(1)
+    with subprocess.Popen(alone.command(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+        wait_for("store", 3, process)
+        alone.workers[0].kill()
+        assert process.stderr is not None
+        assert any("waiting" in line for line in process.stderr)
+        alone.started_worker()
+        lines = list(process.stderr)
+    assert process.returncode == 0 and len(parts("store")) == 32, lines
+    assert "waiting" not in lines[-1]
 
 
 @pytest.mark.slow
