@@ -157,6 +157,7 @@ CASES = [
 UNEVEN = (37, 73, 147, 293)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("command", "coulomb", "start"), CASES)
 @pytest.mark.parametrize("rate", [60.0, 1000.0])
 def test_stops_reversals_and_breaking_away_are_exact_where_sliding_is_linear(

@@ -66,6 +66,7 @@ def orders(errors: list[float]) -> Array:
     return np.array([math.log2(a / b) for a, b in pairwise(errors)])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_the_order_is_four_through_contacts_stops_and_releases(case: str) -> None:
     """Contacts fall anywhere within a step, so the error of one motion scatters: the order is that of the mean of several."""

@@ -106,6 +106,7 @@ def test_the_simulated_loop_follows_the_log(table: Table, case: str, percent: di
         assert 0.9 * bound < table[f"simulated {name}", case].here < 1.01 * bound
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("height", [0.0, 5.0])
 @pytest.mark.parametrize("delay", [0, 1])
 def test_the_engine_runs_the_same_loop(log: Path, delay: int, height: float) -> None:

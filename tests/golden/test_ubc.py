@@ -42,6 +42,7 @@ def test_measured_runs_are_as_known_within_a_hundredth(table: Table) -> None:
             assert table[name, run].here == pytest.approx(value, rel=0.01)
 
 
+@pytest.mark.slow
 def test_the_machine_explains_the_tracking_errors(table: Table) -> None:
     for run, least in (("lead-lag", 80.0), ("pole-placement", 99.0)):
         for axis in "xy":
@@ -49,6 +50,7 @@ def test_the_machine_explains_the_tracking_errors(table: Table) -> None:
             assert least < row.here < 100.0 and row.passed
 
 
+@pytest.mark.slow
 def test_its_contour_errors_are_those_measured(table: Table) -> None:
     for run, share in (("lead-lag", 0.25), ("pole-placement", 0.15)):
         for name in ("simulated contour rms", "simulated contour maximum"):

@@ -105,7 +105,7 @@ def test_annotations_keep_the_program(capsys: pytest.CaptureFixture[str]) -> Non
     assert moves_of(Path("out.ngc"), Reading()) == moves_of(Path("part.ngc"), Reading())
 
 
-SLOW = ("3D_Chips", "8x_gear", "HSM_test", "heart.ngc", "flowsnake", "cds.ngc", "arcspiral", "vcarve")
+SLOW = ("3D_Chips", "8x_gear", "HSM_test", "heart.ngc", "flowsnake", "cds.ngc", "spiral", "vcarve", "tort", "butterfly")
 
 
 @pytest.mark.parametrize(

@@ -84,8 +84,9 @@ def test_questions_that_are_interrupted_are_130(tmp_path: Path) -> None:
     assert not any(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 @POSIX
-@pytest.mark.parametrize("words", [[], pytest.param(["--json"], marks=pytest.mark.slow)])
+@pytest.mark.parametrize("words", [[], ["--json"]])
 def test_a_closed_reader_is_no_error_and_the_verdict_stays(tmp_path: Path, words: list[str]) -> None:
     (tmp_path / "circle.toml").write_text(CIRCLE.replace("16 um", "1 um"), encoding="utf-8")
     reading, writing = os.pipe()
@@ -97,8 +98,9 @@ def test_a_closed_reader_is_no_error_and_the_verdict_stays(tmp_path: Path, words
     assert "report.html" in contents(tmp_path / "results")
 
 
+@pytest.mark.slow
 @POSIX
-@pytest.mark.parametrize("closed", [1, pytest.param(2, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("closed", [1, 2])
 def test_streams_may_be_closed(tmp_path: Path, closed: int) -> None:
     (tmp_path / "part.ngc").write_text(PART, encoding="utf-8")
     command = [COMMAND, "run", "part.ngc", *ON_XYZ, "--out", "results"]

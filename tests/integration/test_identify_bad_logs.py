@@ -151,6 +151,7 @@ def test_a_command_that_has_nothing_to_do_with_the_motion_makes_no_file(
         assert found.get("parameters", {}).get(name, {"value": 1.0})["value"] > 0.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", [model for model in MODELS if model != "closed-loop"])
 @pytest.mark.parametrize(
     ("key", "factor", "words"),
@@ -170,6 +171,7 @@ def test_a_plausible_log_is_not_questioned(tmp_path: Path, capsys: pytest.Captur
     assert code == 0 and codes(found).isdisjoint({"CL401", "CL402", "CL403", "CL502", "CL509", "CL532"})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", ["rigid", "first-order", "friction", "stiction"])
 def test_nothing_is_fitted_across_a_long_gap(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
     log, name = good(model), {"rigid": "M", "first-order": "a", "friction": "Fc", "stiction": "breakaway-"}[model]

@@ -85,6 +85,7 @@ def test_a_log_of_an_axis_at_rest_is_refused(tmp_path: Path, refused: Refused, m
     assert not (tmp_path / "axis.toml").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("unit", "size", "more", "gain"),
     [
@@ -179,6 +180,7 @@ def test_impossible_units_are_reported(tmp_path: Path, capsys: pytest.CaptureFix
     assert "CL532" in codes(found) and not out.exists()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("more", [["--gain", "5 N/V"], ["--gain", "-5 N/V", "--column", "command.x=-cmd"]])
 def test_a_gain_makes_the_same_kind_of_axis_by_every_model(tmp_path: Path, capsys: pytest.CaptureFixture[str], more: list[str]) -> None:
     """An axis of 50/1.695 kg in a log in volts: force constant, limit and offset of its file do not depend on the model."""
@@ -201,6 +203,7 @@ def test_a_gain_makes_the_same_kind_of_axis_by_every_model(tmp_path: Path, capsy
     assert found["first-order"]["parameters"]["offset"]["value"] == pytest.approx(-0.5, rel=0.05)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("full_scale", [False, True])
 @pytest.mark.parametrize("model", ["first-order", "linear-motor", "rigid"])
 def test_an_identified_axis_follows_plans_at_its_limits(

@@ -11,9 +11,9 @@ from contourlab.feed.verify import limit_report
 from contourlab.scenario import scenario_from_parts
 
 PROGRAMS = Path(__file__).parents[2].parent / "shared" / "gcode"
-QUICK = ("circle.gcode", "compass_text.ngc", "hole-circle.ngc", "polar.ngc", "3dtest.ngc", "g17-g98-g81.ngc", "vcarve.ngc")
+QUICK = ("circle.gcode", "compass_text.ngc", "hole-circle.ngc", "polar.ngc", "3dtest.ngc", "g17-g98-g81.ngc")
 LONGER = ("heart.ngc", "8x_gear_test.nc", "HSM_test.nc", "3D_Chips.ngc", "arcspiral.ngc", "cds.ngc", "flowsnake.ngc", "G5_butterfly-xy.ngc")
-ALSO = ("spiral.ngc", "tort.ngc", "arc-xz-plane.gcode", "circle-inch.gcode")
+ALSO = ("vcarve.ngc", "spiral.ngc", "tort.ngc", "arc-xz-plane.gcode", "circle-inch.gcode")
 FEEDS: tuple[dict[str, Any], ...] = ({}, {"path_control": "blend", "corner_tolerance": "10 um"})
 
 

@@ -174,6 +174,7 @@ def test_a_position_loop_that_is_too_fast_fails(folder: Path, identified: dict[s
     assert codes(as_json("notch", folder / "stiff.toml", code=1)) == {"CL641"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("more", "word"), [(["--axes", "z"], "z"), (["--axes", "y"], "mass-damper"), (["--write", "notched.json"], ".toml")]
 )  # fmt: skip

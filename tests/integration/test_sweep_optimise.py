@@ -37,6 +37,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     made_study(tmp_path, STUDY)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sampler", ["tpe", "nsga2", "cma-es"])
 def test_a_search_finds_better_variants(capsys: Capture, sampler: str) -> None:
     found = asked(capsys, "optimise", "study.toml", "--out", "store", "--sampler", sampler, *SMALL)

@@ -68,6 +68,7 @@ net {a}-load <= axis.{a}.load
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "case", ["controller/pid", "predictor/smith", "gap_observer/multiple-model", "compensation/quadrant-pulses", "drive/unlimited"]
 )

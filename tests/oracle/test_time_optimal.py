@@ -76,6 +76,7 @@ CASES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("feed", [0.1, 10.0])
 @pytest.mark.parametrize("name", CASES)
 def test_with_plentiful_jerk_the_time_is_near_the_least(name: str, feed: float) -> None:

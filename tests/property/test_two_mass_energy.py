@@ -66,6 +66,7 @@ def check(drive: Drive, run: dict[str, Array], command: Array) -> None:
         assert (run["shaft_force"] * side >= -d.stiffness_value * tolerance).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", DRIVES)
 def test_a_million_random_samples_are_sound(name: str) -> None:
     """Ten million over the twelve drives; forces of 1 N to 10 kN, held for 1 to 32 ticks, on a shaft that rings at 100 Hz."""

@@ -53,6 +53,7 @@ def test_a_table_changes_a_run_as_the_trial_map_predicts(n_axis: int, coupling: 
     np.testing.assert_allclose(moved["command"] - plain["command"] - table, feedback, atol=1e-7 * np.abs(feedback).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("coupling", [CrossCoupled(**PID), CrossCoupled(gain=1500.0), ModifiedReference(weight=0.75)])
 def test_margins_are_those_of_the_worst_of_many_directions(coupling: CrossCoupled) -> None:
     transfer = contour_transfer(*unlike(2, coupling))

@@ -74,6 +74,7 @@ def test_the_limit_comes_before_the_delay() -> None:
     np.testing.assert_allclose(applied, [0, 0, 0, 0, 0, 5, 10, 5, 0, 0, 0, 0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("where", ["drive", "controller"])
 @pytest.mark.parametrize(
     ("kind", "gains"), [("p-type", {"gain": 200.0, "bandwidth": 120.0}), ("zero-phase", {"gain": 0.4, "half_width": 8})]

@@ -58,6 +58,7 @@ def test_derivatives_agree_with_differences_of_the_order_below(curve: Curve) -> 
         np.testing.assert_allclose(slope[k], exact[k], rtol=0, atol=1e-6 * float(np.abs(exact[k]).max()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in CURVES if name != "lemniscate"])
 @given(shift=st.lists(st.floats(-1e-6, 1e-6), min_size=6, max_size=6))
 @settings(max_examples=15)

@@ -40,6 +40,7 @@ def test_a_tolerance_never_costs_time_on_a_square(side: float, tolerance: float)
     assert chosen <= min(exact, rounded) * (1.0 + 1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turn", [90.0, 120.0, 150.0, 170.0])
 @pytest.mark.parametrize("jerk", [40.0, 1000.0, np.inf])
 @pytest.mark.parametrize("tolerance", [10e-6, 100e-6])
@@ -69,6 +70,7 @@ def test_each_corner_is_decided_separately() -> None:
     np.testing.assert_allclose(found.path.corners, [found.path.breaks[3]], rtol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(30))
 def test_random_polylines_lose_almost_nothing_by_their_tolerance(seed: int) -> None:
     """The choice assumes that a corner's neighbours are like it, so it may be slightly wrong."""

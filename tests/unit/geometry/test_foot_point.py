@@ -69,6 +69,7 @@ def test_in_space_the_foot_of_a_point_in_the_normal_plane(path: Path) -> None:
     assert np.isnan(found.signed).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", contour_names())
 @pytest.mark.parametrize("reach", [1e-5, 2e-3, 2e-2])
 def test_a_wide_window_covers_the_whole_path(name: str, reach: float) -> None:
@@ -255,6 +256,7 @@ def test_from_the_centre_of_an_ellipse_both_flanks_are_equally_far() -> None:
         assert found.arc_length[0] == pytest.approx(expected * path.length, rel=0, abs=1e-9 * path.length)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", [*map(contour, contour_names()), HELIX, SPATIAL], ids=[*contour_names(), "helix", "nurbs"])
 def test_many_samples_at_once_and_one_by_one_agree(path: Path) -> None:
     rng, n = np.random.default_rng(7), 60

@@ -400,6 +400,7 @@ def test_a_device_is_not_a_file() -> None:
         read_record(Path("/dev/null"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "run",
     [

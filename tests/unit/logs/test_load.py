@@ -229,6 +229,7 @@ def test_jitter_is_not_taken_for_gaps(size: float, seed: int) -> None:
     assert report.jitter_rms == pytest.approx(size * 1e-3 / np.sqrt(3.0), rel=0.05)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("n", [100, 200, 1000, 5000, 100_000])
 @pytest.mark.parametrize("size", [0.13, 0.2, 0.4, 0.45])
 @pytest.mark.parametrize("share", [0.0, 0.01, 0.05])

@@ -41,6 +41,7 @@ def test_pulses_are_read_if_present(tmp_path: Path) -> None:
     np.testing.assert_array_equal(log.pulses, 5.0 * pulses)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("changed", "told"),
     [

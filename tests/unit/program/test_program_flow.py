@@ -144,6 +144,7 @@ def test_refusals(text: str, line: int, column: int, message: str) -> None:
     assert (caught.value.line, caught.value.column) == (line, column)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "text",
     ["o1 while [1]\no1 endwhile", "o1 do\nG21\no1 while [1]", "o1 repeat [999999999]\no1 endrepeat",

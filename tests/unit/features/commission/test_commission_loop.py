@@ -131,6 +131,7 @@ def test_lanes_are_single_runs_and_one_that_diverges_is_infinite() -> None:
     assert np.isfinite(together.rough).all() and not np.isfinite(together.rms[2])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("n", [1, 3])
 @pytest.mark.parametrize("model", [AXIS, replace(AXIS, resonance=70.0, damping_ratio=0.05, share=0.5, behind=0.5, play=1e-5)])
 def test_an_axis_sticks_as_in_plain_python(model: AxisModel, n: int, monkeypatch: pytest.MonkeyPatch) -> None:

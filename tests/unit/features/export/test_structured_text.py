@@ -11,8 +11,6 @@ from tests.helpers.structured_text import FunctionBlock
 
 from contourlab.engine.translate.structured_text import input_name, plain, twincat
 
-QUICK = ("controller/pid", "predictor/smith", "feedforward/friction", "compensation/quadrant-pulses")
-"""Others parse for seconds: a ring and a loop, library functions, both sides of a drive."""
 pytest.importorskip("blark", reason="blark is not installed")
 
 
@@ -25,9 +23,8 @@ def commands(file: Path, case: str, text: str) -> tuple[np.ndarray, np.ndarray]:
     return np.array([block(enable=True, **row) for row in fed]), run.command
 
 
-@pytest.mark.parametrize(
-    "case", [case if case in QUICK else pytest.param(case, marks=pytest.mark.slow) for case in CASES if case not in REFUSED]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("case", [case for case in CASES if case not in REFUSED])
 def test_it_computes_the_commands_of_plain_python(tmp_path: Path, case: str) -> None:
     block, python = commands(tmp_path / "axis_x.st", case, plain(exported(case).control))
     if any(op.kind == "tanh" for op in exported(case).control.operations):  # made of EXP

@@ -198,7 +198,8 @@ def test_a_folder_is_no_toml_file(tmp_path):
         write_machine(new_machine(answers()), tmp_path / "mill.toml")
 
 
-@pytest.mark.parametrize("drive", [pytest.param("screw", marks=pytest.mark.slow), "linear"])
+@pytest.mark.slow
+@pytest.mark.parametrize("drive", ["screw", "linear"])
 def test_a_measured_resonance_gives_an_elastic_axis_with_a_notch(drive, tmp_path):
     """Measured on the assembled machine: the loaded axis rings at 60 Hz, and its proposed loop keeps 6 dB and 30 degrees."""
     given = answers() | {"x.resonance": "60 Hz"}

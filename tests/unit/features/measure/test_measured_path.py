@@ -38,6 +38,7 @@ def tool_on(path: Path, part: tuple[float, float], late: float) -> tuple[np.ndar
     return along, path.position(along) + 10e-6 * path.normal(along) - late * path.tangent(along) + noise
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("late", [0.0, 50e-6, -80e-6])
 @pytest.mark.parametrize("part", [(0.0, 1.0), (0.0, 0.55), (0.3, 1.0)])
 @pytest.mark.parametrize("name", PATHS)

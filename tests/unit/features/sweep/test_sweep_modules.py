@@ -139,6 +139,7 @@ scheme = { values = ["position loop", "all of it"] }
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", [".csv", ".parquet"])
 def test_an_exported_study_as_a_list_gives_the_same_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str], suffix: str) -> None:
     made_study(tmp_path, DRAWN)

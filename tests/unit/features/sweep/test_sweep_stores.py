@@ -91,6 +91,7 @@ def test_a_damaged_file_is_found_and_computed_again(whole: Path, capsys: Capture
 CHANGES = [("seed = 3", "seed = 4"), ('"20 %"', '"21 %"'), ("chunk = 32", "chunk = 64"), ("all of it", "position loop")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change", CHANGES)
 def test_the_store_of_another_study_is_refused(whole: Path, capsys: Capture, change: tuple[str, str]) -> None:
     Path("study.toml").write_text(STUDY.replace(*change))
