@@ -105,12 +105,13 @@ class Heartbeat:
     def beat(self) -> None:
         """Print lines until `end`."""
         while not self._ended.wait(INTERVAL):
+            show = self.show_bar  # the bar may end at any time
             with suppress(OSError, ValueError):  # its reader is gone
-                if self.show_bar is None:
+                if show is not None:
+                    show()
+                else:
                     sys.stderr.write(self.line() + "\n")
                     sys.stderr.flush()
-                else:
-                    self.show_bar()
 
     def end(self) -> None:
         """Print no further line."""
