@@ -16,7 +16,6 @@ from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ProcessP
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from functools import partial
 from itertools import islice
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -210,9 +209,9 @@ class Workers:
             while waiting:
                 done, _ = wait(waiting, INTERVAL, FIRST_COMPLETED)
                 wait_for("" if done or self.present() else self.name)
-                fill(max(AHEAD * self.count + len(done) - len(waiting), 0))
-                for future in done:
-                    yield waiting.pop(future), future.result()
+                ended = [(waiting.pop(future), future.result()) for future in done]  # a lost scheduler raises here at once
+                fill(max(AHEAD * self.count - len(waiting), 0))
+                yield from ended
         except tuple(self.lost) as error:
             raise EngineError(next(text for kind, text in self.lost.items() if isinstance(error, kind))) from error
 
@@ -295,6 +294,8 @@ def _carried(key: str) -> Shared:
 @contextmanager
 def _cluster(executor: Executor, plugins: tuple[str, ...], then: str) -> Iterator[Workers]:
     """Start or find a cluster; Dask repeats the work of a worker that is lost."""
+    import asyncio
+
     from distributed import KilledWorker, WorkerPlugin
 
     killed, gone = "some work has ended several Dask workers: do they have enough memory?", f"the Dask scheduler is lost. {then}"
@@ -310,9 +311,7 @@ def _cluster(executor: Executor, plugins: tuple[str, ...], then: str) -> Iterato
             return _carried, name
 
         def submit(*call: Any) -> Future[Any]:
-            passed = Future[Any]()
-            client.submit(*call, pure=False).add_done_callback(partial(_pass_on, passed=passed))
-            return passed
+            return asyncio.run_coroutine_threadsafe(_result_of(client.submit(*call, pure=False)), client.loop.asyncio_loop)
 
         def present() -> int:
             try:
@@ -327,12 +326,9 @@ def _cluster(executor: Executor, plugins: tuple[str, ...], then: str) -> Iterato
             client.unregister_worker_plugin(name)
 
 
-def _pass_on(future: Any, passed: Future[Any]) -> None:
-    """Pass on how a task of Dask ended; Dask's own adapter leaves its futures pending if the scheduler is lost at the wrong moment."""
-    try:
-        passed.set_result(future.result())
-    except BaseException as error:
-        passed.set_exception(error)
+async def _result_of(future: Any) -> Any:
+    """Wait for a task of Dask, in its loop: its own adapter and threads that wait for a result may wait forever after a lost scheduler."""
+    return await future
 
 
 @contextmanager
