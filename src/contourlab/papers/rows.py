@@ -52,6 +52,8 @@ class Row:
         "least" or "most" if the figure to compare with is a limit, else empty.
     band : (float, float) or None
         Where our figure has to stay, in the same unit, whether it agrees or not.
+    missing : str
+        Why there is no figure: the package that it needs, and how to install it. Such a row has no verdict.
     """
 
     json_derived: ClassVar = {"pass": "passed", "verdict": "verdict"}
@@ -69,10 +71,13 @@ class Row:
     main: bool = True
     limit: str = ""
     band: Band | None = None
+    missing: str = ""
 
     @property
     def verdict(self) -> str:
         """Whether the row "agrees", "differs" or is "outside its band"; empty if it is inside and nothing is compared."""
+        if self.missing:
+            return ""
         if self.band is not None and not _inside(self.here, self.band):
             return OUTSIDE
         if self.tolerance is None:
@@ -165,9 +170,11 @@ def asked(name: str, case: str, least: float, here: float, unit: str, most: floa
     return printed(name, case, least, here, unit, most - least, note, at_least=True, source=ASKED, kind=kind)
 
 
-def ours(name: str, case: str, here: float, unit: str, note: str = "", *, reading: str = "", main: bool = True) -> Row:
+def ours(
+    name: str, case: str, here: float, unit: str, note: str = "", *, reading: str = "", main: bool = True, missing: str = ""
+) -> Row:
     """Return a row without a figure to compare with; arguments as in `Row`."""
-    return Row(name, case, None, float(here), unit, None, note, OURS, COMPUTED, reading, main)
+    return Row(name, case, None, float(here), unit, None, note, OURS, COMPUTED, reading, main, missing=missing)
 
 
 def banded(rows: Iterable[Row], bands: Bands) -> list[Row]:

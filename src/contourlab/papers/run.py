@@ -54,7 +54,7 @@ def text_of(rows: Sequence[Row], *, whole: bool = False) -> str:
     """Return one table of the figures that can be compared, and why some differ; with `whole` all rows instead. Then what they assume."""
     blocks = list(_all(rows)) if whole else [_overview(rows), *_why(rows)]
     blocks += _assumed(rows)
-    return "\n\n".join([*blocks, *_outside(rows), paragraphs([conclusion(rows)])])
+    return "\n\n".join([*blocks, *_missing(rows), *_outside(rows), paragraphs([conclusion(rows)])])
 
 
 def conclusion(rows: Sequence[Row]) -> str:
@@ -63,12 +63,17 @@ def conclusion(rows: Sequence[Row]) -> str:
     counts = [sum(abs(row.off) <= limit for row in evidence) for limit in CLOSE]
     near = ", ".join(f"{count} within {100 * limit:g} %" for limit, count in zip(CLOSE, counts, strict=True))
     outside = sum(row.verdict == OUTSIDE for row in rows)
-    held = f"All {len(rows)} rows lie in their bands." if not outside else f"{outside} of {len(rows)} rows lie outside their bands."
+    n = sum(not row.missing for row in rows)
+    held = f"All {n} rows lie in their bands." if not outside else f"{outside} of {n} rows lie outside their bands."
     return f"{len(evidence)} figures computed: {near}, {len(evidence) - counts[-1]} not reached. {held}"
 
 
 def _is_evidence(row: Row) -> bool:
-    """Tell whether a row compares a computed figure, under the stated reading, with another one."""
+    """Tell whether a row counts as evidence: a computed figure, under the stated reading, beside another one. A limit kept is none."""
+    return _is_compared(row) and not row.limit
+
+
+def _is_compared(row: Row) -> bool:
     return row.kind == COMPUTED and row.main and row.paper is not None
 
 
@@ -97,6 +102,8 @@ def _overview(rows: Sequence[Row]) -> str:
     others += [f"{readings} under other readings"] if readings else []
     alone = sum(row.kind == COMPUTED and row.main and row.source == OURS for row in rows)
     others += [f"{alone} with nothing to compare with"] if alone else []
+    limits = [row for row in rows if row.limit and _is_compared(row)]
+    others += [f"{sum(row.agrees for row in limits)} of {len(limits)} limits kept"] if limits else []
     shown = [table.text()] if groups else []
     return "\n".join([*shown, *([paragraphs([f"Not counted: {', '.join(others)}; --all shows them."])] if others else [])])
 
@@ -109,7 +116,7 @@ def _why(rows: Sequence[Row]) -> list[str]:
     """Return the reasons of the computed figures that are not reached, each once."""
     reasons: dict[str, list[Row]] = {}
     for row in rows:
-        if _is_evidence(row) and abs(row.off) > FAR:
+        if _is_compared(row) and (not row.agrees if row.limit else abs(row.off) > FAR):
             reasons.setdefault(row.note, []).append(row)
     lines = [f"{', '.join(dict.fromkeys(row.name for row in group))}: {note or 'no reason known'}." for note, group in reasons.items()]
     return ["\n".join(["Not reached, and why:", paragraphs(lines)])] if lines else []
@@ -119,6 +126,15 @@ def _assumed(rows: Sequence[Row]) -> list[str]:
     """Return the readings under which figures are counted."""
     readings = dict.fromkeys(row.reading for row in rows if _is_evidence(row) and row.reading)
     return [paragraphs(f"Stated reading: {reading}." for reading in readings)] if readings else []
+
+
+def _missing(rows: Sequence[Row]) -> list[str]:
+    """Return what is not computed for want of a package."""
+    needs: dict[str, list[str]] = {}
+    for row in rows:
+        if row.missing:
+            needs.setdefault(row.missing, []).append(f"{row.name} ({row.case})")
+    return ["\n".join(["Not computed:", paragraphs(f"{', '.join(names)}: {why}." for why, names in needs.items())])] if needs else []
 
 
 def _outside(rows: Sequence[Row]) -> list[str]:

@@ -79,11 +79,14 @@ def test_only_computed_figures_of_the_stated_reading_are_counted() -> None:
     assert "another drive" in text and "other parameters" not in text
 
 
-def test_logged_and_requested_figures_are_counted_too() -> None:
+def test_logged_figures_are_counted_and_limits_by_themselves() -> None:
     beside = measured("rms", "seen", 84.8, 84.6, "um", 1.0), measured("rms", "unseen", 84.8, 60.0, "um", None)
     rows = (*beside, asked("explained", "x", 80.0, 98.7, "%", 100.0), asked("explained", "y", 80.0, 79.9, "%", 100.0))
     assert [row.agrees for row in rows] == [True, False, True, False]
-    assert figures(conclusion(rows))[:1] == [4]
+    # 84.6 for 84.8, and 60 for 84.8; a limit that is kept is not near.
+    assert figures(conclusion(rows)) == [2, 1, 2, 1, 5, 1, 20, 1, 4]
+    text = text_of(rows)
+    assert "1 of 2 limits kept" in text and "explained: no reason known" in " ".join(text.split())
 
 
 @pytest.mark.parametrize(("rows", "code"), [((AGREES, DIFFERS, OURS), 0), ((AGREES, replace(DERIVED, here=2.4)), 1)])

@@ -51,7 +51,7 @@ CASES = (
 CASES_WITHOUT = (
     LimitCycleCase("motor side, K_v 60, K_p 1, K_i 1400", DRIVE, p_pi_cascade(60.0, 1.0, 1400.0, "motor")),
     LimitCycleCase("load side, K_v 5, K_p 2, load damped", replace(DRIVE, load_damping=0.02), p_pi_cascade(5.0, 2.0)),
-    LimitCycleCase("motor side, PD of scheme II", DRIVE, motor_pid(200.0, 1000.0)),
+    LimitCycleCase("motor side, PD of scheme II", DRIVE, motor_pid(1000.0, 200.0)),
 )
 """Cases without a limit cycle; the describing function predicts one for all but the last."""
 

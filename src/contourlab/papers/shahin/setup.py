@@ -25,7 +25,7 @@ RADIUS = 0.025
 FEED = 8.0 / 60.0
 """8000 mm/min."""
 SERVO_PERIOD = 2e-6
-"""Nominal; a lap is a whole number of periods. K_1'/J_m = 1.92e5 1/s needs less than 10.4 us."""
+"""Nominal; a lap is a whole number of periods. With Table 2 as printed, K_1'/J_m = 1.92e5 1/s needs less than 10.4 us."""
 
 SCHEMES = ("I", "II", "III")
 COUPLED = {name: f"{name} with cross-coupling" for name in SCHEMES}
