@@ -17,7 +17,7 @@ from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings
 from contourlab.features.tune.global_search import GlobalResult, global_search
-from contourlab.features.tune.line_search import LineRule, SearchPath, restore_margins, sequential
+from contourlab.features.tune.line_search import SETTLED, LineRule, SearchPath, restore_margins, sequential
 from contourlab.features.tune.objective import FIGURES, Evaluation, Goal, Objective, evaluate
 from contourlab.features.tune.pole_placement import FRACTIONS, placed_start
 from contourlab.feed import Reference
@@ -201,6 +201,10 @@ def _tuned(
     path, global_result, candidates, interrupted = _candidates((objective, guards, space), values, placed, settings, begin, progress)
     method, best, rejected = _chosen(objective, guards, values, candidates)
     begin("checking the result")
+    share = SETTLED if settings.rule.plateau == "best" else settings.rule.within
+    kept: tuple[str, ...] = ()
+    if method == "global" or settings.rule.plateau != "largest":
+        best, kept = _kept((objective, guards, space), values, best, share)
     best = {variable.name: float(variable.written(best[variable.name])) for variable in space.numbers}
     tuned = with_values(machine, start, best)[1]
     after = evaluate(machine, tuned, reference, guards, seed=seed, moving=moving)
@@ -212,11 +216,40 @@ def _tuned(
     terms = drive_terms(machine, tuned, after.run)
     runs = evaluator.runs + (len(FRACTIONS) if settings.start == "placed" else 0) + 2
     findings = [*_range_findings(space, best, guards), *rejected]
+    if kept and method != "none":
+        findings.append(finding("CL611", parameters=kept, share=share))
     if global_result is not None and global_result.values is None:
         findings.append(finding("CL603"))
     findings += [*linuxcnc_findings(terms), *_conclusions(settings.goal, before, after)]
     findings += [finding("CL610")] if interrupted else []
     return Tuned(tuned, space, best, method, before, after, start_objective, path, global_result, terms, runs, interrupted, tuple(findings))
+
+
+def _kept(
+    problem: Problem, start: Mapping[str, float], best: Mapping[str, float], within: float
+) -> tuple[Mapping[str, float], tuple[str, ...]]:
+    """Put parameters back to their start, axis by axis, where all bounds hold and the objective rises by a share `within` at most.
+
+    Returns
+    -------
+    tuple
+        The values, and the short names of the parameters put back.
+    """
+    objective, guards, space = problem
+    moved = [variable for variable in space.numbers if best[variable.name] != start[variable.name]]
+    reached, began = (float(objective.at(values).value[0]) for values in (best, start))
+    limit, kept = min(reached * (1.0 + within), max(reached, began)), list[str]()
+    for axes in dict.fromkeys(guards.concerned(variable.name) for variable in moved):
+        back = [variable for variable in moved if guards.concerned(variable.name) == axes]
+        rise = {variable: float(objective.at({**best, variable.name: start[variable.name]}).value[0]) for variable in back}
+        while back:
+            trial = {**best, **{variable.name: start[variable.name] for variable in back}}
+            run = objective.at(trial)
+            if run.value[0] <= limit and not run.violations(trial, guards):
+                best, kept = trial, [*kept, *(variable.short for variable in back)]
+                break
+            back.remove(max(back, key=lambda variable: rise[variable]))
+    return best, tuple(kept)
 
 
 def _check(machine: Machine, controller: Controller, settings: TuneSettings) -> None:
