@@ -49,6 +49,13 @@ def _numbers(unit: str, display: str) -> BeforeValidator:
     return BeforeValidator(read)
 
 
+def _travel(value: Any) -> float | tuple[float, ...]:
+    try:
+        return read_number(value, "m", "mm") if isinstance(value, str | int | float) else read_list(value, "m", "mm")
+    except UnitError as error:
+        raise ValueError(str(error)) from error
+
+
 Period = Annotated[float, _number("s", "ms", minimum=0.0, maximum=1.0, exclusive=True)]
 Moment = Annotated[float, _number("s", minimum=0.0, exclusive=True)]
 Velocity = Annotated[float, _number("m/s", "mm/min", minimum=0.0, exclusive=True)]
@@ -100,7 +107,7 @@ class LimitsTable(StrictTable):
     acceleration: Annotated[float | None, _limit("acceleration", "m/s^2")] = None
     jerk: Annotated[float | None, _limit("jerk", "m/s^3")] = None
     following_error: Distance | None = None
-    travel: Annotated[tuple[float, ...] | None, _numbers("m", "mm")] = None
+    travel: Annotated[float | tuple[float, ...] | None, BeforeValidator(_travel)] = None
 
 
 class ErrorTable(StrictTable):

@@ -20,6 +20,7 @@ from contourlab.arrays import free_memory
 from contourlab.components.supervisor.pre_routed import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
+from contourlab.features.check.remarks import travel_unknown
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.features.learn.foretold import learning_findings
 from contourlab.features.run.trust.interval import part_interval
@@ -232,6 +233,8 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
         if isinstance(loop.supervisor, PreRouted):
             yield from _unreached(axis.name, loop.supervisor, reference)
     yield from _feed_never_reached(case, reference)
+    if case.motion.file is not None:
+        yield from travel_unknown(case.machine)
     last = reference.n_sample * reference.servo_period
     for change in case.changes:
         if change.sample(reference.servo_period) >= reference.n_sample:
