@@ -75,6 +75,7 @@ class PlannedMotion:
         self._sums = np.zeros(5)  # feed and rapid length, cycle time, dwells, time of the feed moves at their feedrates
         self._stops = 0
         self._machine: Any = None
+        self._assumed: dict[str, Finding] = {}
 
     def add(self, part: Part) -> None:
         """Plan a part; after a fault nothing more is planned."""
@@ -101,6 +102,7 @@ class PlannedMotion:
             self._travel = TravelCheck(self._machine)
 
     def _plan(self, program: Program) -> None:
+        from contourlab.features.check.remarks import path_mode_assumed
         from contourlab.feed import blended, route_from_program
         from contourlab.feed.planner import plan_profile
         from contourlab.geometry.box import boxes
@@ -110,6 +112,7 @@ class PlannedMotion:
         low, high = boxes(route.path)
         limits = self._machine.planner_limits()
         cycle_time = plan_profile(blended(route, limits), limits).duration
+        self._assumed = {found.code: found for found in path_mode_assumed(program.moves, DEFAULT_CORNER_TOLERANCE)} | self._assumed
         self._travel.add(low, high, ~route.rapid, route.source_line)
         lengths, feed = np.diff(route.path.breaks), ~route.rapid
         dwell = float(route.dwell.sum()) + route.dwell_before
@@ -126,7 +129,7 @@ class PlannedMotion:
         feed, rapid, cycle_time, dwell, at_feedrate = self._sums.tolist()
         extent = zip(self._travel.low.tolist(), self._travel.high.tolist(), strict=True)
         return {
-            "findings": tuple(self._outside()),
+            "findings": (*self._outside(), *self._assumed.values()),
             "length": {"feed": feed, "rapid": rapid},
             "box": dict(zip(self._machine.axis_names, extent, strict=True)),
             "cycle_time": cycle_time,
