@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from contourlab.errors import ContourlabError, ProgramError
+from contourlab.features.check.remarks import path_mode_assumed, travel_unknown
 from contourlab.findings import Finding, finding
 from contourlab.program import Dwell, Move, Program, Reader, Traverse
 
@@ -102,7 +103,6 @@ class PlannedMotion:
             self._travel = TravelCheck(self._machine)
 
     def _plan(self, program: Program) -> None:
-        from contourlab.features.check.remarks import path_mode_assumed
         from contourlab.feed import blended, route_from_program
         from contourlab.feed.planner import plan_profile
         from contourlab.geometry.box import boxes
@@ -141,8 +141,6 @@ class PlannedMotion:
 
     def _outside(self) -> Iterator[Finding]:
         """Yield a finding for each axis that leaves the machine's travel, and one if a travel is unknown."""
-        from contourlab.features.check.remarks import travel_unknown
-
         travel, machine = self._travel, self._machine
         for name, line in travel.left.items():
             j, limits = machine.axis_names.index(name), machine.axis(name).limits

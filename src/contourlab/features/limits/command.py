@@ -175,22 +175,9 @@ def _planned(file: Path, options: LimitOptions, tolerance: float, reading: Readi
     ]
     rows = _rows(_sample_lines(reference), reference.servo_period, use, machine.axis_names)
     passed = all(peak.use is None or peak.use <= 1.0 + tolerance for peak in peaks)
-    findings = _exceeded(peaks, tolerance)
-    return LimitTest(
-        file.name,
-        "plan",
-        machine.axis_names,
-        machine.servo_period,
-        reference.duration,
-        machine.name,
-        tolerance,
-        passed,
-        tuple(peaks),
-        rows,
-        findings,
-        given,
-        "given" if given and options.machine is None else "machine",
-    )
+    kept = "given" if given and options.machine is None else "machine"
+    head = (file.name, "plan", machine.axis_names, machine.servo_period, reference.duration, machine.name, tolerance, passed)
+    return LimitTest(*head, tuple(peaks), rows, _exceeded(peaks, tolerance), given, kept)
 
 
 def _sample_lines(reference: Reference) -> Index:

@@ -88,9 +88,8 @@ def travels(answers: Mapping[str, str]) -> dict[str, str]:
     ScenarioError
         If they are not one for each axis, or one is not a travel.
     """
-    names, parts = axis_names(answers), [part.strip() for part in answers.get("travel", "").split(",")]
-    if parts == [""]:
-        return {}
+    names, text = axis_names(answers), answers.get("travel", "")
+    parts = [part.strip() for part in text.split(",")] if text else [""] * len(names)
     if len(parts) != len(names):
         raise fault("travel", f"{len(parts)} for the axes {', '.join(names)}: write one for each, with commas")
     question = next(question for question in AXIS if question.key == "travel")
@@ -126,7 +125,7 @@ def answers_of(answers: Mapping[str, str], name: str, trail: tuple[str, ...] = (
         raise fault(f"{name}.{SAME.key}", "the axes repeat each other in a circle")
     other, kept = same_as(answers, name)
     repeated = answers_of(answers, other, (*trail, name)) if other else {}
-    own = {"travel": travels(answers).get(name, "")} | {key: answers[f"{name}.{key}"] for key in KEYS if f"{name}.{key}" in answers}
+    own = {"travel": travels(answers)[name]} | {key: answers[f"{name}.{key}"] for key in KEYS if f"{name}.{key}" in answers}
     return {key: text for key, text in repeated.items() if key not in (*kept, *PLACE)} | own
 
 

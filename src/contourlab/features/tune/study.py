@@ -201,10 +201,9 @@ def _tuned(
     path, global_result, candidates, interrupted = _candidates((objective, guards, space), values, placed, settings, begin, progress)
     method, best, rejected = _chosen(objective, guards, values, candidates)
     begin("checking the result")
-    share = SETTLED if settings.rule.plateau == "best" else settings.rule.within
-    kept: tuple[str, ...] = ()
+    left: list[Finding] = []
     if method == "global" or settings.rule.plateau != "largest":
-        best, kept = _kept((objective, guards, space), values, best, share)
+        best, left = _left((objective, guards, space), values, best, settings.rule)
     best = {variable.name: float(variable.written(best[variable.name])) for variable in space.numbers}
     tuned = with_values(machine, start, best)[1]
     after = evaluate(machine, tuned, reference, guards, seed=seed, moving=moving)
@@ -215,9 +214,7 @@ def _tuned(
         method, tuned, after = "none", controller, before
     terms = drive_terms(machine, tuned, after.run)
     runs = evaluator.runs + (len(FRACTIONS) if settings.start == "placed" else 0) + 2
-    findings = [*_range_findings(space, best, guards), *rejected]
-    if kept and method != "none":
-        findings.append(finding("CL611", parameters=kept, share=share))
+    findings = [*_range_findings(space, best, guards), *rejected, *(left if method != "none" else [])]
     if global_result is not None and global_result.values is None:
         findings.append(finding("CL603"))
     findings += [*linuxcnc_findings(terms), *_conclusions(settings.goal, before, after)]
@@ -225,20 +222,21 @@ def _tuned(
     return Tuned(tuned, space, best, method, before, after, start_objective, path, global_result, terms, runs, interrupted, tuple(findings))
 
 
-def _kept(
-    problem: Problem, start: Mapping[str, float], best: Mapping[str, float], within: float
-) -> tuple[Mapping[str, float], tuple[str, ...]]:
-    """Put parameters back to their start, axis by axis, where all bounds hold and the objective rises by a share `within` at most.
+def _left(
+    problem: Problem, start: Mapping[str, float], best: Mapping[str, float], rule: LineRule
+) -> tuple[Mapping[str, float], list[Finding]]:
+    """Put parameters back to their start, axis by axis, where all bounds hold and the objective hardly rises.
 
     Returns
     -------
     tuple
-        The values, and the short names of the parameters put back.
+        The values, and a finding that names the parameters put back.
     """
     objective, guards, space = problem
     moved = [variable for variable in space.numbers if best[variable.name] != start[variable.name]]
+    share = SETTLED if rule.plateau == "best" else rule.within
     reached, began = (float(objective.at(values).value[0]) for values in (best, start))
-    limit, kept = min(reached * (1.0 + within), max(reached, began)), list[str]()
+    limit, kept = min(reached * (1.0 + share), max(reached, began)), list[str]()
     for axes in dict.fromkeys(guards.concerned(variable.name) for variable in moved):
         back = [variable for variable in moved if guards.concerned(variable.name) == axes]
         rise = {variable: float(objective.at({**best, variable.name: start[variable.name]}).value[0]) for variable in back}
@@ -249,7 +247,7 @@ def _kept(
                 best, kept = trial, [*kept, *(variable.short for variable in back)]
                 break
             back.remove(max(back, key=lambda variable: rise[variable]))
-    return best, tuple(kept)
+    return best, [finding("CL611", parameters=tuple(kept), share=share)] if kept else []
 
 
 def _check(machine: Machine, controller: Controller, settings: TuneSettings) -> None:
