@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import shlex
 from pathlib import Path
 from typing import Any
 
@@ -48,12 +49,30 @@ def test_a_plan_keeps_the_limits_of_its_machine(capsys: pytest.CaptureFixture[st
     assert sum(row["duration"] for row in result["lines"]) == pytest.approx(result["cycle_time"], abs=2e-3)
 
 
+def test_a_plan_within_the_limits_given(capsys: pytest.CaptureFixture[str]) -> None:
+    """Without a machine; a straight line in closed form: velocity, then acceleration and jerk reach their limits."""
+    Path("line.ngc").write_text("G21 G90 G61\nG1 X400 F12000\nM2\n", encoding="ascii")
+    limits = ("--acceleration", "1 m/s^2", "--jerk", "x=10 m/s^3")
+    result = printed(capsys, "limits", "line.ngc", *limits)
+    assert (result["planned_within"], result["given"]) == ("given", ["acceleration", "jerk"])
+    largest = {peak["kind"]: peak for peak in result["peaks"] if peak["axis"] == "x"}
+    assert largest["acceleration"]["value"] == pytest.approx(1.0, rel=1e-3) and largest["jerk"]["value"] == pytest.approx(10.0, rel=1e-3)
+    assert all(peak["use"] <= 1.0 + 1e-6 for peak in result["peaks"] if peak["use"] is not None)
+    assert result["cycle_time"] == pytest.approx(0.4 / 0.2 + 0.2 / 1.0 + 1.0 / 10.0, abs=3e-3)  # s/v + v/a + a/j
+    on_machine = printed(capsys, "limits", "line.ngc", "--machine", "xyz", *limits, code=1)
+    assert (on_machine["planned_within"], on_machine["given"]) == ("machine", ["acceleration", "jerk"])
+    assert max(peak["use"] for peak in on_machine["peaks"] if peak["kind"] == "acceleration") == pytest.approx(1.5, rel=0.01)
+    main(["limits", "line.ngc", *limits])
+    following = shlex.split(capsys.readouterr().out.splitlines()[-1].removeprefix("next: contourlab "))
+    assert following == ["limits", "line.ngc", *limits, "--annotate", "line-annotated.ngc"]
+
+
 def test_a_plan_against_other_limits(capsys: pytest.CaptureFixture[str]) -> None:
-    result = printed(capsys, "limits", "part.ngc", "--acceleration", "x=0.5 m/s^2", code=1)
+    result = printed(capsys, "limits", "part.ngc", "--machine", "xyz", "--acceleration", "x=0.5 m/s^2", code=1)
     over = [peak for peak in result["peaks"] if (peak["use"] or 0.0) > 1.005]
     assert {(peak["axis"], peak["kind"]) for peak in over} >= {("x", "acceleration")} and {peak["axis"] for peak in over} == {"x"}
     assert "CL472" in {found["code"] for found in result["findings"]}
-    assert printed(capsys, "limits", "part.ngc", "--acceleration", "x=1.4 m/s^2", "--tolerance", "10 %")["passed"]
+    assert printed(capsys, "limits", "part.ngc", "--machine", "xyz", "--acceleration", "x=1.4 m/s^2", "--tolerance", "10 %")["passed"]
 
 
 @pytest.mark.parametrize("digits", [6, 3])

@@ -29,7 +29,7 @@ lead = "5 mm"
 """
 TYPED_X = ["", "1.3", "0.5", "0.6", "", "20", "", "", "", "", ""]
 TYPED_Y = ["x except rated_torque, rotor_inertia, lead, moved_mass", "2400 mN*m", "1.2", "5 mm", "40"]
-TYPED = "\n".join(["x, y", "", "x on y", *TYPED_X, *TYPED_Y, ""])
+TYPED = "\n".join(["x, y", "", "x on y", *TYPED_X, *TYPED_Y, "", ""])
 """The same answers as a person types them: an empty line takes the default."""
 
 

@@ -100,7 +100,8 @@ def test_check_describes_a_program(contourlab: Run, tmp_path: Path) -> None:
     # Rapids at 0.2 m/s, feed at 20 mm/s, a dwell; acceleration adds more time.
     least = 0.1 / 0.2 + found["length"]["feed"] / 0.02 + 0.5
     assert least < found["cycle_time"] < least + 1.0
-    assert found["problems"] == found["notices"] == found["findings"] == []
+    assert found["problems"] == found["notices"] == []
+    assert [one["code"] for one in found["findings"]] == ["CL110"]
 
 
 def test_check_knows_the_travel(contourlab: Run, tmp_path: Path) -> None:

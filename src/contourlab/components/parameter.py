@@ -204,8 +204,8 @@ def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, sourc
     return Parameter("", "", default, -math.inf, math.inf, False, choices, False, True, False, "", doc, source)
 
 
-NOISE_STREAM: Any = param(default=0.0, minimum=0.0, maximum=2.0**53, whole=True, doc="number of the noise stream; the run sets it")
-"""The parameter ``stream`` of a component that makes noise."""
+NOISE_STREAM: Any = param(default=0.0, minimum=0.0, maximum=2.0**53, whole=True, doc="number of the noise, besides seed, trial and slot")
+"""The parameter ``stream`` of a component that makes noise. In a run its step gets the number of a stream of its own instead."""
 
 
 def require_positive(**values: float) -> None:

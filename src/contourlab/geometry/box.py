@@ -1,4 +1,4 @@
-"""The bounding box of a path."""
+"""The bounding box of a path and of each of its curves."""
 
 from __future__ import annotations
 
@@ -15,17 +15,22 @@ _HALVINGS = 45
 
 
 def box(path: Path) -> tuple[Array, Array]:
-    """Return the lowest and the highest coordinates of a path (n_axis,), (n_axis,) [m].
+    """Return the lowest and the highest coordinates of a path (n_axis,), (n_axis,) [m]."""
+    low, high = boxes(path)
+    return low.min(axis=0), high.max(axis=0)
+
+
+def boxes(path: Path) -> tuple[Array, Array]:
+    """Return the lowest and the highest coordinates of each curve of a path (n_curve, n_axis), (n_curve, n_axis) [m].
 
     Lines, arcs and helices have a closed form; bisection between samples finds the extremes of other curves.
     """
-    ends = np.concatenate([path.starts[0], path.ends[0]])
-    low, high = ends.min(axis=0), ends.max(axis=0)
-    for curve in path.curves:
+    low, high = np.minimum(path.starts[0], path.ends[0]), np.maximum(path.starts[0], path.ends[0])
+    for i, curve in enumerate(path.curves):
         if isinstance(curve, Line):
             continue
         points = _arc_extremes(curve) if isinstance(curve, Arc) else _turning_points(curve)
-        low, high = np.minimum(low, points.min(axis=0)), np.maximum(high, points.max(axis=0))
+        low[i], high[i] = np.minimum(low[i], points.min(axis=0)), np.maximum(high[i], points.max(axis=0))
     return low, high
 
 

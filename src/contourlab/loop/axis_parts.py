@@ -26,8 +26,8 @@ class Limits:
     jerk : float [m/s^3], > 0
     following_error : float [m], > 0
         A larger tracking error ends the run as diverged, as a drive would trip.
-    travel : tuple of two floats [m]
-        Lowest and highest position of the axis.
+    travel : tuple of two floats, or float > 0 [m]
+        Lowest and highest position of the axis, or the length alone: feed moves must then fit into it, wherever they lie.
     origins : mapping of str to Origin
         Source of each number, by name.
     file : str
@@ -43,7 +43,7 @@ class Limits:
     acceleration: float = math.inf
     jerk: float = math.inf
     following_error: float = 0.05
-    travel: tuple[float, float] = (-math.inf, math.inf)
+    travel: tuple[float, float] | float = (-math.inf, math.inf)
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     file: str = field(default="", compare=False, repr=False)
 
@@ -52,8 +52,23 @@ class Limits:
             value = getattr(self, name)
             if not value > 0.0:
                 raise ParameterError(f"limits.{name}", f"{value:g}", "> 0")
-        if not self.travel[0] < self.travel[1]:
-            raise ParameterError("limits.travel", f"{self.travel}", "two positions, the lower one first", "m")
+        if not (self.ends[0] < self.ends[1] and self.extent > 0.0):
+            raise ParameterError("limits.travel", f"{self.travel}", "two positions, the lower one first, or a length > 0", "m")
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Lowest and highest position; infinite where unknown."""
+        return self.travel if isinstance(self.travel, tuple) else (-math.inf, math.inf)
+
+    @property
+    def extent(self) -> float:
+        """Length of a travel whose ends are unknown; infinite otherwise."""
+        return math.inf if isinstance(self.travel, tuple) else self.travel
+
+    @property
+    def bounded(self) -> bool:
+        """Whether the travel is known, by its ends or by its length."""
+        return any(map(math.isfinite, (*self.ends, self.extent)))
 
 
 @dataclass(frozen=True)

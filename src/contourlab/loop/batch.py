@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import nullcontext
 from functools import partial
@@ -50,7 +50,7 @@ def simulate_batch(
     part: bool = False,
     effort: bool = False,
     view: PathView | None = None,
-    seed: int = 0,
+    seed: int | Sequence[int] | Index = 0,
     jit: bool | None = None,
     progress: Callable[[int], None] | None = None,
     reuse: BatchResult | None = None,
@@ -68,7 +68,7 @@ def simulate_batch(
         All three common to all variants.
     variants : mapping of str to array_like (n_variant,)
         Parameters that differ [SI], by dotted name (`contourlab.loop.parameter_names` lists them), or by the end of one; ``*`` stands for
-        anything, as in ``axes.*.plant.mass``. All parameters that a text means get the same values.
+        anything, as in ``axes.*.plant.mass``. All parameters that a text means get the same values. Empty if only the seeds differ.
     keep : sequence of str
         Signals to keep; none by default.
     threads : int, optional
@@ -81,8 +81,8 @@ def simulate_batch(
         Whether to sum up the commands to the drives.
     view : PathView, optional
         View of the path for estimator and judge; see `contourlab.geometry.view.view_of`.
-    seed : int
-        Of all noise.
+    seed : int or array_like of int (n_variant,)
+        Of all noise: one seed, or one for each variant.
     jit : bool, optional
         Compiled, or plain Python.
     progress : callable, optional
@@ -116,7 +116,8 @@ def simulate_batch(
     errors of `simulate` and of a variant may differ by 0.1 um.
     """
     check_kinds(machine, controller, reference)
-    columns, n = checked_variants(machine, controller, variants)
+    seeds = tuple(seed) if isinstance(seed, Iterable) else seed
+    columns, n = checked_variants(machine, controller, variants, seeds)
     check_view(view, reference.path)
     view = view or view_of(reference.path)
     compiled = jit_enabled(jit)
@@ -130,7 +131,7 @@ def simulate_batch(
         extra += (lambda signals: effort_node(machine, reference, signals["command"], columns),)
     start, progress_at = first.position[0], float(first.arc_length[0])
     speed = first.velocity[0] if moving else None
-    loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed, fed=feed.names, velocity=speed)
+    loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seeds, fed=feed.names, velocity=speed)
     device = gpu_of_process() if gpu else None
     lanes = lanes_of(n, sum(memory_rows(loop.schedule))) if gpu else LANES
     groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]
@@ -173,7 +174,9 @@ def _advance_all(
     return np.where(seen >= 0, seen, broken).astype(np.int64).ravel()
 
 
-def checked_variants(machine: Machine, controller: Controller, variants: Mapping[str, ArrayLike]) -> tuple[dict[str, Array], int]:
+def checked_variants(
+    machine: Machine, controller: Controller, variants: Mapping[str, ArrayLike], seeds: int | tuple[int, ...] = 0
+) -> tuple[dict[str, Array], int]:
     """Return the columns of all parameters that differ, and the number of variants, as `simulate_batch` checks them first.
 
     Raises
@@ -202,9 +205,9 @@ def checked_variants(machine: Machine, controller: Controller, variants: Mapping
             raise
         except (TypeError, ValueError) as error:
             raise ParameterError("variants", f"{name} = {values!r:.60}", "numbers, one for each variant") from error
-    lengths = {len(values) for values in columns.values()}
+    lengths = {len(values) for values in columns.values()} | ({len(seeds)} if isinstance(seeds, tuple) else set())
     if len(lengths) != 1 or 0 in lengths:
-        raise ParameterError("variants", f"arrays of lengths {sorted(lengths)}", "given, all of the same length, 1 or more")
+        raise ParameterError("variants", f"arrays of lengths {sorted(lengths)}", "given, all of the same length, 1 or more, seeds too")
     _check_together(known, columns)
     _check_substeps(machine, columns)
     return columns, lengths.pop()

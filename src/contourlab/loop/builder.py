@@ -34,7 +34,7 @@ class Builder:
     start: Array
     progress: float
     overrides: Overrides
-    seed: int
+    seed: int | tuple[int, ...]
     trial: int
     fed: frozenset[str]
     velocity: Array | None = None
@@ -74,7 +74,7 @@ class Builder:
         """Return the node of a component of one axis."""
         initial, start = part.at_rest(at)
         changed = self.changed(prefix)
-        step, values = part.make_step(len(self.names)), part.block(self.period, changed)
+        step, values = part.make_step(len(self.names)), self.values_of(part, prefix)
         return Node(name, step, wires, values, part.table_values(), initial, start, self.ring_length(part, changed))
 
     def ring_length(self, part: Component, changed: Mapping[str, Array]) -> int:
@@ -98,11 +98,19 @@ class Builder:
         """Return the wire of the drive's last accepted command, after its limit and before its delay."""
         return Late(f"{axis}.drive.{accepted_output(self.machine.axis(axis).drive)}")
 
-    def noisy(self, part: Any, axis: str, slot: str) -> Any:
-        """Return a component with the noise of this axis, seed and trial, if it makes any."""
-        if not part.parameters.get("stream") or part.stream:
-            return part
-        return part.replace(stream=stream_of(self.seed, axis, slot, *((self.trial,) if self.trial else ())))
+    def values_of(self, part: Component, prefix: str) -> dict[str, Any]:
+        """Return the values of a component's parameters; noise depends on seed, axis, slot, trial and the stream that is given."""
+        values = part.block(self.period, self.changed(prefix))
+        if "stream" in part.parameters:
+            axis, _, slot = prefix.removeprefix("controller.").removeprefix("axes.").partition(".")
+            trial = (self.trial,) if self.trial else ()
+
+            def mixed(seed: int, stream: float) -> float:
+                return stream_of(seed, axis, slot, *trial, *((f"stream {stream:.0f}",) if stream else ()))
+
+            drawn = np.vectorize(mixed)(self.seed, values["stream"])
+            values["stream"] = drawn if drawn.ndim else float(drawn)
+        return values
 
     def coupled(self, output: str) -> bool:
         """Return whether the coupling has this output."""

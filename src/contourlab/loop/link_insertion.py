@@ -145,8 +145,7 @@ class _LinkInsertion:
             # The command that the axis received a tick ago, in the same message.
             sent, place = signal, producer + 1
         if name not in self.order:
-            noisy = builder.noisy(part, axis, f"link.{direction}")
-            made = builder.node(name, noisy, f"controller.axes.{axis}.link.{direction}", {"sent": sent}, self.at(axis, label))
+            made = builder.node(name, part, f"controller.axes.{axis}.link.{direction}", {"sent": sent}, self.at(axis, label))
             self.before.setdefault(place, []).append(made)
             self.order[name] = place
             if signal == builder.command(axis) and direction == "down":

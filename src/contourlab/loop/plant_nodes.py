@@ -26,7 +26,7 @@ def add_plants(builder: Builder) -> None:
         load: Any = 0.0
         if axis.disturbance is not None:
             wires = {"position": Late(f"{name}.plant.position")}
-            builder.add(f"{name}.disturbance", builder.noisy(axis.disturbance, name, "disturbance"), f"{prefix}.disturbance", wires)
+            builder.add(f"{name}.disturbance", axis.disturbance, f"{prefix}.disturbance", wires)
             load = f"{name}.disturbance.force"
         # Two modules that move along each other exchange the inertia force of the mass that the upper one moves.
         partners = {a.name: a.alignment * _moved_mass(builder, a) for a in builder.machine.axes if a.mounted_on == name and a.alignment}

@@ -43,9 +43,8 @@ class Sensing:
             sensor = getattr(self.axis, slot)
             if not isinstance(sensor, IdealSensor):
                 signal = self._signal(side, "position")
-                noisy = self.builder.noisy(sensor, self.name, slot)
                 start = self.at if slot == "sensor" else self.builder.motor_start(self.name)
-                self.builder.add(f"{self.name}.{slot}", noisy, f"axes.{self.name}.{slot}", {"position": Late(signal)}, start)
+                self.builder.add(f"{self.name}.{slot}", sensor, f"axes.{self.name}.{slot}", {"position": Late(signal)}, start)
 
     def _signal(self, side: str, what: str) -> str:
         return f"{self.name}.plant.{'motor_' if side == 'motor' and self.axis.plant.two_sided else ''}{what}"

@@ -139,7 +139,7 @@ class _Slots(Builder):
         positions = tuple(self.sensing[name].measured for name in self.names)
         seen = view or view_of(self.path)
         step = estimator.path_step(seen, len(self.names))  # type: ignore[attr-defined]
-        parameters = {**estimator.block(self.period, self.changed("controller.estimator")), **seen.parameters}
+        parameters = {**self.values_of(estimator, "controller.estimator"), **seen.parameters}
         wires: dict[str, Any] = {"position": positions, "arc_length": "in.arc_length"}
         self.nodes.append(Node("estimator", step, wires, parameters, seen.tables, {"foot": self.progress}))
         if coupling is not None:
@@ -289,7 +289,7 @@ def build(
     overrides: Overrides | None = None,
     view: PathView | None = None,
     extra: tuple[Node | Callable[[Signals], Node], ...] = (),
-    seed: int = 0,
+    seed: int | tuple[int, ...] = 0,
     trial: int = 0,
     fed: tuple[str, ...] = (),
     velocity: Array | None = None,
@@ -313,8 +313,10 @@ def build(
         View of the path, instead of the default.
     extra : tuple of Node or callable
         Nodes that run at the end of the controllers, before the record point: the judge of a batch. A callable takes `Signals`.
-    seed, trial : int
-        Of all noise: each trial has its own.
+    seed : int or tuple of int
+        Of all noise; a tuple has one for each variant.
+    trial : int
+        Each trial has noise of its own.
     fed : tuple of str
         Inputs besides the reference, a row per axis: see `contourlab.loop.feeding`.
     velocity : ndarray (n_axis,) [m/s], optional
@@ -326,7 +328,8 @@ def build(
     -----
     The last few loops are kept: a run of the same objects again starts at once.
     """
-    check_seed(seed)
+    for one in seed if isinstance(seed, tuple) else (seed,):
+        check_seed(one)
     used = (machine, *controller.axes.values(), controller.estimator, controller.coupling, path, view)
     moving = None if velocity is None else velocity.tobytes()
     key = (*map(id, used), *controller.axes, start.tobytes(), progress, seed, trial, fed, moving, handover_time)

@@ -74,8 +74,9 @@ def _parts(table: Table, slots: Sequence[str], units: tuple[str, str], optional:
 def _limits(table: Table) -> Limits:
     table, origins = without_origins(table)
     limits = read_table(LimitsTable, table).model_dump(exclude_none=True)
-    if len(limits.get("travel", (0, 0))) != 2:
-        raise table.error('write two positions, the lower one first: ["-100 mm", "100 mm"]', "travel")
+    travel = limits.get("travel", 0.0)
+    if isinstance(travel, tuple) and len(travel) != 2:
+        raise table.error('write two positions, the lower one first: ["-100 mm", "100 mm"], or the length: "200 mm"', "travel")
     with located(table):
         return Limits(**limits, origins=origins, file=table.file)
 

@@ -116,8 +116,10 @@ def _limits_table(limits: Limits) -> dict[str, Any]:
     table: dict[str, Any] = {
         name: quantity(getattr(limits, name), *units) for name, units in _LIMITS.items() if math.isfinite(getattr(limits, name))
     }
-    if all(math.isfinite(x) for x in limits.travel):
-        table["travel"] = [quantity(x, "m", "mm") for x in limits.travel]
+    if all(map(math.isfinite, limits.ends)):
+        table["travel"] = [quantity(x, "m", "mm") for x in limits.ends]
+    elif math.isfinite(limits.extent):
+        table["travel"] = quantity(limits.extent, "m", "mm")
     return written(table, limits.origins)
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from contourlab.arrays import Array, Flags, Index
 from contourlab.feed import Reference
 from contourlab.feed.reference import ReferenceBlock
 from contourlab.loop import Machine
@@ -13,6 +15,9 @@ from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 
 MOST_SAMPLES = 100_000_000
 """More than a day at 1 kHz; all of a run's signals then take some 30 GB."""
+
+ROUNDING = 1e-9
+"""Rounding [m] that does not count as leaving the travel."""
 
 Fault = Callable[[str, int], Exception]
 
@@ -35,7 +40,7 @@ def check_motion(reference: Reference, machine: Machine, fault: Fault, *, bounde
             f"{MOST_SAMPLES:.0e} are allowed: check the feed",
             0,
         )
-    if any(np.isfinite(axis.limits.travel).any() for axis in machine.axes):
+    if any(axis.limits.bounded for axis in machine.axes):
         _check_travel(reference, machine, fault, cure)
     if not bounded:
         _check_speeds(reference, machine, fault)
@@ -48,22 +53,57 @@ def _blocks(reference: Reference, stop: int) -> Iterator[ReferenceBlock]:
         yield reference.block(start, min(start + BLOCK, stop), fill)
 
 
+class TravelCheck:
+    """Where a motion, given piece by piece, first leaves the travel of each axis.
+
+    Attributes
+    ----------
+    low, high : ndarray (n_axis,) [m]
+        Ends of the motion so far.
+    cut_low, cut_high : ndarray (n_axis,) [m]
+        Those of its feed moves, for axes whose travel is a length: rapids to a tool change are not in the coordinates of the part.
+    left : dict of str to int
+        Program line on which an axis first leaves its travel, in the order of the motion.
+    """
+
+    def __init__(self, machine: Machine) -> None:
+        self.axes = machine.axes
+        self.low, self.cut_low = np.full((2, len(machine.axes)), np.inf)
+        self.high, self.cut_high = np.full((2, len(machine.axes)), -np.inf)
+        self.left: dict[str, int] = {}
+
+    def add(self, low: Array, high: Array, feed: Flags, lines: Index) -> None:
+        """Add points or boxes (n, n_axis), n > 0, with their program lines (n,); `feed` tells which belong to feed moves."""
+        left = []
+        for j, axis in enumerate(self.axes):
+            start, stop = axis.limits.ends
+            outside = np.maximum(high[:, j] - stop, start - low[:, j]) > ROUNDING
+            if math.isfinite(axis.limits.extent):
+                cut_low = np.minimum.accumulate(np.append(self.cut_low[j], np.where(feed, low[:, j], np.inf)))
+                cut_high = np.maximum.accumulate(np.append(self.cut_high[j], np.where(feed, high[:, j], -np.inf)))
+                outside |= (cut_high - cut_low)[1:] > axis.limits.extent + ROUNDING
+                self.cut_low[j], self.cut_high[j] = cut_low[-1], cut_high[-1]
+            left += [(int(np.argmax(outside)), axis.name)] if outside.any() else []
+        for k, name in sorted(left):
+            self.left.setdefault(name, int(lines[k]))
+        self.low, self.high = np.minimum(self.low, low.min(axis=0)), np.maximum(self.high, high.max(axis=0))
+
+
 def _check_travel(reference: Reference, machine: Machine, fault: Fault, cure: str) -> None:
     """Refuse the first sample outside the travel, with the full range of that axis."""
-    first: tuple[str, int] | None = None
-    ends = [(np.inf, -np.inf)] * len(machine.axes)
+    check = TravelCheck(machine)
+    rapid = np.zeros(len(reference.source_lines), dtype=bool) if reference.rapid is None else reference.rapid
     for block in _blocks(reference, reference.n_sample):
-        ends = [(min(low, p.min()), max(high, p.max())) for (low, high), p in zip(ends, block.position.T, strict=True)]
-        for axis, position in zip(machine.axes, block.position.T, strict=True):
-            outside = np.maximum(position - axis.limits.travel[1], axis.limits.travel[0] - position) > 1e-9
-            if first is None and outside.any():
-                k = int(np.argmax(outside))
-                first = axis.name, int(reference.source_line(block.arc_length[k : k + 1])[0])
-    if first is not None:
-        name, line = first
-        (sent_low, sent_high), (low, high) = ends[machine.axis_names.index(name)], machine.axis(name).limits.travel
-        travel = f"but its travel is {low * 1e3:g} to {high * 1e3:g} mm"
-        raise fault(f"axis {name} would move from {_mm(sent_low)} to {_mm(sent_high)} mm, {travel}: {cure}, or correct limits.travel", line)
+        curve = reference.path.curve_index(block.arc_length)
+        check.add(block.position, block.position, ~rapid[curve], reference.source_lines[curve])
+    for name, line in check.left.items():
+        j, limits = machine.axis_names.index(name), machine.axis(name).limits
+        if math.isfinite(limits.extent):
+            way, travel = f"cut over {_mm(check.cut_high[j] - check.cut_low[j])} mm", f"{_mm(limits.extent)} mm: shorten the part"
+        else:
+            low, high = (_mm(end) for end in limits.ends)
+            way, travel = f"move from {_mm(check.low[j])} to {_mm(check.high[j])} mm", f"{low} to {high} mm: {cure}"
+        raise fault(f"axis {name} would {way}, but its travel is {travel}, or correct limits.travel", line)
 
 
 def _mm(value: float) -> str:

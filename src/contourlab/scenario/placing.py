@@ -12,7 +12,7 @@ from contourlab.arrays import Array
 from contourlab.feed import route_from_program
 from contourlab.geometry import Path
 from contourlab.geometry.arc import Arc
-from contourlab.geometry.box import box
+from contourlab.geometry.box import boxes
 from contourlab.geometry.conics import EllipticalArc
 from contourlab.geometry.curve import Curve
 from contourlab.geometry.line import Line
@@ -114,16 +114,20 @@ def fitted(program: Program, letters: Sequence[str], machine: Machine) -> tuple[
     ProgramError
         If the program moves an axis that the machine lacks.
     """
-    low, high = box(route_from_program(program, letters).path)
-    travel = np.array([axis.limits.travel for axis in machine.axes], dtype=np.float64)
+    route = route_from_program(program, letters)
+    lows, highs = boxes(route.path)
+    low, high = lows.min(axis=0), highs.max(axis=0)
+    length = highs.max(axis=0, initial=-np.inf, where=~route.rapid[:, None]) - lows.min(axis=0, initial=np.inf, where=~route.rapid[:, None])
+    travel = np.array([axis.limits.ends for axis in machine.axes], dtype=np.float64)
+    extent = np.array([axis.limits.extent for axis in machine.axes])
     room = travel[:, 1] - travel[:, 0]
     least, most = travel[:, 0], travel[:, 1]
-    if np.all(low >= least) and np.all(high <= most):
+    if np.all(low >= least) and np.all(high <= most) and np.all(length <= extent):
         return program, ""
     margin = np.where(np.isfinite(room), MARGIN * room, 0.0)
     least, most = least + margin, most - margin
-    size = high - low
-    ratios = np.divide(most - least, size, out=np.full(size.shape, np.inf), where=size > 0.0)
+    wanted, size = np.array([most - least, (1.0 - 2.0 * MARGIN) * extent]), np.array([high - low, length])
+    ratios = np.divide(wanted, size, out=np.full(size.shape, np.inf), where=size > 0.0)
     scale = float(min(1.0, ratios.min()))
     moved = np.maximum(least - scale * low, 0.0) + np.minimum(most - scale * high, 0.0)
     shift = dict(zip(letters, moved.tolist(), strict=True))

@@ -39,10 +39,10 @@ def _limit(name: str, unit: str, display: str = "") -> BeforeValidator:
     return _number(unit, display, minimum=low, maximum=high)
 
 
-def _numbers(unit: str, display: str) -> BeforeValidator:
-    def read(value: Any) -> tuple[float, ...]:
+def _numbers(unit: str, display: str, *, or_one: bool = False) -> BeforeValidator:
+    def read(value: Any) -> float | tuple[float, ...]:
         try:
-            return read_list(value, unit, display)
+            return (read_number if or_one and isinstance(value, str | int | float) else read_list)(value, unit, display)
         except UnitError as error:
             raise ValueError(str(error)) from error
 
@@ -100,7 +100,7 @@ class LimitsTable(StrictTable):
     acceleration: Annotated[float | None, _limit("acceleration", "m/s^2")] = None
     jerk: Annotated[float | None, _limit("jerk", "m/s^3")] = None
     following_error: Distance | None = None
-    travel: Annotated[tuple[float, ...] | None, _numbers("m", "mm")] = None
+    travel: Annotated[float | tuple[float, ...] | None, _numbers("m", "mm", or_one=True)] = None
 
 
 class ErrorTable(StrictTable):

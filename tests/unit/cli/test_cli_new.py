@@ -6,6 +6,7 @@ import tomllib
 import pytest
 
 from contourlab.cli.main import main
+from contourlab.scenario import load_machine
 
 ANSWERS = """
 axes = ["x", "y"]
@@ -24,7 +25,7 @@ lead = "5 mm"
 """
 TYPED = [
     *("x, y", "", "x on y", "", "1.3", "0.5", "0.6", "", "20 kg", "", "", "", "", ""),
-    *("no", "", "2400 mNm", "500 mNm/A", "1.2", "0.5 cm", "40", "", "", "", "", ""),
+    *("no", "", "2400 mNm", "500 mNm/A", "1.2", "0.5 cm", "40", "", "", "", "", "", ""),
 ]
 """The same answers in other words, as typed; an empty line takes the default."""
 
@@ -177,3 +178,18 @@ def test_an_error_in_the_answers_names_file_and_key(text, said, tmp_path, capsys
 def test_a_missing_file_of_answers_exits_with_2(tmp_path, capsys):
     assert main(["new", "machine", "--answers", str(tmp_path / "none.toml"), "--out", str(tmp_path)]) == 2
     assert "none.toml: " in capsys.readouterr().err
+
+
+def test_answers_typed_before_there_was_a_question_name_it(tmp_path, monkeypatch, capsys, shared):
+    """A file of answers that ends early is refused with the question it lacks; with the rest the machine is made."""
+    file = shared / "repro" / "trial3" / "ans.txt"
+    if not file.is_file():
+        pytest.skip("the shared reference data have no answers")
+    lines = file.read_text(encoding="utf-8").splitlines()
+    for more, key in (([], "z.unbalanced_mass"), (["6"], "travel")):
+        monkeypatch.setattr("sys.stdin", io.StringIO("\n".join([*lines, *more]) + "\n"))
+        assert main(["new", "machine", "--out", str(tmp_path / "t")]) == 2
+        assert f"standard input: {key}: " in capsys.readouterr().err
+    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join([*lines, "6", "750, 750, 120"]) + "\n"))
+    assert main(["new", "machine", "--out", str(tmp_path / "t")]) == 0
+    assert [axis.limits.extent for axis in load_machine(tmp_path / "t" / "machine.toml").axes] == [0.75, 0.75, 0.12]

@@ -26,7 +26,7 @@ from contourlab.cli.output import say, show_result
 def limits(
     file: Annotated[Path, typer.Argument(metavar="LOG|PROGRAM", help="A log, or a part program to plan.", show_default=False)],
     machine: Annotated[
-        str | None, typer.Option(help="Machine whose limits hold; a program is planned on it; by default xyz.", show_default=False)
+        str | None, typer.Option(help="Machine whose limits hold; by default a program keeps those given, else of xyz.", show_default=False)
     ] = None,
     velocity: Annotated[str | None, typer.Option(help='Limit, e.g. "200 mm/s" or "x=200 mm/s, y=100 mm/s".', show_default=False)] = None,
     acceleration: Annotated[str | None, typer.Option(help='Limit, e.g. "2 m/s^2".', show_default=False)] = None,

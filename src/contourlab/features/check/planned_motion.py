@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -10,14 +11,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from contourlab.errors import ContourlabError, ProgramError
-from contourlab.findings import finding
+from contourlab.features.check.remarks import path_mode_assumed, travel_unknown
+from contourlab.findings import Finding, finding
 from contourlab.program import Dwell, Move, Program, Reader, Traverse
 
 DEFAULT_MACHINE = "builtin:xyz"
 PART = 2_500
 """Moves after which a part ends at the next stop, or at twice as many without one."""
-TRAVEL_ROUNDING = 1e-9
-"""Rounding [m] that does not count as leaving the travel."""
 
 
 class Part(NamedTuple):
@@ -74,9 +74,9 @@ class PlannedMotion:
         self._chosen = machine
         self.problems: list[ContourlabError] = []
         self._sums = np.zeros(5)  # feed and rapid length, cycle time, dwells, time of the feed moves at their feedrates
-        self._low = self._high = np.zeros(0)
         self._stops = 0
         self._machine: Any = None
+        self._assumed: dict[str, Finding] = {}
 
     def add(self, part: Part) -> None:
         """Plan a part; after a fault nothing more is planned."""
@@ -95,23 +95,25 @@ class PlannedMotion:
     def _load(self) -> None:
         from contourlab.scenario import load_machine
         from contourlab.scenario.load import named_file
+        from contourlab.scenario.motion_check import TravelCheck
 
         if self._machine is None:
             self._file = DEFAULT_MACHINE if self._chosen is None else named_file(self._chosen)
             self._machine = load_machine(self._file)
+            self._travel = TravelCheck(self._machine)
 
     def _plan(self, program: Program) -> None:
         from contourlab.feed import blended, route_from_program
         from contourlab.feed.planner import plan_profile
-        from contourlab.geometry.box import box
+        from contourlab.geometry.box import boxes
         from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
         route = route_from_program(program, self._machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
-        low, high = box(route.path)
+        low, high = boxes(route.path)
         limits = self._machine.planner_limits()
         cycle_time = plan_profile(blended(route, limits), limits).duration
-        self._low = np.minimum(low, self._low) if self._low.size else low
-        self._high = np.maximum(high, self._high) if self._high.size else high
+        self._assumed = {found.code: found for found in path_mode_assumed(program.moves, DEFAULT_CORNER_TOLERANCE)} | self._assumed
+        self._travel.add(low, high, ~route.rapid, route.source_line)
         lengths, feed = np.diff(route.path.breaks), ~route.rapid
         dwell = float(route.dwell.sum()) + route.dwell_before
         at_feedrate = (lengths[feed] / route.feedrate[feed]).sum()
@@ -125,9 +127,9 @@ class PlannedMotion:
     def results(self) -> dict[str, Any]:
         """Return the fields of `Checked` that describe the motion."""
         feed, rapid, cycle_time, dwell, at_feedrate = self._sums.tolist()
-        extent = zip(self._low.tolist(), self._high.tolist(), strict=True)
+        extent = zip(self._travel.low.tolist(), self._travel.high.tolist(), strict=True)
         return {
-            "findings": tuple(self._outside()),
+            "findings": (*self._outside(), *self._assumed.values()),
             "length": {"feed": feed, "rapid": rapid},
             "box": dict(zip(self._machine.axis_names, extent, strict=True)),
             "cycle_time": cycle_time,
@@ -137,10 +139,15 @@ class PlannedMotion:
             "added_stops": self._stops,
         }
 
-    def _outside(self) -> Iterator[Any]:
-        """Yield a finding for each axis that leaves the machine's travel."""
-        for axis, least, most in zip(self._machine.axes, self._low.tolist(), self._high.tolist(), strict=True):
-            start, stop = axis.limits.travel
-            if least < start - TRAVEL_ROUNDING or most > stop + TRAVEL_ROUNDING:
-                values = {"low": least, "high": most, "start": float(start), "stop": float(stop), "machine": self._machine.name}
-                yield finding("CL471" if self._chosen is None else "CL470", f"axis {axis.name}", **values)
+    def _outside(self) -> Iterator[Finding]:
+        """Yield a finding for each axis that leaves the machine's travel, and one if a travel is unknown."""
+        travel, machine = self._travel, self._machine
+        for name, line in travel.left.items():
+            j, limits = machine.axis_names.index(name), machine.axis(name).limits
+            values = {"line": line, "machine": machine.name}
+            if math.isfinite(limits.extent):
+                yield finding("CL478", f"axis {name}", length=travel.cut_high[j] - travel.cut_low[j], travel=limits.extent, **values)
+                continue
+            values |= dict(zip(("low", "high", "start", "stop"), (travel.low[j], travel.high[j], *limits.ends), strict=True))
+            yield finding("CL471" if self._chosen is None else "CL470", f"axis {name}", **values)
+        yield from travel_unknown(machine)

@@ -159,8 +159,10 @@ def _planned(file: Path, options: LimitOptions, tolerance: float, reading: Readi
     own = machine.planner_limits()
     asked = _limits(options, machine.axis_names, own, machine.axis_names)
     limits = AxisLimits(*(asked[kind] for kind in KINDS))
+    given = tuple(kind for kind in KINDS if getattr(options, kind) is not None)
+    within = limits if options.machine is None else own
     route = route_from_program(read_program(file, reading=reading), machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
-    reference = plan(blended(route, own), own, machine.servo_period)
+    reference = plan(blended(route, within), within, machine.servo_period)
     report, use = limit_report_by_line(reference, limits)
     peaks = [
         _peak(worst, kind, machine.axis_names, machine.servo_period)
@@ -173,21 +175,9 @@ def _planned(file: Path, options: LimitOptions, tolerance: float, reading: Readi
     ]
     rows = _rows(_sample_lines(reference), reference.servo_period, use, machine.axis_names)
     passed = all(peak.use is None or peak.use <= 1.0 + tolerance for peak in peaks)
-    findings = _exceeded(peaks, tolerance)
-    name = machine.name
-    return LimitTest(
-        file.name,
-        "plan",
-        machine.axis_names,
-        machine.servo_period,
-        reference.duration,
-        name,
-        tolerance,
-        passed,
-        tuple(peaks),
-        rows,
-        findings,
-    )
+    kept = "given" if given and options.machine is None else "machine"
+    head = (file.name, "plan", machine.axis_names, machine.servo_period, reference.duration, machine.name, tolerance, passed)
+    return LimitTest(*head, tuple(peaks), rows, _exceeded(peaks, tolerance), given, kept)
 
 
 def _sample_lines(reference: Reference) -> Index:
@@ -346,7 +336,9 @@ def _next(test: LimitTest, choice: LogChoice, options: LimitOptions, program: Pa
     if program is not None and options.annotate is None:
         out = f"{program.stem}-annotated{program.suffix}"
         typed = ["contourlab", "limits", str(choice.file), *([] if test.source == "plan" else ["--program", str(program)])]
-        return as_typed([*typed, *(["--machine", options.machine] if options.machine else []), "--annotate", out])
+        for option in ("machine", *KINDS):
+            typed += [f"--{option}", getattr(options, option)] if getattr(options, option) else []
+        return as_typed([*typed, "--annotate", out])
     if test.source == "plan":
         return as_typed(["contourlab", "run", str(choice.file), "--machine", options.machine or "xyz"])
     return as_typed(["contourlab", "measure", str(choice.file)])

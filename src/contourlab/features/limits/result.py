@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from contourlab.app.json_values import HIDDEN
 from contourlab.features.limits.log_limits import AxisPeak
-from contourlab.figures import NONE, figure, number
+from contourlab.figures import NONE, figure, listing, number
 from contourlab.findings import Finding
 from contourlab.rendering.table import Column, Table, paragraphs
 
@@ -56,7 +56,7 @@ class LimitTest:
     cycle_time : float [s]
         From the first to the last motion; of a plan all of it.
     machine : str
-        Whose limits; empty for those of options, or none.
+        Whose limits hold where no option gives one; empty for none.
     tolerance : float
         Part by which a limit may be exceeded.
     passed : bool or None
@@ -64,6 +64,10 @@ class LimitTest:
     peaks : tuple of AxisPeak
     lines : tuple of ProgramLine
         In the order of the program; empty if unknown.
+    given : tuple of str
+        Kinds of limits that options give for a plan: "velocity", "acceleration", "jerk".
+    planned_within : str
+        Limits that the plan keeps: "given", with the machine's for the rest, or "machine"; empty for a log.
     annotated : str
         Program written with comments; empty for none.
     """
@@ -79,6 +83,8 @@ class LimitTest:
     peaks: tuple[AxisPeak, ...]
     lines: tuple[ProgramLine, ...]
     findings: tuple[Finding, ...]
+    given: tuple[str, ...] = ()
+    planned_within: str = ""
     annotated: str = ""
     next_command: str = field(default="", metadata=HIDDEN)
 
@@ -103,6 +109,10 @@ class LimitTest:
         of = {"plan": "planned", "reference": "commanded", "position": "measured"}[self.source]
         verdict = {True: "PASS, all limits hold", False: "FAIL, a limit is exceeded", None: "no limits given"}[self.passed]
         at = f" of {self.machine}" if self.machine else ""
+        if self.planned_within:
+            given, own = f"the given {listing(self.given)}", f"the limits of {self.machine}"
+            at = f"; planned within {own}" + (f", compared with {given}" if self.given else "")
+            at = f"; planned within {given}, else {own}" if self.planned_within == "given" else at
         return f"{self.name}: {verdict}{at}; cycle time {number(self.cycle_time, 5)} s, {of} every {figure(self.servo_period, 'ms', 4)}."
 
     def _peaks(self) -> Table:

@@ -177,7 +177,7 @@ def link_limit(
     seeds : int
         Runs with jitter or loss: the worst counts.
     seed : int
-        The first of these seeds, and the seed of all other noise.
+        The first of these seeds.
     moving : bool
         See `simulate_batch`.
 

@@ -20,7 +20,6 @@ from contourlab.features.run.causes.idealise import perfect_sensing, undisturbed
 from contourlab.feed import Reference
 from contourlab.feed.judged import Judged
 from contourlab.loop import Controller, Division, Machine, simulate_batch
-from contourlab.loop.tool import stream_of
 
 QUANTITIES = ("message_period", "delay", "jitter", "loss")
 """Quantities to sweep."""
@@ -158,7 +157,7 @@ class LinkSetting:
     allowed : float
         Largest error allowed.
     seeds, seed : int
-        Number of runs with jitter or loss (the worst counts), and the first seed, also used for all other noise.
+        Number of runs with jitter or loss (the worst counts), and the first seed.
     moving : bool
         See `contourlab.loop.simulate_batch`.
     few : int
@@ -210,26 +209,18 @@ class LinkSetting:
 
     def columns(self, quantity: str, values: Array, seeds: int) -> dict[str, Array]:
         """Return the parameter values of the lanes: each value, on all links, for each seed."""
-        found = {f"controller.axes.{a}.link.{w}.{quantity}": np.repeat(values, seeds) for a, w in self.networks}
-        return found | self._streams(seeds, len(values))
-
-    def _streams(self, seeds: int, times: int) -> dict[str, Array]:
-        """Return the random streams of each seed, repeated `times` times; empty for one seed, which is the run's own."""
-        return {
-            f"controller.axes.{a}.link.{w}.stream": np.tile([stream_of(self.seed + i, a, f"link.{w}") for i in range(seeds)], times)
-            for a, w in (self.networks if seeds > 1 else ())
-        }
+        return {f"controller.axes.{a}.link.{w}.{quantity}": np.repeat(values, seeds) for a, w in self.networks}
 
     def as_given(self) -> float:
         """Return the worst error over the seeds with the links as given; nan if a run left its limits."""
         seeds = self.runs("delay")
         own = {f"controller.axes.{a}.link.{w}.delay": np.full(seeds, part.delay) for (a, w), part in self.networks.items()}
-        return float(self._run(self.machine, own | self._streams(seeds, 1), self.reference).max())
+        return float(self._run(self.machine, own, self.reference, seeds).max())
 
     def errors(self, quantity: str, values: Array) -> Array:
         """Return the error of each value for each seed (n, n_seed)."""
         seeds = self.runs(quantity)
-        run = self._run(self.machine, self.columns(quantity, values, seeds), self.reference)
+        run = self._run(self.machine, self.columns(quantity, values, seeds), self.reference, seeds)
         return np.asarray(run.reshape(len(values), seeds))
 
     def repeats(self, quantity: str, values: Array) -> Array:
@@ -244,8 +235,10 @@ class LinkSetting:
             # A run that left its limits counts as infinite growth.
             return np.asarray(np.where(np.isnan(last), math.inf, last / before), dtype=float)
 
-    def _run(self, machine: Machine, columns: Mapping[str, Array], reference: Reference) -> Array:
-        given: dict[str, Any] = {"seed": self.seed, "moving": self.moving}
+    def _run(self, machine: Machine, columns: Mapping[str, Array], reference: Reference, seeds: int = 1) -> Array:
+        """Return the error of each lane; the lanes take the seeds in turns."""
+        drawn = [self.seed + i % seeds for i in range(len(next(iter(columns.values()))))]
+        given: dict[str, Any] = {"seed": drawn, "moving": self.moving}
         return simulate_batch(machine, self.controller, reference, columns, **given).figures[self.figure]
 
     def growth(self, quantity: str, value: float, size_limit: int = LARGEST) -> float:

@@ -80,6 +80,24 @@ def mounting(answers: Mapping[str, str]) -> dict[str, str]:
     return {name: under for name, (_, under) in below.items()}
 
 
+def travels(answers: Mapping[str, str]) -> dict[str, str]:
+    """Return the answers about the travel of each axis, empty for none.
+
+    Raises
+    ------
+    ScenarioError
+        If they are not one for each axis, or one is not a travel.
+    """
+    names, text = axis_names(answers), answers.get("travel", "")
+    parts = [part.strip() for part in text.split(",")] if text else [""] * len(names)
+    if len(parts) != len(names):
+        raise fault("travel", f"{len(parts)} for the axes {', '.join(names)}: write one for each, with commas")
+    question = next(question for question in AXIS if question.key == "travel")
+    for part in parts:
+        read_value(question, "travel", part, SizedAxis("", 0.0))
+    return dict(zip(names, parts, strict=True))
+
+
 def same_as(answers: Mapping[str, str], name: str) -> tuple[str, tuple[str, ...]]:
     """Return the axis that an axis repeats, and the keys that it does not repeat; empty where it repeats none.
 
@@ -107,7 +125,7 @@ def answers_of(answers: Mapping[str, str], name: str, trail: tuple[str, ...] = (
         raise fault(f"{name}.{SAME.key}", "the axes repeat each other in a circle")
     other, kept = same_as(answers, name)
     repeated = answers_of(answers, other, (*trail, name)) if other else {}
-    own = {key: answers[f"{name}.{key}"] for key in KEYS if f"{name}.{key}" in answers}
+    own = {"travel": travels(answers)[name]} | {key: answers[f"{name}.{key}"] for key in KEYS if f"{name}.{key}" in answers}
     return {key: text for key, text in repeated.items() if key not in (*kept, *PLACE)} | own
 
 
@@ -172,6 +190,7 @@ def questions(answers: Mapping[str, str], also: frozenset[str] = frozenset()) ->
             if wanted and question.drive in ("", sized(answers, name, period, "rated_torque").values["drive"]):
                 guess = question.guess(sized(answers, name, period, question.key)) if callable(question.default) else question.default
                 yield replace(question, key=f"{name}.{question.key}", default=guess)
+    yield MACHINE[-1]  # the travel
 
 
 def interview(
@@ -227,6 +246,7 @@ def _check_answer(question: Question, text: str, answers: Mapping[str, str]) -> 
     else:
         machine_values(tried)
         mounting(tried)
+        travels(tried)
 
 
 def read_answers(file: str | Path) -> dict[str, str]:

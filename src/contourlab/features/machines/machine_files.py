@@ -79,6 +79,7 @@ def axis_tables(axis: SizedAxis) -> dict[str, Any]:
             "velocity": _number(axis, "velocity", "m/min"),
             "acceleration": _number(axis, "acceleration", "m/s^2"),
             "jerk": _number(axis, "jerk", "m/s^3"),
+            **({"travel": _number(axis, "travel", "mm")} if axis.travel else {}),
         },
     }
     if axis.weight:

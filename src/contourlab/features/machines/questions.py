@@ -76,6 +76,7 @@ MACHINE = (
     Question("servo_period", "Servo period", "ms", 0.02, 20.0, "1 ms"),
     Question("mounting", "Axes that stand on another axis, e.g. z on y, y on x (Enter: none)", default=""),
     Question("tolerance", "Tolerance of the first run", "um", 0.01, 5000.0, "50 um", asked=False),
+    Question("travel", "Travel of each axis from end to end, e.g. 750 mm, 500 mm, 120 mm (Enter: unknown)", default="", asked=False),
 )
 SAME = Question("same_as", "Same as which axis? Name what differs, as in x except moved_mass, lead (no: ask everything)", default="")
 
@@ -145,12 +146,13 @@ AXIS = (
     Question(
         "kv", "Kv, the gain of the position loop", "1/s", 0.5, 2000.0, lambda axis: KV_RATIO * axis.bandwidth_rate, "0.35 of it in rad/s",
     ),
+    Question("travel", "Travel from end to end", "mm", 1.0, 100000.0, "", "unknown", asked=False),
     Question("mounted_on", "Axis below it", default="", rule="the bed", asked=False),
     Question("stage_mass", "Mass of the whole module, carried by the axis below", "kg", 0.01, 50000.0, lambda axis: axis.moved_mass,
              "the moved mass", asked=False),
 )  # fmt: skip
 KEYS = tuple(question.key for question in AXIS)
-PLACE = ("unbalanced_mass", "mounted_on", "stage_mass")
+PLACE = ("unbalanced_mass", "travel", "mounted_on", "stage_mass")
 """Keys that an axis does not repeat from another."""
 
 

@@ -20,6 +20,7 @@ from contourlab.arrays import free_memory
 from contourlab.components.supervisor.pre_routed import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
+from contourlab.features.check.remarks import path_mode_assumed, travel_unknown
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.features.learn.foretold import learning_findings
 from contourlab.features.run.trust.interval import part_interval
@@ -36,7 +37,8 @@ from contourlab.loop.template import build
 from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, judged_part, reversal_spikes, summarise
 from contourlab.rendering.judgement import Trust, Verdict
 from contourlab.result import Result
-from contourlab.scenario import Case
+from contourlab.scenario import Case, PartProgram
+from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
 KEPT_REPORTS = 16
 _REPORTS: dict[tuple[str, bytes, bytes, bytes], LimitReport] = {}
@@ -232,6 +234,10 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
         if isinstance(loop.supervisor, PreRouted):
             yield from _unreached(axis.name, loop.supervisor, reference)
     yield from _feed_never_reached(case, reference)
+    if case.motion.file is not None:
+        yield from travel_unknown(case.machine)
+    if isinstance(case.motion, PartProgram) and case.feed.path_control == "program":
+        yield from path_mode_assumed(case.motion.program.moves, case.feed.corner_tolerance or DEFAULT_CORNER_TOLERANCE)
     last = reference.n_sample * reference.servo_period
     for change in case.changes:
         if change.sample(reference.servo_period) >= reference.n_sample:

@@ -17,7 +17,7 @@ from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings
 from contourlab.features.tune.global_search import GlobalResult, global_search
-from contourlab.features.tune.line_search import LineRule, SearchPath, restore_margins, sequential
+from contourlab.features.tune.line_search import SETTLED, LineRule, SearchPath, restore_margins, sequential
 from contourlab.features.tune.objective import FIGURES, Evaluation, Goal, Objective, evaluate
 from contourlab.features.tune.pole_placement import FRACTIONS, placed_start
 from contourlab.feed import Reference
@@ -201,6 +201,9 @@ def _tuned(
     path, global_result, candidates, interrupted = _candidates((objective, guards, space), values, placed, settings, begin, progress)
     method, best, rejected = _chosen(objective, guards, values, candidates)
     begin("checking the result")
+    left: list[Finding] = []
+    if method == "global" or settings.rule.plateau != "largest":
+        best, left = _left((objective, guards, space), values, best, settings.rule)
     best = {variable.name: float(variable.written(best[variable.name])) for variable in space.numbers}
     tuned = with_values(machine, start, best)[1]
     after = evaluate(machine, tuned, reference, guards, seed=seed, moving=moving)
@@ -211,12 +214,40 @@ def _tuned(
         method, tuned, after = "none", controller, before
     terms = drive_terms(machine, tuned, after.run)
     runs = evaluator.runs + (len(FRACTIONS) if settings.start == "placed" else 0) + 2
-    findings = [*_range_findings(space, best, guards), *rejected]
+    findings = [*_range_findings(space, best, guards), *rejected, *(left if method != "none" else [])]
     if global_result is not None and global_result.values is None:
         findings.append(finding("CL603"))
     findings += [*linuxcnc_findings(terms), *_conclusions(settings.goal, before, after)]
     findings += [finding("CL610")] if interrupted else []
     return Tuned(tuned, space, best, method, before, after, start_objective, path, global_result, terms, runs, interrupted, tuple(findings))
+
+
+def _left(
+    problem: Problem, start: Mapping[str, float], best: Mapping[str, float], rule: LineRule
+) -> tuple[Mapping[str, float], list[Finding]]:
+    """Put parameters back to their start, axis by axis, where all bounds hold and the objective hardly rises.
+
+    Returns
+    -------
+    tuple
+        The values, and a finding that names the parameters put back.
+    """
+    objective, guards, space = problem
+    moved = [variable for variable in space.numbers if best[variable.name] != start[variable.name]]
+    share = SETTLED if rule.plateau == "best" else rule.within
+    reached, began = (float(objective.at(values).value[0]) for values in (best, start))
+    limit, kept = min(reached * (1.0 + share), max(reached, began)), list[str]()
+    for axes in dict.fromkeys(guards.concerned(variable.name) for variable in moved):
+        back = [variable for variable in moved if guards.concerned(variable.name) == axes]
+        rise = {variable: float(objective.at({**best, variable.name: start[variable.name]}).value[0]) for variable in back}
+        while back:
+            trial = {**best, **{variable.name: start[variable.name] for variable in back}}
+            run = objective.at(trial)
+            if run.value[0] <= limit and not run.violations(trial, guards):
+                best, kept = trial, [*kept, *(variable.short for variable in back)]
+                break
+            back.remove(max(back, key=lambda variable: rise[variable]))
+    return best, [finding("CL611", parameters=tuple(kept), share=share)] if kept else []
 
 
 def _check(machine: Machine, controller: Controller, settings: TuneSettings) -> None:

@@ -47,6 +47,18 @@ def test_the_undivided_error_is_that_of_a_run(machine: cl.Machine, controller: c
     assert found == pytest.approx(metrics.contour_error.rms, rel=1e-6)
 
 
+def test_each_run_with_chance_is_that_of_its_seed(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    """The noise of the encoders too: run again with the seed, a study's figure comes back to the last bit."""
+    noisy = replace(machine, axes=tuple(replace(axis, sensor=axis.sensor.replace(noise=2e-7)) for axis in machine.axes))
+    made = divided(controller, "observer", link=Network(loss=0.1))
+    losses = np.array([0.05, 0.1])
+    errors = LinkSetting(noisy, made, circle, "contour_error_rms", 1.0, seeds=3, seed=5).errors("loss", losses)
+    for i in range(3):
+        alone = simulate_batch(noisy, made, circle, {"controller.axes.*.link.*.loss": losses}, seed=5 + i)
+        assert np.array_equal(errors[:, i], alone.figures["contour_error_rms"])
+    assert np.unique(errors).size == errors.size
+
+
 def test_the_axes_of_the_paper_hold_at_125_messages_a_second(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     """Table III with the observer in the axis: the result of the study against separate runs on both sides of the limit."""
     found = message_rate(machine, controller, circle)

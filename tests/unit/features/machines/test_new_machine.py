@@ -44,7 +44,7 @@ mounted_on = "y"
 """
 TYPED = [
     *("x y z", "", "z on y", "", "1.27 Nm", "0.47 Nm/A", "0.3 kg cm²", "16", "40", "2500 x 4", "15", "3", "", "30"),
-    *("", "60", "", "5", ""),
+    *("", "60", "", "5", "", ""),
 ]
 """Typed answers for the same machine: an empty line takes the default."""
 
@@ -153,6 +153,21 @@ def test_a_router_takes_at_most_twenty_answers():
     assert by_hand.files()["controller.toml"] == by_file.files()["controller.toml"].replace("Router 3ax", "My machine")
 
 
+@pytest.mark.parametrize("typed", ["750, 60 cm, 120 mm", "750 mm, , 120"])
+def test_the_travel_of_all_axes_is_one_question(typed):
+    given, keys, _ = asked_with([*TYPED[:-1], typed])
+    made = new_machine(given)
+    assert keys[-1] == "travel" and [axis.travel for axis in made.axes] == [0.75, 0.6 if "60" in typed else None, 0.12]
+    assert new_machine(answers() | {"x.travel": "750 mm", "y.travel": "60 cm", "z.travel": "120"}).axes[1].travel == 0.6
+
+
+@pytest.mark.parametrize("typed", ["750 mm", "750, 600, x", "750, 600, -1"])
+def test_a_travel_that_does_not_fit_is_asked_again(typed):
+    given, keys, remarks = asked_with([*TYPED[:-1], typed, "750, 600, 120"])
+    assert [error.key for error in remarks] == ["travel"] and keys[-2:] == ["travel", "travel"]
+    assert [axis.travel for axis in new_machine(given).axes] == [0.75, 0.6, 0.12]
+
+
 def test_back_returns_to_the_question_before():
     corrected = [*TYPED[:4], "12.7 Nm", "back", *TYPED[4:]]
     assert asked_with(corrected)[0] == asked_with(TYPED)[0]
@@ -173,6 +188,8 @@ def test_saved_answers_make_the_same_machine(tmp_path):
         write_machine(made, tmp_path / name)
         again = new_machine(read_answers(tmp_path / name / "answers.toml"))
         assert again.files() == made.files()
+        machine = load_machine(tmp_path / name / "machine.toml")
+        assert all(axis.limits.extent == sized.travel > 0.0 for axis, sized in zip(machine.axes, made.axes, strict=True))
 
 
 def test_a_template_misses_only_what_has_no_default(tmp_path):

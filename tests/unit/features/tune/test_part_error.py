@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import contourlab as cl
+from contourlab.design.values import with_values
 from contourlab.features.tune.line_search import LineRule
 from contourlab.features.tune.study import TuneSettings, tune
 from contourlab.scenario import Scenario, scenario_from_parts
@@ -50,3 +52,26 @@ def test_a_calibration_never_ends_worse(scenario: Scenario, method: str) -> None
         tuned = tune(case.machine, controller, case.reference(), settings)
         assert tuned.after.figures["part_error_max"] <= min(largest, tuned.before.figures["part_error_max"])
         controller, largest = tuned.controller, tuned.after.figures["part_error_max"]
+
+
+FLAT = "G21 G17 G90 G61 F2400\nG0 X5 Y5\nG1 X25\nG3 X30 Y10 I0 J5\nG1 X25\nM2\n"
+
+
+@pytest.mark.parametrize("method", ["sequential", "global"])
+def test_gains_of_an_axis_that_does_not_move_stay(method: str, tmp_path: Path) -> None:
+    """On a part in x and y every search has moved z's gains; it has nothing to gain there."""
+    (tmp_path / "flat.ngc").write_text(FLAT, encoding="ascii")
+    case = scenario_from_parts(tmp_path / "flat.ngc", "xyz", "xyz-controller").base
+    names = tuple(f"controller.axes.{axis}.controller.{gain}" for axis in "zyx" for gain in ("velocity_gain", "position_gain"))
+    known = cl.loop.parameters_of(case.machine, case.controller)
+    slow = {name: 0.5 * getattr(*known[name]) for name in names if ".z." not in name}
+    machine, controller = with_values(case.machine, case.controller, slow)
+    tuned = tune(machine, controller, case.reference(), TuneSettings(method=method, budget=300, starts=1, parameters=names))
+    assert tuned.method == method and not tuned.after.violations
+    start = {variable.name: variable.value for variable in tuned.space.numbers}
+    moved = {name for name, value in tuned.values.items() if value != start[name]}
+    assert moved and not any(".z." in name for name in moved)
+    (left,) = [found for found in tuned.findings if found.code == "CL611"]
+    assert left.values["share"] == 0.01 and {"z.velocity_gain"} <= set(left.values["parameters"])
+    assert {variable.short for variable in tuned.space.numbers if variable.name in moved}.isdisjoint(left.values["parameters"])
+    assert tuned.after.figures["part_error_max"] < 0.95 * tuned.before.figures["part_error_max"]
