@@ -63,7 +63,7 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], wi
     EngineError
         If a step uses what cannot be translated; names file and line.
     """
-    roots = [f for node in schedule.nodes for f in (node.step.function, *((node.step.bank.function,) if node.step.bank else ()))]
+    roots = [function for node in schedule.nodes for function in node.step.functions]
     layout = [(_layout(node.step), node.repeat) for node in schedule.nodes]
     places_of = (schedule.sources, schedule.record_point, places, log_rows, width, VECTOR, "" if gpu is None else gpu.code)
     key = before = _digest(layout, places_of, Reads(roots).words, _translator())
