@@ -16,7 +16,7 @@ from typing import Any, NamedTuple, NoReturn
 import numpy as np
 
 from contourlab import primitives
-from contourlab.engine.translate.graph import MismatchError
+from contourlab.engine.translate.graph import MismatchError, Op
 from contourlab.engine.translate.source import code_words
 
 Read = tuple[int, str, Any]
@@ -94,7 +94,7 @@ def attribute(value: Any, name: str) -> Any:
     """Return an attribute of a value in a step."""
     if isinstance(value, Outer):
         return value.attribute(name)
-    fields = getattr(value, "_fields", (name,))
+    fields = () if isinstance(value, Op) else getattr(value, "_fields", (name,))
     if name not in fields:  # a method or property of a named tuple reads what it likes
         raise AttributeError(name)
     return getattr(value, name)
