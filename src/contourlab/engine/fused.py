@@ -23,7 +23,6 @@ from contourlab.native import store
 _SOURCES = [file for room in ("engine", "engine.translate") for file in files_of(f"contourlab.{room}").iterdir()]
 _loops: dict[str, Any] = {}
 """By key: a compiled loop, or the reads that lead to the key of one."""
-_READS, _CODE = b"reads", b"code"
 _building = threading.Lock()
 """Threads of a batch that need the same loop wait for the first."""
 
@@ -81,22 +80,31 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], wi
             code = llvm_ir.object_code(tick_loop.source_of(made, min(width, VECTOR), width))
         else:
             code = gpu.compiled(tick_loop.source_of(made, 1, width, gpu=True))
-        if reads.trace != trace:
+        other_reads = reads.trace != trace
+        if other_reads:
             before, _loops[key] = key, reads.trace
-            store.write(key, [_READS, marshal.dumps(reads.trace)])
-        # Of what the translator read, not of what is there now.
+        # The key is that of what the translator read, not of what is there now.
         key = _digest(before, reads.words)
-        store.write(key, [_CODE, code])
+        if other_reads:
+            store.write(before, [marshal.dumps(reads.trace), key.encode(), code])
+        else:
+            store.write(key, [code])
         _loops[key] = _loaded(code, gpu)
         return _loops[key]
 
 
 def _from_disk(key: str, gpu: Gpu | None) -> bool:
-    """Bring what is filed under a key into memory; return whether there is anything."""
-    kind, content = store.read(key) or (b"", b"")
-    if kind:
-        _loops[key] = marshal.loads(content) if kind == _READS else _loaded(content, gpu)
-    return bool(kind)
+    """Bring what is filed under a key into memory; return whether there is anything.
+
+    A file has a loop, or reads with the loop that they led to first.
+    """
+    *reads, code = store.read(key) or [b""]
+    if reads:
+        _loops[key] = marshal.loads(reads[0])
+        key = reads[1].decode()
+    if code and key not in _loops:
+        _loops[key] = _loaded(code, gpu)
+    return bool(code)
 
 
 def _loaded(code: bytes, gpu: Gpu | None) -> Any:

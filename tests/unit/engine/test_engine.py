@@ -295,8 +295,7 @@ def test_the_cache_key_follows_the_source_of_callees(tmp_path, monkeypatch):
     monkeypatch.setattr(fused, "_loops", {})
     assert [answer(made(constant)) for constant in (2.0, 3.0, 2.0)] == [2.0, 3.0, 2.0]
     assert [answer(members(constant)) for constant in (2.0, 3.0, 2.0)] == [12.0, 18.0, 12.0]
-    # Of each step: two loops, and the list of what it reads.
-    assert len(fused._loops) == len(list(tmp_path.glob("*.code"))) == 6
+    assert len(list(tmp_path.glob("*.code"))) == 4
 
 
 def test_the_cache_survives_corrupt_files_and_serves_a_second_process(tmp_path, monkeypatch):
@@ -305,9 +304,9 @@ def test_the_cache_survives_corrupt_files_and_serves_a_second_process(tmp_path, 
     for fed in (21.0, 4.0, 5.0):  # compiled, compiled again, loaded
         monkeypatch.setattr(fused, "_loops", {})
         assert run(schedule, [[fed]], ["g.y"], True)[0, 0, 0] == 2.0 * fed
-        files = list(tmp_path.glob("*.code"))
-        assert [max(file.stat().st_size for file in files) > 100, len(files)] == [True, 2]  # the loop, and what it reads
-        for file in files if fed == 21.0 else ():
+        (file,) = tmp_path.glob("*.code")
+        assert file.stat().st_size > 100
+        if fed == 21.0:
             file.write_bytes(b"rubbish")
     assert not list(tmp_path.glob("tmp*"))
 
