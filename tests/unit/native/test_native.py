@@ -85,5 +85,5 @@ def test_the_constants_of_a_kernel_are_in_its_key() -> None:
             check(called)
 
     assert planner and len(KERNELS) > 10
-    for kernel in KERNELS:
-        check(kernel.plain)
+    for one in KERNELS:
+        check(one.plain)
