@@ -23,8 +23,8 @@ from contourlab.native import store
 _SOURCES = [file for room in ("engine", "engine.translate") for file in files_of(f"contourlab.{room}").iterdir()]
 _loops: dict[str, Any] = {}
 """By key: a compiled loop, or the reads that lead to the key of one."""
-_building = threading.Lock()
-"""Threads of a batch that need the same loop wait for the first."""
+_building = threading.RLock()
+"""Threads of a batch that need the same loop wait for the first. A property that a step reads may itself run a loop."""
 
 
 @cache
@@ -64,8 +64,8 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], wi
     """
     roots = [function for node in schedule.nodes for function in node.step.functions]
     layout = [(_layout(node.step), node.repeat) for node in schedule.nodes]
-    places_of = (schedule.sources, schedule.record_point, places, log_rows, width, VECTOR, "" if gpu is None else gpu.code)
-    key = before = _digest(layout, places_of, Reads(roots).words, _translator())
+    wiring = (schedule.sources, schedule.record_point, places, log_rows, width, VECTOR, "" if gpu is None else gpu.code)
+    key = before = _digest(layout, wiring, Reads(roots).words, _translator())
     trace: list[Any] | None = None
     with _building:
         while key in _loops or _from_disk(key, gpu):

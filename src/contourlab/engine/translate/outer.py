@@ -69,7 +69,7 @@ class Outer:
         return self.value(*args, **named, **{field: rest[field] for field in fields[len(args) :] if field in rest and field not in named})
 
     def __repr__(self) -> str:
-        return getattr(self.value, "__name__", f"a {type(self.value).__name__}")
+        return str(getattr(self.value, "__name__", f"a {type(self.value).__name__}"))
 
     def __bool__(self) -> bool:
         return True if _always_true(type(self.value)) else self._whole()
@@ -111,8 +111,9 @@ class Reads:
     Attributes
     ----------
     trace : list of Read
+        Plain data, to be filed.
     words : list
-        What was read: plain data for `marshal`.
+        What was read: plain data, the same for the same values alone.
     """
 
     def __init__(self, roots: Sequence[Any] = ()) -> None:
@@ -143,7 +144,7 @@ class Reads:
             for number, how, name in trace:
                 self.take(_READ[how](self._outers[number].value, name))
         except Exception as error:  # it is gone, or a property fails: translate anew
-            self.words.append(type(error).__name__)
+            self.words.append(("failed", type(error).__name__))
 
     def take(self, value: Any) -> Any:
         """Note a value; return it as a step may use it: copied, what is more than plain data as an `Outer`."""
@@ -169,7 +170,7 @@ class Reads:
             words.append(("dict of", len(value)))
             return {self.take(key): self.take(item) for key, item in value.items()}
         if kind in (range, slice):
-            words.append(kind.__name__)
+            words.append((f"{kind.__name__} of", 3))
             return kind(*map(self.take, (value.start, value.stop, value.step)))
         if (kind is np.ndarray or (issubclass(kind, np.generic) and kind.__module__ == np.__name__)) and not value.dtype.hasobject:
             words.append((kind.__name__, str(value.dtype), value.shape, hashlib.sha256(value.tobytes()).digest()))
@@ -186,7 +187,7 @@ class Reads:
         return self._outer(value, kind.__qualname__, kind.__eq__ in _EQUALS, _always_true(kind), *plain)
 
     def _outer(self, value: Any, *words: Any) -> Outer:
-        self.words.append(words)
+        self.words.append(("outer", *words))
         self._numbers[id(value)] = len(self._outers)
         self._outers.append(Outer(self, value, len(self._outers)))  # and keep it: a number must not be used twice
         return self._outers[-1]
