@@ -31,6 +31,35 @@ class Amplifier(Component):
         return (), (inp.command,)
 
 
+class Shaped(Amplifier):
+    """Closes over itself for a structural parameter: sound."""
+
+    kind = "shaped"
+    example = {"gain": 3.0, "bias": 1.0}
+    gain: float = param(default=1.0, minimum=0.0, maximum=1e6, structural=True, doc="gain")
+    bias: float = param(default=0.0, minimum=0.0, maximum=1e6, doc="offset")
+
+    def step_function(self) -> Any:
+        def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+            return (), (self.gain * inp.command + par.bias,)
+
+        return step
+
+
+class Enclosed(Amplifier):
+    """Closes over itself for a parameter that may differ between variants."""
+
+    kind = "enclosed"
+    example = {"gain": 3.0}
+    gain: float = param(default=1.0, minimum=0.0, maximum=1e6, doc="gain")
+
+    def step_function(self) -> Any:
+        def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+            return (), (self.gain * inp.command,)
+
+        return step
+
+
 class WallClock(Amplifier):
     """Reads the time of day."""
 

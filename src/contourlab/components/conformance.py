@@ -95,7 +95,7 @@ def _checked(kind: type[Component], jit: bool) -> tuple[str, ...]:
     for scale in SCALES:
         _check_running(kind, part, scale, jit)
     linear, passive = _check_linear(kind, part), _check_passive(kind, part)
-    _check_effects(kind, part)
+    _check_effects(kind, part, jit)
     checks = {
         DECLARED: True,
         "language of steps": True,
@@ -143,8 +143,9 @@ def _resistance(friction: Any) -> float:
     return max(float(resistance(par, speed)) for speed in SLOW)
 
 
-def _group(part: Component, jit: bool, width: int = 1) -> Group:
-    step, values, tables = subject(part)
+def _group(part: Component, jit: bool, width: int = 1, step: Step | None = None) -> Group:
+    own, values, tables = subject(part)
+    step = step or own
     wires = {port.name: f"in.{port.name}" for port in step.inputs}
     node = Node("part", step, wires, values, tables, ring_length=part.ring_length(PERIOD))
     schedule = Schedule((node,), step.inputs, PERIOD, 1)
@@ -164,9 +165,9 @@ def _excitation(group: Group, scale: float) -> Array:
     return np.asarray(scale * (np.sin((1.0 + 0.37 * channel) * t + channel) + 0.4 * np.sin((3.1 + 0.23 * channel) * t + 2.0 * channel)))
 
 
-def _run(part: Component, scale: float, jit: bool, width: int = 1) -> Array:
+def _run(part: Component, scale: float, jit: bool, width: int = 1, step: Step | None = None) -> Array:
     """Return all outputs, then the final states: (n_number, width)."""
-    group = _group(part, jit, width)
+    group = _group(part, jit, width, step)
     log = group.run(_excitation(group, scale), _outputs(group))
     return np.concatenate([log.reshape(-1, width), group.state[0]])
 
@@ -263,7 +264,7 @@ def _check_passive(kind: type[Component], part: Component) -> bool:
     return True
 
 
-def _check_effects(kind: type[Component], part: Component) -> None:
+def _check_effects(kind: type[Component], part: Component, jit: bool) -> None:
     before = [_run(part, scale, False) for scale in SCALES]
     for name, parameter in kind.parameters.items():
         if name in kind.without_effect:
@@ -273,11 +274,19 @@ def _check_effects(kind: type[Component], part: Component) -> None:
                 changed = part.replace(**{name: value})
             except ContourlabError:
                 continue
-            if any(not np.array_equal(_run(changed, scale, False), old) for scale, old in zip(SCALES, before, strict=True)):
+            after = [_run(changed, scale, False) for scale in SCALES]
+            if any(not np.array_equal(new, old) for new, old in zip(after, before, strict=True)):
                 break
         else:
             cure = "change the example, or name it in `without_effect`"
             raise fault(kind, f"parameter {name} has no effect on its outputs in the example: {cure}")
+        if name in kind.numeric():
+            # In a batch it differs between variants, which share the step.
+            step = subject(part)[0]
+            if any(not np.array_equal(_run(changed, scale, False, 1, step), new) for scale, new in zip(SCALES, after, strict=True)):
+                raise fault(kind, f"its step does not read parameter {name} from par: write par.{name}, or declare it structural")
+        elif jit and any(not _gap(_run(changed, scale, True), new) <= AGREEMENT for scale, new in zip(SCALES, after, strict=True)):
+            raise fault(kind, f"the compiled form does not follow parameter {name}")
 
 
 def _others(parameter: Parameter, value: Any) -> list[Any]:

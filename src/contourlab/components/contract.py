@@ -171,7 +171,10 @@ class Component(Traced):
         return tuple(name for name, p in cls.parameters.items() if not p.choices and not p.structural)
 
     def step_function(self) -> Callable[..., Any]:
-        """Return the step; a component whose structure depends on a parameter overrides this."""
+        """Return the step; a component whose structure depends on a parameter overrides this.
+
+        It may close over `self` for structural parameters; all others differ between variants and come from `par`.
+        """
         return type(self).step
 
     @staticmethod

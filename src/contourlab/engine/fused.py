@@ -4,40 +4,43 @@ from __future__ import annotations
 
 import hashlib
 import inspect
+import marshal
 import threading
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import files as files_of
 from typing import Any
 
 from contourlab import primitives
 from contourlab.engine.gpu import Gpu
-from contourlab.engine.keys import source_key
 from contourlab.engine.schedule import Schedule
+from contourlab.engine.step import Step
 from contourlab.engine.translate import llvm_ir, maths, tick_graph, tick_loop
+from contourlab.engine.translate.outer import Reads
 from contourlab.engine.translate.tick_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.native import store
 
-_FOLDER = files_of("contourlab.engine.translate")
+_SOURCES = [file for room in ("engine", "engine.translate") for file in files_of(f"contourlab.{room}").iterdir()]
 _loops: dict[str, Any] = {}
-_building = threading.Lock()
-"""Threads of a batch that need the same loop wait for the first."""
+"""By key: a compiled loop, or the reads that lead to the key of one."""
+_building = threading.RLock()
+"""Threads of a batch that need the same loop wait for the first. A property that a step reads may itself run a loop."""
 
 
 @cache
 def _translator() -> str:
-    """Return a digest of translator, primitives and tools: a change of any of them discards all machine code."""
-    files = sorted((file.name, file.read_text(encoding="utf-8")) for file in _FOLDER.iterdir() if file.name.endswith(".py"))
-    return _digest((inspect.getsource(primitives), files, store.toolchain()))
+    """Return a digest of engine, primitives and tools: a change of any of them discards all machine code."""
+    files = sorted((file.name, file.read_text(encoding="utf-8")) for file in _SOURCES if file.name.endswith(".py"))
+    return _digest(inspect.getsource(primitives), files, store.toolchain())
 
 
-def _digest(words: object) -> str:
+def _digest(*words: object) -> str:
     return hashlib.sha256(repr(words).encode()).hexdigest()[:32]
 
 
-def _key(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], width: int, code: str) -> str:
-    nodes = [(source_key(node.step), node.repeat) for node in schedule.nodes]
-    return _digest((nodes, schedule.sources, schedule.record_point, places, log_rows, width, VECTOR, code, _translator()))
+@lru_cache(1024)
+def _layout(step: Step) -> str:
+    return _digest(step.name, step.layout)
 
 
 def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], width: int, gpu: Gpu | None = None) -> Any:
@@ -59,16 +62,50 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], wi
     EngineError
         If a step uses what cannot be translated; names file and line.
     """
-    key = _key(schedule, places, log_rows, width, "" if gpu is None else gpu.code)
+    roots = [function for node in schedule.nodes for function in node.step.functions]
+    layout = [(_layout(node.step), node.repeat) for node in schedule.nodes]
+    wiring = (schedule.sources, schedule.record_point, places, log_rows, width, VECTOR, "" if gpu is None else gpu.code)
+    key = before = _digest(layout, wiring, Reads(roots).words, _translator())
+    trace: list[Any] | None = None
     with _building:
-        if key not in _loops:
-            parts = store.read(key)
-            if parts is None:
-                made = tick_graph.tick_graph(schedule, places, log_rows, maths.SINGLE if width == 1 else maths.LANES)
-                if gpu is None:
-                    parts = [llvm_ir.object_code(tick_loop.source_of(made, min(width, VECTOR), width))]
-                else:
-                    parts = [gpu.compiled(tick_loop.source_of(made, 1, width, gpu=True))]
-                store.write(key, parts)
-            _loops[key] = llvm_ir.loaded(parts[0], "run", tick_loop.SIGNATURE) if gpu is None else gpu.loaded(parts[0])
-    return _loops[key]
+        while key in _loops or _from_disk(key, gpu):
+            if not isinstance(_loops[key], list):
+                return _loops[key]
+            reads, before, trace = Reads(roots), key, _loops[key]
+            reads.again(trace)
+            key = _digest(key, reads.words)
+        reads = Reads(roots)
+        made = tick_graph.tick_graph(schedule, places, log_rows, maths.SINGLE if width == 1 else maths.LANES, reads=reads)
+        if gpu is None:
+            code = llvm_ir.object_code(tick_loop.source_of(made, min(width, VECTOR), width))
+        else:
+            code = gpu.compiled(tick_loop.source_of(made, 1, width, gpu=True))
+        other_reads = reads.trace != trace
+        if other_reads:
+            before, _loops[key] = key, reads.trace
+        # The key is that of what the translator read, not of what is there now.
+        key = _digest(before, reads.words)
+        if other_reads:
+            store.write(before, [marshal.dumps(reads.trace), key.encode(), code])
+        else:
+            store.write(key, [code])
+        _loops[key] = _loaded(code, gpu)
+        return _loops[key]
+
+
+def _from_disk(key: str, gpu: Gpu | None) -> bool:
+    """Bring what is filed under a key into memory; return whether there is anything.
+
+    A file has a loop, or reads with the loop that they led to first.
+    """
+    *reads, code = store.read(key) or [b""]
+    if reads:
+        _loops[key] = marshal.loads(reads[0])
+        key = reads[1].decode()
+    if code and key not in _loops:
+        _loops[key] = _loaded(code, gpu)
+    return bool(code)
+
+
+def _loaded(code: bytes, gpu: Gpu | None) -> Any:
+    return llvm_ir.loaded(code, "run", tick_loop.SIGNATURE) if gpu is None else gpu.loaded(code)

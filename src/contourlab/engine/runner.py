@@ -145,6 +145,10 @@ class CompiledGroup(Group):
         self._places = Rows(first[1 : n + 1], first[n + 1 : 2 * n + 1], first[2 * n + 1 :], tuple(map(len, self.rings)))
         self._loops: dict[tuple[int, ...], Any] = {}
 
+    def restore(self, saved: tuple[int, Array]) -> None:
+        super().restore(saved)
+        self._loops.clear()  # a value that its steps read may have changed since
+
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
         external = np.asarray(external, dtype=float)
         strides = [stride // external.itemsize for stride in external.strides]

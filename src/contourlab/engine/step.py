@@ -110,6 +110,11 @@ class Step:
         return self._hash
 
     @property
+    def functions(self) -> tuple[StepFunction, ...]:
+        """The function, and that of the bank."""
+        return (self.function, self.bank.function) if self.bank else (self.function,)
+
+    @property
     def own_states(self) -> tuple[Port, ...]:
         """The states that the function itself takes and returns: all except those of a bank."""
         return self.states[:-1] if self.bank else self.states

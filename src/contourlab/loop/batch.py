@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import nullcontext
+from copy import copy
 from functools import partial
 
 import numpy as np
@@ -17,6 +18,9 @@ from contourlab.components.plant.plant import Plant
 from contourlab.engine.gpu import gpu_of_process, lanes_of
 from contourlab.engine.runner import Group, make_group, memory_rows
 from contourlab.engine.schedule import Node
+from contourlab.engine.step import Step
+from contourlab.engine.translate.outer import Reads
+from contourlab.engine.translate.step_graph import graph_of
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, check_view, view_of
@@ -209,6 +213,7 @@ def checked_variants(
     if len(lengths) != 1 or 0 in lengths:
         raise ParameterError("variants", f"arrays of lengths {sorted(lengths)}", "given, all of the same length, 1 or more, seeds too")
     _check_together(known, columns)
+    _check_steps(known, columns, len(machine.axes))
     _check_substeps(machine, columns)
     return columns, lengths.pop()
 
@@ -228,6 +233,26 @@ def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping
             except ParameterError as error:
                 error.add_note(f"In the variants of {head}.")
                 raise
+
+
+def _check_steps(known: Mapping[str, tuple[Component, str]], columns: Mapping[str, Array], n_axis: int) -> None:
+    """Raise if a parameter that differs between variants changes the step itself, which all variants share."""
+    for name, values in columns.items():
+        part, parameter = known[name]
+        if type(part).step_function is Component.step_function:
+            continue
+        others = [copy(part), copy(part)]
+        for other, value in zip(others, (values.min(), values.max()), strict=True):
+            object.__setattr__(other, parameter, float(value))
+        steps = {one.make_step(n_axis) for one in (part, *others)}
+        if len(steps) > 1 and len({_read_by(step) for step in steps}) > 1:
+            raise ParameterError(name, "different in each variant", "the same in all: the step does not read it from par")
+
+
+def _read_by(step: Step) -> str:
+    reads = Reads(step.functions)
+    graph_of(step, reads=reads)
+    return repr(reads.words)
 
 
 def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:

@@ -24,6 +24,7 @@ IN_PLAIN_PYTHON = [
     (faults.Branching, "derive must take arrays.* numpy"),
     (faults.Idle, "parameter trim"),
     (faults.IdleWord, "parameter rule"),
+    (faults.Enclosed, r"gain from par.* par\.gain"),
     (faults.NotANumber, "finite"),
     (faults.Overflowing, "finite"),
     (faults.RottenInside, "finite"),

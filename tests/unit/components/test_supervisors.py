@@ -47,6 +47,11 @@ def test_an_averaged_error_is_its_root_mean_square() -> None:
     assert not run_alone(part, {"reference": 0.8 * wave})["active"].any()
 
 
+def test_variants_with_and_without_an_average_share_the_step() -> None:
+    with_average, without = (make("supervisor", "performance", thresholds=(1e-5,), averaging_time=time) for time in (5e-3, 0.0))
+    assert with_average.make_step() == without.make_step()
+
+
 def test_places_in_the_program_and_the_controller_before_the_first() -> None:
     part = make("supervisor", "pre-routed", places=(0.1, 0.2, 0.4), numbers=(2.0, 0.0, 1.0))
     out = run_alone(part, {"arc_length": np.array([0.0, 0.1, 0.15, 0.2, 0.39, 0.4, 9.0])})

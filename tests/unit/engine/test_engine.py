@@ -9,7 +9,6 @@ import pytest
 
 from contourlab import primitives
 from contourlab.engine import fused
-from contourlab.engine.keys import source_key
 from contourlab.engine.runner import make_group
 from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Bank, Port, Step
@@ -278,7 +277,7 @@ def test_wiring_errors_say_what_is_wrong():
         Schedule((node, node), (Port("u"),), 1.0, 1)
 
 
-def test_the_cache_key_follows_the_source_of_callees():
+def test_the_cache_key_follows_the_source_of_callees(tmp_path, monkeypatch):
     def made(constant):
         def helper(u):
             return constant * u
@@ -288,10 +287,15 @@ def test_the_cache_key_follows_the_source_of_callees():
 
         return Step("s", step, inputs=(Port("u"),), outputs=(Port("y"),))
 
-    assert source_key(made(2.0)) == source_key(made(2.0))
-    assert source_key(made(2.0)) != source_key(made(3.0))
-    assert source_key(members(2.0)) == source_key(members(2.0))
-    assert source_key(members(2.0)) != source_key(members(3.0))
+    def answer(step):
+        schedule = Schedule((Node("s", step, {"u": "in.u"}, dict.fromkeys(step.parameters, 1.0)),), (Port("u"),), 1.0, 1)
+        return run(schedule, [[1.0]], ["s.y"], True)[0, 0, 0]
+
+    monkeypatch.setattr(store, "folder", lambda: tmp_path)
+    monkeypatch.setattr(fused, "_loops", {})
+    assert [answer(made(constant)) for constant in (2.0, 3.0, 2.0)] == [2.0, 3.0, 2.0]
+    assert [answer(members(constant)) for constant in (2.0, 3.0, 2.0)] == [12.0, 18.0, 12.0]
+    assert len(list(tmp_path.glob("*.code"))) == 4
 
 
 def test_the_cache_survives_corrupt_files_and_serves_a_second_process(tmp_path, monkeypatch):

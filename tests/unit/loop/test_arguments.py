@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from faulty_components import Enclosed, Shaped
 from refusals import refuses
-from stages import PERIOD
+from stages import PERIOD, with_axis
 
 import contourlab as cl
 from contourlab.errors import ParameterError
@@ -58,6 +59,17 @@ def test_arguments_in_exchanged_places_are_named(places: Any, name: str, machine
 def test_variants_are_a_mapping(variants: Any, machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     with refuses(ParameterError, name="variants"):
         cl.simulate_batch(machine, controller, circle, variants)
+
+
+@pytest.mark.parametrize(("kind", "name"), [(Enclosed, "gain"), (Shaped, "gain"), (Shaped, "bias")])
+def test_variants_share_the_step(kind: Any, name: str, machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    """A parameter that a step takes from its component, not from `par`, would be the same in every lane."""
+    moved, wanted = with_axis(machine, "x", drive=kind(gain=1.0)), f"axes.x.drive.{name}"
+    if name == "bias":
+        assert len(set(cl.simulate_batch(moved, controller, circle, {wanted: [0.5, 1.0]}).figures["contour_error_max"])) == 2
+    else:
+        with refuses(ParameterError, name=wanted if kind is Enclosed else "variants"):
+            cl.simulate_batch(moved, controller, circle, {wanted: [0.5, 1.0]})
 
 
 @pytest.mark.parametrize("values", [np.ones((4, 2)) + 1j, np.array([["a", "b"]]), np.ones(4), [[math.nan, 0.0]], np.array([[None, 1.0]])])

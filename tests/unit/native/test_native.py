@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from types import FunctionType
 
 import numpy as np
 import pytest
@@ -62,3 +63,27 @@ def test_the_key_of_a_kernel_covers_the_modules_of_all_that_it_calls() -> None:
     from contourlab.native.compile import _modules
 
     assert _modules(bounds._quickest.plain) == {"contourlab.feed.bounds", "contourlab.feed.scurve"}
+
+
+def test_the_constants_of_a_kernel_are_in_its_key() -> None:
+    """The key holds the text of the modules of all functions, so a constant must be written there, not imported."""
+    import ast
+    import inspect
+
+    from contourlab.feed import planner  # imports all kernels of the planner
+    from contourlab.native.compile import _called
+    from contourlab.native.kernel import KERNELS
+
+    def check(function: FunctionType) -> None:
+        module = inspect.getmodule(function)
+        assert module is not None
+        tree = ast.parse(inspect.getsource(module))
+        imported = {name.asname or name.name for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) for name in node.names}
+        values = {name for name in function.__code__.co_names if isinstance(function.__globals__.get(name), int | float | tuple)}
+        assert not values & imported, function
+        for called in _called(function).values():
+            check(called)
+
+    assert planner and len(KERNELS) > 10
+    for one in KERNELS:
+        check(one.plain)

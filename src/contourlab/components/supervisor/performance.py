@@ -30,13 +30,13 @@ MEASURES = {"motor-load-difference": _apart, "tracking-error": _tracking, "load-
 
 
 @cache
-def _make(measure: str, thresholds: tuple[float, ...], falling: bool, averaged: bool) -> Any:
+def _make(measure: str, thresholds: tuple[float, ...], falling: bool) -> Any:
     of, count = MEASURES[measure], float(len(thresholds))
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         now = of(inp)
         square = x.square + par.weight * (now * now - x.square)
-        seen = sqrt(square) if averaged else fabs(now)
+        seen = sqrt(square) if par.weight < 1.0 else fabs(now)
         level, rank = 0.0, count - x.active if falling else x.active
         for i in range(len(thresholds)):
             # Hysteresis lowers the thresholds below the active rank and raises the others.
@@ -97,7 +97,7 @@ class Performance(Supervisor):
         return (np.where(time > 0.0, -np.expm1(-dt / np.where(time > 0.0, time, 1.0)), 1.0),)
 
     def step_function(self) -> Any:
-        return _make(self.measure, self.thresholds, self.order == "falling", self.averaging_time > 0.0)
+        return _make(self.measure, self.thresholds, self.order == "falling")
 
     @property
     def n_controller(self) -> int:

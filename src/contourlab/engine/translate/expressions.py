@@ -10,7 +10,8 @@ from typing import Any
 
 from contourlab import primitives as language
 from contourlab.engine.translate.graph import Graph, MismatchError, Op
-from contourlab.engine.translate.names import Closure, Frame, assign, bound, flat, has_unset, last_of, outer_names
+from contourlab.engine.translate.names import Closure, Frame, assign, bound, flat, has_unset, last_of
+from contourlab.engine.translate.outer import Outer, Reads, attribute
 from contourlab.engine.translate.source import file_of, tree_of
 from contourlab.errors import EngineError, error_text
 
@@ -75,10 +76,12 @@ class Expressions:
         Receives the operations.
     primitives : mapping
         Python functions that become operations: function -> ``made(evaluator, *values)``.
+    reads : Reads, optional
+        Records the outer values that functions read.
     """
 
-    def __init__(self, graph: Graph, primitives: Mapping[Any, Callable[..., Any]]) -> None:
-        self.graph, self.primitives = graph, primitives
+    def __init__(self, graph: Graph, primitives: Mapping[Any, Callable[..., Any]], reads: Reads | None = None) -> None:
+        self.graph, self.primitives, self.reads = graph, primitives, reads or Reads()
         self._depth = 0
 
     def body(self, statements: Sequence[ast.stmt], frame: Frame) -> Any:
@@ -93,6 +96,8 @@ class Expressions:
         EngineError
             If the function uses what cannot be translated; names file and line.
         """
+        outer = self.reads.of(function) if isinstance(function, FunctionType) else function
+        function = outer.value if isinstance(outer, Outer) else function
         try:
             primitive = self.primitives.get(function)
         except TypeError:
@@ -107,11 +112,15 @@ class Expressions:
             frame.env = bound(function.node.args, function.defaults, args, named or {})
             return self._run(function.node, frame)
         if isinstance(function, FunctionType):
-            frame = Frame(file_of(function), outer_names(function), function.__qualname__)
+            frame = Frame(file_of(function), outer.name, function.__qualname__)
             node = tree_of(function)
-            defaults = [*last_of(node.args, function.__defaults__ or ()), *(function.__kwdefaults__ or {}).items()]
+            # Without defaults all arguments are given, whatever defaults it gets later.
+            defaults = last_of(node.args, outer.attribute("__defaults__") if function.__defaults__ else ())
+            defaults += (outer.attribute("__kwdefaults__") if function.__kwdefaults__ else {}).items()
             frame.env = bound(node.args, dict(defaults), args, named or {})
             return self._run(node, frame)
+        if isinstance(outer, Outer) and isinstance(function, type) and issubclass(function, tuple):
+            return outer.made(args, named or {})
         return self._builtin(function, args, named or {})
 
     def _builtin(self, function: Any, args: Sequence[Any], named: Mapping[str, Any]) -> Any:
@@ -121,7 +130,7 @@ class Expressions:
             return self.graph.number(args[0]) if unknown else float(args[0])
         if function in (tuple, zip, enumerate, reversed):
             return tuple(function(*args, **named))
-        if function is len or (function is range and not unknown) or (isinstance(function, type) and issubclass(function, tuple)):
+        if function is len or (function is range and not unknown):
             return function(*args, **named)
         if function is range:
             raise MismatchError("range of a number known only in the run: loop over a fixed range, and break")
@@ -159,11 +168,12 @@ class Expressions:
 
     def _attribute(self, tree: ast.Attribute, frame: Frame) -> Any:
         value = self.expression(tree.value, frame)
-        if not hasattr(value, tree.attr):
+        try:
+            return attribute(value, tree.attr)
+        except AttributeError as error:
             known = getattr(value, "_fields", None)
             there = "" if known is None else f"; {ast.unparse(tree.value)} has: {', '.join(known) or 'nothing'}"
-            raise MismatchError(f"no {tree.attr!r} here{there}")
-        return getattr(value, tree.attr)
+            raise MismatchError(f"no {tree.attr!r} here{there}") from error
 
     def _binop(self, tree: ast.BinOp, frame: Frame) -> Any:
         return self.operation(tree.op, self.expression(tree.left, frame), self.expression(tree.right, frame))

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import ast
-import builtins
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from types import FunctionType
 from typing import Any
 
 from contourlab.engine.translate.graph import CONDITION, NUMBER, UNSET, MismatchError, Op
@@ -127,19 +125,3 @@ def shaped(shapes: Iterable[Any], leaves: Sequence[Any]) -> list[Any]:
         return type(like)(*items) if hasattr(like, "_fields") else tuple(items)
 
     return [shape(like) for like in shapes]
-
-
-def outer_names(function: FunctionType) -> Callable[[str], Any]:
-    """Return the lookup of names around a function: its closure, its module, the builtins."""
-    cells = dict(zip(function.__code__.co_freevars, function.__closure__ or (), strict=True))
-
-    def lookup(wanted: str) -> Any:
-        if wanted in cells:
-            return cells[wanted].cell_contents
-        if wanted in function.__globals__:
-            return function.__globals__[wanted]
-        if hasattr(builtins, wanted):
-            return getattr(builtins, wanted)
-        raise MismatchError(f"no name {wanted!r}: take it from par, x or inp, or define it")
-
-    return lookup

@@ -7,7 +7,6 @@ import linecache
 from functools import cache
 from types import CodeType, FunctionType
 
-from contourlab.engine.keys import code_words, codes
 from contourlab.engine.translate.names import positional
 from contourlab.errors import EngineError
 
@@ -76,3 +75,14 @@ def _start(node: Function) -> tuple[int, int]:
 def _start_of_code(code: CodeType) -> tuple[int, int]:
     places = [(line, column) for line, _, column, end in code.co_positions() if line is not None and column is not None and end]
     return min(places)
+
+
+def codes(code: CodeType) -> list[CodeType]:
+    """Return a code object and those inside it."""
+    return [code, *(inner for constant in code.co_consts if isinstance(constant, CodeType) for inner in codes(constant))]
+
+
+def code_words(code: CodeType) -> list[str]:
+    """Return the content of a code object, without its place in the file."""
+    constants = [c if not isinstance(c, CodeType) else code_words(c) for c in code.co_consts]
+    return [code.co_code.hex(), repr(constants), repr((code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars))]

@@ -10,6 +10,7 @@ from contourlab.engine.step import Bank, Port, Step, misfit, pack, record, rows,
 from contourlab.engine.translate.evaluate import Evaluator
 from contourlab.engine.translate.graph import TABLE, Graph, MismatchError, Op
 from contourlab.engine.translate.maths import EXACT
+from contourlab.engine.translate.outer import Reads
 from contourlab.engine.translate.passes import fuse_products, prune
 from contourlab.engine.translate.source import file_of
 from contourlab.errors import EngineError
@@ -36,7 +37,7 @@ class StepGraph:
     outputs: tuple[Op, ...]
 
 
-def graph_of(step: Step, *, contract: bool = False, primitives: Mapping[Any, Any] = EXACT) -> StepGraph:
+def graph_of(step: Step, *, contract: bool = False, primitives: Mapping[Any, Any] = EXACT, reads: Reads | None = None) -> StepGraph:
     """Return the graph of a step.
 
     Parameters
@@ -46,6 +47,8 @@ def graph_of(step: Step, *, contract: bool = False, primitives: Mapping[Any, Any
         Whether to make fused multiply-adds; without them the graph computes what plain Python computes, bit for bit.
     primitives : mapping
         Functions that become operations.
+    reads : Reads, optional
+        Records what the step reads from outside; it begins at the functions of the step.
 
     Raises
     ------
@@ -53,7 +56,7 @@ def graph_of(step: Step, *, contract: bool = False, primitives: Mapping[Any, Any
         If the step uses what cannot be translated; names file and line.
     """
     graph = Graph(contract)
-    run = Evaluator(graph, primitives)
+    run = Evaluator(graph, primitives, reads)
 
     def leaves(kind: str, n: int) -> list[Op]:
         return [graph.op(kind, extra=row) for row in range(n)]

@@ -10,6 +10,7 @@ from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Step, rows
 from contourlab.engine.translate.evaluate import Evaluator
 from contourlab.engine.translate.graph import TABLE, Block, Graph, Op
+from contourlab.engine.translate.outer import Reads
 from contourlab.engine.translate.passes import fuse_products, prune
 from contourlab.engine.translate.step_graph import once as step_once
 from contourlab.engine.translate.step_graph import record_of
@@ -57,11 +58,11 @@ class TickGraph:
 class _Builder:
     """Builds the graph of a tick, node by node."""
 
-    def __init__(self, schedule: Schedule, places: Rows, primitives: Mapping[Any, Any], contract: bool) -> None:
+    def __init__(self, schedule: Schedule, places: Rows, primitives: Mapping[Any, Any], contract: bool, reads: Reads | None) -> None:
         self.schedule, self.places = schedule, places
         graph = Graph(contract)
         self.made = TickGraph(graph, Block(graph.top))
-        self.graph, self.run = graph, Evaluator(graph, primitives)
+        self.graph, self.run = graph, Evaluator(graph, primitives, reads)
         graph.block = self.made.body
         self.n_external = rows(schedule.externals)
         self.now: dict[int, Op] = {}
@@ -129,7 +130,13 @@ def ring_row(step: Step) -> int:
 
 
 def tick_graph(
-    schedule: Schedule, places: Rows, log_rows: Sequence[int], primitives: Mapping[Any, Any], *, contract: bool = True
+    schedule: Schedule,
+    places: Rows,
+    log_rows: Sequence[int],
+    primitives: Mapping[Any, Any],
+    *,
+    contract: bool = True,
+    reads: Reads | None = None,
 ) -> TickGraph:
     """Return one tick of a schedule as a graph.
 
@@ -144,13 +151,15 @@ def tick_graph(
         Functions that become operations.
     contract : bool
         Whether to make fused multiply-adds within each node.
+    reads : Reads, optional
+        Records what the steps read from outside; it begins at their functions.
 
     Raises
     ------
     EngineError
         If a step uses what cannot be translated.
     """
-    builder = _Builder(schedule, places, primitives, contract)
+    builder = _Builder(schedule, places, primitives, contract, reads)
     made = builder.made
     for i, node in enumerate(schedule.nodes):
         if i == schedule.record_point:
