@@ -129,11 +129,11 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
     deviations = {name: fit.deviation(name) for name in fit.names}
     rest = np.concatenate([_noise_at_rest(log) for log in logs])
     noise = float(rest.std()) if rest.size else _noise_in_motion(first)
-    play, play_deviation = _play(logs, model)
+    play, play_deviation = play_at_load(logs, model)
     seen = "CL892"
     if math.isnan(play):
         seen = "CL862"
-        play, play_deviation = _lost_motion(logs, model, noise)
+        play, play_deviation = lost_motion_at_motor(logs, model, noise)
     measured, simulated = _validated(logs, split, gains, model, law)
     findings = _quality(fit, deviations, place)
     if model.share:
@@ -256,7 +256,7 @@ def _stretches(flags: Array) -> Iterator[tuple[int, int]]:
     return ((a, b) for a, b in pairwise(edges) if a < b and flags[a])
 
 
-def _play(logs: Sequence[AxisLog], model: AxisModel) -> tuple[float, float]:
+def play_at_load(logs: Sequence[AxisLog], model: AxisModel) -> tuple[float, float]:
     """Return play and deviation from motor minus load at constant speed, extrapolated to standstill; nan if the load shows none.
 
     There friction holds the load against the flank that pushes it; while the axis slows down, the load may lean on the other one. Where
@@ -286,10 +286,10 @@ def _play(logs: Sequence[AxisLog], model: AxisModel) -> tuple[float, float]:
     scatter = math.sqrt(float(np.sum(((np.array(gaps) - np.array(rows) @ values) / swing) ** 2)) / len(rows))
     windup = 0.5 * model.windup(model.friction)
     play, deviation = values[1] - windup, math.hypot(max(scatter, 1.0) * float(np.abs(inverse[1]) @ swing), windup)
-    return max(float(play),0.0), deviation
+    return max(float(play), 0.0), deviation
 
 
-def _lost_motion(logs: Sequence[AxisLog], model: AxisModel, noise: float) -> tuple[float, float]:
+def lost_motion_at_motor(logs: Sequence[AxisLog], model: AxisModel, noise: float) -> tuple[float, float]:
     """Return the travel after slow reversals over which the motor needs less force, and its deviation; nan if the force shows none."""
     travels, steps, turns, least, fastest = list[float](), list[float](), list[float](), 4.0 * noise, 0.0
     for log in logs:
