@@ -11,7 +11,8 @@ from typed_commands import SCHEMES
 
 from contourlab.cli.main import main
 
-SCENARIO = """\
+SCENARIO = (
+    """\
 machine = "builtin:ghaffari/a3a1"
 controller = "builtin:ghaffari/calibrated"
 [contour]
@@ -23,7 +24,9 @@ frequency = "0.5 Hz"
 [run]
 tolerance = "27.8 um"
 start = "moving"
-""" + SCHEMES
+"""
+    + SCHEMES
+)
 STUDY = """\
 scenario = "scenario.toml"
 scheme = "all of it"

@@ -294,6 +294,13 @@ def crossing(past: Array, gap: float, radius: float) -> Array:
     return np.asarray(np.where((past >= 0.0) & (travel < gap), (travel - gap) * np.cos(past), 0.0))
 
 
+def is_crossed(past: Array, rest: Array, gap: float, radius: float) -> bool:
+    """Return whether the residual (n,) of a step near a reversal is for the most part `crossing`, where that acts."""
+    late = crossing(past, gap, radius)
+    acts = late != 0.0
+    return bool(np.abs(rest - late)[acts].max(initial=0.0) < 0.5 * np.abs(rest)[acts].max(initial=0.0))
+
+
 def outside(angles: Array, clockwise: bool, before: float, after: float) -> Flags:
     """Return which samples (n,) are away from all reversals."""
     use = np.ones(angles.shape, dtype=bool)
@@ -330,8 +337,8 @@ def _quadrants(
         near = np.flatnonzero((gone >= -before) & (gone <= after))
         near = near[np.argsort(gone[near], kind="stable")]
         step, deviation = steps[i % 2][1.0 if i < 2 else -1.0]
-        choices = (rest[near], rest[near] - crossing(gone[near], step, run.radius))
-        height, width = _spike(gone[near], min(choices, key=lambda left: float(left @ left)))
+        late = crossing(gone[near], step, run.radius) if is_crossed(gone[near], rest[near], step, run.radius) else 0.0
+        height, width = _spike(gone[near], rest[near] - late)
         quadrants.append(QuadrantStep(axes[i % 2], run.clockwise, 0.5 * math.pi * i, step, deviation, height, width))
     return quadrants
 

@@ -14,7 +14,7 @@ from contourlab.errors import ResultError
 from contourlab.features.circle.periodic import refined, strongest
 from contourlab.features.circle.runs import CircleRun
 from contourlab.features.circle.signatures import AFTER, BEFORE, Term, columns_of, usual_terms
-from contourlab.metrics.circle_backlash import WIDEST_HOLE, crossing, outside, past, widest_hole
+from contourlab.metrics.circle_backlash import WIDEST_HOLE, crossing, is_crossed, outside, past, widest_hole
 
 MOST_PERIODIC = 4
 """Cyclic errors and vibrations together."""
@@ -229,7 +229,7 @@ class _Window:
 def _with_spikes(fit: CircleFit, residuals: Sequence[Array]) -> CircleFit:
     """Add the spikes: means of the residual over small angles past each reversal.
 
-    The step of the play comes at once, or after the time that the motor needs to cross it: whichever leaves less.
+    The step of the play comes at once, or after the time that the motor needs to cross it.
 
     The height of a spike is read where the other spikes of the axis are highest, so that noise does not look like a spike. A mean cuts
     off a sharp peak: a parabola through three means gives its top, and how much it adds counts as deviation.
@@ -237,13 +237,17 @@ def _with_spikes(fit: CircleFit, residuals: Sequence[Array]) -> CircleFit:
     per_angle = min(len(run.turned) / abs(float(run.turned[-1] - run.turned[0])) for run in fit.runs)
     width = float(np.clip(LEAST_IN_BIN / per_angle, *BIN))
     edges = np.linspace(-BEFORE, AFTER, round((BEFORE + AFTER) / width) + 1)
+    middle = 0.5 * (edges[1:] + edges[:-1])
     spikes: list[ReversalSpike] = []
     shapes = {}
     for axis in fit.axes:
-        choices = [(one, _windows(one, axis, residuals, edges)) for one in (fit, replace(fit, crossed=(*fit.crossed, axis)))]
-        fit, windows = min(choices, key=lambda choice: sum(float(window.mean @ window.mean) for window in choice[1]))
+        windows = _windows(fit, axis, residuals, edges)
+        gap = next(float(fit.coefficients[fit.place(term)][0]) for term in fit.terms if (term.cause, term.axis) == ("backlash", axis))
+        if is_crossed(middle, np.mean([window.mean for window in windows], axis=0), gap, fit.runs[0].radius):
+            fit = replace(fit, crossed=(*fit.crossed, axis))
+            windows = _windows(fit, axis, residuals, edges)
         table = np.array([window.mean for window in windows])
-        shapes[axis] = 0.5 * (edges[1:] + edges[:-1]), table.mean(axis=0)
+        shapes[axis] = middle, table.mean(axis=0)
         for i, window in enumerate(windows):
             at, weights = _top(np.delete(table, i, axis=0).mean(axis=0))
             height = float(weights @ window.mean[at])
