@@ -19,25 +19,35 @@ PERIOD = 0.001
 COLUMNS = ("x_cmd [mm]", "y_cmd [mm]", "x [mm]", "y [mm]", "x_load [mm]", "y_load [mm]", "x_out", "y_out")
 PINS = ("{a}-cmd", "{a}-fb", "{a}-load", "{a}-out")
 
-AXIS = """component contourlab_axis "axis with friction, and play behind the encoder";
+AXIS = """component contourlab_axis "axis with friction, and behind the encoder play and a load, with inertia or without";
 pin in float u "acceleration / gain"; pin out float motor; pin out float load;
 param rw float gain = 2000; param rw float damping = 30; param rw float friction = 20; param rw float play = 0.02; param rw float noise = 0;
+param rw float frequency = 0 "Hz, of load and motor on their shaft; 0: the load has no mass";
+param rw float part = 0.5 "of the mass, at the load"; param rw float behind = 0 "friction at the load";
 param rw u32 substeps = 20 "per period; each is semi-implicit Euler";
-variable double v; variable double x; variable double l; variable unsigned seed;
+variable double v; variable double x; variable double l; variable double w; variable unsigned seed;
 function _ fp;
 license "GPL";
 ;;
+static double rubbed(double speed, double rate, double level, double dt) {
+    if (speed == 0) rate = rate > level ? rate - level : rate < -level ? rate + level : 0;
+    else rate -= speed > 0 ? level : -level;
+    double next = speed + dt*rate;
+    return speed*next < 0 ? 0 : next;  /* held where it turns */
+}
 FUNCTION(_) {
-    double h = fperiod / (substeps ? substeps : 1);
+    double h = fperiod / (substeps ? substeps : 1), turn = 6.283185307179586*frequency, k = part*(1 - part)*turn*turn;
     for (unsigned i = 0; i < (substeps ? substeps : 1); i++) {
-        double a = gain*u - damping*v;
-        if (v == 0) a = a > friction ? a - friction : a < -friction ? a + friction : 0;
-        else a -= v > 0 ? friction : -friction;
-        double next = v + h*a;
-        v = v*next < 0 ? 0 : next;  /* held where it turns */
+        if (frequency > 0) {
+            double bent = x - l, force = 0;
+            if (bent > play/2 || bent < -play/2) force = k*(bent - (bent > 0 ? play/2 : -play/2)) + 0.06*k/turn*(v - w);
+            v = rubbed(v, (gain*u - damping*v - force)/(1 - part), friction/(1 - part), h);
+            w = rubbed(w, force/part, behind/part, h);
+            l += h*w;
+        } else v = rubbed(v, gain*u - damping*v, friction, h);
         x += h*v;
     }
-    if (x - l > play/2) l = x - play/2; else if (x - l < -play/2) l = x + play/2;
+    if (frequency > 0) {} else if (x - l > play/2) l = x - play/2; else if (x - l < -play/2) l = x + play/2;
     seed = seed*1664525u + 1013904223u;
     motor = x + noise*((seed >> 8)/8388608.0 - 1.0); load = l;
 }
@@ -161,6 +171,12 @@ class Plant:
         Between motor and load, the whole gap.
     noise : float [mm]
         Of the encoder: uniform between plus and minus this.
+    frequency : float [Hz]
+        Of a load with inertia and the motor on their shaft; 0 for a load without mass.
+    part : float
+        Of the mass, at the load.
+    behind : float [mm/s^2]
+        Friction at the load, over the whole mass; `friction` is at the motor.
     substeps : int
         Integration steps per servo period.
     """
@@ -170,6 +186,9 @@ class Plant:
     friction: float = 20.0
     play: float = 0.02
     noise: float = 0.0
+    frequency: float = 0.0
+    part: float = 0.5
+    behind: float = 0.0
     substeps: int = 20
 
 
