@@ -256,6 +256,12 @@ def _stretches(flags: Array) -> Iterator[tuple[int, int]]:
     return ((a, b) for a, b in pairwise(edges) if a < b and flags[a])
 
 
+def _windup(model: AxisModel, friction: float) -> float:
+    """Return the twist of the shaft there and back [m] under a friction behind it [m/s^2]; 0 for a rigid axis."""
+    stiffness = model.share * (2.0 * math.pi * model.resonance / (1.0 + model.share)) ** 2
+    return 2.0 * friction / stiffness if stiffness else 0.0
+
+
 def play_at_load(logs: Sequence[AxisLog], model: AxisModel) -> tuple[float, float]:
     """Return play and deviation from motor minus load at constant speed, extrapolated to standstill; nan if the load shows none.
 
@@ -284,7 +290,7 @@ def play_at_load(logs: Sequence[AxisLog], model: AxisModel) -> tuple[float, floa
     inverse = np.linalg.pinv(np.array(rows) / swing[:, None]) / swing
     values = inverse @ gaps
     scatter = math.sqrt(float(np.sum(((np.array(gaps) - np.array(rows) @ values) / swing) ** 2)) / len(rows))
-    windup = 0.5 * model.windup(model.friction)
+    windup = 0.5 * _windup(model, model.friction)
     play, deviation = values[1] - windup, math.hypot(max(scatter, 1.0) * float(np.abs(inverse[1]) @ swing), windup)
     return max(float(play), 0.0), deviation
 
@@ -315,7 +321,7 @@ def lost_motion_at_motor(logs: Sequence[AxisLog], model: AxisModel, noise: float
         return math.nan, math.nan
     # Each between nothing and this: the load runs on by v^2/2 over its friction before it stops; the motor turns late, but then its force
     # rises late; friction winds up the shaft there and back.
-    onward, late, windup = 0.5 * fastest**2 / (step * model.friction), float(np.mean(turns)), model.windup(step * model.friction)
+    onward, late, windup = 0.5 * fastest**2 / (step * model.friction), float(np.mean(turns)), _windup(model, step * model.friction)
     if onward > RUN_ON * place:
         return math.nan, math.nan
     return place + 0.5 * (onward + late - windup), math.hypot(spread / math.sqrt(len(travels)), 0.5 * onward, 0.5 * late, 0.5 * windup)

@@ -96,19 +96,11 @@ class AxisModel:
             part = part + term
         return np.asarray(np.linalg.matrix_power(part, 256)[:4])
 
-    @property
-    def spring(self) -> float:
-        """Stiffness of the shaft over the mass of motor and load [1/s^2]; 0 for a rigid axis."""
-        return self.share / (1.0 + self.share) ** 2 * (2.0 * math.pi * self.resonance) ** 2
-
-    def windup(self, friction: float) -> float:
-        """Return the twist of the shaft there and back [m] under a friction behind it [m/s^2]."""
-        return 2.0 * friction / self.spring if self.spring else 0.0
-
     def block(self, period: float) -> dict[str, float | Array]:
         """Return the parameters of the step of the axis."""
         time, back = period / self.steps, self.behind if self.share else 0.0
         whole, rest = self.delayed(period)
+        w, reduced = 2.0 * math.pi * self.resonance, self.share / (1.0 + self.share) ** 2
         return {
             "gain": self.gain,
             "offset": self.offset,
@@ -117,8 +109,8 @@ class AxisModel:
             "whole": float(whole),
             "rest": rest,
             "half_play": 0.5 * self.play,
-            "spring": self.spring,
-            "loss": self.damping_ratio * self.spring / (math.pi * self.resonance * time) if self.share else 0.0,
+            "spring": reduced * w**2,
+            "loss": 2.0 * self.damping_ratio * reduced * w / time,
             **dict(zip(MOTION, self.motion(time)[:, 1:].ravel().tolist(), strict=True)),
         }
 
