@@ -6,6 +6,7 @@ Debian's packages linuxcnc-uspace and linuxcnc-uspace-dev run here without displ
 
 from __future__ import annotations
 
+import hashlib
 import os
 import shutil
 import subprocess
@@ -52,6 +53,8 @@ FUNCTION(_) {
     motor = x + noise*((seed >> 8)/8388608.0 - 1.0); load = l;
 }
 """
+
+MODULE = f"contourlab_axis_{hashlib.sha256(AXIS.encode()).hexdigest()[:8]}"
 
 USER = """#!/usr/bin/python3
 import linuxcnc, subprocess, sys, time
@@ -281,7 +284,8 @@ class Rig:
         with tempfile.TemporaryDirectory(prefix="rig") as name:
             folder = Path(name)
             folder.chmod(0o777)  # rtapi_app gives up its rights
-            ini, _ = self.write(folder)
+            ini, hal = self.write(folder)
+            hal.write_text(hal.read_text().replace("loadrt contourlab_axis ", f"loadrt {MODULE} "))
             ini.write_text(self.ini_text().replace("HALFILE = rig.hal\n", "HALFILE = rig.hal\nHALFILE = plant.hal\n"))
             (folder / "plant.hal").write_text(self._plant_text())
             (folder / "rig.tbl").write_text("T1 P1 D0.1\n")
@@ -322,14 +326,11 @@ def missing() -> str:
 
 
 def _build() -> None:
-    """Compile the axes with halcompile, once for each version of their source."""
-    modules = Path("/usr/lib/linuxcnc/modules")
-    built, source = modules / "contourlab_axis.so", modules / "contourlab_axis.source"
-    if built.exists() and source.exists() and source.read_text() == AXIS:
+    """Compile the axes with halcompile, once for each version of their source: other checkouts have modules of their own."""
+    if Path("/usr/lib/linuxcnc/modules", f"{MODULE}.so").exists():
         return
     with tempfile.TemporaryDirectory() as folder:
-        Path(folder, "contourlab_axis.comp").write_text(AXIS)
-        ran = subprocess.run(["halcompile", "--install", "contourlab_axis.comp"], cwd=folder, capture_output=True, text=True)
+        Path(folder, f"{MODULE}.comp").write_text(AXIS.replace("contourlab_axis", MODULE, 1))
+        ran = subprocess.run(["halcompile", "--install", f"{MODULE}.comp"], cwd=folder, capture_output=True, text=True)
     if ran.returncode:
         raise RigError(f"halcompile: {(ran.stderr or ran.stdout)[-300:]}")
-    source.write_text(AXIS)
