@@ -11,8 +11,7 @@ from typed_commands import SCHEMES
 
 from contourlab.cli.main import main
 
-SCENARIO = (
-    """\
+SCENARIO = """\
 machine = "builtin:ghaffari/a3a1"
 controller = "builtin:ghaffari/calibrated"
 [contour]
@@ -24,9 +23,7 @@ frequency = "0.5 Hz"
 [run]
 tolerance = "27.8 um"
 start = "moving"
-"""
-    + SCHEMES
-)
+""" + SCHEMES
 STUDY = """\
 scenario = "scenario.toml"
 scheme = "all of it"
