@@ -6,6 +6,7 @@ Debian's packages linuxcnc-uspace and linuxcnc-uspace-dev run here without displ
 
 from __future__ import annotations
 
+import hashlib
 import os
 import shutil
 import subprocess
@@ -19,29 +20,41 @@ PERIOD = 0.001
 COLUMNS = ("x_cmd [mm]", "y_cmd [mm]", "x [mm]", "y [mm]", "x_load [mm]", "y_load [mm]", "x_out", "y_out")
 PINS = ("{a}-cmd", "{a}-fb", "{a}-load", "{a}-out")
 
-AXIS = """component contourlab_axis "axis with friction, and play behind the encoder";
+AXIS = """component contourlab_axis "axis with friction, and behind the encoder play and a load, with inertia or without";
 pin in float u "acceleration / gain"; pin out float motor; pin out float load;
 param rw float gain = 2000; param rw float damping = 30; param rw float friction = 20; param rw float play = 0.02; param rw float noise = 0;
+param rw float frequency = 0 "Hz, of load and motor on their shaft; 0: the load has no mass";
+param rw float part = 0.5 "of the mass, at the load"; param rw float behind = 0 "friction at the load";
 param rw u32 substeps = 20 "per period; each is semi-implicit Euler";
-variable double v; variable double x; variable double l; variable unsigned seed;
+variable double v; variable double x; variable double l; variable double w; variable unsigned seed;
 function _ fp;
 license "GPL";
 ;;
+static double rubbed(double speed, double rate, double level, double dt) {
+    if (speed == 0) rate = rate > level ? rate - level : rate < -level ? rate + level : 0;
+    else rate -= speed > 0 ? level : -level;
+    double next = speed + dt*rate;
+    return speed*next < 0 ? 0 : next;  /* held where it turns */
+}
 FUNCTION(_) {
-    double h = fperiod / (substeps ? substeps : 1);
+    double h = fperiod / (substeps ? substeps : 1), turn = 6.283185307179586*frequency, k = part*(1 - part)*turn*turn;
     for (unsigned i = 0; i < (substeps ? substeps : 1); i++) {
-        double a = gain*u - damping*v;
-        if (v == 0) a = a > friction ? a - friction : a < -friction ? a + friction : 0;
-        else a -= v > 0 ? friction : -friction;
-        double next = v + h*a;
-        v = v*next < 0 ? 0 : next;  /* held where it turns */
+        if (frequency > 0) {
+            double bent = x - l, force = 0;
+            if (bent > play/2 || bent < -play/2) force = k*(bent - (bent > 0 ? play/2 : -play/2)) + 0.06*k/turn*(v - w);
+            v = rubbed(v, (gain*u - damping*v - force)/(1 - part), friction/(1 - part), h);
+            w = rubbed(w, force/part, behind/part, h);
+            l += h*w;
+        } else v = rubbed(v, gain*u - damping*v, friction, h);
         x += h*v;
     }
-    if (x - l > play/2) l = x - play/2; else if (x - l < -play/2) l = x + play/2;
+    if (frequency > 0) {} else if (x - l > play/2) l = x - play/2; else if (x - l < -play/2) l = x + play/2;
     seed = seed*1664525u + 1013904223u;
     motor = x + noise*((seed >> 8)/8388608.0 - 1.0); load = l;
 }
 """
+
+MODULE = f"contourlab_axis_{hashlib.sha256(AXIS.encode()).hexdigest()[:8]}"
 
 USER = """#!/usr/bin/python3
 import linuxcnc, subprocess, sys, time
@@ -161,6 +174,12 @@ class Plant:
         Between motor and load, the whole gap.
     noise : float [mm]
         Of the encoder: uniform between plus and minus this.
+    frequency : float [Hz]
+        Of a load with inertia and the motor on their shaft; 0 for a load without mass.
+    part : float
+        Of the mass, at the load.
+    behind : float [mm/s^2]
+        Friction at the load, over the whole mass; `friction` is at the motor.
     substeps : int
         Integration steps per servo period.
     """
@@ -170,6 +189,9 @@ class Plant:
     friction: float = 20.0
     play: float = 0.02
     noise: float = 0.0
+    frequency: float = 0.0
+    part: float = 0.5
+    behind: float = 0.0
     substeps: int = 20
 
 
@@ -262,7 +284,8 @@ class Rig:
         with tempfile.TemporaryDirectory(prefix="rig") as name:
             folder = Path(name)
             folder.chmod(0o777)  # rtapi_app gives up its rights
-            ini, _ = self.write(folder)
+            ini, hal = self.write(folder)
+            hal.write_text(hal.read_text().replace("loadrt contourlab_axis ", f"loadrt {MODULE} "))
             ini.write_text(self.ini_text().replace("HALFILE = rig.hal\n", "HALFILE = rig.hal\nHALFILE = plant.hal\n"))
             (folder / "plant.hal").write_text(self._plant_text())
             (folder / "rig.tbl").write_text("T1 P1 D0.1\n")
@@ -303,14 +326,11 @@ def missing() -> str:
 
 
 def _build() -> None:
-    """Compile the axes with halcompile, once for each version of their source."""
-    modules = Path("/usr/lib/linuxcnc/modules")
-    built, source = modules / "contourlab_axis.so", modules / "contourlab_axis.source"
-    if built.exists() and source.exists() and source.read_text() == AXIS:
+    """Compile the axes with halcompile, once for each version of their source: other checkouts have modules of their own."""
+    if Path("/usr/lib/linuxcnc/modules", f"{MODULE}.so").exists():
         return
     with tempfile.TemporaryDirectory() as folder:
-        Path(folder, "contourlab_axis.comp").write_text(AXIS)
-        ran = subprocess.run(["halcompile", "--install", "contourlab_axis.comp"], cwd=folder, capture_output=True, text=True)
+        Path(folder, f"{MODULE}.comp").write_text(AXIS.replace("contourlab_axis", MODULE, 1))
+        ran = subprocess.run(["halcompile", "--install", f"{MODULE}.comp"], cwd=folder, capture_output=True, text=True)
     if ran.returncode:
         raise RigError(f"halcompile: {(ran.stderr or ran.stdout)[-300:]}")
-    source.write_text(AXIS)

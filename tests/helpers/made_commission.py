@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 from linuxcnc_rig import Rig
+from made_circles import behind
 
 from contourlab.features.commission.command import planned_commands
 from contourlab.features.commission.excitation import excitation
@@ -38,15 +39,6 @@ class Made:
         rows = rows or self.rows
         np.savetxt(file, np.column_stack(list(rows.values())), fmt="%.6f", delimiter=",", header=",".join(rows), comments="")
         return file
-
-
-def behind(position: np.ndarray, play: float) -> np.ndarray:
-    """Return the position of the load behind a play."""
-    load, at = np.empty_like(position), position[0]
-    for k, x in enumerate(position):
-        at = min(max(at, x - play / 2.0), x + play / 2.0)
-        load[k] = at
-    return load
 
 
 def simulated(

@@ -55,14 +55,18 @@ class TwoMasses:
 
     def measured(self, command: Array, gains: dict[str, float], period: float, noise: Array) -> tuple[Array, Array]:
         """Return motor position (n,) [m] and output (n,) under HAL's pid, with gains per mm."""
+        return self.with_load(command, gains, period, noise)[:2]
+
+    def with_load(self, command: Array, gains: dict[str, float], period: float, noise: Array) -> tuple[Array, Array, Array]:
+        """Return motor position (n,) [m], output (n,), and load position (n,) [m] under HAL's pid, with gains per mm."""
         motor, reduced = 1.0 - self.load, (1.0 - self.load) * self.load
         w = 2.0 * np.pi * self.frequency
         parts = [self.gain, self.damping, motor, self.load, reduced * w**2, 2.0 * self.damping_ratio * reduced * w, self.play]
         law = [1e3 * gains[name] for name in ("Pgain", "Igain", "Dgain", "FF1", "FF2")]
-        out = np.zeros((command.size, 2))
+        out = np.zeros((command.size, 3))
         more = [*self.frictions, self.damped, self.breakaway, self.count, float(self.delay)]
         _run(command, noise, np.array([*parts, *more]), np.array([*law, period]), out)
-        return out[:, 0], out[:, 1]
+        return out[:, 0], out[:, 1], out[:, 2]
 
 
 def drawn(seed: int) -> tuple[TwoMasses, float]:
@@ -115,7 +119,7 @@ def _run(command: Array, noise: Array, axis: Array, law: Array, out: Array) -> N
         summed += error * period
         now = (command[k] - last) / period
         u = law[0] * error + law[1] * summed + law[2] * (now - (seen - back) / period) + law[3] * now + law[4] * (now - rate) / period
-        out[k, 0], out[k, 1] = seen, u
+        out[k, 0], out[k, 1], out[k, 2] = seen, u, y
         last, rate, back = command[k], now, seen
         for part in range(SUBSTEPS):
             bent = x - y

@@ -8,6 +8,11 @@ import pytest
 from linuxcnc_rig import Plant, Rig, missing
 
 from contourlab.features.commission.command import commission, prepare
+from contourlab.features.commission.excitation import excitation
+from contourlab.features.commission.hal_files import read_setup
+from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
+from contourlab.features.commission.loop import GAINS, Law
+from contourlab.features.commission.records import moving, read_log
 
 PROGRAM = "G21 G90 G17 G64 P0.002\nG1 F3000 X15 Y0\nG3 X15 Y0 I-15 J0\nG2 X15 Y0 I-15 J0\nG1 X0 Y-5\nG1 X0 Y0\nM2\n"
 PLANTS = {
@@ -16,6 +21,12 @@ PLANTS = {
 }
 
 pytestmark = [pytest.mark.oracle, pytest.mark.slow]  # LinuxCNC runs in real time
+
+
+LOADED = {
+    "x": Plant(gain=1900.0, damping=25.0, friction=15.0, play=0.03, noise=0.0002, frequency=45.0, behind=12.0),
+    "y": Plant(gain=1900.0, damping=25.0, friction=15.0, play=0.03, noise=0.0002, frequency=90.0, part=0.3, behind=6.0),
+}
 
 
 def largest(log: Path) -> np.ndarray:
@@ -49,3 +60,21 @@ def test_one_log_gives_gains_for_the_real_control(tmp_path: Path) -> None:
         scaled = {axis: replace(plant, gain=share * plant.gain) for axis, plant in PLANTS.items()}
         off = largest(Rig(scaled, result.pid).run(PROGRAM, tmp_path / "off.csv"))
         assert (off < 0.2 * before).all(), (off, before)
+
+
+def test_play_behind_a_load_with_inertia(tmp_path: Path) -> None:
+    if missing():
+        pytest.skip(missing())
+    rig = Rig(LOADED)
+    ini, hal = rig.write(tmp_path)
+    setup = read_setup(ini, hal)
+    log = rig.run(excitation(setup), tmp_path / "log.csv")
+    record, _ = read_log(log, setup)
+    for axis in setup.axes[:2]:
+        present = np.array([axis.gains[name] / setup.unit for name in GAINS])
+        for load in (True, False):
+            one = moving(record[axis.name] if load else replace(record[axis.name], load=None))
+            found = identify_axis([one], present, Law(setup.period))
+            assert isinstance(found, IdentifiedAxis)
+            assert not load or found.play == pytest.approx(30e-6, abs=2e-6)
+            assert abs(found.play - 30e-6) < 2.0 * found.play_deviation

@@ -56,7 +56,8 @@ class QuadrantStep:
     step, deviation : float [m]
         Backlash of the axis there, from the fit over all runs, and its standard deviation.
     spike_height : float [m]
-        Largest difference between the radial deviation and the fit near the reversal, positive outwards.
+        Largest difference between the radial deviation and the fit near the reversal, positive outwards, beside `crossing` if the load
+        stays while the motor crosses the gap.
     spike_width : float [rad]
         Angle over which the difference stays above half the height.
     """
@@ -280,6 +281,26 @@ def past(angles: Array, clockwise: bool, angle: float) -> Array:
     return np.asarray(gone - 2.0 * math.pi * np.rint(gone / (2.0 * math.pi)))
 
 
+def crossing(past: Array, gap: float, radius: float) -> Array:
+    """Return what a step at a reversal has too much, as radial deviation (n,) [m]: the load stays until the motor has crossed the gap.
+
+    Parameters
+    ----------
+    past : ndarray (n,) [rad]
+        Angle past the reversal.
+    gap, radius : float [m]
+    """
+    travel = radius * (1.0 - np.cos(past))
+    return np.asarray(np.where((past >= 0.0) & (travel < gap), (travel - gap) * np.cos(past), 0.0))
+
+
+def is_crossed(past: Array, rest: Array, gap: float, radius: float) -> bool:
+    """Return whether the residual (n,) of a step near a reversal is for the most part `crossing`, where that acts."""
+    late = crossing(past, gap, radius)
+    acts = late != 0.0
+    return bool(np.abs(rest - late)[acts].max(initial=0.0) < 0.5 * np.abs(rest)[acts].max(initial=0.0))
+
+
 def outside(angles: Array, clockwise: bool, before: float, after: float) -> Flags:
     """Return which samples (n,) are away from all reversals."""
     use = np.ones(angles.shape, dtype=bool)
@@ -316,7 +337,8 @@ def _quadrants(
         near = np.flatnonzero((gone >= -before) & (gone <= after))
         near = near[np.argsort(gone[near], kind="stable")]
         step, deviation = steps[i % 2][1.0 if i < 2 else -1.0]
-        height, width = _spike(gone[near], rest[near])
+        late = crossing(gone[near], step, run.radius) if is_crossed(gone[near], rest[near], step, run.radius) else 0.0
+        height, width = _spike(gone[near], rest[near] - late)
         quadrants.append(QuadrantStep(axes[i % 2], run.clockwise, 0.5 * math.pi * i, step, deviation, height, width))
     return quadrants
 

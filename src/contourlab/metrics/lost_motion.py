@@ -112,7 +112,8 @@ def lost_motion_from_pair(
     Notes
     -----
     A sample counts once the motor has gone further in one direction than `MARGIN` times the range of motor less load. This ensures contact
-    if the load is slow enough for its friction to hold it against the motor. Samples are weighted by their travel, so standstill has no
+    if the load is slow enough for its friction to hold it against the motor: a heavy load leans on the other flank while the motor slows
+    down, and the lost motion is then too small. Samples are weighted by their travel, so standstill has no
     weight. Means are taken over each pass in each bin; scale errors along the axis cancel, since they are the same both ways.
     """
     no_force = np.zeros(np.shape(motor_position))

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from made_circles import behind
 from numpy.typing import NDArray
 
 from contourlab.errors import ContourlabError, ParameterError, ResultError
@@ -189,3 +190,11 @@ def test_runs_of_different_radii_are_refused() -> None:
     ]
     with pytest.raises(ResultError, match="different radii"):
         backlash_of_runs(runs)
+
+
+def test_the_time_that_play_needs_to_be_crossed_is_no_spike() -> None:
+    phi = np.linspace(-0.3, 2.0 * math.pi + 0.2, 8000)
+    loads = RADIUS * np.column_stack([behind(np.cos(phi) * RADIUS, 20e-6), behind(np.sin(phi) * RADIUS, 8e-6)]) / RADIUS
+    found = backlash_from_circle(CENTRE + loads[300:], CENTRE, RADIUS)
+    assert found.backlash == pytest.approx((20e-6, 8e-6), rel=0.01)
+    assert max(abs(q.spike_height) for q in found.quadrants) < 0.3e-6

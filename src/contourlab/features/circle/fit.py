@@ -14,7 +14,7 @@ from contourlab.errors import ResultError
 from contourlab.features.circle.periodic import refined, strongest
 from contourlab.features.circle.runs import CircleRun
 from contourlab.features.circle.signatures import AFTER, BEFORE, Term, columns_of, usual_terms
-from contourlab.metrics.circle_backlash import WIDEST_HOLE, outside, past, widest_hole
+from contourlab.metrics.circle_backlash import WIDEST_HOLE, crossing, is_crossed, outside, past, widest_hole
 
 MOST_PERIODIC = 4
 """Cyclic errors and vibrations together."""
@@ -66,6 +66,8 @@ class CircleFit:
         Mean spike of each axis over the angle past the reversal.
     residual : float [m]
         Root mean square of what no cause explains, away from the reversals.
+    crossed : tuple of str
+        Axes whose load stays at a reversal until the motor has crossed the play.
     """
 
     runs: tuple[CircleRun, ...]
@@ -76,6 +78,7 @@ class CircleFit:
     spikes: tuple[ReversalSpike, ...]
     shapes: dict[str, tuple[Array, Array]]
     residual: float
+    crossed: tuple[str, ...] = ()
 
     @property
     def both(self) -> bool:
@@ -90,14 +93,24 @@ class CircleFit:
     def curves(self, term: Term) -> list[Array]:
         """Return the radial deviation [m] that a term causes in each run."""
         part = self.coefficients[self.place(term)]
-        return [columns_of(term, run, k, len(self.runs), self.axes) @ part for k, run in enumerate(self.runs)]
+        curves = [columns_of(term, run, k, len(self.runs), self.axes) @ part for k, run in enumerate(self.runs)]
+        if term.cause == "backlash" and term.axis in self.crossed:
+            for curve, run in zip(curves, self.runs, strict=True):
+                for angle, end in zip(self.reversals(term.axis), (1.0, -1.0), strict=True):
+                    curve += crossing(past(run.turned, run.clockwise, angle), float(part @ (1.0, end)), run.radius)
+        return curves
+
+    def reversals(self, axis: str) -> tuple[float, float]:
+        """Return where an axis reverses [rad]: at its positive and at its negative end."""
+        first = 0.5 * math.pi * self.axes.index(axis)
+        return first, first + math.pi
 
     def spike_curves(self, axis: str) -> list[Array]:
         """Return the radial deviation [m] of the mean spike of an axis in each run."""
         place, shape = self.shapes[axis]
         curves = [np.zeros(run.turned.shape) for run in self.runs]
         for curve, run in zip(curves, self.runs, strict=True):
-            for angle in {spike.angle for spike in self.spikes if spike.axis == axis}:
+            for angle in self.reversals(axis):
                 curve += np.interp(past(run.turned, run.clockwise, angle), place, shape, left=0.0, right=0.0)
         return curves
 
@@ -216,23 +229,25 @@ class _Window:
 def _with_spikes(fit: CircleFit, residuals: Sequence[Array]) -> CircleFit:
     """Add the spikes: means of the residual over small angles past each reversal.
 
+    The step of the play comes at once, or after the time that the motor needs to cross it.
+
     The height of a spike is read where the other spikes of the axis are highest, so that noise does not look like a spike. A mean cuts
     off a sharp peak: a parabola through three means gives its top, and how much it adds counts as deviation.
     """
-    left = [run.deviation.copy() for run in fit.runs]
-    for term in fit.terms:
-        for rest, curve in zip(left, fit.curves(term), strict=True):
-            rest -= curve
     per_angle = min(len(run.turned) / abs(float(run.turned[-1] - run.turned[0])) for run in fit.runs)
     width = float(np.clip(LEAST_IN_BIN / per_angle, *BIN))
     edges = np.linspace(-BEFORE, AFTER, round((BEFORE + AFTER) / width) + 1)
+    middle = 0.5 * (edges[1:] + edges[:-1])
     spikes: list[ReversalSpike] = []
     shapes = {}
-    for first, axis in enumerate(fit.axes):
-        angles = (0.5 * math.pi * first, 0.5 * math.pi * first + math.pi)
-        windows = [_window(fit, k, angle, left[k], residuals[k], edges) for k in range(len(fit.runs)) for angle in angles]
+    for axis in fit.axes:
+        windows = _windows(fit, axis, residuals, edges)
+        gap = next(float(fit.coefficients[fit.place(term)][0]) for term in fit.terms if (term.cause, term.axis) == ("backlash", axis))
+        if is_crossed(middle, np.mean([window.mean for window in windows], axis=0), gap, fit.runs[0].radius):
+            fit = replace(fit, crossed=(*fit.crossed, axis))
+            windows = _windows(fit, axis, residuals, edges)
         table = np.array([window.mean for window in windows])
-        shapes[axis] = 0.5 * (edges[1:] + edges[:-1]), table.mean(axis=0)
+        shapes[axis] = middle, table.mean(axis=0)
         for i, window in enumerate(windows):
             at, weights = _top(np.delete(table, i, axis=0).mean(axis=0))
             height = float(weights @ window.mean[at])
@@ -248,6 +263,15 @@ def _top(shape: Array) -> tuple[slice, Array]:
     top = float(np.clip(-slope / bend, -0.5, 0.5)) if bend * shape[at] < 0.0 else 0.0
     outer = 0.5 * (top * top - 1.0 / 12.0)
     return slice(at - 1, at + 2), np.array([outer - 0.5 * top, 1.0 - 2.0 * outer, outer + 0.5 * top])
+
+
+def _windows(fit: CircleFit, axis: str, residuals: Sequence[Array], edges: Array) -> list[_Window]:
+    """Return what the causes leave at each reversal of an axis."""
+    left = [run.deviation.copy() for run in fit.runs]
+    for term in fit.terms:
+        for rest, curve in zip(left, fit.curves(term), strict=True):
+            rest -= curve
+    return [_window(fit, k, angle, left[k], residuals[k], edges) for k in range(len(fit.runs)) for angle in fit.reversals(axis)]
 
 
 def _window(fit: CircleFit, k: int, angle: float, left: Array, residual: Array, edges: Array) -> _Window:

@@ -19,8 +19,9 @@ cyclic error of x        e_x = A cos(2 pi x/p + a)             A cos phi cos(2 p
 vibration of x           e_x = A cos(k u + a)                  A cos phi cos(k u + a), u the angle travelled
 =======================  ====================================  ======================================================
 
-Backlash may differ at both ends of an axis: b + d cos phi adds one column. Cyclic error follows the position and is the same in both
-senses; vibration follows time and is not. Only runs in both senses separate squareness from servo mismatch.
+Backlash may differ at both ends of an axis: b + d cos phi adds one column. At a reversal its step may take the time in which the motor
+crosses the play (`contourlab.metrics.circle_backlash.crossing`): that is no spike. Cyclic error follows the position and is the same in
+both senses; vibration follows time and is not. Only runs in both senses separate squareness from servo mismatch.
 
 References
 ----------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import TypeAlias
@@ -45,6 +45,10 @@ SLOW = 5e-4
 """Speed [m/s] below which inertia does not matter at a reversal: the load stops, and the motor crosses the play alone."""
 LEAST = 1e-7
 """Smallest deviation of play [m]: it depends on load and temperature."""
+STRAIGHT = 1e-7
+"""Change of the command's way in 5 ms [m] up to which its speed is constant: digits of the log."""
+RUN_ON = 0.125
+"""Part of the play that a load may run on behind a slow reversal: beyond it the force tells nothing."""
 STEP = 0.05
 """Smallest part of the friction that has to return behind the play to be seen."""
 Values: TypeAlias = Mapping[str, float]
@@ -125,11 +129,11 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
     deviations = {name: fit.deviation(name) for name in fit.names}
     rest = np.concatenate([_noise_at_rest(log) for log in logs])
     noise = float(rest.std()) if rest.size else _noise_in_motion(first)
-    play, play_deviation = _play(logs)
+    play, play_deviation = play_at_load(logs, model)
     seen = "CL892"
     if math.isnan(play):
         seen = "CL862"
-        play, play_deviation = _lost_motion(logs, model, noise)
+        play, play_deviation = lost_motion_at_motor(logs, model, noise)
     measured, simulated = _validated(logs, split, gains, model, law)
     findings = _quality(fit, deviations, place)
     if model.share:
@@ -227,9 +231,8 @@ def _descended(model: Model, measured: Array, free: Mapping[str, Free], settings
 def _noise_at_rest(log: AxisLog) -> Array:
     """Return the positions around their mean where the command rests, from 0.1 s after it stopped."""
     settle = round(0.1 / log.period)
-    still = np.concatenate([[True], np.diff(log.command) == 0.0])
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]]).astype(np.int8)))
-    parts = [log.measured[a + settle : b] for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a > 2 * settle]
+    still = np.concatenate([[1.0], np.diff(log.command) == 0.0])
+    parts = [log.measured[a + settle : b] for a, b in _stretches(still) if b - a > 2 * settle]
     window = 25
 
     def around(values: Array) -> Array:
@@ -247,39 +250,60 @@ def _noise_in_motion(log: AxisLog) -> float:
     return float(np.median(np.abs(np.diff(log.measured, 3)))) / 0.6745 / math.sqrt(20.0)
 
 
-def _play(logs: Sequence[AxisLog]) -> tuple[float, float]:
-    """Return play and deviation: difference of motor minus load between the directions, averaged over strokes."""
-    ahead: dict[int, list[float]] = {1: [], -1: []}
+def _stretches(flags: Array) -> Iterator[tuple[int, int]]:
+    """Yield start and stop of the ranges in which values (n,) are equal and not 0."""
+    edges = [0, *(np.flatnonzero(np.diff(flags)) + 1).tolist(), flags.size]
+    return ((a, b) for a, b in pairwise(edges) if a < b and flags[a])
+
+
+def _windup(model: AxisModel, friction: float) -> float:
+    """Return the twist of the shaft there and back [m] under a friction behind it [m/s^2]; 0 for a rigid axis."""
+    stiffness = model.share * (2.0 * math.pi * model.resonance / (1.0 + model.share)) ** 2
+    return 2.0 * friction / stiffness if stiffness else 0.0
+
+
+def play_at_load(logs: Sequence[AxisLog], model: AxisModel) -> tuple[float, float]:
+    """Return play and deviation from motor minus load at constant speed, extrapolated to standstill; nan if the load shows none.
+
+    There friction holds the load against the flank that pushes it; while the axis slows down, the load may lean on the other one. Where
+    the load still swings, what it is off counts as deviation. Friction also winds up the shaft: by how much, depends on its part behind it.
+    """
+    rows, gaps, swings = list[list[float]](), list[float](), list[float]()
     for log in logs:
         if log.load is None or np.ptp(log.load) < 0.05 * np.ptp(log.measured):
             continue
-        gap = log.measured - log.load
-        moved = np.pad(log.measured[20:] - log.measured[:-20], 10, mode="edge")
-        way = np.where(np.abs(moved) > 0.01 * np.abs(moved).max(), np.sign(moved), 0.0).astype(int)
-        edges = np.flatnonzero(np.diff(way)) + 1
-        for a, b in zip([0, *edges], [*edges, way.size], strict=True):
-            half = (a + b) // 2
-            # The second half of a stroke that is much longer than any play.
-            if way[a] and abs(log.measured[b - 1] - log.measured[a]) > 1e-3:
-                ahead[int(way[a])].append(float(gap[half:b].mean()))
-    if min(len(values) for values in ahead.values()) < 2:
+        m = max(round(0.005 / log.period), 1)
+        before, at, after = log.command[: -2 * m], log.command[m:-m], log.command[2 * m :]
+        speed, apart = (after - before) / (2.0 * m * log.period), (log.measured - log.load)[m:-m]
+        way = np.where((np.abs(after - 2.0 * at + before) < STRAIGHT) & (np.abs(speed) > 1e-6), np.sign(speed), 0.0)
+        for a, b in _stretches(way):
+            if b - a > 0.1 / log.period:
+                part = apart[(a + b) // 2 : b]
+                noise = 0.5 * float(np.mean(np.diff(part) ** 2))
+                rows.append([1.0, 0.5 * way[a], float(speed[a:b].mean())])
+                gaps.append(float(part.mean()))
+                swings.append(math.hypot(LEAST, math.sqrt(max(float(part.var()) - noise, 0.0) + noise / part.size)))
+    sides = [row[1] for row in rows]
+    if min(sides.count(0.5), sides.count(-0.5)) < 2:
         return math.nan, math.nan
-    up, down = (np.array(values) for values in ahead.values())
-    deviation = math.hypot(up.std(ddof=1) / math.sqrt(up.size), down.std(ddof=1) / math.sqrt(down.size))
-    return max(float(up.mean() - down.mean()), 0.0), max(deviation, LEAST)
+    swing = np.array(swings)
+    inverse = np.linalg.pinv(np.array(rows) / swing[:, None]) / swing
+    values = inverse @ gaps
+    scatter = math.sqrt(float(np.sum(((np.array(gaps) - np.array(rows) @ values) / swing) ** 2)) / len(rows))
+    windup = 0.5 * _windup(model, model.friction)
+    play, deviation = values[1] - windup, math.hypot(max(scatter, 1.0) * float(np.abs(inverse[1]) @ swing), windup)
+    return max(float(play), 0.0), deviation
 
 
-def _lost_motion(logs: Sequence[AxisLog], model: AxisModel, noise: float) -> tuple[float, float]:
+def lost_motion_at_motor(logs: Sequence[AxisLog], model: AxisModel, noise: float) -> tuple[float, float]:
     """Return the travel after slow reversals over which the motor needs less force, and its deviation; nan if the force shows none."""
-    travels, steps, least, fastest = list[float](), list[float](), 4.0 * noise, 0.0
+    travels, steps, turns, least, fastest = list[float](), list[float](), list[float](), 4.0 * noise, 0.0
     for log in logs:
         speed = np.diff(log.command) / log.period
         way = np.where(np.abs(speed) > 1e-6, np.sign(speed), 0.0)
-        edges = np.flatnonzero(np.diff(way)) + 1
-        strokes = list(zip([0, *edges], [*edges, way.size], strict=True))
-        for (first, turn), (_, last) in pairwise(strokes):
+        for (first, turn), (start, last) in pairwise(_stretches(way)):
             most = float(np.abs(speed[first:last]).max())
-            if not most < SLOW or not way[first] * way[turn] < 0.0 or last - turn < 0.2 / log.period:
+            if turn < start or not most < SLOW or not way[first] * way[turn] < 0.0 or last - turn < 0.2 / log.period:
                 continue
             fastest = max(fastest, most)
             travel = way[turn] * (log.measured[turn:last] - log.measured[turn])
@@ -288,15 +312,19 @@ def _lost_motion(logs: Sequence[AxisLog], model: AxisModel, noise: float) -> tup
             moved = travel > least
             place, step = _step(travel[moved], force[moved])
             travels.append(place)
+            turns.append(-float(np.quantile(travel, 0.01)))
             steps.append(step / max(model.friction, 1e-12))
     if len(travels) < 4:
         return math.nan, math.nan
     place, spread, step = float(np.mean(travels)), float(np.std(travels, ddof=1)), float(np.mean(steps))
     if step < max(STEP, 4.0 * float(np.std(steps, ddof=1)) / math.sqrt(len(steps))) or spread > 0.2 * place or place < 2.0 * least:
         return math.nan, math.nan
-    # The load runs on by v^2/2 over its friction before it stops.
-    onward = 0.5 * fastest**2 / (step * model.friction)
-    return place, math.hypot(spread / math.sqrt(len(travels)), 0.5 * onward)
+    # Each between nothing and this: the load runs on by v^2/2 over its friction before it stops; the motor turns late, but then its force
+    # rises late; friction winds up the shaft there and back.
+    onward, late, windup = 0.5 * fastest**2 / (step * model.friction), float(np.mean(turns)), _windup(model, step * model.friction)
+    if onward > RUN_ON * place:
+        return math.nan, math.nan
+    return place + 0.5 * (onward + late - windup), math.hypot(spread / math.sqrt(len(travels)), 0.5 * onward, 0.5 * late, 0.5 * windup)
 
 
 def _step(travel: Array, force: Array) -> tuple[float, float]:

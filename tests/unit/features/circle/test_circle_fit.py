@@ -64,6 +64,28 @@ def test_all_causes_at_once() -> None:
     assert found["vibration"].value == pytest.approx(5e-7, rel=0.02)
 
 
+@pytest.mark.parametrize("gaps", [(20e-6, 8e-6), (60e-6, 4e-6)])
+@pytest.mark.parametrize("spike", [0.0, 1.3e-6, -1.3e-6, 2.7e-6])
+def test_the_time_that_play_needs_to_be_crossed_is_no_spike(gaps: tuple[float, float], spike: float) -> None:
+    listed = causes_of(fit_circle(made_circles.runs_behind(gaps, spike=spike), AXES))
+    assert [cause.name for cause in listed[:2]] == ["backlash x", "backlash y"]
+    assert [cause.value for cause in listed[:2]] == pytest.approx(gaps, rel=0.02)
+    # The motor's own spikes remain, except for what they do while the load stays.
+    spikes = {cause.axis: cause for cause in listed if cause.cause == "reversal spikes"}
+    assert spikes["x"].contribution < abs(spike) + 4e-7
+    assert spikes["y"].contribution < 4e-7
+
+
+def test_a_spike_beside_play_is_still_seen() -> None:
+    spikes = {
+        cause.axis: cause
+        for cause in causes_of(fit_circle(made_circles.runs_behind((4e-6, 0.0), spike=6e-6), AXES))
+        if "spike" in cause.name
+    }
+    assert spikes["x"].is_sure
+    assert spikes["x"].value == pytest.approx(6e-6, rel=0.35)
+
+
 @pytest.mark.slow
 def test_a_given_pitch_is_used() -> None:
     assert causes(cyclic=3e-6, pitch=0.01)["cyclic error x"].pitch == 0.01
