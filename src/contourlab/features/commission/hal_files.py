@@ -130,19 +130,31 @@ def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
     if period_ns is None:
         findings.append(finding("CL851", ini.file.name))
     period = (period_ns or 1e6) * 1e-9
-    wiring = _Wiring(ini, given, graph, findings, unit, period)
-    axes = tuple(wiring.axes())
+    axes = tuple(_Wiring(ini, given, graph, findings).axes())
     if not axes:
         raise ScenarioError("no linear joint has a pid on its motor-pos-cmd: a servo loop in HAL is needed", file=given.name)
+    findings += [one for axis in axes for one in _doubtful(axis, unit, period)]
     name = "inch" if unit == LENGTHS["inch"] else "mm"
     return Setup(ini, given, unit, name, period, axes, tuple(findings))
+
+
+def _doubtful(axis: AxisSetup, unit: float, period: float) -> Iterator[Finding]:
+    """Yield why an axis cannot be commissioned."""
+    place, speed = f"axis {axis.name}", axis.limits["velocity"] * unit
+    if axis.loop.loop == "step generator":
+        wanted = {"maxvel": HEADROOM * speed, "maxaccel": HEADROOM * axis.limits["acceleration"] * unit, "age": speed * period}
+        yield finding("CL864", place, p=axis.gains["Pgain"], ff1=axis.gains["FF1"], most=1.0 / period, **wanted)
+    if axis.loop.loop == "velocity drive":
+        yield finding("CL868", place, why=axis.loop.why)
+    if axis.idle:
+        yield finding("CL865", place, pid=axis.pid)
 
 
 class _Wiring:
     """The pid of each axis in the graph, and what is unusual about it."""
 
-    def __init__(self, ini: Ini, file: Path, graph: HalGraph, findings: list[Finding], unit: float, period: float) -> None:
-        self.ini, self.file, self.graph, self.findings, self.unit, self.period = ini, file, graph, findings, unit, period
+    def __init__(self, ini: Ini, file: Path, graph: HalGraph, findings: list[Finding]) -> None:
+        self.ini, self.file, self.graph, self.findings = ini, file, graph, findings
         self.signal_of, self.set = graph.signal_of, graph.settings
 
     def letters(self) -> list[str]:
@@ -182,7 +194,6 @@ class _Wiring:
             if one is not None:
                 gains[gain], places[gain] = self._number(one), self._place(one)
         self._check(letter, joint, name)
-        limits = self._limits(letter, joint)
         previous = self.set.get(f"{name}.error-previous-target")
         limit = self.set.get(f"{name}.maxoutput")
         signals = {pin: self.signal_of.get(f"{name}.{pin}", f"{name}.{pin}") for pin in ("command", "feedback", "output")}
@@ -194,26 +205,13 @@ class _Wiring:
             places,
             max(mine, default=0),
             signals,
-            limits,
-            self._loop(letter, name, gains, limits),
+            self._limits(letter, joint),
+            classified(self.graph, name),
             None if previous is None else self._true(f"{name}.error-previous-target"),
             self._number(limit) if limit else 0.0,
             self.ini.number(f"JOINT_{joint}", "BACKLASH") or 0.0,
             self._true(f"{name}.enable"),
         )
-
-    def _loop(self, letter: str, name: str, gains: dict[str, float], limits: dict[str, float]) -> LoopClass:
-        """Return what a pid closes its loop on; note what cannot be commissioned."""
-        place, loop = f"axis {letter}", classified(self.graph, name)
-        if loop.loop == "step generator":
-            speed, settings = limits["velocity"] * self.unit, {"p": gains["Pgain"], "ff1": gains["FF1"], "most": 1.0 / self.period}
-            wanted = {"maxvel": HEADROOM * speed, "maxaccel": HEADROOM * limits["acceleration"] * self.unit, "age": speed * self.period}
-            self.findings.append(finding("CL864", place, why=loop.why, **settings, **wanted))
-        if loop.loop == "velocity drive":
-            self.findings.append(finding("CL868", place, why=loop.why))
-        if not gains["Pgain"] and not gains["FF1"]:
-            self.findings.append(finding("CL865", place, pid=name))
-        return loop
 
     def _true(self, pin: str) -> bool:
         """Return whether a pin is set to true."""

@@ -15,10 +15,11 @@ LARGEST = 1e9
 """Limit of what an INI file may say: beyond it a number stands for no limit."""
 LIBRARY = Path("/usr/share/linuxcnc/hallib")
 """Where LinuxCNC finds HAL files that are not beside the INI file."""
-PASSING = frozenset(
-    "abs biquad blend conv_float_s32 conv_float_u32 conv_s32_float conv_u32_float deadzone feedcomp ilowpass invert limit1 limit2 limit3 "
-    "lincurve lowpass mult2 mux2 mux4 mux8 mux16 mux_gen mux_generic offset sample_hold scale sum2 tristate_float weighted_sum".split()
-)
+PASSING = {
+    "abs", "biquad", "blend", "conv_float_s32", "conv_float_u32", "conv_s32_float", "conv_u32_float", "deadzone", "feedcomp", "ilowpass",
+    "invert", "limit1", "limit2", "limit3", "lincurve", "lowpass", "mult2", "mux2", "mux4", "mux8", "mux16", "mux_gen", "mux_generic",
+    "offset", "sample_hold", "scale", "sum2", "tristate_float", "weighted_sum",
+}  # fmt: skip
 """Components whose outputs follow their inputs."""
 REFERENCE = re.compile(r"\[(\w+)\](?:\((\w+)\)|(\w+))")
 """A key of the INI file in a HAL file."""

@@ -7,7 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
+from contourlab.arrays import Array
 from contourlab.features.commission.hal_graph import HalGraph
+from contourlab.figures import figure
 
 Loop = Literal["servo", "step generator", "velocity drive", "unknown"]
 _STEPS = re.compile(r"step[-_]?(gen|dir|per)|pluto.step|freqgen|(remora|rio)\.joint\.")
@@ -19,6 +23,14 @@ _SINKS: tuple[tuple[re.Pattern[str], str], ...] = (
 )
 """What takes the output, by module and pin."""
 _ENCODERS = re.compile(r"enc|resolver|\b(ssi|biss|fabs|lcec|cia402|ethercat)\b")
+SPAN = 0.02
+"""Time [s] over which positions are differenced where a log decides."""
+LATEST = 0.02
+"""Longest delay of the motion behind the output [s]."""
+EXPLAINED = 0.8
+"""Least part of the output that velocity, acceleration and friction must explain."""
+QUICK, SLOW = 100.0, 20.0
+"""Rates [1/s] at which a velocity settles: above the first one it follows the output; above the second where the output is the speed."""
 _READERS = re.compile(r"^(sampler|pyvcp|gladevcp|qtvcp|halui|axisui|ddt|wcomp|joint\.\d+|axis\.\d+)\.")
 """Pins that watch a signal."""
 
@@ -62,14 +74,13 @@ def _elsewhere(graph: HalGraph, pins: Sequence[str]) -> str:
 
 
 def _feedback(graph: HalGraph, pid: str) -> tuple[str, str]:
-    """Return what a feedback is, one of steps, encoder, command and unseen, and its pin."""
+    """Return what a feedback is, one of steps, encoder and unseen, and its pin."""
     found = dict[str, str]()
     for group in graph.sources(f"{pid}.feedback"):
-        commands = [pin for pin in group if pin.endswith(".motor-pos-cmd")]
         others = [pin for pin in group if not _READERS.search(pin) and not pin.endswith("-cmd")]
         encoders = [pin for pin in others if _ENCODERS.search(f"{graph.kind(pin)} {pin}")]
         steps = [pin for pin in others if _STEPS.search(pin) and pin not in encoders]
-        for kind, some in (("command", commands), ("steps", steps), ("encoder", encoders), ("unseen", others)):
+        for kind, some in (("steps", steps), ("encoder", encoders), ("unseen", others)):
             if some:
                 found[kind] = some[0]
                 break
@@ -81,8 +92,6 @@ def _feedback(graph: HalGraph, pid: str) -> tuple[str, str]:
 def _class_of(kind: str, sink: str, feedback: str, source: str, pid: str) -> LoopClass:
     """Return the class for a kind of sink and of feedback."""
     goes = f"{pid}.output goes to {sink}"
-    if feedback == "command":
-        return LoopClass("unknown", f"{pid}.feedback is the command itself, {source}")
     if kind == "torque":
         return LoopClass("servo", f"{goes}, a torque or current")
     if kind == "velocity":
@@ -96,3 +105,51 @@ def _class_of(kind: str, sink: str, feedback: str, source: str, pid: str) -> Loo
         reason = "which may count these steps" if feedback == "encoder" else "which is not known here"
         return LoopClass("unknown", f"{goes}, a step generator; {comes}, {reason}")
     return LoopClass("velocity drive", f"{goes}, the rate of a step generator, and {comes}")
+
+
+def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float) -> LoopClass | None:
+    """Return the class that logs show, or None if they show none.
+
+    Parameters
+    ----------
+    records : sequence of (ndarray (n,), ndarray (n,) [m])
+        Output and measured position.
+    period : float [s]
+    unit : float [m]
+        Machine unit.
+
+    Notes
+    -----
+    The output is explained by the motion, u = (v' + d v + f sign v)/g + o, both averaged over a triangle of twice `SPAN`. A velocity
+    drive with one lag T has d = 1/T and no more than that: it differs from a torque by how soon its velocity settles, and by an output
+    in machine units per second.
+    """
+    s = max(round(SPAN / period), 2)
+    records = [(output, measured) for output, measured in records if measured.size > 20 * s]
+    fits = [_explained(records, s, period, late) for late in range(max(round(LATEST / period), 1))] if records else []
+    explained, late, (inertia, damping, *_) = max(fits, key=lambda fit: fit[0], default=(0.0, 0, (0.0, 0.0)))
+    if not explained > EXPLAINED or not max(inertia, damping) > 0.0:
+        return None
+    rate = damping / inertia if inertia > 0.0 else np.inf
+    as_speed = 0.8 * unit < 1.0 / max(damping, 1e-30) < 1.25 * unit
+    if rate > QUICK or (rate > SLOW and as_speed):
+        lag, delay = figure(1.0 / rate, "ms"), figure(late * period, "ms")
+        return LoopClass("velocity drive", f"in the log its velocity follows the output, with a lag of {lag} and a delay of {delay}")
+    slowing = figure(max(rate, 0.0), "1/s")
+    return LoopClass("servo", f"in the log the output accelerates it; left alone its velocity decays with {slowing}")
+
+
+def _explained(records: Sequence[tuple[Array, Array]], s: int, period: float, late: int) -> tuple[float, int, Array]:
+    """Return the part of the output that the motion explains, its delay in samples, and output per acceleration and per velocity."""
+    rows, targets = list[Array](), list[Array]()
+    for output, measured in records:
+        ends = np.array([measured[2 * s :], measured[s:-s], measured[: -2 * s]])[:, late:]
+        place, held = np.cumsum(measured) - 0.5 * measured, np.cumsum(output) - 0.5 * output
+        force = np.cumsum(held) - held  # the output is held from each sample to the next
+        speed = (place[2 * s :] - 2.0 * place[s:-s] + place[: -2 * s])[late:] / (s * s * period)
+        acceleration = (ends[0] - 2.0 * ends[1] + ends[2]) / (s * period) ** 2
+        targets.append(((force[2 * s :] - 2.0 * force[s:-s] + force[: -2 * s]) / (s * s))[: acceleration.size])
+        rows.append(np.column_stack([acceleration, speed, np.sign(ends[0] - ends[2]), np.ones(speed.size)]))
+    left, right = np.concatenate(rows), np.concatenate(targets)
+    numbers = np.asarray(np.linalg.lstsq(left, right, rcond=None)[0], dtype=float)
+    return 1.0 - float(np.var(left @ numbers - right)) / max(float(np.var(right)), 1e-30), late, numbers

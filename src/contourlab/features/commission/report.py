@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import difflib
 import io
+import math
 import re
 from collections.abc import Mapping, Sequence
 from html import escape
@@ -14,6 +15,9 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.features.commission.hal_files import AxisSetup, Setup
+from contourlab.features.commission.identification import IdentifiedAxis
+from contourlab.features.commission.loop import run_lanes
+from contourlab.features.commission.tuning import AxisTask
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.rendering.style import scheme_style
@@ -61,6 +65,39 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
 def _lines(file: Path) -> list[str]:
     """Return the lines of a file, each with its end."""
     return [f"{line}\n" for line in file.read_text(encoding="utf-8", errors="replace").splitlines()]
+
+
+def circle_errors(
+    tasks: Mapping[str, AxisTask],
+    models: Mapping[str, IdentifiedAxis],
+    gains: Mapping[str, Mapping[str, Array]],
+    radius: float,
+    acceleration: float,
+) -> dict[str, tuple[Array, Array]]:
+    """Return angle [rad] and radial error [m] on a circle of x and y, simulated with each set of gains.
+
+    Parameters
+    ----------
+    tasks, models : mapping of str to AxisTask, IdentifiedAxis
+        By axis.
+    gains : mapping of str to mapping of str to ndarray (7,)
+        By name of the set and axis, per metre.
+    radius, acceleration : float [m, m/s^2]
+        An eighth of this acceleration is used.
+    """
+    period, turn, start = tasks["x"].law.period, 0.5 * math.sqrt(0.5 * acceleration / radius), 0.3
+    time = period * np.arange(round((start + 4.0 * math.pi / turn) / period))
+    phase = turn * np.where(time < start, time**2 / (2.0 * start), time - 0.5 * start)  # from rest, two turns
+    commands, last = {"x": radius * np.cos(phase), "y": radius * np.sin(phase)}, phase > phase[-1] - 2.0 * math.pi
+    curves = {}
+    for label, rows in gains.items():
+        places = []
+        for name, command in commands.items():
+            noise = models[name].noise_like(command)
+            run = run_lanes(command, noise, rows[name][None], [tasks[name].model], tasks[name].law, trace=True)
+            places.append(run.position[last])
+        curves[label] = (np.arctan2(*places[::-1]), np.hypot(*places) - radius)
+    return curves
 
 
 def circle_png(radius: float, errors: Mapping[str, tuple[Array, Array]]) -> bytes:
