@@ -283,13 +283,10 @@ class _Work:
 
     def gains(self, share: float = 1.0) -> dict[str, dict[str, float]]:
         """Return the gains in machine units by axis: the present ones, and a share of the way from there to the tuned ones."""
-        result = {}
-        for axis in self.setup.axes:
-            if axis.name not in self.models or not self.models[axis.name].usable:
-                continue
+        result = {name: dict(axis.gains) for axis in self.setup.axes if (name := axis.name) in self.models and self.models[name].usable}
+        for axis in (axis for axis in self.setup.axes if axis.name in self.tuned):
             present = self.present(axis)
-            target = self.tuned[axis.name].gains if axis.name in self.tuned else present
-            mixed = (present + share * (target - present)) * self.setup.unit
+            mixed = (present + share * (self.tuned[axis.name].gains - present)) * self.setup.unit
             result[axis.name] = {name: float(f"{value:.6g}") for name, value in zip(GAINS, mixed.tolist(), strict=True)}
         return result
 

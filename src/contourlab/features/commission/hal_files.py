@@ -99,8 +99,8 @@ class Setup:
 
     @property
     def closed(self) -> tuple[AxisSetup, ...]:
-        """The axes with something of the machine in a loop that can move it."""
-        return tuple(axis for axis in self.axes if axis.loop.loop != "step generator" and not axis.idle)
+        """The axes with something of the machine in their loop."""
+        return tuple(axis for axis in self.axes if axis.loop.loop != "step generator")
 
 
 def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
@@ -117,8 +117,10 @@ def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
     named = hal_files(ini)
     paths = [path for _, path in named if path is not None]
     # A file that the INI file does not name is a copy: it holds in place of those that it does.
-    files = paths if given.resolve() in [path.resolve() for path in paths] else [given]
-    graph = read_graph(ini, files, [entry for entry, path in named if path is None])
+    if given.resolve() in [path.resolve() for path in paths]:
+        graph = read_graph(ini, paths, [entry for entry, path in named if path is None])
+    else:
+        graph = read_graph(ini, [given])
     findings = [finding("CL866", entry.place, file=entry.value) for entry in graph.unread]
     unit_entry = ini.first("TRAJ", "LINEAR_UNITS")
     unit_name = unit_entry.value.lower() if unit_entry else "mm"

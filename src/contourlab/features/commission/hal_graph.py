@@ -15,14 +15,14 @@ LARGEST = 1e9
 """Limit of what an INI file may say: beyond it a number stands for no limit."""
 LIBRARY = Path("/usr/share/linuxcnc/hallib")
 """Where LinuxCNC finds HAL files that are not beside the INI file."""
-PASSING = {
-    "abs", "biquad", "blend", "conv_float_s32", "conv_float_u32", "conv_s32_float", "conv_u32_float", "deadzone", "feedcomp", "ilowpass",
-    "invert", "limit1", "limit2", "limit3", "lincurve", "lowpass", "mult2", "mux2", "mux4", "mux8", "mux16", "mux_gen", "mux_generic",
-    "offset", "sample_hold", "scale", "sum2", "tristate_float", "weighted_sum",
-}  # fmt: skip
+PASSING = re.compile(
+    r"abs|biquad|blend|conv_(float|s32|u32)_(float|s32|u32)|deadzone|feedcomp|i?lowpass|invert|limit[123]|lincurve|mult2"
+    r"|mux(2|4|8|16|_gen|_generic)|offset|sample_hold|scale|sum2|tristate_float|weighted_sum"
+)
 """Components whose outputs follow their inputs."""
 REFERENCE = re.compile(r"\[(\w+)\](?:\((\w+)\)|(\w+))")
 """A key of the INI file in a HAL file."""
+_OWN = re.compile(r"^\s*(\[\w+\]|(net|setp|addf|loadrt|loadusr|source)\s)", re.MULTILINE)
 _PORT = re.compile(r"(fb-)?(in|out)(?![a-z])")
 
 
@@ -147,7 +147,7 @@ class HalGraph:
 
     def _port(self, pin: str) -> re.Match[str] | None:
         """Return side and way of an input or output of a component that passes a value on."""
-        return _PORT.match(pin[len(self.owner(pin)) + 1 :]) if self.kind(pin) in PASSING else None
+        return _PORT.match(pin[len(self.owner(pin)) + 1 :]) if PASSING.fullmatch(self.kind(pin)) else None
 
 
 def read_ini(file: str | Path) -> Ini:
@@ -172,12 +172,14 @@ def read_ini(file: str | Path) -> Ini:
 
 
 def _text(path: Path) -> str:
-    if words := mistaken(path, "a file of LinuxCNC"):
-        raise ScenarioError(words, file=path)
+    words = mistaken(path, "a file of LinuxCNC")
     try:
-        return path.read_text(encoding="utf-8", errors="replace")
+        text = path.read_text(encoding="utf-8", errors="replace")
     except OSError as error:
-        raise ScenarioError(error.strerror or "cannot be read", file=path) from error
+        raise ScenarioError(words or error.strerror or "cannot be read", file=path) from error
+    if words and not _OWN.search(text):  # lines of G-code may stand in an INI file, and a pin may be named as a word of it
+        raise ScenarioError(words, file=path)
+    return text
 
 
 def read_hal(file: str | Path, ini: Ini) -> Iterator[Statement]:

@@ -15,13 +15,17 @@ from contourlab.figures import figure
 
 Loop = Literal["servo", "step generator", "velocity drive", "unknown"]
 _STEPS = re.compile(r"step[-_]?(gen|dir|per)|pluto.step|freqgen|(remora|rio)\.joint\.")
-_SINKS: tuple[tuple[re.Pattern[str], str], ...] = (
-    (_STEPS, "steps"),
-    (re.compile(r"pwm|dac|dcmotor|analog|aout|7i77|7i83", re.IGNORECASE), "analogue"),
-    (re.compile(r"8i20.*current|(lcec|cia402|ethercat).*(torque|current)"), "torque"),
-    (re.compile(r"(lcec|cia402|ethercat).*[._-](velo?|velocity|speed|rpm)\b|sim.encoder.*speed"), "velocity"),
+_SINKS: tuple[tuple[re.Pattern[str], Loop, str], ...] = (
+    (_STEPS, "step generator", ""),
+    (
+        re.compile(r"pwm|dac|dcmotor|analog|aout|7i77|7i83", re.IGNORECASE),
+        "unknown",
+        "an analogue or PWM output: the drive behind it may take torque or velocity",
+    ),
+    (re.compile(r"8i20.*current|(lcec|cia402|ethercat).*(torque|current)"), "servo", "a torque or current"),
+    (re.compile(r"(lcec|cia402|ethercat).*[._-](velo?|velocity|speed|rpm)\b|sim.encoder.*speed"), "velocity drive", "a velocity"),
 )
-"""What takes the output, by module and pin."""
+"""What takes the output, by module and pin, and what that says of the loop."""
 _ENCODERS = re.compile(r"enc|resolver|\b(ssi|biss|fabs|lcec|cia402|ethercat)\b")
 SPAN = 0.02
 """Time [s] over which positions are differenced where a log decides."""
@@ -52,17 +56,15 @@ class LoopClass:
 
 def classified(graph: HalGraph, pid: str) -> LoopClass:
     """Return the class of a pid, from its output to what takes it and from its feedback to where it comes from."""
-    pins = graph.sinks(f"{pid}.output")
-    by_kind: dict[str, str] = {}
-    for pin in pins:
-        known = next((kind for form, kind in _SINKS if form.search(f"{graph.kind(pin)} {pin}")), None)
-        if known is not None:
-            by_kind.setdefault(known, pin)
-    if len(by_kind) != 1:
-        where = "both " + " and ".join(by_kind.values()) if by_kind else _elsewhere(graph, pins)
-        return LoopClass("unknown", f"{pid}.output goes to {where}")
-    ((kind, sink),) = by_kind.items()
-    return _class_of(kind, sink, *_feedback(graph, pid), pid)
+    pins, goes = graph.sinks(f"{pid}.output"), f"{pid}.output goes to"
+    forms = [(pin, loop, words) for pin in pins for form, loop, words in _SINKS if form.search(f"{graph.kind(pin)} {pin}")]
+    taken = {words: (pin, loop) for pin, loop, words in reversed(forms)}
+    if not taken:
+        return LoopClass("unknown", f"{goes} {_elsewhere(graph, pins)}")
+    if len(taken) > 1:
+        return LoopClass("unknown", f"{goes} {' and '.join(pin for pin, _ in taken.values())}, which are not of one kind")
+    ((words, (sink, loop)),) = taken.items()
+    return _stepping(graph, pid, sink) if loop == "step generator" else LoopClass(loop, f"{goes} {sink}, {words}")
 
 
 def _elsewhere(graph: HalGraph, pins: Sequence[str]) -> str:
@@ -89,22 +91,17 @@ def _feedback(graph: HalGraph, pid: str) -> tuple[str, str]:
     return "unseen", " and ".join(found.values()) or "no pin in the files that were read"
 
 
-def _class_of(kind: str, sink: str, feedback: str, source: str, pid: str) -> LoopClass:
-    """Return the class for a kind of sink and of feedback."""
-    goes = f"{pid}.output goes to {sink}"
-    if kind == "torque":
-        return LoopClass("servo", f"{goes}, a torque or current")
-    if kind == "velocity":
-        return LoopClass("velocity drive", f"{goes}, a velocity")
-    if kind == "analogue":
-        return LoopClass("unknown", f"{goes}, an analogue or PWM output: the drive behind it may take torque or velocity")
-    comes = f"{pid}.feedback comes from {source}"
+def _stepping(graph: HalGraph, pid: str, sink: str) -> LoopClass:
+    """Return the class of a pid that drives a step generator."""
+    feedback, source = _feedback(graph, pid)
+    ways = f"{pid}.output goes to {sink}, a step generator, and {pid}.feedback comes from {source}"
     if feedback == "steps":
-        return LoopClass("step generator", f"{goes} and {comes}, the count of its own steps: nothing of the machine is in the loop")
-    if feedback == "unseen" or sink.startswith("ppmc."):
-        reason = "which may count these steps" if feedback == "encoder" else "which is not known here"
-        return LoopClass("unknown", f"{goes}, a step generator; {comes}, {reason}")
-    return LoopClass("velocity drive", f"{goes}, the rate of a step generator, and {comes}")
+        return LoopClass("step generator", f"{ways}, the count of its own steps: nothing of the machine is in the loop")
+    if feedback == "unseen":
+        return LoopClass("unknown", f"{ways}, which is not known here")
+    if sink.startswith("ppmc."):
+        return LoopClass("unknown", f"{ways}, which may count these steps")
+    return LoopClass("velocity drive", ways)
 
 
 def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float) -> LoopClass | None:

@@ -43,7 +43,7 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
     ----------
     setup : Setup
     gains : mapping of str to mapping of str to float
-        By axis and HAL's name, in machine units. A gain that the files do not set is added only if it is not zero.
+        By axis and HAL's name, in machine units. A gain that the files do not set is added only if it changes.
     """
     lines = {file: _lines(file) for file in (setup.hal, *(place.file for axis in setup.axes for place in axis.places.values()))}
     added: dict[int, list[str]] = {}
@@ -54,7 +54,7 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
                 line = lines[entry.file][entry.line - 1]
                 head, rest = re.match(r"([^=#]*=\s*|\s*setp\s+\S+\s+)(.*)", line, re.DOTALL).groups()  # type: ignore[union-attr]
                 lines[entry.file][entry.line - 1] = head + rest.replace(entry.value, text_of(value), 1)
-            elif entry is None and value:
+            elif entry is None and value != axis.gains[name]:
                 added.setdefault(axis.last or len(lines[setup.hal]), []).append(f"setp {axis.pid}.{name} {text_of(value)}\n")
     for number in sorted(added, reverse=True):
         lines[setup.hal][number:number] = added[number]

@@ -54,64 +54,72 @@ def loop_of(setup: Setup) -> str:
     return axis.loop.loop
 
 
-FORMS = {
-    "mesa stepgen": ("net o pid.x.output => [HMOT](CARD0).stepgen.00.velocity-cmd\nnet x-fb [HMOT](CARD0).stepgen.00.position-fb => pid.x.feedback", STEPS),
-    "arrows on lines of their own": (
-        "net o <= pid.x.output\nnet o => hm2_7c81.0.stepgen.00.velocity-cmd\nnet x-fb <= hm2_7c81.0.stepgen.00.position-fb\nnet x-fb => pid.x.feedback",
-        STEPS,
-    ),
-    "parport stepgen": (OWN, STEPS),
-    "counts through scale": (
-        "loadrt conv_s32_float\nloadrt scale\nnet o pid.x.output stepgen.0.velocity-cmd\nnet c stepgen.0.counts conv-s32-float.0.in\n"
-        "net f conv-s32-float.0.out scale.0.in\nnet x-fb scale.0.out pid.x.feedback",
-        STEPS,
-    ),
-    "riocore": ("net o pid.x.output => fpga0.stepdir0.velocity\nnet x-fb fpga0.stepdir0.position => pid.x.feedback", STEPS),
-    "remora, open": ("net o pid.x.output => remora.joint.0.vel-cmd\nnet x-fb remora.joint.0.pos-fb => pid.x.feedback", STEPS),
-    "remora, encoder": ("net o pid.x.output => remora.joint.0.vel-cmd\nnet x-fb remora.joint.0.encoder-count => pid.x.feedback", VELOCITY),
-    "remora, encoder by name": (
-        "loadrt PRUencoder names=measuredJ0\nnet o pid.x.output => remora.joint.0.vel-cmd\nnet x-fb measuredJ0.position => pid.x.feedback",
-        VELOCITY,
-    ),
-    "stepgen with a scale": ("net o pid.x.output hm2_5i25.0.stepgen.00.velocity-cmd\nnet x-fb hm2_5i25.0.encoder.00.position pid.x.feedback", VELOCITY),
-    "stepgen, fed by an unknown": ("net o pid.x.output stepgen.0.velocity-cmd\nnet x-fb laser.0.position pid.x.feedback", UNKNOWN),
+CARD, MESA, BUS = "[HMOT](CARD0)", "hm2_5i25.0", "lcec.0.x"
+FORMS = {  # what takes the output, where the feedback comes from, further lines, and the class
+    "mesa stepgen": (f"{CARD}.stepgen.00.velocity-cmd", f"{CARD}.stepgen.00.position-fb", "", STEPS),
+    "parport stepgen": ("stepgen.0.velocity-cmd", "stepgen.0.position-fb", "", STEPS),
+    "riocore": ("fpga0.stepdir0.velocity", "fpga0.stepdir0.position", "", STEPS),
+    "remora, open": ("remora.joint.0.vel-cmd", "remora.joint.0.pos-fb", "", STEPS),
+    "remora, encoder": ("remora.joint.0.vel-cmd", "remora.joint.0.encoder-count", "", VELOCITY),
+    "remora, encoder by module": ("remora.joint.0.vel-cmd", "measuredJ0.position", "loadrt PRUencoder names=measuredJ0", VELOCITY),
+    "stepgen with a scale": (f"{MESA}.stepgen.00.velocity-cmd", f"{MESA}.encoder.00.position", "", VELOCITY),
+    "stepgen, fed by an unknown": ("stepgen.0.velocity-cmd", "laser.0.position", "", UNKNOWN),
     "stepgen, fed by a choice": (
-        OWN.replace("net x-fb stepgen.0.position-fb", "net x-fb mux2.0.out")
-        + "loadrt mux2\nnet s stepgen.0.position-fb mux2.0.in0\nnet e encoder.0.position mux2.0.in1",
+        "stepgen.0.velocity-cmd",
+        "mux2.0.out",
+        "loadrt mux2\nnet s stepgen.0.position-fb mux2.0.in0\nnet e encoder.0.position mux2.0.in1",
         UNKNOWN,
     ),
-    "board that may count its steps": ("net o pid.x.output ppmc.0.stepgen.00.velocity\nnet x-fb ppmc.0.encoder.00.position pid.x.feedback", UNKNOWN),
-    "mesa pwmgen": ("net o pid.x.output hm2_5i20.0.pwmgen.00.value\nnet x-fb hm2_5i20.0.encoder.00.position pid.x.feedback", UNKNOWN),
-    "mesa analogue": ("net o pid.x.output hm2_5i25.0.7i77.0.1.analogout0\nnet x-fb hm2_5i25.0.encoder.00.position pid.x.feedback", UNKNOWN),
-    "dac": ("net o pid.x.output ppmc.0.DAC.00.value\nnet x-fb ppmc.0.encoder.00.position pid.x.feedback", UNKNOWN),
-    "mesa current": ("net o pid.x.output hm2_5i23.0.8i20.0.1.current\nnet x-fb hm2_5i23.0.resolver.00.position pid.x.feedback", SERVO),
-    "cia402 velocity": ("loadrt cia402\nnet o pid.x.output cia402.0.velocity-cmd\nnet x-fb cia402.0.pos-fb pid.x.feedback", VELOCITY),
-    "cia402 by name": ("loadrt cia402 names=x-drive\nnet o pid.x.output x-drive.velocity-cmd\nnet x-fb x-drive.pos-fb pid.x.feedback", VELOCITY),
-    "lcec velocity": ("net o pid.x.output lcec.0.x.target-velocity\nnet x-fb lcec.0.x.actual-position pid.x.feedback", VELOCITY),
-    "lcec torque": ("net o pid.x.output lcec.0.x.target-torque\nnet x-fb lcec.0.x.actual-position pid.x.feedback", SERVO),
-    "lcec analogue": ("net o pid.x.output lcec.0.x.aout-0-value\nnet x-fb lcec.0.enc.enc-0-pos pid.x.feedback", UNKNOWN),
-    "slave named level": ("net o pid.x.output lcec.0.level.value\nnet x-fb lcec.0.level.pos pid.x.feedback", UNKNOWN),
-    "unknown component": ("net o pid.x.output mine.0.in\nnet x-fb mine.0.out pid.x.feedback", UNKNOWN),
-    "two sinks": (OWN + "net x-out hm2_5i20.0.pwmgen.00.value", UNKNOWN),
-    "watched signals": (OWN + "net x-out sampler.0.pin.0\nnet x-fb sampler.0.pin.1 wcomp.0.in pyvcp.x", STEPS),
-    "linksp and linkps": ("linkps pid.x.output o\nlinksp o stepgen.0.velocity-cmd\nlinkps stepgen.0.position-fb x-fb\nlinksp x-fb pid.x.feedback", STEPS),
+    "counts through scale": (
+        "stepgen.0.velocity-cmd",
+        "scale.0.out",
+        "loadrt scale\nnet c stepgen.0.counts conv-s32-float.0.in\nnet f conv-s32-float.0.out scale.0.in",
+        STEPS,
+    ),
+    "board that may count its steps": ("ppmc.0.stepgen.00.velocity", "ppmc.0.encoder.00.position", "", UNKNOWN),
+    "mesa pwmgen": (f"{MESA}.pwmgen.00.value", f"{MESA}.encoder.00.position", "", UNKNOWN),
+    "mesa analogue": (f"{MESA}.7i77.0.1.analogout0", f"{MESA}.encoder.00.position", "", UNKNOWN),
+    "dac": ("ppmc.0.DAC.00.value", "ppmc.0.encoder.00.position", "", UNKNOWN),
+    "mesa current": (f"{MESA}.8i20.0.1.current", f"{MESA}.resolver.00.position", "", SERVO),
+    "cia402 velocity": ("cia402.0.velocity-cmd", "cia402.0.pos-fb", "loadrt cia402", VELOCITY),
+    "cia402 by name": ("x-drive.velocity-cmd", "x-drive.pos-fb", "loadrt cia402 names=x-drive", VELOCITY),
+    "lcec velocity": (f"{BUS}.target-velocity", f"{BUS}.actual-position", "", VELOCITY),
+    "lcec torque": (f"{BUS}.target-torque", f"{BUS}.actual-position", "", SERVO),
+    "lcec analogue": (f"{BUS}.aout-0-value", "lcec.0.enc.enc-0-pos", "", UNKNOWN),
+    "slave named level": ("lcec.0.level.value", "lcec.0.level.pos", "", UNKNOWN),
+    "unknown component": ("mine.0.in", "mine.0.out", "", UNKNOWN),
+    "two sinks": ("stepgen.0.velocity-cmd", "stepgen.0.position-fb", f"net o {MESA}.pwmgen.00.value", UNKNOWN),
+    "watched signals": (
+        "stepgen.0.velocity-cmd",
+        "stepgen.0.position-fb",
+        "net o sampler.0.pin.0\nnet x-fb sampler.0.pin.1 wcomp.0.in pyvcp.x",
+        STEPS,
+    ),
     "linked anew": (
-        OWN + "unlinkp pid.x.feedback\nunlinkp stepgen.0.position-fb\nnet scale-fb hm2_7i76e.0.encoder.00.position pid.x.feedback",
+        "stepgen.0.velocity-cmd",
+        "stepgen.0.position-fb",
+        f"unlinkp pid.x.feedback\nunlinkp stepgen.0.position-fb\nnet scale-fb {MESA}.encoder.00.position pid.x.feedback",
         VELOCITY,
     ),
-}  # fmt: skip
+}
+WRITTEN = (
+    "net o pid.x.output => {sink}\nnet x-fb {source} => pid.x.feedback\n",
+    "net o <= pid.x.output\nnet o => {sink}\nnet x-fb <= {source}\nnet x-fb => pid.x.feedback\n",
+    "net x-fb pid.x.feedback {source}  # the feedback\nnet o \\\n  {sink} pid.x.output\n",
+    "linkps pid.x.output => o\nlinksp o => {sink}\nlinkps {source} => x-fb\nlinksp x-fb => pid.x.feedback\n",
+)
 
 
-@pytest.mark.parametrize(("hal", "loop"), FORMS.values(), ids=FORMS)
-def test_forms(tmp_path: Path, hal: str, loop: str) -> None:
-    setup = setup_of(tmp_path, hal + "\n")
+@pytest.mark.parametrize(("sink", "source", "more", "loop"), FORMS.values(), ids=FORMS)
+@pytest.mark.parametrize("written", WRITTEN)
+def test_forms(tmp_path: Path, sink: str, source: str, more: str, loop: str, written: str) -> None:
+    setup = setup_of(tmp_path, f"{written.format(sink=sink, source=source)}{more}\n")
     assert loop_of(setup) == loop
     assert {one.code for one in setup.findings} & {"CL864", "CL868"} == {STEPS: {"CL864"}, VELOCITY: {"CL868"}}.get(loop, set())
     assert len(setup.closed) == (loop != STEPS)
 
 
-CHAIN = [("scale.0", "in", "out"), ("limit3.0", "in", "out"), ("mult2.0", "in1", "out"), ("sum2.0", "in0", "out"), ("mux4.0", "in2", "out"),
-         ("lowpass.0", "in", "out"), ("abs.0", "in", "out"), ("offset.0", "in", "out"), ("mux-gen.00", "in-float-01", "out-float")]  # fmt: skip
+CHAIN = ("scale.0 in", "limit3.0 in", "mult2.0 in1", "sum2.0 in0", "mux4.0 in2", "lowpass.0 in", "abs.0 in", "offset.0 in", "mux-gen.0 in")
 
 
 @pytest.mark.parametrize("length", range(len(CHAIN) + 1))
@@ -120,9 +128,9 @@ def test_values_are_followed_through_components(tmp_path: Path, length: int, bac
     """A chain of any length before the sink, or before the feedback, changes no class; its selectors and gains lead nowhere."""
     source, sink = ("stepgen.0.position-fb", "pid.x.feedback") if back else ("pid.x.output", "stepgen.0.velocity-cmd")
     lines = []
-    for k, (name, enters, leaves) in enumerate(CHAIN[:length]):
+    for k, (name, enters) in enumerate(link.split() for link in CHAIN[:length]):
         lines += [f"net chain{k} {source} {name}.{enters}", f"net other{k} {name}.gain hm2_5i20.0.encoder.07.position"]
-        source = f"{name}.{leaves}"
+        source = f"{name}.out"
     lines.append(f"net last {source} => {sink} hm2_5i20.0.gpio.000.value")
     direct = OWN.splitlines()[0 if back else 1]
     setup = setup_of(tmp_path, "\n".join([*lines, direct]) + "\n")
@@ -136,7 +144,8 @@ def test_the_way_back_of_an_offset(tmp_path: Path) -> None:
 
 
 def test_a_ring_of_components_ends(tmp_path: Path) -> None:
-    hal = "net a pid.x.output sum2.0.in0\nnet b sum2.0.out limit1.0.in\nnet c limit1.0.out sum2.0.in1\nnet x-fb encoder.0.position pid.x.feedback\n"
+    hal = "net a pid.x.output sum2.0.in0\nnet b sum2.0.out limit1.0.in\nnet c limit1.0.out sum2.0.in1\n"
+    hal += "net x-fb encoder.0.position pid.x.feedback\n"
     assert loop_of(setup_of(tmp_path, hal)) == UNKNOWN
 
 
@@ -159,7 +168,8 @@ def test_all_files_count(tmp_path: Path, names: str, files: dict[str, str]) -> N
 
 @pytest.mark.parametrize("name", ["io.tcl", "io.tcl -option", "absent.hal"])
 def test_a_file_that_is_not_read_is_named(tmp_path: Path, name: str) -> None:
-    setup = setup_of(tmp_path, "net o pid.x.output\nnet x-fb pid.x.feedback\n", names=f"HALFILE = m.hal\nHALFILE = {name}", io_tcl="# Tcl\n")
+    names = f"HALFILE = m.hal\nHALFILE = {name}"
+    setup = setup_of(tmp_path, "net o pid.x.output\nnet x-fb pid.x.feedback\n", names=names, io_tcl="# Tcl\n")
     assert loop_of(setup) == UNKNOWN
     line = (tmp_path / "m.ini").read_text().splitlines().index(f"HALFILE = {name}") + 1
     assert [one.place for one in setup.findings if one.code == "CL866"] == [f"m.ini:{line}"]
@@ -173,7 +183,7 @@ def test_a_tcl_script_in_place_of_the_hal_file_is_refused(tmp_path: Path) -> Non
 
 
 def test_two_passes_count_the_channels_of_all_files(tmp_path: Path) -> None:
-    hal = "loadrt pid num_chan=1\n" + PID.replace("loadrt pid names=pid.x\n", "loadrt pid num_chan=1\n").replace("pid.x", "pid.1") + OWN.replace("pid.x", "pid.1")
+    hal = "loadrt pid num_chan=1\n" + (PID + OWN).replace("names=pid.x", "num_chan=1").replace("pid.x", "pid.1")
     (tmp_path / "m.ini").write_text(INI.format(hal="TWOPASS = on\nHALFILE = m.hal"))
     (tmp_path / "m.hal").write_text(hal)
     (axis,) = read_setup(tmp_path / "m.ini", tmp_path / "m.hal").axes
@@ -183,7 +193,7 @@ def test_two_passes_count_the_channels_of_all_files(tmp_path: Path) -> None:
 def test_a_gain_that_no_file_sets_is_that_of_pid(tmp_path: Path) -> None:
     """A pid starts with Pgain 1 and zeros, as ``halcmd show pin`` says."""
     (tmp_path / "m.ini").write_text(INI.format(hal="HALFILE = m.hal"))
-    (tmp_path / "m.hal").write_text(PID.replace("setp pid.x.Pgain [JOINT_0]P\n", "") + "net o pid.x.output mine.0.in\nnet x-fb mine.0.out pid.x.feedback\n")
+    (tmp_path / "m.hal").write_text((PID + OWN).replace("setp pid.x.Pgain [JOINT_0]P\n", ""))
     (axis,) = read_setup(tmp_path / "m.ini", tmp_path / "m.hal").axes
     assert (axis.gains["Pgain"], axis.gains["FF1"], axis.idle) == (1.0, 0.0, False)
 
@@ -193,7 +203,7 @@ def test_a_pid_without_gains(tmp_path: Path, p: str, ff1: str, idle: bool) -> No
     hal = f"net o pid.x.output mine.0.in\nnet x-fb mine.0.out pid.x.feedback\nsetp pid.x.Pgain {p}\nsetp pid.x.FF1 {ff1}\n"
     setup = setup_of(tmp_path, hal)
     assert [one.place for one in setup.findings if one.code == "CL865"] == ["axis x"] * idle
-    assert len(setup.closed) == (not idle)
+    assert setup.axes[0].idle == idle
 
 
 def test_settings_of_a_step_generator(tmp_path: Path) -> None:
@@ -207,6 +217,7 @@ def test_settings_of_a_step_generator(tmp_path: Path) -> None:
 
 PERIOD = 1e-3
 TIME = PERIOD * np.arange(12_000)
+GAINS = {"Pgain": 0.8, "Igain": 0.5, "Dgain": 0.0, "FF1": 0.015, "FF2": 0.0}
 
 
 def command() -> np.ndarray:
@@ -250,13 +261,13 @@ def test_a_slow_velocity_drive_is_seen_where_the_output_is_its_speed(unit: float
 def test_a_torque_servo_is_seen_in_a_log(seed: int) -> None:
     """Two masses with friction at both, a shaft, play and a quantised encoder, drawn at random; damping up to 80 1/s."""
     plant, noise = drawn(seed)
-    measured, output = plant.measured(command(), {"Pgain": 0.8, "Igain": 0.5, "Dgain": 0.0, "FF1": 0.015, "FF2": 0.0}, PERIOD, np.full(TIME.size, noise))
+    measured, output = plant.measured(command(), GAINS, PERIOD, np.random.default_rng(seed).uniform(-noise, noise, TIME.size))
     result = decided([(output, measured)], PERIOD, 1e-3)
     assert result is not None and result.loop == SERVO
 
 
 def test_logs_that_show_nothing_decide_nothing() -> None:
-    measured, output = TwoMasses().measured(command(), {"Pgain": 0.8, "Igain": 0.5, "Dgain": 0.0, "FF1": 0.015, "FF2": 0.0}, PERIOD, np.zeros(TIME.size))
+    measured, output = TwoMasses().measured(command(), GAINS, PERIOD, np.zeros(TIME.size))
     noise = np.random.default_rng(1).standard_normal(TIME.size)
     assert decided([], PERIOD, 1e-3) is None
     assert decided([(output[:30], measured[:30])], PERIOD, 1e-3) is None
