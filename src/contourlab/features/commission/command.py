@@ -33,7 +33,7 @@ from contourlab.threads import in_threads
 
 FIRST, SECOND = ("excite.ngc", "sampler.hal", "steps.md"), ("report.html", "gains.diff", "safe.diff", "circle.png")
 OFF_RUNS = 8
-"""Moves that begin with LinuxCNC off, where the log shows it."""
+"""Runs that begin with LinuxCNC off, where the log shows it."""
 CIRCLE = 0.01
 """Radius of the circle in the report [m]."""
 
@@ -226,8 +226,8 @@ class _Work:
             return findings
         loop = axis.loop
         if loop.loop == "unknown":
-            shown = decided([(log.output, log.measured) for log in logs], self.setup.period, self.setup.unit)
-            self.loops[axis.name] = loop = shown or loop
+            loop = decided([(log.output, log.measured) for log in logs], self.setup.period, self.setup.unit) or loop
+            self.loops[axis.name] = loop
             findings += [finding("CL868", place, why=loop.why)] if loop.loop == "velocity drive" else []
         if loop.loop == "velocity drive":
             return findings
@@ -254,16 +254,15 @@ class _Work:
             tuned = tune_axis(task, unit=self.setup.unit, seed=self.seed)
         except ParameterError:
             return [finding("CL897", place)]
-        if not tuned.largest < largest_error(self.before[axis.name], 0.0, law.period):
+        before = task.largest(self.present(axis)) if self.planned else largest_error(measured, 0.0, law.period)
+        if not tuned.largest < before:
             return [finding("CL897", place)]
         self.tuned[axis.name] = tuned
         return []
 
     def compared(self) -> list[Finding]:
         """Predict all errors without the delay that the axes share; new gains hold only if they shrink the sum."""
-        runs = self.before | {name: self.tasks[name].runs(tuned.gains) for name, tuned in self.tuned.items()}
-        before, after = (self._errors(one) for one in (self.before, runs))
-        findings = list[Finding]()
+        before, after, findings = self._errors({}), self._errors(self.tuned), list[Finding]()
         if self.tuned and not sum(after.values()) < sum(before.values()):
             findings, after = [finding("CL897", f"axis {name}") for name in self.tuned], before
             self.tuned.clear()
@@ -275,11 +274,16 @@ class _Work:
             findings += [finding("CL898", f"axis {name}", error=spread)] if spread > 0.5 * error else []
         return findings
 
-    def _errors(self, runs: Mapping[str, Moves]) -> dict[str, float]:
-        """Return the largest error [m] of each axis without the delay that all share."""
-        known, period = runs.keys() == {axis.name for axis in self.setup.axes}, self.setup.period
-        delay = shared_delay(list(runs.values()), period) if known else 0.0
-        return {name: largest_error(one, delay, period) for name, one in runs.items()}
+    def _errors(self, tuned: Mapping[str, TunedAxis]) -> dict[str, float]:
+        """Return the largest error [m] of each axis without the delay that all share, with tuned gains or else those in use."""
+        moves = self.before | {name: self.tasks[name].runs(one.gains) for name, one in tuned.items()}
+        known, period = moves.keys() == {axis.name for axis in self.setup.axes}, self.setup.period
+        delay = shared_delay(list(moves.values()), period) if known else 0.0
+        errors = {name: largest_error(one, delay, period) for name, one in moves.items()}
+        for name, one in tuned.items():
+            started = float(self.tasks[name].switched_on(one.gains[None], self.models[name].model)[0])
+            errors[name] = max(errors[name], started) if delay else one.largest
+        return errors
 
     def gains(self, share: float = 1.0) -> dict[str, dict[str, float]]:
         """Return the gains in machine units by axis: the present ones, and a share of the way from there to the tuned ones."""
@@ -322,8 +326,7 @@ def _written(
     report, gain_diff, safe_diff, image = files
     title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {Path(program).name}")
     text = page(title, answer, tables, diff, picture, findings)
-    contents: dict[Path, str | bytes] = {report: text}
-    contents |= {} if silent else {gain_diff: diff, safe_diff: changes(setup, safe)}
+    contents: dict[Path, str | bytes] = {report: text} | ({} if silent else {gain_diff: diff, safe_diff: changes(setup, safe)})
     contents |= {} if picture is None else {image: picture}
     _write(contents)
     for file in (gain_diff, safe_diff) if silent else ():
