@@ -326,15 +326,15 @@ def _written(
     report, gain_diff, safe_diff, image = files
     title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {Path(program).name}")
     text = page(title, answer, tables, diff, picture, findings)
-    contents: dict[Path, str | bytes] = {report: text} | ({} if silent else {gain_diff: diff, safe_diff: changes(setup, safe)})
+    contents: dict[Path, str | bytes] = {report: text}
+    contents |= {} if silent else {gain_diff: diff, safe_diff: changes(setup, safe)}
     contents |= {} if picture is None else {image: picture}
     _write(contents)
     for file in (gain_diff, safe_diff) if silent else ():
         file.unlink(missing_ok=True)  # of an earlier answer
-    shown = tuple(tables.values())
     models = {axis.name: work.models[axis.name] for axis in setup.axes if axis.name in work.models}
     predicted = {name: work.predicted[name] for name in models if name in work.predicted}
-    return Commissioned(axes, gains, safe, predicted, models, tuple(findings), tuple(contents), terms, answer, shown)
+    return Commissioned(axes, gains, safe, predicted, models, tuple(findings), tuple(contents), terms, answer, tuple(tables.values()))
 
 
 def _line(axis: AxisSetup, work: _Work, gains: Mapping[str, Mapping[str, float]]) -> str:
