@@ -34,8 +34,6 @@ from contourlab.threads import in_threads
 FIRST, SECOND = ("excite.ngc", "sampler.hal", "steps.md"), ("report.html", "gains.diff", "safe.diff", "circle.png")
 OFF_RUNS = 8
 """Runs that begin with LinuxCNC off, where the log shows it."""
-CIRCLE = 0.01
-"""Radius of the circle in the report [m]."""
 
 
 @dataclass(frozen=True)
@@ -277,8 +275,8 @@ class _Work:
     def _errors(self, tuned: Mapping[str, TunedAxis]) -> dict[str, float]:
         """Return the largest error [m] of each axis without the delay that all share, with tuned gains or else those in use."""
         moves = self.before | {name: self.tasks[name].runs(one.gains) for name, one in tuned.items()}
-        known, period = moves.keys() == {axis.name for axis in self.setup.axes}, self.setup.period
-        delay = shared_delay(list(moves.values()), period) if known else 0.0
+        period = self.setup.period
+        delay = shared_delay(list(moves.values()), period) if len(moves) == len(self.setup.axes) else 0.0
         errors = {name: largest_error(one, delay, period) for name, one in moves.items()}
         for name, one in tuned.items():
             started = float(self.tasks[name].switched_on(one.gains[None], self.models[name].model)[0])
@@ -396,4 +394,4 @@ def _circle(work: _Work, gains: Mapping[str, Mapping[str, float]]) -> bytes | No
     strongest = min(axis.limits["acceleration"] for axis in axes) * work.setup.unit
     after = {axis.name: np.array(list(gains[axis.name].values())) / work.setup.unit for axis in axes}
     rows = {"before": {axis.name: work.present(axis) for axis in axes}, "after": after}
-    return circle_png(CIRCLE, circle_errors(work.tasks, work.models, rows, CIRCLE, strongest))
+    return circle_png(circle_errors(work.tasks, work.models, rows, strongest))

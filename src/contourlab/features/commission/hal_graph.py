@@ -117,9 +117,9 @@ class HalGraph:
 
     def owner(self, pin: str) -> str:
         """Return the component of a pin."""
-        parts = pin.split(".")
-        names = (".".join(parts[:n]) for n in range(len(parts) - 1, 0, -1))
-        return next((name for name in names if name in self.kinds), pin.rpartition(".")[0])
+        parts = pin.split(".")[:-1]
+        names = (".".join(parts[:n]) for n in range(len(parts), 0, -1))
+        return next((name for name in names if name in self.kinds), ".".join(parts))
 
     def sinks(self, pin: str) -> list[str]:
         """Return the pins that read an output, through components that pass it on."""
@@ -172,12 +172,13 @@ def read_ini(file: str | Path) -> Ini:
 
 
 def _text(path: Path) -> str:
-    words = mistaken(path, "a file of LinuxCNC")
+    kinds = ["a file of LinuxCNC"]
     try:
         text = path.read_text(encoding="utf-8", errors="replace")
     except OSError as error:
-        raise ScenarioError(words or error.strerror or "cannot be read", file=path) from error
-    if words and not _OWN.search(text):  # lines of G-code may stand in an INI file, and a pin may be named as a word of it
+        raise ScenarioError(mistaken(path, *kinds) or error.strerror or "cannot be read", file=path) from error
+    # Lines of G-code may stand in an INI file, and a pin may be named as a word of it.
+    if words := mistaken(path, *kinds, *(["a part program"] if _OWN.search(text) else [])):
         raise ScenarioError(words, file=path)
     return text
 
@@ -220,7 +221,7 @@ def hal_files(ini: Ini) -> list[tuple[Entry, Path | None]]:
 
 
 def _located(entry: Entry, ini: Ini) -> Path | None:
-    name = entry.value.split()[0].removeprefix("LIB:")  # a Tcl script may have arguments
+    name = entry.value.partition(" ")[0].removeprefix("LIB:")  # a Tcl script may have arguments
     places = (folder / name for folder in (ini.file.parent, LIBRARY))
     return None if name.endswith(".tcl") else next((place for place in places if place.is_file()), None)
 
@@ -233,8 +234,7 @@ def read_graph(ini: Ini, files: Sequence[Path], unread: Sequence[Entry] = ()) ->
     ScenarioError
         If a file cannot be read, or a number of channels is none.
     """
-    absent = list(unread)
-    statements: list[Statement] = []
+    absent, statements = list(unread), list[Statement]()
     open_ = [one for file in files for one in read_hal(file, ini)]
     open_ += [one for entry in ini.values.get(("HAL", "HALCMD"), []) for one in _statement(entry, ini)]
     read = {file.resolve() for file in files}
@@ -251,7 +251,7 @@ def read_graph(ini: Ini, files: Sequence[Path], unread: Sequence[Entry] = ()) ->
             read.add(path.resolve())
             open_ = [*read_hal(path, ini), *open_]
     graph = HalGraph(tuple(statements), unread=tuple(absent))
-    for one in graph.statements:
+    for one in statements:
         _add(graph, one)
     return graph
 
@@ -265,7 +265,8 @@ def _add(graph: HalGraph, one: Statement) -> None:
             graph.signal_of[pin] = signal
             graph.pins.setdefault(signal, []).append(pin)
     elif command == "unlinkp" and words and words[0] in graph.signal_of:
-        graph.pins[graph.signal_of.pop(words[0])].remove(words[0])
+        signal = graph.signal_of.pop(words[0])
+        graph.pins[signal] = [pin for pin in graph.pins[signal] if pin != words[0]]
     elif command == "setp" and len(words) == 2:
         graph.settings[words[0]] = one
     elif command == "addf" and words:
@@ -282,7 +283,7 @@ def _channels(one: Statement, words: tuple[str, ...], before: int) -> list[str]:
         return options["names"].split(",")
     base = words[0].removeprefix("at_").replace("_", "-")
     count = options.get("num_chan", options.get("count", "3" if base == "pid" else "1"))
-    if not count.isdigit() and base == "pid":
-        raise ScenarioError(f"loadrt pid num_chan={count}: must be a whole number", file=one.place)
-    size = int(count) if count.isdigit() else 0
+    size = int(count) if re.fullmatch(r"[0-9]{1,3}", count) else 0
+    if not size and base == "pid":
+        raise ScenarioError(f"loadrt pid num_chan={count}: must be a whole number from 1 to 999", file=one.place)
     return [f"{base}.{n}" for n in range(before, before + size)]

@@ -27,10 +27,8 @@ _SINKS: tuple[tuple[re.Pattern[str], Loop, str], ...] = (
 )
 """What takes the output, by module and pin, and what that says of the loop."""
 _ENCODERS = re.compile(r"enc|resolver|\b(ssi|biss|fabs|lcec|cia402|ethercat)\b")
-SPAN = 0.02
-"""Time [s] over which positions are differenced where a log decides."""
-LATEST = 0.02
-"""Longest delay of the motion behind the output [s]."""
+SPAN, LATEST = 0.02, 0.02
+"""Time [s] over which positions are differenced where a log decides, and longest delay of the motion behind the output."""
 EXPLAINED = 0.8
 """Least part of the output that velocity, acceleration and friction must explain."""
 QUICK, SLOW = 100.0, 20.0
@@ -97,10 +95,8 @@ def _stepping(graph: HalGraph, pid: str, sink: str) -> LoopClass:
     ways = f"{pid}.output goes to {sink}, a step generator, and {pid}.feedback comes from {source}"
     if feedback == "steps":
         return LoopClass("step generator", f"{ways}, the count of its own steps: nothing of the machine is in the loop")
-    if feedback == "unseen":
-        return LoopClass("unknown", f"{ways}, which is not known here")
-    if sink.startswith("ppmc."):
-        return LoopClass("unknown", f"{ways}, which may count these steps")
+    if feedback == "unseen" or sink.startswith("ppmc."):
+        return LoopClass("unknown", f"{ways}, which {'is not known here' if feedback == 'unseen' else 'may count these steps'}")
     return LoopClass("velocity drive", ways)
 
 

@@ -10,6 +10,7 @@ import re
 from collections.abc import Mapping, Sequence
 from html import escape
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 
@@ -23,6 +24,10 @@ from contourlab.findings import Finding
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table
 
+CIRCLE = 0.01
+"""Radius of the circle in the report [m]."""
+Rows: TypeAlias = Mapping[str, Array]
+Curves: TypeAlias = Mapping[str, tuple[Array, Array]]
 CSS = """
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 56rem; margin: 2rem auto; padding: 0 1rem; color: #1c2733 }
 table { border-collapse: collapse }
@@ -67,13 +72,7 @@ def _lines(file: Path) -> list[str]:
     return [f"{line}\n" for line in file.read_text(encoding="utf-8", errors="replace").splitlines()]
 
 
-def circle_errors(
-    tasks: Mapping[str, AxisTask],
-    models: Mapping[str, IdentifiedAxis],
-    gains: Mapping[str, Mapping[str, Array]],
-    radius: float,
-    acceleration: float,
-) -> dict[str, tuple[Array, Array]]:
+def circle_errors(tasks: Mapping[str, AxisTask], models: Mapping[str, IdentifiedAxis], gains: Mapping[str, Rows], fastest: float) -> Curves:
     """Return angle [rad] and radial error [m] on a circle of x and y, simulated with each set of gains.
 
     Parameters
@@ -82,30 +81,27 @@ def circle_errors(
         By axis.
     gains : mapping of str to mapping of str to ndarray (7,)
         By name of the set and axis, per metre.
-    radius, acceleration : float [m, m/s^2]
+    fastest : float [m/s^2]
         An eighth of this acceleration is used.
     """
-    period, turn, start = tasks["x"].law.period, 0.5 * math.sqrt(0.5 * acceleration / radius), 0.3
+    period, turn, start = tasks["x"].law.period, 0.5 * math.sqrt(0.5 * fastest / CIRCLE), 0.3
     time = period * np.arange(round((start + 4.0 * math.pi / turn) / period))
     phase = turn * np.where(time < start, time**2 / (2.0 * start), time - 0.5 * start)  # from rest, two turns
-    commands, last = {"x": radius * np.cos(phase), "y": radius * np.sin(phase)}, phase > phase[-1] - 2.0 * math.pi
+    commands, last = {"x": CIRCLE * np.cos(phase), "y": CIRCLE * np.sin(phase)}, phase > phase[-1] - 2.0 * math.pi
     curves = {}
     for label, rows in gains.items():
-        places = []
-        for name, command in commands.items():
-            noise = models[name].noise_like(command)
-            run = run_lanes(command, noise, rows[name][None], [tasks[name].model], tasks[name].law, trace=True)
-            places.append(run.position[last])
-        curves[label] = (np.arctan2(*places[::-1]), np.hypot(*places) - radius)
+        noises = {name: models[name].noise_like(command) for name, command in commands.items()}
+        parts = [(command, noises[name], rows[name][None], [tasks[name].model], tasks[name].law) for name, command in commands.items()]
+        places = [run_lanes(*part, trace=True).position[last] for part in parts]
+        curves[label] = (np.arctan2(*places[::-1]), np.hypot(*places) - CIRCLE)
     return curves
 
 
-def circle_png(radius: float, errors: Mapping[str, tuple[Array, Array]]) -> bytes:
+def circle_png(errors: Curves) -> bytes:
     """Return the picture of a circle, its radial errors magnified.
 
     Parameters
     ----------
-    radius : float [m]
     errors : mapping of str to (angle, error)
         Angle [rad] and radial error [m] of each curve, by name. Each has its own scale, which the legend states.
     """
@@ -126,7 +122,7 @@ def circle_png(radius: float, errors: Mapping[str, tuple[Array, Array]]) -> byte
             place.set_aspect("equal")
             place.spines[:].set_visible(False)
             place.set(xticks=[], yticks=[], title=f"{name}: at most {figure(largest, 'um')}", xlim=(-1.35, 1.35), ylim=(-1.35, 1.35))
-            place.set_xlabel(f"radius {figure(radius, 'mm')}, errors x {figure(0.25 * radius / largest)}")
+            place.set_xlabel(f"radius {figure(CIRCLE, 'mm')}, errors x {figure(0.25 * CIRCLE / largest)}")
         buffer = io.BytesIO()
         canvas.savefig(buffer, format="png")
     return buffer.getvalue()

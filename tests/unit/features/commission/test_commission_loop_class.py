@@ -190,6 +190,18 @@ def test_two_passes_count_the_channels_of_all_files(tmp_path: Path) -> None:
     assert (axis.pid, axis.loop.loop) == ("pid.1", STEPS)
 
 
+@pytest.mark.parametrize("count", ["0", "-1", "many", "[TRAJ]NOTHING", "\N{SUPERSCRIPT TWO}", "999999999999"])
+def test_a_number_of_channels_that_cannot_be_is_refused(tmp_path: Path, count: str) -> None:
+    with pytest.raises(ScenarioError, match="num_chan"):
+        setup_of(tmp_path, f"loadrt pid num_chan={count}\n")
+
+
+def test_odd_statements_are_passed_over(tmp_path: Path) -> None:
+    odd = "source\nsource [HAL]NOTHING\nnet\nnet a\nlinkps a\nsetp a\naddf\nloadrt\nunlinkp\nunlinkp never.0.linked\nunlinkp\n"
+    odd += "net x-fb x.y\nnet x-fb x.y\nunlinkp x.y\nsource m.hal\nloadrt encoder num_chan=999999999999\n"
+    assert loop_of(setup_of(tmp_path, odd + OWN)) == STEPS
+
+
 def test_a_gain_that_no_file_sets_is_that_of_pid(tmp_path: Path) -> None:
     """A pid starts with Pgain 1 and zeros, as ``halcmd show pin`` says."""
     (tmp_path / "m.ini").write_text(INI.format(hal="HALFILE = m.hal"))
