@@ -2,10 +2,13 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 import made_commission as bench
+import numpy as np
 import pytest
 
+from contourlab.analysis.identification.gauss_newton import DescentSettings
 from contourlab.cli.main import main
 
 
@@ -49,3 +52,153 @@ def test_unknown_control_is_refused_before_any_work(made: bench.Made, tmp_path: 
     assert main(["commission", "linuxcnc", str(made.ini), str(made.hal), "--log", str(log), "--for", "fanuc", "--out", str(out)]) == 2
     assert "sinumerik" in capsys.readouterr().err
     assert not out.exists()
+
+
+# --- what the loop is closed on -------------------------------------------------------------------------------------------------------
+
+REPRO = Path(__file__).parents[3] / "shared" / "repro"
+FIELD = ("m.ini", "a.hal", "xy")
+STEPPERS = {"trial3": ("router.ini", "router.hal", "xyz"), "field/stepgen": FIELD, "field/p-zero": FIELD}
+
+
+def called(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, dict[str, Any]]:
+    """Return exit code and JSON of the command."""
+    code = main(["commission", "linuxcnc", *map(str, words), "--json"])
+    return code, json.loads(capsys.readouterr().out)
+
+
+def codes(result: dict[str, Any], axis: str) -> set[str]:
+    return {one["code"] for one in result["findings"] if one["place"] == f"axis {axis}"}
+
+
+def step_log(file: Path, axes: str) -> Path:
+    """Write a log, as halsampler does, of pids with P 1000 and FF1 1 that drive step generators and are fed by their counters."""
+    time = 1e-3 * np.arange(4000)
+    columns = [np.arange(4000.0)]
+    for k, _ in enumerate(axes):
+        command = 20.0 * np.sin(2.0 * np.pi * (0.4 + 0.1 * k) * time) ** 3
+        place, before, rows = 0.0, 0.0, []
+        for wanted in command.tolist():
+            counted = round(640.0 * place) / 640.0
+            out = 1000.0 * (before - counted) + 1000.0 * (wanted - before)
+            rows.append((wanted, counted, out))
+            place, before = place + 1e-3 * out, wanted
+        columns += list(np.array(rows).T)
+    np.savetxt(file, np.column_stack(columns), fmt=["%d"] + ["%.6f"] * (len(columns) - 1), newline=" \n")
+    return file
+
+
+@pytest.mark.parametrize("folder", STEPPERS)
+@pytest.mark.parametrize("logged", [False, True])
+def test_loops_around_step_generators_get_no_gains(folder: str, logged: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    ini, hal, axes = STEPPERS[folder]
+    if not (REPRO / folder).is_dir():
+        pytest.skip("needs the reference data")
+    out = tmp_path / "out"
+    words: list[object] = [REPRO / folder / ini, REPRO / folder / hal, "--out", out]
+    if logged:
+        out.mkdir()
+        (out / "gains.diff").write_text("of an earlier answer")
+        words += ["--log", step_log(tmp_path / "log1.txt", axes)]
+    code, result = called(capsys, *words)
+    assert code == 1
+    assert {name: axis["loop"] for name, axis in result["axes"].items()} == dict.fromkeys(axes, "step generator")
+    assert all(axis.keys() == {"loop", "why"} and axis["why"] for axis in result["axes"].values())
+    for axis in axes:
+        assert "CL864" in codes(result, axis)
+        assert ("CL865" in codes(result, axis)) == (folder == "field/p-zero")
+    assert result["pid"] == result["predicted"] == {}
+    assert sorted(file.name for file in out.glob("*")) == (["report.html"] if logged else [])
+
+
+def test_an_empty_hal_file_refuses_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = REPRO / "field" / "empty-hal"
+    if not folder.is_dir():
+        pytest.skip("needs the reference data")
+    code, result = called(capsys, folder / "m.ini", folder / "a.hal", "--out", tmp_path)
+    assert (code, {axis["loop"] for axis in result["axes"].values()}) == (1, {"step generator"})
+
+
+def wired(made: bench.Made, folder: Path, **sinks: str) -> tuple[Path, Path]:
+    """Return copies of the files in which the output of an axis goes to a sink, which counts at ``SINK-fb``."""
+    hal, ini = made.hal.read_text(), folder / "rig.ini"
+    ini.write_text(made.ini.read_text())
+    for axis, sink in sinks.items():
+        counter = f"{sink.rpartition('.')[0]}.position-fb"
+        hal = hal.replace(f"=> axis.{axis}.u", f"=> {sink}").replace(f"net {axis}-fb axis.{axis}.motor", f"net {axis}-fb {counter}")
+    (folder / "rig.hal").write_text(hal)
+    return ini, folder / "rig.hal"
+
+
+@pytest.mark.parametrize(
+    ("sink", "loop", "code"),
+    [
+        ("axis.x.u", "unknown", 0),
+        ("hm2_5i20.0.pwmgen.00.value", "unknown", 0),
+        ("lcec.0.x.target-torque", "servo", 0),
+        ("cia402.0.velocity-cmd", "velocity drive", 0),
+        ("stepgen.0.velocity-cmd", "step generator", 1),
+    ],
+)
+def test_what_is_left_to_commission_is_excited(
+    made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str], sink: str, loop: str, code: int
+) -> None:
+    files = wired(made, tmp_path, x=sink)
+    found, result = called(capsys, *files, "--out", tmp_path / "out")
+    assert found == code
+    assert {name: axis["loop"] for name, axis in result["axes"].items()} == {"x": loop, "y": "unknown"}
+    program = (tmp_path / "out" / "excite.ngc").read_text()
+    assert [f"G53 G1 {axis}" in program for axis in "XY"] == [code == 0, True]
+    assert (tmp_path / "out" / "sampler.hal").exists() and (tmp_path / "out" / "steps.md").exists()
+
+
+def test_a_pid_without_gains_is_refused_at_once(made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    ini, hal = wired(made, tmp_path)
+    head, joint = ini.read_text().split("[JOINT_0]\n")
+    ini.write_text(f"{head}[JOINT_0]\n" + joint.replace("P = 0.8", "P = 0", 1).replace("FF1 = 0.015", "FF1 = 0", 1))
+    code, result = called(capsys, ini, hal, "--out", tmp_path / "out")
+    assert (code, codes(result, "x"), codes(result, "y")) == (1, {"CL865"}, set())
+    assert not (tmp_path / "out").exists()
+
+
+def velocity_rows(made: bench.Made, axis: str, lag: float) -> dict[str, np.ndarray]:
+    """Return the rows of an axis whose velocity follows the output with a lag, under P 20 and FF1 1 in machine units."""
+    command = made.rows[f"{axis}_cmd [mm]"]
+    place, out = np.zeros(command.size), np.zeros(command.size)
+    x = v = 0.0
+    kept, before = np.exp(-1e-3 / lag), float(command[0])
+    for k, wanted in enumerate(command.tolist()):
+        place[k] = 2e-4 * round(x / 2e-4)
+        out[k] = 20.0 * (before - place[k]) + (wanted - before) / 1e-3
+        x += 1e-3 * out[k] + (v - out[k]) * lag * (1.0 - kept)
+        v, before = out[k] + (v - out[k]) * kept, wanted
+    return {f"{axis}_cmd [mm]": command, f"{axis} [mm]": place, f"{axis}_out": out}
+
+
+@pytest.mark.parametrize("lag", [2e-3, 9e-3])
+def test_a_velocity_drive_is_named_after_its_log(made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str], lag: float) -> None:
+    ini, hal = wired(made, tmp_path)
+    ini.write_text(ini.read_text().replace("P = 0.8", "P = 20").replace("I = 0.5", "I = 0").replace("FF1 = 0.015", "FF1 = 1"))
+    rows = {"time [s]": made.rows["time [s]"]} | velocity_rows(made, "x", lag) | velocity_rows(made, "y", lag)
+    out = tmp_path / "out"
+    code, result = called(capsys, ini, hal, "--log", made.log(tmp_path / "log1.csv", rows), "--out", out)
+    assert {name: axis["loop"] for name, axis in result["axes"].items()} == {"x": "velocity drive", "y": "velocity drive"}
+    assert codes(result, "x") == codes(result, "y") == {"CL868"}
+    assert (code, result["pid"], [file.name for file in out.iterdir()]) == (1, {}, ["report.html"])
+
+
+def test_no_diff_while_an_axis_has_no_answer(
+    made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """X closes its loop on its own steps, y moves a machine: y is answered, but no diff sets the gains of one of two axes."""
+    settings = ((1, 1.0, DescentSettings(most_iterations=2)),)  # hardly search for a shaft, and for gains not at all
+    monkeypatch.setattr("contourlab.features.commission.identification.SEARCHES", settings)
+    monkeypatch.setattr("contourlab.features.commission.tuning.BUDGET", 32)
+    files = wired(made, tmp_path, x="stepgen.0.velocity-cmd")
+    out = tmp_path / "out"
+    code, result = called(capsys, *files, "--log", made.log(tmp_path / "log1.csv"), "--out", out)
+    assert (code, list(result["pid"])) == (1, ["y"])
+    assert {name: axis["loop"] for name, axis in result["axes"].items()} == {"x": "step generator", "y": "servo"}
+    assert {"CL864"} == codes(result, "x") and "CL890" in codes(result, "y")
+    assert [one["code"] for one in result["findings"] if one["code"] == "CL867"] == ["CL867"]
+    assert not {"gains.diff", "safe.diff"} & {file.name for file in out.iterdir()}

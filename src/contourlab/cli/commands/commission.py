@@ -49,10 +49,12 @@ def linuxcnc(
             raise ParameterError(option, str(value), "given with --log")
         result = prepare(ini, hal, out)
         show_result(result, as_json)
-        suggest(as_json, "commission", "linuxcnc", ini, hal, "--log", "log1.txt", "--out", out)
+        if result.files:
+            suggest(as_json, "commission", "linuxcnc", ini, hal, "--log", "log1.txt", "--out", out)
         return 0 if result.passed else 1
     given = {"margins": (gain_margin, phase_margin), "seed": seed, "progress": wants_progress(as_json)}
     result = commissioned(ini, hal, log, out, program=program, control=control, **given)  # type: ignore[arg-type]
     show_result(result, as_json)
-    suggest(as_json, "commission", "linuxcnc", ini, hal, "--log", "log2.txt", "--out", out)  # of the safe gains
+    if result.pid:
+        suggest(as_json, "commission", "linuxcnc", ini, hal, "--log", "log2.txt", "--out", out)  # of the safe gains
     return 0 if result.passed else 1

@@ -20,10 +20,11 @@ from contourlab.features.commission.control_terms import Term, cascade_of, check
 from contourlab.features.commission.excitation import excitation, sampler_lines, steps
 from contourlab.features.commission.hal_files import AxisSetup, Setup, read_setup
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
-from contourlab.features.commission.loop import GAINS, robustly_stable, run_lanes
+from contourlab.features.commission.loop import GAINS, robustly_stable
+from contourlab.features.commission.loop_class import LoopClass, decided
 from contourlab.features.commission.records import AxisLog, doubts, law_of, moving, read_log
-from contourlab.features.commission.report import changes, circle_png, gain_table, page, text_of
-from contourlab.features.commission.tuning import AxisTask, TunedAxis, tune_axis
+from contourlab.features.commission.report import changes, circle_errors, circle_png, gain_table, page, text_of
+from contourlab.features.commission.tuning import AxisTask, Moves, TunedAxis, largest_error, shared_delay, tune_axis
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import Table, paragraphs
@@ -33,13 +34,14 @@ from contourlab.threads import in_threads
 FIRST, SECOND = ("excite.ngc", "sampler.hal", "steps.md"), ("report.html", "gains.diff", "safe.diff", "circle.png")
 OFF_RUNS = 8
 """Runs that begin with LinuxCNC off, where the log shows it."""
-CIRCLE = 0.01
-"""Radius of the circle in the report [m]."""
 
 
 @dataclass(frozen=True)
 class Prediction:
-    """Largest |command - motor position| [um], with the present and the proposed gains; `spread` with the axis' gain a quarter off."""
+    """Largest |command - motor position| [um], with the present and the proposed gains; `spread` with the axis' gain a quarter off.
+
+    A delay that all axes share is left out: it bends no path.
+    """
 
     before: float
     after: float
@@ -52,6 +54,8 @@ class Commissioned:
 
     Attributes
     ----------
+    axes : dict of str to LoopClass
+        What each axis' pid closes its loop on, and why.
     pid, safe : dict of str to dict of str to float
         Proposed gains by axis under HAL's names, in machine units, and the first values to type in.
     predicted : dict of str to Prediction
@@ -65,6 +69,7 @@ class Commissioned:
     tables : tuple of Table
     """
 
+    axes: dict[str, LoopClass]
     pid: dict[str, dict[str, float]]
     safe: dict[str, dict[str, float]]
     predicted: dict[str, Prediction]
@@ -89,7 +94,7 @@ class Commissioned:
 
 
 def prepare(ini: str | Path, hal: str | Path, out: str | Path) -> Commissioned:
-    """Write the excitation, the lines of the sampler, and the steps.
+    """Write the excitation, the lines of the sampler, and the steps, if an axis can be commissioned and none has a pid without gains.
 
     Raises
     ------
@@ -99,9 +104,12 @@ def prepare(ini: str | Path, hal: str | Path, out: str | Path) -> Commissioned:
         If a file cannot be written, or would replace an input.
     """
     setup = read_setup(ini, hal)
-    files = _files(out, FIRST, (ini, hal))
+    axes, files = {axis.name: axis.loop for axis in setup.axes}, _files(out, FIRST, (ini, hal))
+    answer = tuple(f"{name}: {axis.loop}: {axis.why}." for name, axis in axes.items())
+    if not setup.closed or any(axis.idle for axis in setup.axes):
+        return Commissioned(axes, {}, {}, {}, {}, setup.findings, (), answer=answer)
     _write(dict(zip(files, (excitation(setup), sampler_lines(setup), steps(setup, Path(out))), strict=True)))
-    return Commissioned({}, {}, {}, {}, setup.findings, files)
+    return Commissioned(axes, {}, {}, {}, {}, setup.findings, files, answer=answer)
 
 
 def _files(out: str | Path, names: Sequence[str], inputs: Sequence[str | Path]) -> tuple[Path, ...]:
@@ -166,6 +174,7 @@ def commission(
     findings, records = list(setup.findings), list[dict[str, AxisLog]]()
     for log in logs:
         record, more = read_log(log, setup)
+        record = {axis.name: record[axis.name] for axis in setup.closed if axis.name in record}
         findings += more
         wrong = list(doubts(record))
         findings += wrong
@@ -176,7 +185,8 @@ def commission(
     if all(one.code != "CL871" for one in findings):
         with shown(progress) as stages:
             stages.begin("identifying and tuning the axes")
-            findings += chain.from_iterable(in_threads(work.axis, setup.axes))
+            findings += chain.from_iterable(in_threads(work.axis, setup.closed))
+            findings += work.compared()
     return _written(work, findings, files, program, control)
 
 
@@ -193,6 +203,8 @@ class _Work:
     tasks: dict[str, AxisTask] = field(default_factory=dict)
     tuned: dict[str, TunedAxis] = field(default_factory=dict)
     predicted: dict[str, Prediction] = field(default_factory=dict)
+    before: dict[str, Moves] = field(default_factory=dict)
+    loops: dict[str, LoopClass] = field(default_factory=dict)
 
     def present(self, axis: AxisSetup) -> Array:
         """Return the gains in use, per metre."""
@@ -210,6 +222,13 @@ class _Work:
             findings.append(finding("CL899", place, backlash=axis.backlash * self.setup.unit))
         if any(one.entry.severity == "error" for one in findings):
             return findings
+        loop = axis.loop
+        if loop.loop == "unknown":
+            loop = decided([(log.output, log.measured) for log in logs], self.setup.period, self.setup.unit) or loop
+            self.loops[axis.name] = loop
+            findings += [finding("CL868", place, why=loop.why)] if loop.loop == "velocity drive" else []
+        if loop.loop == "velocity drive":
+            return findings
         identified = identify_axis(logs, self.present(axis), checked[0][0])
         if isinstance(identified, Finding):
             return [*findings, identified]
@@ -226,32 +245,50 @@ class _Work:
         free = max(log.free for log in logs) if axis.always_enabled else 0
         off = [identified.noise_like(np.zeros(free + 300), self.seed + 100 + k) for k in range(OFF_RUNS if free else 0)]
         task = AxisTask(identified.model, law, commands, noises, off, free, axis.always_enabled, *self.margins)
-        present = self.present(axis)
-        measured = max(float(np.abs(log.error).max()) for log in logs)
-        before = task.largest(present) if self.planned else measured
+        self.tasks[axis.name] = task
+        measured = [(log.command, log.measured) for log in logs]
+        self.before[axis.name] = task.runs(self.present(axis)) if self.planned else measured
         try:
             tuned = tune_axis(task, unit=self.setup.unit, seed=self.seed)
         except ParameterError:
             return [finding("CL897", place)]
-        self.tasks[axis.name] = task
+        before = task.largest(self.present(axis)) if self.planned else largest_error(measured, 0.0, law.period)
         if not tuned.largest < before:
-            self.predicted[axis.name] = Prediction(1e6 * before, 1e6 * before, math.nan)
             return [finding("CL897", place)]
         self.tuned[axis.name] = tuned
-        self.predicted[axis.name] = Prediction(1e6 * before, 1e6 * tuned.largest, 1e6 * tuned.spread)
-        noise = 3.0 * identified.noise
-        findings = [finding("CL891", place, noise=noise)] if noise > 0.3 * tuned.largest else []
-        return [*findings, finding("CL898", place, error=tuned.spread)] if tuned.spread > 0.5 * before else findings
+        return []
+
+    def compared(self) -> list[Finding]:
+        """Predict all errors without the delay that the axes share; new gains hold only if they shrink the sum."""
+        before, after, findings = self._errors({}), self._errors(self.tuned), list[Finding]()
+        if self.tuned and not sum(after.values()) < sum(before.values()):
+            findings, after = [finding("CL897", f"axis {name}") for name in self.tuned], before
+            self.tuned.clear()
+        for name, error in before.items():
+            spread = self.tuned[name].spread if name in self.tuned else math.nan
+            self.predicted[name] = Prediction(1e6 * error, 1e6 * after[name], 1e6 * spread)
+            noise = 3.0 * self.models[name].noise
+            findings += [finding("CL891", f"axis {name}", noise=noise)] if name in self.tuned and noise > 0.3 * after[name] else []
+            findings += [finding("CL898", f"axis {name}", error=spread)] if spread > 0.5 * error else []
+        return findings
+
+    def _errors(self, tuned: Mapping[str, TunedAxis]) -> dict[str, float]:
+        """Return the largest error [m] of each axis without the delay that all share, with tuned gains or else those in use."""
+        moves = self.before | {name: self.tasks[name].runs(one.gains) for name, one in tuned.items()}
+        period = self.setup.period
+        delay = shared_delay(list(moves.values()), period) if len(moves) == len(self.setup.axes) else 0.0
+        errors = {name: largest_error(one, delay, period) for name, one in moves.items()}
+        for name, one in tuned.items():
+            started = float(self.tasks[name].switched_on(one.gains[None], self.models[name].model)[0])
+            errors[name] = max(errors[name], started) if delay else one.largest
+        return errors
 
     def gains(self, share: float = 1.0) -> dict[str, dict[str, float]]:
         """Return the gains in machine units by axis: the present ones, and a share of the way from there to the tuned ones."""
-        result = {}
-        for axis in self.setup.axes:
-            if axis.name not in self.models or not self.models[axis.name].usable:
-                continue
+        result = {name: dict(axis.gains) for axis in self.setup.axes if (name := axis.name) in self.models and self.models[name].usable}
+        for axis in (axis for axis in self.setup.axes if axis.name in self.tuned):
             present = self.present(axis)
-            target = self.tuned[axis.name].gains if axis.name in self.tuned else present
-            mixed = (present + share * (target - present)) * self.setup.unit
+            mixed = (present + share * (self.tuned[axis.name].gains - present)) * self.setup.unit
             result[axis.name] = {name: float(f"{value:.6g}") for name, value in zip(GAINS, mixed.tolist(), strict=True)}
         return result
 
@@ -271,8 +308,10 @@ def _written(
 ) -> Commissioned:
     """Write the files of the answer and return it."""
     setup, gains, safe = work.setup, work.gains(), work.safe()
-    none = "No gains for {}: the findings say why."
-    answer = tuple(_line(axis, work, gains) if axis.name in work.predicted else none.format(axis.name) for axis in setup.axes)
+    axes = {axis.name: work.loops.get(axis.name, axis.loop) for axis in setup.axes}
+    answer = tuple(_line(axis, work, gains) for axis in setup.axes)
+    silent = [axis.name for axis in setup.axes if axis.name not in gains]
+    findings = [*findings, finding("CL867", setup.ini.file.name, axes=silent)] if silent else findings
     present = {axis.name: axis.gains for axis in setup.axes if axis.name in gains}
     tables = {"Gains": gain_table(setup.axes, {"present": present, "safe first": safe, "proposed": gains})}
     terms = tuple[Term, ...]()
@@ -281,26 +320,31 @@ def _written(
         terms = terms_of(control, {name: cascade_of(row, work.models[name]) for name, row in rows.items()})
         tables |= {f"The proposed gains in other terms: {control}": term_table(terms)} if terms else {}
     tables = {head: table for head, table in tables.items() if table.rows}
-    diff, picture = changes(setup, gains), _circle(work, gains)
+    diff, picture = "" if silent else changes(setup, gains), _circle(work, gains)
     report, gain_diff, safe_diff, image = files
     title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {Path(program).name}")
     text = page(title, answer, tables, diff, picture, findings)
-    contents: dict[Path, str | bytes] = {report: text, gain_diff: diff, safe_diff: changes(setup, safe)}
+    contents: dict[Path, str | bytes] = {report: text}
+    contents |= {} if silent else {gain_diff: diff, safe_diff: changes(setup, safe)}
     contents |= {} if picture is None else {image: picture}
     _write(contents)
-    shown = tuple(tables.values())
+    for file in (gain_diff, safe_diff) if silent else ():
+        file.unlink(missing_ok=True)  # of an earlier answer
     models = {axis.name: work.models[axis.name] for axis in setup.axes if axis.name in work.models}
     predicted = {name: work.predicted[name] for name in models if name in work.predicted}
-    return Commissioned(gains, safe, predicted, models, tuple(findings), tuple(contents), terms, answer, shown)
+    return Commissioned(axes, gains, safe, predicted, models, tuple(findings), tuple(contents), terms, answer, tuple(tables.values()))
 
 
 def _line(axis: AxisSetup, work: _Work, gains: Mapping[str, Mapping[str, float]]) -> str:
     """Return the answer for an axis in one line."""
+    if axis.name not in work.predicted:
+        return f"No gains for {axis.name}, {work.loops.get(axis.name, axis.loop).loop}: the findings say why."
     predicted, model = work.predicted[axis.name], work.models[axis.name]
     short = {"Pgain": "P", "Igain": "I", "Dgain": "D"}
     listed = ", ".join(f"{short.get(name, name)} {text_of(float(f'{value:.3g}'))}" for name, value in gains[axis.name].items() if value)
     before, after = (figure(1e-6 * value, "um") for value in (predicted.before, predicted.after))
-    line = f"{listed} for {axis.name}: largest error {before} -> about {after}"
+    change = f"largest error {before} -> about {after}" if axis.name in work.tuned else f"these gains stay, largest error {before}"
+    line = f"{listed} for {axis.name}: {change}"
     if math.isfinite(model.play):
         play, deviation = figure(model.play, "um", 2), figure(model.play_deviation, "um", 1)
         line += f"; play of {play.removesuffix(' um')} +-{deviation} remains"
@@ -346,20 +390,8 @@ def _circle(work: _Work, gains: Mapping[str, Mapping[str, float]]) -> bytes | No
     """Return the picture of a circle before and after, if both x and y are known."""
     if not {"x", "y"} <= work.tasks.keys():
         return None
-    axes, period = [axis for axis in work.setup.axes if axis.name in "xy"], work.setup.period
+    axes = [axis for axis in work.setup.axes if axis.name in "xy"]
     strongest = min(axis.limits["acceleration"] for axis in axes) * work.setup.unit
-    turn, start = 0.5 * math.sqrt(0.5 * strongest / CIRCLE), 0.3
-    time = period * np.arange(round((start + 4.0 * math.pi / turn) / period))
-    phase = turn * np.where(time < start, time**2 / (2.0 * start), time - 0.5 * start)  # from rest, two turns
-    commands = {"x": CIRCLE * np.cos(phase), "y": CIRCLE * np.sin(phase)}
-    curves = {}
-    for label in ("before", "after"):
-        places = {}
-        for axis in axes:
-            task, command = work.tasks[axis.name], commands[axis.name]
-            row = work.present(axis) if label == "before" else np.array(list(gains[axis.name].values())) / work.setup.unit
-            noise = work.models[axis.name].noise_like(command)
-            places[axis.name] = run_lanes(command, noise, row[None], [task.model], task.law, trace=True).position
-        x, y = (places[name][phase > phase[-1] - 2.0 * math.pi] for name in "xy")
-        curves[label] = (np.arctan2(y, x), np.hypot(x, y) - CIRCLE)
-    return circle_png(CIRCLE, curves)
+    after = {axis.name: np.array(list(gains[axis.name].values())) / work.setup.unit for axis in axes}
+    rows = {"before": {axis.name: work.present(axis) for axis in axes}, "after": after}
+    return circle_png(circle_errors(work.tasks, work.models, rows, strongest))

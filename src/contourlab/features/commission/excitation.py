@@ -32,17 +32,17 @@ def excitation(setup: Setup) -> str:
     """
     mm = 1e-3 / setup.unit  # machine units per mm
     lines = [
-        "(Excitation for contourlab commission. It moves every axis with a pid around the middle of its travel.)",
+        "(Excitation for contourlab commission. It moves the axes to be commissioned around the middle of its travel.)",
         f"{'G20' if setup.unit_name == 'inch' else 'G21'} G90 G17 G40 G49 G61 G94",
     ]
-    reach = {axis.name: _reach(axis, mm, setup.ini.file.name) for axis in setup.axes}
-    middle = {axis.name: 0.5 * (axis.limits["low"] + axis.limits["high"]) for axis in setup.axes}
-    for axis in setup.axes:
+    reach = {axis.name: _reach(axis, mm, setup.ini.file.name) for axis in setup.closed}
+    middle = {axis.name: 0.5 * (axis.limits["low"] + axis.limits["high"]) for axis in setup.closed}
+    for axis in setup.closed:
         lines.append(f"G53 G1 {axis.name.upper()}{_text(middle[axis.name])} F{_text(60.0 * 0.3 * axis.limits['velocity'])}")
     lines += ["G91", "G4 P0.5"]
-    for axis in setup.axes:
+    for axis in setup.closed:
         lines += _strokes(axis, reach[axis.name], mm)
-    pair = [axis for axis in setup.axes if axis.name in "xy"]
+    pair = [axis for axis in setup.closed if axis.name in "xy"]
     if len(pair) == 2:
         lines += _circles(pair, reach)
     return "\n".join([*lines, "G90", "M2", ""])

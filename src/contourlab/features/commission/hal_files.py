@@ -1,79 +1,24 @@
-"""INI and HAL files of LinuxCNC: statements with their lines, and the ``pid`` of each axis with what it is wired to."""
+"""The axes of a machine in LinuxCNC's files: the ``pid`` of each, its gains, limits and wiring, and what it closes its loop on."""
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from contourlab.errors import ScenarioError
+from contourlab.features.commission.hal_graph import LARGEST, REFERENCE, Entry, HalGraph, Ini, Statement, hal_files, read_graph, read_ini
 from contourlab.features.commission.loop import GAINS
-from contourlab.file_kinds import mistaken
+from contourlab.features.commission.loop_class import LoopClass, classified
 from contourlab.findings import Finding, finding
 
 LENGTHS = {"mm": 1e-3, "metric": 1e-3, "inch": 0.0254, "in": 0.0254, "imperial": 0.0254}
 """LINEAR_UNITS in metres."""
 UNUSUAL = ("deadband", "maxerror", "maxerrorI", "maxerrorD", "maxcmdD", "maxcmdDD", "maxcmdDDD")
 """Parameters of ``pid`` that the model of the loop leaves out."""
-LARGEST = 1e9
-"""Limit of what an INI file may say: beyond it a number stands for no limit."""
-_REFERENCE = re.compile(r"\[(\w+)\](?:\((\w+)\)|(\w+))")
-
-
-@dataclass(frozen=True)
-class Line:
-    """A line of a file, counted from 1."""
-
-    file: Path
-    line: int
-
-    @property
-    def place(self) -> str:
-        """File and line, as ``machine.hal:12``."""
-        return f"{self.file.name}:{self.line}"
-
-
-@dataclass(frozen=True)
-class Entry(Line):
-    """A value."""
-
-    value: str
-
-
-@dataclass(frozen=True, eq=False)
-class Ini:
-    """An INI file: values by section and key, in order."""
-
-    file: Path
-    values: Mapping[tuple[str, str], list[Entry]]
-
-    def first(self, section: str, *keys: str) -> Entry | None:
-        """Return the first value of the first key that the section has."""
-        return next((self.values[section, key][0] for key in keys if (section, key) in self.values), None)
-
-    def number(self, section: str, key: str, above: float = -LARGEST) -> float | None:
-        """Return the first value as a number above a limit; None if there is none."""
-        entry = self.first(section, key)
-        if entry is None:
-            return None
-        try:
-            value = float(entry.value)
-        except ValueError:
-            value = math.nan
-        if not above < value < LARGEST:
-            wanted = "a number" if above else "a number above 0"
-            raise ScenarioError(f"[{section}]{key} = {entry.value!r}: must be {wanted}, below {LARGEST:g}", file=entry.place)
-        return value
-
-
-@dataclass(frozen=True)
-class Statement(Line):
-    """The words of a HAL statement; in `words` references to the INI file are replaced."""
-
-    written: tuple[str, ...]
-    words: tuple[str, ...]
+HEADROOM = 1.25
+"""Limits of a step generator over those of its joint, at least: a correction needs the rest."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,6 +42,8 @@ class AxisSetup:
         HAL signals of ``command``, ``feedback`` and ``output``; pins where there is no signal.
     limits : dict of str to float
         ``velocity``, ``acceleration``, ``low``, ``high`` in machine units.
+    loop : LoopClass
+        What the pid closes its loop on, as the files say.
     previous_target : bool or None
         ``error-previous-target``, if set.
     maxoutput, backlash : float
@@ -112,10 +59,16 @@ class AxisSetup:
     last: int
     signals: dict[str, str]
     limits: dict[str, float]
+    loop: LoopClass
     previous_target: bool | None = None
     maxoutput: float = 0.0
     backlash: float = 0.0
     always_enabled: bool = False
+
+    @property
+    def idle(self) -> bool:
+        """Whether the pid has neither proportional gain nor velocity feedforward."""
+        return not self.gains["Pgain"] and not self.gains["FF1"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,62 +97,10 @@ class Setup:
     axes: tuple[AxisSetup, ...]
     findings: tuple[Finding, ...] = field(default=())
 
-
-def read_ini(file: str | Path) -> Ini:
-    """Read an INI file.
-
-    Raises
-    ------
-    ScenarioError
-        If it cannot be read.
-    """
-    path = Path(file)
-    values: dict[tuple[str, str], list[Entry]] = {}
-    section = ""
-    for number, line in enumerate(_text(path).splitlines(), start=1):
-        bare = line.strip()
-        if bare.startswith("[") and "]" in bare:
-            section = bare[1 : bare.index("]")]
-        elif "=" in bare and not bare.startswith(("#", ";")):
-            key, _, value = bare.partition("=")
-            values.setdefault((section, key.strip()), []).append(Entry(path, number, re.split(r"\s[#;]", value)[0].strip()))
-    return Ini(path, values)
-
-
-def _text(path: Path) -> str:
-    if words := mistaken(path, "a file of LinuxCNC"):
-        raise ScenarioError(words, file=path)
-    try:
-        return path.read_text(encoding="utf-8", errors="replace")
-    except OSError as error:
-        raise ScenarioError(error.strerror or "cannot be read", file=path) from error
-
-
-def read_hal(file: str | Path, ini: Ini) -> tuple[Statement, ...]:
-    """Read the statements of a HAL file.
-
-    Raises
-    ------
-    ScenarioError
-        If it cannot be read.
-    """
-    path, statements, held = Path(file), [], ""
-    for number, line in enumerate(_text(path).splitlines(), start=1):
-        bare = held + line.split("#", 1)[0].strip()
-        held = ""
-        if bare.endswith("\\"):
-            held = bare[:-1] + " "
-            continue
-        written = tuple(word for word in bare.replace("=>", " ").replace("<=", " ").split() if word != "<=>")
-        if written:
-            words = tuple(_REFERENCE.sub(lambda match: _value(ini, match), word) for word in written)
-            statements.append(Statement(path, number, written, words))
-    return tuple(statements)
-
-
-def _value(ini: Ini, match: re.Match[str]) -> str:
-    entry = ini.first(match[1], match[2] or match[3])
-    return match[0] if entry is None else entry.value
+    @property
+    def closed(self) -> tuple[AxisSetup, ...]:
+        """The axes with something of the machine in their loop."""
+        return tuple(axis for axis in self.axes if axis.loop.loop != "step generator")
 
 
 def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
@@ -210,13 +111,17 @@ def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
     ScenarioError
         If a file cannot be read, a number is faulty, or no axis has a pid.
     """
-    ini = read_ini(ini_file)
-    given, named = Path(hal_file), [ini.file.parent / entry.value for entry in ini.values.get(("HAL", "HALFILE"), [])]
-    others = [file for file in named if file.is_file() and file.resolve() != given.resolve()]
+    ini, given = read_ini(ini_file), Path(hal_file)
+    if given.suffix == ".tcl":
+        raise ScenarioError("is a Tcl script, which is not read: give a HAL file with the pid components", file=given)
+    named = hal_files(ini)
+    paths = [path for _, path in named if path is not None]
     # A file that the INI file does not name is a copy: it holds in place of those that it does.
-    files = [given, *others] if len(others) < sum(file.is_file() for file in named) else [given]
-    statements = tuple(one for file in files for one in read_hal(file, ini))
-    findings: list[Finding] = []
+    if given.resolve() in [path.resolve() for path in paths]:
+        graph = read_graph(ini, paths, [entry for entry, path in named if path is None])
+    else:
+        graph = read_graph(ini, [given])
+    findings = [finding("CL866", entry.place, file=entry.value) for entry in graph.unread]
     unit_entry = ini.first("TRAJ", "LINEAR_UNITS")
     unit_name = unit_entry.value.lower() if unit_entry else "mm"
     if unit_entry is None or unit_name not in LENGTHS:
@@ -226,51 +131,33 @@ def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
     period_ns = ini.number("EMCMOT", "SERVO_PERIOD", 0.0)
     if period_ns is None:
         findings.append(finding("CL851", ini.file.name))
-    wiring = _Wiring(ini, Path(hal_file), statements, findings)
-    axes = tuple(wiring.axes())
+    period = (period_ns or 1e6) * 1e-9
+    axes = tuple(_Wiring(ini, given, graph, findings).axes())
     if not axes:
-        raise ScenarioError("no linear joint has a pid on its motor-pos-cmd: a servo loop in HAL is needed", file=Path(hal_file).name)
+        raise ScenarioError("no linear joint has a pid on its motor-pos-cmd: a servo loop in HAL is needed", file=given.name)
+    findings += [one for axis in axes for one in _doubtful(axis, unit, period)]
     name = "inch" if unit == LENGTHS["inch"] else "mm"
-    return Setup(ini, Path(hal_file), unit, name, (period_ns or 1e6) * 1e-9, axes, tuple(findings))
+    return Setup(ini, given, unit, name, period, axes, tuple(findings))
+
+
+def _doubtful(axis: AxisSetup, unit: float, period: float) -> Iterator[Finding]:
+    """Yield why an axis cannot be commissioned."""
+    place, speed = f"axis {axis.name}", axis.limits["velocity"] * unit
+    if axis.loop.loop == "step generator":
+        wanted = {"maxvel": HEADROOM * speed, "maxaccel": HEADROOM * axis.limits["acceleration"] * unit, "age": speed * period}
+        yield finding("CL864", place, p=axis.gains["Pgain"], ff1=axis.gains["FF1"], most=1.0 / period, **wanted)
+    if axis.loop.loop == "velocity drive":
+        yield finding("CL868", place, why=axis.loop.why)
+    if axis.idle:
+        yield finding("CL865", place, pid=axis.pid)
 
 
 class _Wiring:
-    """Signals, parameters and functions of the HAL file."""
+    """The pid of each axis in the graph, and what is unusual about it."""
 
-    def __init__(self, ini: Ini, file: Path, statements: tuple[Statement, ...], findings: list[Finding]) -> None:
-        self.ini, self.file, self.statements, self.findings = ini, file, statements, findings
-        self.signal_of: dict[str, str] = {}
-        self.pins: dict[str, list[str]] = {}
-        self.set: dict[str, Statement] = {}
-        self.functions: list[str] = []
-        for one in statements:
-            command, words = one.words[0], one.words[1:]
-            if command == "net" and len(words) > 1:
-                self._connect(words[0], words[1:])
-            elif command in ("linksp", "linkps") and len(words) == 2:
-                signal, pin = words if command == "linksp" else words[::-1]
-                self._connect(signal, (pin,))
-            elif command == "setp" and len(words) == 2:
-                self.set[words[0]] = one
-            elif command == "addf" and words:
-                self.functions.append(words[0])
-
-    def _connect(self, signal: str, pins: tuple[str, ...]) -> None:
-        for pin in pins:
-            self.signal_of[pin] = signal
-            self.pins.setdefault(signal, []).append(pin)
-
-    def channels(self) -> list[str]:
-        """Return the names of the loaded channels of pid."""
-        names: list[str] = []
-        for one in self.statements:
-            if one.words[:2] == ("loadrt", "pid"):
-                options = dict(word.partition("=")[::2] for word in one.words[2:])
-                count = options.get("num_chan", options.get("count", "3"))
-                if not count.isdigit():
-                    raise ScenarioError(f"loadrt pid num_chan={count}: must be a whole number", file=one.place)
-                names += options["names"].split(",") if "names" in options else [f"pid.{n}" for n in range(int(count))]
-        return names
+    def __init__(self, ini: Ini, file: Path, graph: HalGraph, findings: list[Finding]) -> None:
+        self.ini, self.file, self.graph, self.findings = ini, file, graph, findings
+        self.signal_of, self.set = graph.signal_of, graph.settings
 
     def letters(self) -> list[str]:
         """Return the axis letter of each joint."""
@@ -281,7 +168,7 @@ class _Wiring:
 
     def axes(self) -> Iterator[AxisSetup]:
         """Yield the axes with a pid; note those without."""
-        channels = self.channels()
+        channels = [name for name, kind in self.graph.kinds.items() if kind in ("pid", "at_pid")]
         by_signal = {self.signal_of.get(f"{name}.command"): name for name in channels}
         by_signal.pop(None, None)
         used = set()
@@ -302,7 +189,7 @@ class _Wiring:
             yield self._axis(letter, joint, name)
 
     def _axis(self, letter: str, joint: int, name: str) -> AxisSetup:
-        gains, places = dict.fromkeys(GAINS, 0.0), {}
+        gains, places = dict.fromkeys(GAINS, 0.0) | {"Pgain": 1.0}, {}  # as pid starts
         mine = [one.line for pin, one in self.set.items() if pin.startswith(f"{name}.") and one.file == self.file]
         for gain in GAINS:
             one = self.set.get(f"{name}.{gain}")
@@ -321,6 +208,7 @@ class _Wiring:
             max(mine, default=0),
             signals,
             self._limits(letter, joint),
+            classified(self.graph, name),
             None if previous is None else self._true(f"{name}.error-previous-target"),
             self._number(limit) if limit else 0.0,
             self.ini.number(f"JOINT_{joint}", "BACKLASH") or 0.0,
@@ -339,7 +227,7 @@ class _Wiring:
             raise ScenarioError(f"setp {one.words[1]} {one.words[2]}{missing}: must be a number", file=one.place) from error
 
     def _place(self, one: Statement) -> Entry:
-        reference = _REFERENCE.fullmatch(one.written[2])
+        reference = REFERENCE.fullmatch(one.written[2])
         entry = None if reference is None else self.ini.first(reference[1], reference[2] or reference[3])
         return entry or Entry(one.file, one.line, one.words[2])
 
@@ -362,17 +250,17 @@ class _Wiring:
         if fed is None or self.signal_of.get(f"{name}.output") is None:
             pin = "feedback" if fed is None else "output"
             self.findings.append(finding("CL854", self.file.name, pin=f"{name}.{pin}"))
-        elif not any(pin.endswith(f".{joint}.motor-pos-fb") for pin in self.pins[fed]):
+        elif not any(pin.endswith(f".{joint}.motor-pos-fb") for pin in self.graph.pins[fed]):
             self.findings.append(finding("CL855", place, signal=fed, joint=joint))
         if f"{name}.enable" not in self.signal_of and f"{name}.enable" not in self.set:
             self.findings.append(finding("CL856", self.file.name, pin=f"{name}.enable"))
         if self._true(f"{name}.enable"):
             self.findings.append(finding("CL861", self.set[f"{name}.enable"].place, pin=f"{name}.enable"))
         calculation, controller = f"{name}.do-pid-calcs", "motion-controller"
-        if calculation not in self.functions:
+        if calculation not in self.graph.functions:
             self.findings.append(finding("CL857", self.file.name, function=calculation))
-        elif controller in self.functions and self.functions.index(calculation) < self.functions.index(controller):
-            at = next(one for one in self.statements if one.words[:2] == ("addf", calculation))
+        elif controller in self.graph.functions and self.graph.functions.index(calculation) < self.graph.functions.index(controller):
+            at = next(one for one in self.graph.statements if one.words[:2] == ("addf", calculation))
             self.findings.append(finding("CL858", at.place, function=calculation))
         for parameter in UNUSUAL:
             one = self.set.get(f"{name}.{parameter}")

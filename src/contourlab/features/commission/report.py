@@ -5,20 +5,29 @@ from __future__ import annotations
 import base64
 import difflib
 import io
+import math
 import re
 from collections.abc import Mapping, Sequence
 from html import escape
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.features.commission.hal_files import AxisSetup, Setup
+from contourlab.features.commission.identification import IdentifiedAxis
+from contourlab.features.commission.loop import run_lanes
+from contourlab.features.commission.tuning import AxisTask
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table
 
+CIRCLE = 0.01
+"""Radius of the circle in the report [m]."""
+Rows: TypeAlias = Mapping[str, Array]
+Curves: TypeAlias = Mapping[str, tuple[Array, Array]]
 CSS = """
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 56rem; margin: 2rem auto; padding: 0 1rem; color: #1c2733 }
 table { border-collapse: collapse }
@@ -39,7 +48,7 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
     ----------
     setup : Setup
     gains : mapping of str to mapping of str to float
-        By axis and HAL's name, in machine units. A gain that the files do not set is added only if it is not zero.
+        By axis and HAL's name, in machine units. A gain that the files do not set is added only if it changes.
     """
     lines = {file: _lines(file) for file in (setup.hal, *(place.file for axis in setup.axes for place in axis.places.values()))}
     added: dict[int, list[str]] = {}
@@ -50,7 +59,7 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
                 line = lines[entry.file][entry.line - 1]
                 head, rest = re.match(r"([^=#]*=\s*|\s*setp\s+\S+\s+)(.*)", line, re.DOTALL).groups()  # type: ignore[union-attr]
                 lines[entry.file][entry.line - 1] = head + rest.replace(entry.value, text_of(value), 1)
-            elif entry is None and value:
+            elif entry is None and value != axis.gains[name]:
                 added.setdefault(axis.last or len(lines[setup.hal]), []).append(f"setp {axis.pid}.{name} {text_of(value)}\n")
     for number in sorted(added, reverse=True):
         lines[setup.hal][number:number] = added[number]
@@ -63,12 +72,36 @@ def _lines(file: Path) -> list[str]:
     return [f"{line}\n" for line in file.read_text(encoding="utf-8", errors="replace").splitlines()]
 
 
-def circle_png(radius: float, errors: Mapping[str, tuple[Array, Array]]) -> bytes:
+def circle_errors(tasks: Mapping[str, AxisTask], models: Mapping[str, IdentifiedAxis], gains: Mapping[str, Rows], fastest: float) -> Curves:
+    """Return angle [rad] and radial error [m] on a circle of x and y, simulated with each set of gains.
+
+    Parameters
+    ----------
+    tasks, models : mapping of str to AxisTask, IdentifiedAxis
+        By axis.
+    gains : mapping of str to mapping of str to ndarray (7,)
+        By name of the set and axis, per metre.
+    fastest : float [m/s^2]
+        An eighth of this acceleration is used.
+    """
+    period, turn, start = tasks["x"].law.period, 0.5 * math.sqrt(0.5 * fastest / CIRCLE), 0.3
+    time = period * np.arange(round((start + 4.0 * math.pi / turn) / period))
+    phase = turn * np.where(time < start, time**2 / (2.0 * start), time - 0.5 * start)  # from rest, two turns
+    commands, last = {"x": CIRCLE * np.cos(phase), "y": CIRCLE * np.sin(phase)}, phase > phase[-1] - 2.0 * math.pi
+    curves = {}
+    for label, rows in gains.items():
+        noises = {name: models[name].noise_like(command) for name, command in commands.items()}
+        parts = [(command, noises[name], rows[name][None], [tasks[name].model], tasks[name].law) for name, command in commands.items()]
+        places = [run_lanes(*part, trace=True).position[last] for part in parts]
+        curves[label] = (np.arctan2(*places[::-1]), np.hypot(*places) - CIRCLE)
+    return curves
+
+
+def circle_png(errors: Curves) -> bytes:
     """Return the picture of a circle, its radial errors magnified.
 
     Parameters
     ----------
-    radius : float [m]
     errors : mapping of str to (angle, error)
         Angle [rad] and radial error [m] of each curve, by name. Each has its own scale, which the legend states.
     """
@@ -89,7 +122,7 @@ def circle_png(radius: float, errors: Mapping[str, tuple[Array, Array]]) -> byte
             place.set_aspect("equal")
             place.spines[:].set_visible(False)
             place.set(xticks=[], yticks=[], title=f"{name}: at most {figure(largest, 'um')}", xlim=(-1.35, 1.35), ylim=(-1.35, 1.35))
-            place.set_xlabel(f"radius {figure(radius, 'mm')}, errors x {figure(0.25 * radius / largest)}")
+            place.set_xlabel(f"radius {figure(CIRCLE, 'mm')}, errors x {figure(0.25 * CIRCLE / largest)}")
         buffer = io.BytesIO()
         canvas.savefig(buffer, format="png")
     return buffer.getvalue()

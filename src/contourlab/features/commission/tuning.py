@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 import numpy as np
 
@@ -24,6 +25,8 @@ GROWTH = 0.5
 """Logarithm of the growth of a velocity that `AxisTask.most_ahead` allows."""
 OFF = 0.2
 """Weight of the error at switching on with a larger gain of the axis."""
+Moves: TypeAlias = Sequence[tuple[Array, Array]]
+"""Commands and positions (n,) [m]."""
 BOX = {"bandwidth": (0.003, 0.6), "damping": (0.3, 3.0), "integral": (1e-5, 0.3), "ff1": (0.6, 1.4), "ff2": (0.0, 3.0)}
 """Ranges: bandwidth times period, damping ratio, integral rate over bandwidth, and factors of the nominal feedforward."""
 
@@ -76,6 +79,11 @@ class AxisTask:
         """The axis with more delay, for the margins."""
         return replace(self.model, delay=max(self.model.delay, 0.0) + UNSEEN * self.law.period)
 
+    def runs(self, gains: Array) -> Moves:
+        """Return the runs of one set of gains."""
+        lanes = (run_lanes(*pair, gains[None], [self.model], self.law, trace=True) for pair in self.pairs())
+        return [(command, run.position) for command, run in zip(self.commands, lanes, strict=True)]
+
     def pairs(self) -> Sequence[tuple[Array, Array]]:
         """Return commands with their noises."""
         return list(zip(self.commands, self.noises, strict=True))
@@ -108,6 +116,28 @@ class AxisTask:
         gains[:, 4] = np.minimum(ff1 * (model.damping / model.gain + held), held + self.most_ahead(ff2 / model.gain))
         gains[:, 5] = ff2 / model.gain
         return gains
+
+
+def shared_delay(axes: Sequence[Moves], period: float) -> float:
+    """Return the delay [s] of the positions behind their commands that all axes share; one axis alone shares none.
+
+    Parameters
+    ----------
+    axes : sequence of Moves
+    period : float [s]
+    """
+    delays = []
+    for runs in axes:
+        speeds = [np.gradient(command) / period for command, _ in runs]
+        behind = sum(float(speed @ (command - position)) for speed, (command, position) in zip(speeds, runs, strict=True))
+        delays.append(behind / max(sum(float(speed @ speed) for speed in speeds), 1e-30))
+    return max(min(delays), 0.0) if len(delays) > 1 else 0.0
+
+
+def largest_error(runs: Moves, delay: float, period: float) -> float:
+    """Return the largest distance [m] of positions from commands that come later by a delay [s]."""
+    late = (np.interp(np.arange(command.size) - delay / period, np.arange(command.size), command) for command, _ in runs)
+    return max(float(np.abs(command - position).max()) for command, (_, position) in zip(late, runs, strict=True))
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,7 +14,8 @@ from contourlab.app.json_values import json_values
 from contourlab.errors import ParameterError
 from contourlab.features.commission.command import Commissioned, commission, prepare
 from contourlab.features.commission.hal_files import read_setup
-from contourlab.features.commission.tuning import AxisTask, TunedAxis
+from contourlab.features.commission.loop import GAINS
+from contourlab.features.commission.tuning import AxisTask, TunedAxis, largest_error, shared_delay
 
 Rows = dict[str, np.ndarray]
 
@@ -298,6 +299,85 @@ def test_noise_while_the_control_is_off_counts_only_for_a_pid_that_is_always_ena
     rows["time [s]"] = bench.PERIOD * np.arange(rows["x_out"].size)
     commission(made.ini, hal, [made.log(tmp_path / "log.csv", rows)], tmp_path / "out")
     assert [len(task.off) > 0 for task in tasks] == [always]
+
+
+# --- a delay that all axes share -------------------------------------------------------------------------------------------------------
+
+
+def one_period_late(made: bench.Made, folder: Path) -> tuple[Path, dict[str, dict[str, float]]]:
+    """Return an INI file whose gains follow at any speed one servo period late, and the gains."""
+    sections = made.ini.read_text().split("[JOINT_")
+    gains = {}
+    for k, (axis, model) in enumerate(bench.MODELS.items(), start=1):
+        w, gain = 60.0, 1e3 * model.gain
+        short = {"P": w**2 / gain, "I": 0.0, "D": (2.0 * w - model.damping) / gain, "FF1": model.damping / gain, "FF2": 1.0 / gain}
+        for key, value in short.items():
+            sections[k] = re.sub(rf"(?m)^{key} = .*$", f"{key} = {value:.10g}", sections[k], count=1)
+        full = {"P": "Pgain", "I": "Igain", "D": "Dgain"}
+        gains[axis] = {"FF0": 0.0, "FF3": 0.0} | {full.get(key, key): float(f"{value:.10g}") for key, value in short.items()}
+    file = folder / "rig.ini"
+    file.write_text("[JOINT_".join(sections))
+    return file, gains
+
+
+def distance(rows: Rows, axis: str, late: int) -> float:
+    """Return the largest distance [um] of a position from its command some samples before."""
+    command, position = rows[f"{axis}_cmd [mm]"], rows[f"{axis} [mm]"]
+    return 1e3 * float(np.abs(command[: command.size - late] - position[late:]).max())
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("untuned", "stiff")
+def test_a_delay_that_all_axes_share_is_no_error(made: bench.Made, tmp_path: Path) -> None:
+    ini, gains = one_period_late(made, tmp_path)
+    rows = bench.simulated(made.setup, made.program, gains)
+    result = commission(ini, made.hal, [made.log(tmp_path / "log.csv", rows)], tmp_path / "out")
+    for axis in "xy":
+        assert distance(rows, axis, 0) > 190.0  # a servo period at 200 mm/s
+        assert distance(rows, axis, 1) < 60.0
+        assert result.predicted[axis].before == pytest.approx(distance(rows, axis, 1), abs=10.0)
+    alone = {name: values for name, values in rows.items() if not name.startswith("y")}
+    result = commission(ini, made.hal, [made.log(tmp_path / "log.csv", alone)], tmp_path / "out")
+    assert result.predicted["x"].before == pytest.approx(distance(rows, "x", 0), rel=1e-3)
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("stiff")
+def test_gains_that_only_remove_a_shared_delay_are_not_proposed(made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Closer to the newest command, but with too little acceleration feedforward farther from the path: the gains in use stay."""
+    ini, present = one_period_late(made, tmp_path)
+    rows, tried = bench.simulated(made.setup, made.program, present), dict[str, float]()
+
+    def tune(task: AxisTask, **settings: object) -> TunedAxis:
+        axis = min(bench.MODELS, key=lambda name: abs(bench.MODELS[name].gain - task.model.gain))
+        gains = np.array([1e3 * present[axis][name] for name in GAINS])
+        gains[GAINS.index("FF1")] += gains[0] * task.law.period
+        gains[GAINS.index("FF2")] *= 0.8
+        tried[axis] = 1e6 * task.largest(gains)
+        return TunedAxis(gains, 1e-6 * tried[axis], 0.0)
+
+    monkeypatch.setattr("contourlab.features.commission.command.tune_axis", tune)
+    result = commission(ini, made.hal, [made.log(tmp_path / "log.csv", rows)], tmp_path / "out")
+    for axis in "xy":
+        assert distance(rows, axis, 1) < 0.8 * tried[axis] < tried[axis] < 0.8 * distance(rows, axis, 0)
+        assert "CL897" in codes(result, f"axis {axis}")
+        assert result.pid[axis] == present[axis]
+    assert result.passed and (tmp_path / "out" / "gains.diff").read_text() == ""
+
+
+@pytest.mark.parametrize("delays", [(0.0, 3e-3), (1e-3, 1e-3), (1.4e-3, 5e-3), (-1e-3, 2e-3)])
+def test_the_smallest_delay_is_shared(delays: tuple[float, float]) -> None:
+    time, period = 1e-3 * np.arange(4000), 1e-3
+
+    def moved(t: np.ndarray) -> np.ndarray:
+        return 0.02 * (1.0 - np.cos(2.0 * np.pi * np.maximum(t - 0.1, 0.0)))
+
+    axes = [[(moved(time - at), moved(time - at - delay)) for at in (0.0, 0.3)] for delay in delays]
+    assert shared_delay(axes, period) == pytest.approx(max(min(delays), 0.0), abs=2e-6)
+    assert shared_delay(axes[:1], period) == 0.0
+    for runs, delay in zip(axes, delays, strict=True):
+        assert largest_error(runs, 0.0, period) == pytest.approx(0.02 * 2.0 * np.pi * abs(delay), rel=1e-3, abs=1e-9)
+        assert delay < 0.0 or largest_error(runs, delay, period) < 2e-7  # that of linear interpolation
 
 
 # --- what a motor shows of the load ---------------------------------------------------------------------------------------------------

@@ -113,6 +113,23 @@ def test_a_file_that_the_ini_file_does_not_name_is_read_alone(tmp_path: Path) ->
     assert read_setup(ini, hal).axes[0].gains["Pgain"] == 0.8
 
 
+def test_words_of_gcode_make_no_part_program_of_a_configuration(tmp_path: Path) -> None:
+    pairs = (("[DISPLAY]", "[HALUI]\nMDI_COMMAND = G0 X0\nG1 X1 F100\n[DISPLAY]"),)
+    setup = setup_of(tmp_path, ("setp pid.x.FF0", "net x-more \\\n  x-drive.command\nsetp pid.x.FF0"), ini=pairs)
+    assert [axis.name for axis in setup.axes] == ["x", "y"]
+
+
+@pytest.mark.parametrize("text", ["G21 G90\nG1 X1 F100\n", '[machine]\nname = "m"\n', "", "1,2\n3,4\n5,6\n"])
+def test_a_file_of_another_kind_is_no_ini_file(tmp_path: Path, text: str) -> None:
+    _, hal = Rig().write(tmp_path)
+    other = tmp_path / "other.ini"
+    other.write_text(text)
+    with pytest.raises(ScenarioError, match="not a file of LinuxCNC"):
+        read_setup(other, hal)
+    with pytest.raises(ScenarioError, match="a folder, not a file of LinuxCNC"):
+        read_setup(tmp_path, hal)
+
+
 def test_angular_joints_are_left_out(tmp_path: Path) -> None:
     setup = setup_of(tmp_path, ini=(("[JOINT_1]\nTYPE = LINEAR", "[JOINT_1]\nTYPE = ANGULAR"),))
     assert [axis.name for axis in setup.axes] == ["x"] and places(setup, "CL863") == ["axis y"]
