@@ -15,10 +15,13 @@ from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Port
 from contourlab.geometry import Arc, Line, Path, contour
 from contourlab.geometry.view import view_of
+from contourlab.loop.judging import room_for
 from contourlab.metrics import judge
-from contourlab.metrics.streaming import SUMS, corner_parts, judge_step
+from contourlab.metrics.judge import MARGIN
+from contourlab.metrics.streaming import SUMS, judge_step
 
-WINDOW = 2e-2
+ERROR = (2e-2 - MARGIN) / 3.0
+"""Largest tracking error [m] that the judge expects: foot points lie within 20 mm of the reference."""
 TABLE = 1e-11
 """Largest distance [m] of the path's table from the path, where no closed form exists."""
 
@@ -29,11 +32,11 @@ def streamed(path: Path, along: Array, tool: Array, counted: tuple[int, int] | N
     n = path.n_axis
     counts = np.zeros(len(along))
     counts[slice(*(counted or (0, None)))] = 1.0
-    corner_numbers, corner_tables = corner_parts(path)
-    parameters = {"window": WINDOW, **view.parameters, **corner_numbers}
-    step = judge_step(view, n, bool(corner_numbers))
+    numbers, cells = room_for(path, ERROR, 0.0)
+    step = judge_step(view, n, bool(path.corners.size) or not path.closed)
     wires = {"position": "in.position", "reference": "in.reference", "arc_length": "in.arc_length"}
-    node = Node("judge", step, wires, parameters, {**view.tables, "counts": counts, **corner_tables}, {"foot": float(along[0])})
+    tables = {**view.tables, **cells, "counts": counts}
+    node = Node("judge", step, wires, {**view.parameters, **numbers}, tables, {"foot": float(along[0])})
     ports = (Port("position", n), Port("reference", n), Port("arc_length"))
     group = make_group(Schedule((node,), ports, PERIOD, 1), 1, slice(0, 1), False)
     row, error, doubts = group.schedule.row("judge.contour_error"), [], []
