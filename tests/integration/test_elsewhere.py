@@ -26,8 +26,20 @@ figures = ["contour_error_max"]
 [vary]
 "controller.axes.x.*.position_gain" = {uniform = ["50 %", "200 %"]}
 """
+PART = """\
+G17 G21 G90 G94 G64 P0.02
+F1200
+G1 X20 Y5
+G3 X30 Y15 I0 J10
+G1 X15 Y30
+X-10 Y20
+X0 Y0
+M2
+"""
 FILES = {
     "circle.toml": SCENARIO,
+    "part.toml": SCENARIO.partition("[contour]")[0].replace('"stage.toml"', '"stage.toml"\nprogram = "part.ngc"') + LIMITS,
+    "part.ngc": PART,
     "stage.toml": STAGE,
     "plain.toml": PLAIN,
     "strong.toml": PLAIN.replace("1000", "2000"),

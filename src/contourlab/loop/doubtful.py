@@ -12,9 +12,8 @@ import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.engine.runner import Group, make_group
-from contourlab.engine.schedule import Schedule
 from contourlab.loop.feeding import Feed
-from contourlab.loop.judging import JUDGE, PART, PLACE, most_error, room_for
+from contourlab.loop.judging import JUDGE, PART, PLACE, most_error, room_for, sums_of
 from contourlab.loop.machine import Machine
 from contourlab.loop.simulate import BLOCK
 from contourlab.loop.template import Loop
@@ -54,14 +53,12 @@ def judge_doubtful(
     rows = [loop.schedule.row(signal) for signal in (*loop.signals["axis_position"], *(f"{name}.doubt" for name in sums))]
     paths = {JUDGE: reference.path, PART: reference.programmed}
     nodes = {node.name: node for node in loop.schedule.nodes}
-    near = np.all([total[-1, doubtful] <= nodes[name].parameters["error"] ** 2 for name, total in sums.items()], axis=0)
-    groups = _groups(loop.schedule, doubtful[near], lanes, jit)
-    if not near.all():
-        for name in sums:
-            numbers, cells = room_for(paths[name], most_error(machine), float(nodes[name].parameters["planning"]))
-            wide: dict[str, Any] = {"parameters": {**nodes[name].parameters, **numbers}, "tables": {**nodes[name].tables, **cells}}
-            nodes[name] = replace(nodes[name], **wide)
-        groups += _groups(replace(loop.schedule, nodes=tuple(nodes.values())), doubtful[~near], lanes, jit)
+    for name in sums:
+        numbers, cells = room_for(paths[name], most_error(machine), float(nodes[name].parameters["planning"]))
+        wide: dict[str, Any] = {"parameters": {**nodes[name].parameters, **numbers}, "tables": {**nodes[name].tables, **cells}}
+        nodes[name] = replace(nodes[name], **wide)
+    schedule = replace(loop.schedule, nodes=tuple(nodes.values()))
+    groups = [make_group(schedule, lanes, doubtful[i : i + lanes], jit) for i in range(0, doubtful.size, lanes)]
 
     def again(group: Group, k: int, external: Array, arc_length: Array) -> None:
         log, samples = group.run(external, rows), slice(k, k + len(external))
@@ -79,15 +76,10 @@ def judge_doubtful(
         for k in range(0, len(external), _AT_ONCE):
             cut = slice(k, k + _AT_ONCE)
             in_threads(partial(again, k=first + k, external=external[cut], arc_length=asked.arc_length[cut]), groups, threads)
-    for group, (name, total) in product(groups, sums.items()):
-        variants = np.asarray(group.lanes)
-        total[:, variants] = group.state_of(name)[:, : variants.size]
+    for name, total in sums.items():
+        total[:, doubtful] = sums_of(groups, name, doubtful.size)
     unsure[doubtful] = 0.0
     return unsure
-
-
-def _groups(schedule: Schedule, variants: Index, lanes: int, jit: bool) -> list[Group]:
-    return [make_group(schedule, lanes, variants[i : i + lanes], jit) for i in range(0, variants.size, lanes)]
 
 
 def _add(states: Array, error: Array, samples: Index) -> None:
@@ -95,6 +87,6 @@ def _add(states: Array, error: Array, samples: Index) -> None:
     size = np.abs(error)
     for name, values in (("sum_magnitude", size), ("sum_square", size**2), ("sum_signed", error)):
         states[_ROW[name]] += values.sum()
-    worst = int(np.argmax(size))
-    if (size[worst], -samples[worst]) > (states[_ROW["largest"]], -states[_ROW["largest_at"]]):
-        states[_ROW["largest"]], states[_ROW["largest_at"]] = size[worst], samples[worst]
+    worst, largest = int(np.argmax(size)), [_ROW["largest"], _ROW["largest_at"]]
+    if (size[worst], -samples[worst]) > (states[largest[0]], -states[largest[1]]):
+        states[largest] = size[worst], samples[worst]

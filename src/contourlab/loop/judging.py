@@ -88,7 +88,7 @@ def most_error(machine: Machine) -> float:
 
 def room_for(path: Path, error: float, planning: float) -> tuple[dict[str, float], dict[str, Array]]:
     """Return parameters and tables of a judge for runs whose largest tracking error [m] does not exceed `error`."""
-    window = min(reach(path, np.array([[error]])) + planning, path.length)
+    window = min(reach(path, np.array([[min(error, path.length)]])) + planning, path.length)
     numbers, cells = clearance(path, 2.0 * window)
     return {"error": error, "planning": planning, "window": window, **numbers}, cells
 

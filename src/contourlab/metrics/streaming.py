@@ -15,8 +15,8 @@ from contourlab.metrics.judge import MARGIN
 from contourlab.native.generated import generated
 from contourlab.primitives import clip, copysign, dot, fabs, floor, lookup, maximum, select, sqrt, sub
 
-_SIZES = ("sum_magnitude", "sum_square", "sum_signed", "largest", "largest_at")
-SUMS = ("count", *_SIZES, "sum_tracking", "largest_tracking", "unsure", "reach")
+_OF_JUDGED = ("count", "sum_magnitude", "sum_square", "sum_signed", "largest", "largest_at", "sum_tracking", "largest_tracking")
+SUMS = (*_OF_JUDGED, "unsure", "reach")
 """States of the judge after the foot point, in order."""
 
 _ITERATIONS = 3
@@ -106,14 +106,10 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
         s, square = select(swap, other, s), select(swap, other_square, square)
         gap = tuple(select(swap, b, a) for a, b in zip(gap, other_gap, strict=True))
         q1 = tuple(select(swap, b, a) for a, b in zip(q1, other_q1, strict=True))
-        along = dot(q1, q1)
-        if planar:
-            signed = (q1[1] * gap[0] - q1[0] * gap[1]) / sqrt(along)
-        else:
-            slip = dot(q1, gap)
-            signed = sqrt(maximum(square - slip * slip / along, 0.0))
+        along, slip = dot(q1, q1), dot(q1, gap)
+        signed = (q1[1] * gap[0] - q1[0] * gap[1]) / sqrt(along) if planar else sqrt(maximum(square - slip * slip / along, 0.0))
         at = cell(par, s)
-        clear, sure = lookup(par.cell_clearance, at), select(moved <= 1e-9 * par.window, 1.0, 0.0)
+        clear, sure = lookup(par.cell_clearance, at), select(maximum(moved, fabs(slip)) <= 1e-9 * par.window, 1.0, 0.0)
         if corners:
             sure = select(lookup(par.cell_corner, at) == number, sure, 0.0)
             corner_square = dot(away, away)
