@@ -16,7 +16,8 @@ from contourlab.arrays import Array
 from contourlab.geometry.path import Path
 from contourlab.native.kernel import kernel
 
-MOST_CELLS = 1 << 16
+CELLS, CELLS_OF_CURVE = (64, 1 << 14, 1 << 20), 32
+"""Fewest cells; most of a path of few curves, and of any; and what each curve adds to the former."""
 PARAMETERS, TABLES = ("cell_scale", "cell_last", "cell_lap", "cell_rate"), ("cell_clearance", "cell_corner", "corner_row")
 CORNER_ROW = 4.0
 """Numbers of a corner before its position and both tangents: place, length before and after it that is tried, squared clearance."""
@@ -42,7 +43,7 @@ def clearance(path: Path, window: float) -> tuple[dict[str, float], dict[str, Ar
     ``cell_corner`` numbers the corner, or end of an open path, on whose stretches a cell lies; 0 for none.
     """
     legs, radius, m = np.diff(path.breaks), path.smallest_radii, len(path.curves)
-    n = int(np.clip(np.ceil(8.0 * path.length / min(legs.min(), radius.min())), 64, MOST_CELLS))
+    n = int(np.clip(np.ceil(8.0 * path.length / min(legs.min(), radius.min())), CELLS[0], min(CELLS[1] + CELLS_OF_CURVE * m, CELLS[2])))
     h, laps = path.length / n, path.length * np.arange(-1, 2) if path.closed else np.zeros(1)
     corner = np.append(0.0, path.corners if path.closed else np.unique([0.0, *path.corners, path.length]))
     after = np.searchsorted(path.breaks[:-1], corner - 1e-12 * path.length)  # the curve that starts at each corner
