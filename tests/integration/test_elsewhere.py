@@ -26,8 +26,22 @@ figures = ["contour_error_max"]
 [vary]
 "controller.axes.x.*.position_gain" = {uniform = ["50 %", "200 %"]}
 """
+PART = """\
+G17 G21 G90 G94 G64 P0.02
+F1200
+G1 X20 Y5
+G3 X30 Y15 I0 J10
+G1 X15 Y30
+X-10 Y20
+X0 Y0
+M2
+"""
 FILES = {
     "circle.toml": SCENARIO,
+    "part.toml": SCENARIO.partition("[contour]")[0].replace('"stage.toml"', '"limited.toml"\nprogram = "part.ngc"'),
+    "limited.toml": STAGE + '[axes."*".limits]\nvelocity = "6 m/min"\nacceleration = "2 m/s^2"\njerk = "40 m/s^3"\n',
+    "part.ngc": PART,
+    "part-study.toml": STUDY.replace("circle.toml", "part.toml"),
     "stage.toml": STAGE,
     "plain.toml": PLAIN,
     "strong.toml": PLAIN.replace("1000", "2000"),
@@ -69,9 +83,12 @@ def answer(folder: Path, *words: str) -> Any:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("executor", ["processes", "dask-local"])
+@pytest.mark.parametrize("motion", ["circle", "part"])
 @pytest.mark.parametrize("command", COMMANDS)
-def test_an_executor_does_not_change_the_answer(tmp_path: Path, command: str, executor: str) -> None:
+def test_an_executor_does_not_change_the_answer(tmp_path: Path, command: str, motion: str, executor: str) -> None:
     words = COMMANDS[command]
+    if motion == "part":
+        words = [{"circle.toml": "part.toml", "study.toml": "part-study.toml"}.get(word, word) for word in words]
     elsewhere = answer(tmp_path / "elsewhere", *words, "--executor", executor, "--workers", "2")
     assert elsewhere == answer(tmp_path / "here", *words)
 

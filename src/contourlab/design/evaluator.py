@@ -77,7 +77,7 @@ class Evaluator:
         self.view = view_of(self.reference.path)
 
     def __call__(self, columns: Mapping[str, Array], threads: int | None = None) -> dict[str, Array]:
-        """Return figures, ``failed_at`` and ``unsure`` of `contourlab.loop.BatchResult`, each (n,); figures of a failed run are nan.
+        """Return figures and ``failed_at`` of `contourlab.loop.BatchResult`, each (n,); figures of a failed run are nan.
 
         Parameters
         ----------
@@ -120,7 +120,7 @@ class Evaluator:
             moving=self.moving,
             gpu=self.gpu,
         )
-        return {**batch.figures, "failed_at": batch.failed_at.astype(float), "unsure": batch.unsure}
+        return {**batch.figures, "failed_at": batch.failed_at.astype(float)}
 
 
 def _run_elsewhere(evaluator: Evaluator, item: tuple[Mapping[str, Array], bool]) -> dict[str, Array]:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags, aligned
+from contourlab.arrays import Array, Flags, Index, aligned
 from contourlab.engine.gpu import Gpu
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Bank, Port, pack, record, rows, unpack
@@ -40,11 +40,11 @@ class Group:
         What to run.
     width : int
         Lanes: 1, or a multiple of 16.
-    lanes : slice
+    lanes : slice or ndarray of int
         The variants in this group; parameter arrays are cut to it and padded with their last value.
     """
 
-    def __init__(self, schedule: Schedule, width: int, lanes: slice) -> None:
+    def __init__(self, schedule: Schedule, width: int, lanes: slice | Index) -> None:
         self.schedule, self.width, self.lanes = schedule, width, lanes
         self.tick = 0
         nodes = schedule.nodes
@@ -137,7 +137,7 @@ def _rows_of(ports: tuple[Port, ...], values: Any) -> Iterator[Any]:
 class CompiledGroup(Group):
     """A group whose whole tick is machine code."""
 
-    def __init__(self, schedule: Schedule, width: int, lanes: slice) -> None:
+    def __init__(self, schedule: Schedule, width: int, lanes: slice | Index) -> None:
         super().__init__(schedule, width, lanes)
         self._tables = [np.ascontiguousarray(node.tables[name], dtype=float) for node in schedule.nodes for name in node.step.tables]
         self._addresses = np.array([table.ctypes.data for table in self._tables], dtype=np.int64)
@@ -180,7 +180,7 @@ class _PastOf:
 class InterpretedGroup(Group):
     """A group whose steps run in plain Python, lane by lane."""
 
-    def __init__(self, schedule: Schedule, width: int, lanes: slice) -> None:
+    def __init__(self, schedule: Schedule, width: int, lanes: slice | Index) -> None:
         super().__init__(schedule, width, lanes)
         self._sources = schedule.sources
         self._first = schedule.first_row
@@ -248,7 +248,7 @@ class InterpretedGroup(Group):
 class GpuGroup(CompiledGroup):
     """A group whose lanes are threads of a GPU; its memory here has states and signals after each run."""
 
-    def __init__(self, schedule: Schedule, width: int, lanes: slice, gpu: Gpu) -> None:
+    def __init__(self, schedule: Schedule, width: int, lanes: slice | Index, gpu: Gpu) -> None:
         super().__init__(schedule, width, lanes)
         self._gpu = gpu
         gpu.use()
@@ -288,7 +288,7 @@ class GpuGroup(CompiledGroup):
         raise EngineError("a group on a GPU does not go back")
 
 
-def make_group(schedule: Schedule, width: int, lanes: slice, jit: bool, gpu: Gpu | None = None) -> Group:
+def make_group(schedule: Schedule, width: int, lanes: slice | Index, jit: bool, gpu: Gpu | None = None) -> Group:
     """Return a group of lanes, compiled or in plain Python, or on a GPU."""
     if gpu is not None:
         return GpuGroup(schedule, width, lanes, gpu)

@@ -285,7 +285,8 @@ class Reference:
         return time, profile.motion(time).speed
 
     @cached_property
-    def _largest_feedrate(self) -> float:
+    def largest_feedrate(self) -> float:
+        """Largest feedrate [m/s]."""
         return float(self._speeds()[1].max())
 
     def _facts(self) -> dict[str, object]:
@@ -295,7 +296,7 @@ class Reference:
             "duration": figure(self.duration, "s", 5),
             "samples": f"{self.n_sample} of {1e3 * self.servo_period:g} ms",
             "length": figure(self.path.length, "mm", 6),
-            "largest feedrate": figure(self._largest_feedrate, "mm/min", 4),
+            "largest feedrate": figure(self.largest_feedrate, "mm/min", 4),
         }
         if self.laps:
             facts["laps"] = len(self.laps)

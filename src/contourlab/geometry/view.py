@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from typing import Any
 
@@ -33,12 +33,18 @@ class PathView:
         To be added to those of the step; every name starts with ``path_``.
     path : Path or None
         The path of `view_of`.
+    made : tuple
+        Arguments of `view_of`, which makes the view anew in another process: a function made in a function does not travel.
     """
 
     evaluate: Callable[[Any, float], Any]
     parameters: Mapping[str, float]
     tables: Mapping[str, Array]
     path: Path | None = None
+    made: tuple[Any, ...] = ()
+
+    def __reduce__(self) -> Any:
+        return view_of, self.made
 
 
 def check_view(view: PathView | None, path: Path) -> None:
@@ -62,7 +68,7 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
         Whether a circle is evaluated in closed form.
     """
     if analytic and path.closed and path.n_axis == 2 and len(path.curves) == 1 and isinstance(path.curves[0], Arc):
-        return _circle(path)
+        return replace(_circle(path), made=(path, tolerance, pieces, analytic))
     table = path.table(tolerance, pieces=pieces or 1)
     parameters = {
         "path_inverse_cell": float(table.inverse_cell),
@@ -73,7 +79,7 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
         "path_last_piece": float(len(table.coefficients) - 1),
     }
     tables = {"path_start": table.start, "path_coefficients": table.coefficients, "path_cell": table.cell}
-    return PathView(_table_evaluator(path.n_axis, table.halvings), parameters, tables, path)
+    return PathView(_table_evaluator(path.n_axis, table.halvings), parameters, tables, path, (path, tolerance, pieces, analytic))
 
 
 def _circle(path: Path) -> PathView:

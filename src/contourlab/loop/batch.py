@@ -26,13 +26,13 @@ from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, check_view, view_of
 from contourlab.loop.batch_result import FIGURE_UNITS, BatchResult
 from contourlab.loop.builder import Signals
+from contourlab.loop.doubtful import judge_doubtful
 from contourlab.loop.feeding import Feed, Learned
-from contourlab.loop.judging import PART, WATCH, effort_figures, effort_node, error_figures, judge_node, part_nodes, sums_of
+from contourlab.loop.judging import JUDGE, PART, WATCH, effort_figures, effort_node, error_figures, judge_node, part_nodes, sums_of
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import matching, parameter_names, parameters_of
 from contourlab.loop.simulate import BLOCK, check_kinds, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
-from contourlab.metrics.streaming import SUMS
 
 LANES = 32
 
@@ -136,23 +136,25 @@ def simulate_batch(
     start, progress_at = first.position[0], float(first.arc_length[0])
     speed = first.velocity[0] if moving else None
     loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seeds, fed=feed.names, velocity=speed)
+    workers = threads or os.cpu_count() or 1
     device = gpu_of_process() if gpu else None
     lanes = lanes_of(n, sum(memory_rows(loop.schedule))) if gpu else LANES
     groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]
     rows = [loop.schedule.row(signal) for name in keep for signal in _signal(loop, name)]
     shape = (len(groups), reference.n_sample, len(rows), lanes)
     log = reuse.log if reuse is not None and reuse.log.shape == shape else aligned(shape)
-    failed = _advance_all(groups, feed, rows, log, 1 if gpu else threads or os.cpu_count() or 1, progress)[:n]
-    sums = sums_of(groups, "judge", n)[1:] if judge else np.zeros((len(SUMS), n))
-    figures = error_figures(sums, failed, machine.servo_period) if judge else {}
+    failed = _advance_all(groups, feed, rows, log, 1 if gpu else workers, progress)[:n]
+    sums = {name: sums_of(groups, name, n) for name in (JUDGE,) * judge + (PART,) * blended}
+    unsure = judge_doubtful(loop, machine, feed, sums, failed, compiled, workers, LANES)
+    figures = error_figures(sums[JUDGE], failed, machine.servo_period) if judge else {}
     if part:
-        errors = error_figures(sums_of(groups, PART, n)[1:], failed, machine.servo_period) if blended else figures
+        errors = error_figures(sums[PART], failed, machine.servo_period) if blended else figures
         figures |= {f"part_error_{name}": errors[f"contour_error_{name}"] for name in ("max", "rms")}
     if effort:
         figures |= effort_figures(sums_of(groups, "effort", n), failed, machine.servo_period)
     known = parameter_names(machine, controller)
     units = {name: known[name] for name in columns} | {name: FIGURE_UNITS[name] for name in figures}
-    return BatchResult(figures, failed, sums[SUMS.index("unsure")], _split(log, n, keep, loop), log, columns, units)
+    return BatchResult(figures, failed, unsure, _split(log, n, keep, loop), log, columns, units)
 
 
 def _advance_all(

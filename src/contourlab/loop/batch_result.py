@@ -39,8 +39,7 @@ class BatchResult:
     failed_at : ndarray (n_variant,) of int
         Sample at which the variant left its following-error limit, or produced a non-finite command; -1 for neither.
     unsure : ndarray (n_variant,)
-        Samples at which the judge's foot point was in doubt, because the loop hardly follows the path. The figures of the contour error are
-        then upper bounds; `judge` of a single run is exact.
+        Samples of a variant that failed whose foot point is in doubt; 0 for all others, whose figures are those of `judge`.
     signals : mapping of str to ndarray (n_sample, n, n_variant)
         The requested signals: views of `log`.
     log : ndarray (n_group, n_sample, n_row, n_lane) [SI]

@@ -6,7 +6,7 @@ import math
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
@@ -18,36 +18,46 @@ from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Port, Step
 from contourlab.feed import Reference
 from contourlab.geometry import Path
+from contourlab.geometry.clearance import clearance
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.builder import accepted_output
 from contourlab.loop.machine import Axis, Machine
-from contourlab.metrics.streaming import EFFORT_SUMS, SUMS, corner_parts, effort_step, judge_step
+from contourlab.metrics.judge import MARGIN, planning_deviation, reach
+from contourlab.metrics.streaming import EFFORT_SUMS, SUMS, effort_step, judge_step
 from contourlab.native.generated import generated
 from contourlab.primitives import fabs, lookup, select
 from contourlab.result import Status
 from contourlab.threads import in_threads
 
+JUDGE, PART, PLACE = "judge", "part", "programmed"
+LAG = 0.05
+"""Time [s] by which a loop usually follows its reference at most: a batch looks for foot points as far as this needs, then further."""
 
-def _counts(reference: Reference) -> dict[str, Array]:
-    """Return the table of the judged samples: 1 for each, else 0."""
-    return {"counts": reference.judged.mask(reference.n_sample).astype(float)}
+
+def _counts(reference: Reference) -> Array:
+    """Return 1 for each judged sample, else 0."""
+    return reference.judged.mask(reference.n_sample).astype(float)
 
 
 def judge_node(machine: Machine, reference: Reference, view: PathView) -> Node:
     """Return the node that computes the contour error of each lane."""
-    return _judge_node(machine, reference, reference.path, view, "judge", "in.arc_length")
-
-
-PART, PLACE = "part", "programmed"
+    return _judge_node(machine, reference, reference.path, view, JUDGE, "in.arc_length", float(reference.block(0, 1).arc_length[0]))
 
 
 def part_nodes(machine: Machine, reference: Reference) -> tuple[Node, Node]:
     """Return the nodes that compute the part error of each lane: the place on the programmed path, and its judge."""
-    blocks = ((k, min(k + _PLACES, reference.n_sample)) for k in range(0, reference.n_sample, _PLACES))
-    place = np.concatenate([reference.programmed_arc_length(reference.block(*block).arc_length) for block in blocks])
-    programmed = reference.programmed
-    judge = _judge_node(machine, reference, programmed, view_of(programmed), PART, f"{PLACE}.arc_length", float(place[0]))
+    planning, place = _planned(reference)
+    path, arc_length = reference.programmed, f"{PLACE}.arc_length"
+    judge = _judge_node(machine, reference, path, view_of(path), PART, arc_length, place[0], planning)
     return Node(PLACE, _PLACE_STEP, {}, {}, {"place": place}), judge
+
+
+@lru_cache(maxsize=4)
+def _planned(reference: Reference) -> tuple[float, Array]:
+    """Return the largest planning deviation [m], and the place (n_sample,) [m] of the reference on the programmed path."""
+    blocks = (reference.block(k, min(k + _PLACES, reference.n_sample)) for k in range(0, reference.n_sample, _PLACES))
+    planning, place = zip(*(planning_deviation(reference, block.position, block.arc_length) for block in blocks), strict=True)
+    return max(float(np.abs(part).max()) for part in planning), np.concatenate(place)
 
 
 def _place_step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -60,21 +70,27 @@ _PLACE_STEP = Step(PLACE, _place_step, (), ("place",), "", (), (), (Port("arc_le
 
 
 def _judge_node(
-    machine: Machine, reference: Reference, path: Path, view: PathView, name: str, arc_length: str, start: float | None = None
+    machine: Machine, reference: Reference, path: Path, view: PathView, name: str, arc_length: str, foot: float, planning: float = 0.0
 ) -> Node:
     n = len(machine.axes)
-    wires: dict[str, Any] = {
-        "position": tuple(Late(f"{axis.name}.plant.position") for axis in machine.axes),
-        "reference": "in.reference",
-        "arc_length": arc_length,
-    }
-    reach = min(0.25 * path.length, 4.0 * max(axis.limits.following_error for axis in machine.axes))
-    corner_numbers, corner_tables = corner_parts(path)
-    parameters = {"window": reach, **view.parameters, **corner_numbers}
-    tables = {**view.tables, **_counts(reference), **corner_tables}
-    foot = float(reference.block(0, 1).arc_length[0]) if start is None else start
-    step = judge_step(view, n, bool(corner_numbers))
-    return Node(name, step, wires, parameters, tables, {"foot": foot})
+    position = tuple(Late(f"{axis.name}.plant.position") for axis in machine.axes)
+    wires: dict[str, Any] = {"position": position, "reference": "in.reference", "arc_length": arc_length}
+    parameters, cells = room_for(path, min(most_error(machine), LAG * reference.largest_feedrate + MARGIN), planning)
+    step = judge_step(view, n, bool(path.corners.size) or not path.closed)
+    tables = {**view.tables, **cells, "counts": _counts(reference)}
+    return Node(name, step, wires, {**view.parameters, **parameters}, tables, {"foot": foot})
+
+
+def most_error(machine: Machine) -> float:
+    """Return the largest tracking error [m] of a machine that has not failed."""
+    return math.hypot(*(axis.limits.following_error for axis in machine.axes))
+
+
+def room_for(path: Path, error: float, planning: float) -> tuple[dict[str, float], dict[str, Array]]:
+    """Return parameters and tables of a judge for runs whose largest tracking error [m] does not exceed `error`."""
+    window = min(reach(path, np.array([[min(error, path.length)]])) + planning, path.length)
+    numbers, cells = clearance(path, 2.0 * window)
+    return {"error": error, "planning": planning, "window": window, **numbers}, cells
 
 
 def effort_node(machine: Machine, reference: Reference, commands: Sequence[str], columns: Mapping[str, Array]) -> Node:
@@ -84,7 +100,7 @@ def effort_node(machine: Machine, reference: Reference, commands: Sequence[str],
         "command": tuple(commands),
         "accepted": tuple(f"{axis.name}.drive.{accepted_output(axis.drive)}" for axis in machine.axes),
     }
-    return Node("effort", effort_step(len(machine.axes)), wires, rates, _counts(reference))
+    return Node("effort", effort_step(len(machine.axes)), wires, rates, {"counts": _counts(reference)})
 
 
 def _rate(axis: Axis, columns: Mapping[str, Array]) -> float | Array:
@@ -101,8 +117,8 @@ def sums_of(groups: list[Group], node: str, n: int) -> Array:
 
 
 def error_figures(sums: Array, failed: Index, period: float) -> dict[str, Array]:
-    """Return the figures of the judge's sums (rows as of `SUMS`); NaN for a lane that failed."""
-    total = dict(zip(SUMS, sums, strict=True))
+    """Return the figures of the judge's states (foot point, then `SUMS`); NaN for a lane that failed."""
+    total = dict(zip(SUMS, sums[1:], strict=True))
     count = np.maximum(total["count"], 1.0)
     figures = {
         "contour_error_rms": np.sqrt(total["sum_square"] / count),
@@ -198,6 +214,11 @@ class TrialJudge:
         Of the reference.
     vector : bool
         Whether the vector is computed.
+
+    Attributes
+    ----------
+    window : float [m]
+        Within which foot points are right; the exact judge's window of a trial must not be larger.
     """
 
     def __init__(
@@ -213,9 +234,9 @@ class TrialJudge:
         n_sample, n = position.shape
         node = judge_node(machine, reference, view)
         wires: dict[str, Any] = {name: f"in.{name}" for name in ("position", "reference", "arc_length")}
-        nodes = [replace(node, wires=wires)]
+        nodes, self.window = [replace(node, wires=wires)], float(node.parameters["window"])
         if vector:
-            part = Newton(window=float(node.parameters["window"]), iterations=3.0)
+            part = Newton(window=reach(reference.path, np.array([[most_error(machine)]])), iterations=3.0)
             step, values = part.path_step(view, n), {**part.block(machine.servo_period), **view.parameters}
             measured = {"position": "in.measured", "arc_length": "in.arc_length"}
             nodes.append(Node("vector", step, measured, values, view.tables))

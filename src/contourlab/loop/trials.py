@@ -28,9 +28,6 @@ from contourlab.loop.tool import ToolPosition
 from contourlab.metrics.judge import reach
 from contourlab.result import Status
 
-MOST_DOUBTFUL = 0.002
-"""Share of doubtful samples above which the whole trial is judged again."""
-
 
 @dataclass(frozen=True, eq=False)
 class Trial:
@@ -234,9 +231,10 @@ class Trials:
         contour, doubtful, vector = self._judge(tool, measured)
         if doubtful.size:
             path = self.reference.path
-            if doubtful.size > MOST_DOUBTFUL * len(tool):  # the tool is so far off that nearer points may be missed without being marked
+            window = reach(path, self.position - tool)
+            if window > self._judge.window:  # nearer points may lie further away than the judge looks
                 doubtful = np.arange(len(tool))
-            feet = path.foot_point(tool[doubtful], self.arc_length[doubtful], reach(path, self.position - tool))
+            feet = path.foot_point(tool[doubtful], self.arc_length[doubtful], window)
             contour[doubtful] = feet.signed if path.is_planar else feet.distance
         size = np.abs(contour[self.judged])
         return tool, vector, contour, (float(np.sqrt(np.mean(size**2))), float(size.max()), float(size.mean()))

@@ -20,7 +20,7 @@ from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.result import Result, Signal
 
-_MARGIN = 1e-4
+MARGIN = 1e-4
 
 
 def reach(path: Path, tracking: Array) -> float:
@@ -28,7 +28,7 @@ def reach(path: Path, tracking: Array) -> float:
 
     The foot point of a tool at the distance e from its reference lies within 2 e of it on a straight path, and slightly further on a curve.
     """
-    window = 3.0 * float(np.linalg.norm(tracking, axis=1).max(initial=0.0)) + _MARGIN
+    window = 3.0 * float(np.linalg.norm(tracking, axis=1).max(initial=0.0)) + MARGIN
     return min(window, 0.5 * path.length) if path.closed else window
 
 
@@ -68,8 +68,7 @@ def judge(result: Result, reference: Reference) -> Result:
     if programmed is planned:
         part, planning, part_foot = contour, np.zeros_like(contour), foot
     else:
-        place, window = _around(reference, wanted, along)
-        planning, at = _errors(programmed, wanted, place, window)
+        planning, at = planning_deviation(reference, wanted, along)
         part, part_foot = _errors(programmed, tool, at, reach(programmed, off) + float(np.abs(planning).max(initial=0.0)))
     # The tracking error is that of the axes; the machine's error map moves the tool only.
     tracking = off
@@ -83,6 +82,12 @@ def judge(result: Result, reference: Reference) -> Result:
         foot_arc_length=Signal(part_foot, ("sample",), "m"),
         tracking_error=Signal(tracking, ("sample", "axis"), "m"),
     )
+
+
+def planning_deviation(reference: Reference, wanted: Array, along: Array) -> tuple[Array, Array]:
+    """Return the planning deviation (n,) [m] of some samples of a reference, and the arc length (n,) [m] of their foot points."""
+    place, window = _around(reference, wanted, along)
+    return _errors(reference.programmed, wanted, place, window)
 
 
 def _around(reference: Reference, wanted: Array, along: Array) -> tuple[Array, Array]:

@@ -8,65 +8,48 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-import numpy as np
-
-from contourlab.arrays import Array
 from contourlab.engine.step import Port, Step
-from contourlab.geometry import Path
+from contourlab.geometry.clearance import CORNER_ROW, PARAMETERS, TABLES
 from contourlab.geometry.view import PathView, newton_of
+from contourlab.metrics.judge import MARGIN
 from contourlab.native.generated import generated
 from contourlab.primitives import clip, copysign, dot, fabs, floor, lookup, maximum, select, sqrt, sub
 
-SUMS = ("count", "sum_magnitude", "sum_square", "sum_signed", "largest", "largest_at", "sum_tracking", "largest_tracking", "unsure")
+_OF_JUDGED = ("count", "sum_magnitude", "sum_square", "sum_signed", "largest", "largest_at", "sum_tracking", "largest_tracking")
+SUMS = (*_OF_JUDGED, "unsure", "reach")
 """States of the judge after the foot point, in order."""
 
-CORNER_PARAMETERS = ("corner_scale", "corner_last", "corner_lap", "corner_rate")
-MOST_CELLS = 1 << 16
 _ITERATIONS = 3
-
-
-def corner_parts(path: Path) -> tuple[dict[str, float], dict[str, Array]]:
-    """Return parameters and tables for finding the corner, or end of an open path, nearest to any place; empty if there is none.
-
-    The path is cut into cells of equal length; each stores the corner nearest to its middle.
-    """
-    corners = np.unique(path.corners) if path.closed else np.unique(np.concatenate([[0.0], path.corners, [path.length]]))
-    if not corners.size:
-        return {}, {}
-    if path.closed:
-        corners = np.concatenate([corners[-1:] - path.length, corners, corners[:1] + path.length])
-    cells = int(np.clip(np.ceil(4.0 * path.length / np.diff(corners).min(initial=path.length)), 1, MOST_CELLS))
-    middle = (np.arange(cells) + 0.5) * (path.length / cells)
-    right = np.clip(np.searchsorted(corners, middle), 1, len(corners) - 1)
-    near = np.where(middle - corners[right - 1] <= corners[right] - middle, corners[right - 1], corners[right])
-    lap = path.length if path.closed else 0.0
-    parameters = {"corner_scale": cells / path.length, "corner_last": cells - 1.0, "corner_lap": lap, "corner_rate": 1.0 / path.length}
-    return parameters, {"corner_near": near}
+_BESIDE = 1e-12
+"""How far [m] from a corner a search on one side of it stays."""
 
 
 def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
     """Return the judge's step on a path.
 
-    Parameters of the node: ``window`` [m] around the reference for the foot point, those of the view, and with `corners` those of
-    `corner_parts`. The table ``counts`` has 1 for each tick that is judged, else 0.
+    Parameters of the node: ``error`` [m], the largest tracking error that is expected; ``planning`` [m], the largest planning deviation;
+    ``window`` [m], how far from the reference foot points are; those of the view and of `contourlab.geometry.clearance`. The table
+    ``counts`` has 1 for each tick that is judged, else 0. `corners` says whether the path has corners or ends.
 
     Notes
     -----
-    Three Newton steps from the foot point of the previous tick, and three from the place of the reference; the nearer result is used. The
-    distance is projected on the normal, so its error is quadratic in the remaining foot error. A corner or end that is nearer becomes the
-    foot point. If the last Newton step was longer than 1e-9 of the window, or the foot point lies at the end of the window, the tick is in
-    ``doubt`` and counted as ``unsure``; a caller judges it again, exactly.
+    Three Newton steps from the foot point of the previous tick, and three on the other side of the corner beside it, or from the place of
+    the reference where there is no corner. The nearest of both and the corner is the foot point. The distance is projected on the normal,
+    so its error is quadratic in the remaining foot error.
+
+    A tick is in ``doubt`` unless the foot point is proved to be that of the exact judge: both searches converged, the distance is less
+    than the clearance of the path, and the foot point lies in the smallest window that the exact judge may have. A tick in doubt is left
+    out of the sums and counted as ``unsure``; a caller judges it exactly. ``reach`` is the largest squared tracking error of all ticks.
 
     A controller's Newton estimator takes the same steps, but fewer; tests compare this judge with the exact foot point instead.
     """
-    parameters = ("window", *view.parameters, *(CORNER_PARAMETERS if corners else ()))
     states = (Port("foot"), *(Port(name) for name in SUMS))
     inputs = (Port("position", n_axis), Port("reference", n_axis), Port("arc_length"))
     return Step(
         "judge",
         _make(view.evaluate, n_axis, corners),
-        parameters,
-        (*view.tables, "counts", *(("corner_near",) if corners else ())),
+        ("error", "planning", "window", *view.parameters, *PARAMETERS),
+        (*view.tables, "counts", *TABLES),
         "",
         states,
         inputs,
@@ -77,58 +60,89 @@ def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
 @cache
 def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
     planar = n_axis == 2
-    improve, square_distance = newton_of(evaluate)
+    improve, _ = newton_of(evaluate)
+    stride = CORNER_ROW + 3.0 * n_axis
 
-    def corner(par: Any, s: float) -> float:
-        start = par.corner_lap * floor(s * par.corner_rate)
-        return start + lookup(par.corner_near, clip(floor((s - start) * par.corner_scale), 0.0, par.corner_last))  # type: ignore[no-any-return]
+    def cell(par: Any, s: float) -> Any:
+        along = s - par.cell_lap * floor(s * par.cell_rate)
+        return clip(floor(along * par.cell_scale), 0.0, par.cell_last)
 
-    def seek(par: Any, s: float, position: Any, centre: float) -> Any:
+    def vector(par: Any, first: float) -> Any:
+        return tuple(lookup(par.corner_row, first + float(j)) for j in range(n_axis))
+
+    def seek(par: Any, s: float, position: Any, centre: float, low: float, high: float) -> Any:
         before = s
         for _ in range(_ITERATIONS):
             before = s
-            s = improve(par, s, position, centre)
-        return s, fabs(s - before)
+            s = clip(improve(par, s, position, centre), low, high)
+        q, q1, _ = evaluate(par, s)
+        gap = sub(q, position)
+        return s, fabs(s - before), dot(gap, gap), gap, q1
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         position, centre = inp.position, inp.arc_length
-        s, moved = seek(par, x.foot, position, centre)
-        other, other_moved = seek(par, centre, position, centre)
-        swap = square_distance(par, other, position) < square_distance(par, s, position)
-        s = select(swap, other, s)
-        moved = select(swap, other_moved, moved)
-        q, q1, _ = evaluate(par, s)
-        gap = sub(q, position)
-        square = dot(q1, q1)
-        if planar:
-            signed = (q1[1] * gap[0] - q1[0] * gap[1]) / sqrt(square)
-        else:
-            along = dot(q1, gap)
-            signed = sqrt(maximum(dot(gap, gap) - along * along / square, 0.0))
+        low, high, start = centre - par.window, centre + par.window, centre
+        s, moved, square, gap, q1 = seek(par, x.foot, position, centre, low, high)
+        number, edge, back, on, away = 0.0, 0.0, 1.0, 1.0, gap
         if corners:
-            edge = corner(par, s)
-            beside = square_distance(par, edge, position)
-            at_edge = beside <= dot(gap, gap)
-            signed = select(at_edge, copysign(sqrt(beside), signed) if planar else sqrt(beside), signed)
-            s, moved = select(at_edge, edge, s), select(at_edge, 0.0, moved)
-        counts = lookup(par.counts, clock.k)
-        magnitude = counts * fabs(signed)
+            number = lookup(par.cell_corner, cell(par, s))
+            row = stride * number
+            edge = lookup(par.corner_row, row)
+            edge = edge + par.cell_lap * floor((s - edge) * par.cell_rate + 0.5)
+            away = sub(position, vector(par, row + CORNER_ROW))
+            came, goes = vector(par, row + CORNER_ROW + n_axis), vector(par, row + CORNER_ROW + 2.0 * n_axis)
+            back, on = -dot(came, away), dot(goes, away)
+            left, there = s < edge, number > 0.5
+            low = select(there, select(left, edge + _BESIDE, edge - lookup(par.corner_row, row + 1.0)), low)
+            high = select(there, select(left, edge + lookup(par.corner_row, row + 2.0), edge - _BESIDE), high)
+            start = select(there, clip(select(left, edge + on, edge - back), low, high), start)
+        other, other_moved, other_square, other_gap, other_q1 = seek(par, start, position, centre, low, high)
+        # Of two at the same distance, the exact judge takes the one nearer to the reference.
+        tied = fabs(other_square - square) <= 1e-12 * square + 1e-30
+        swap = select(tied, fabs(other - centre), other_square) < select(tied, fabs(s - centre), square)
+        # The other search may go on where it can no longer win.
+        lost = other_square > 2.0 * square + 8.0 * other_moved * other_moved
+        moved = maximum(moved, select(lost, 0.0, other_moved))
+        s, square = select(swap, other, s), select(swap, other_square, square)
+        gap = tuple(select(swap, b, a) for a, b in zip(gap, other_gap, strict=True))
+        q1 = tuple(select(swap, b, a) for a, b in zip(q1, other_q1, strict=True))
+        along, slip = dot(q1, q1), dot(q1, gap)
+        signed = (q1[1] * gap[0] - q1[0] * gap[1]) / sqrt(along) if planar else sqrt(maximum(square - slip * slip / along, 0.0))
+        at = cell(par, s)
+        clear, sure = lookup(par.cell_clearance, at), select(maximum(moved, fabs(slip)) <= 1e-9 * par.window, 1.0, 0.0)
+        if corners:
+            sure = select(lookup(par.cell_corner, at) == number, sure, 0.0)
+            corner_square = dot(away, away)
+            at_edge = maximum(maximum(back, on), corner_square - square) <= 0.0
+            distance = sqrt(corner_square)
+            if planar:
+                # The bisector decides the side.
+                distance = copysign(distance, (came[0] + goes[0]) * away[1] - (came[1] + goes[1]) * away[0])
+            signed, square = select(at_edge, distance, signed), select(at_edge, corner_square, square)
+            s, sure = select(at_edge, edge, s), select(at_edge, 1.0, sure)
+            clear = select(at_edge, lookup(par.corner_row, row + 3.0), clear)
         behind = sub(inp.reference, position)
-        tracking = counts * dot(behind, behind)
+        apart = dot(behind, behind)
+        reach = maximum(x.reach, apart)
+        further = maximum(fabs(s - centre) - (MARGIN + par.planning), 0.0)
+        sure = select(further * further <= 9.0 * reach, select(fabs(s - centre) <= par.window, sure, 0.0), 0.0)
+        doubt = select(square < clear, select(apart <= par.error * par.error, 1.0 - sure, 1.0), 1.0)
+        counts = lookup(par.counts, clock.k)
+        judged = select(doubt > 0.5, 0.0, counts)
+        magnitude, tracking = judged * fabs(signed), counts * apart
         record = magnitude > x.largest
-        cut_off = fabs(s - centre) >= par.window
-        doubt = select(moved > 1e-9 * par.window, 1.0, select(cut_off, 1.0, 0.0))
         return (
-            s,
+            select(doubt > 0.5, centre, s),
             x.count + counts,
             x.sum_magnitude + magnitude,
             x.sum_square + magnitude * magnitude,
-            x.sum_signed + counts * signed,
+            x.sum_signed + judged * signed,
             select(record, magnitude, x.largest),
             select(record, clock.k, x.largest_at),
             x.sum_tracking + tracking,
             maximum(x.largest_tracking, tracking),
             x.unsure + counts * doubt,
+            reach,
         ), (signed, doubt)
 
     return step

@@ -57,6 +57,11 @@ def test_calls_and_groups_of_any_size_give_the_same_bits(a_gpu: None, turn: cl.R
     same(stage(), control(), turn, GAINS, keep=("axis_position",))
 
 
+def test_doubtful_samples_are_judged_alike(a_gpu: None) -> None:
+    rosette = cl.uniform(cl.contour("butterfly"), 2.0, 1, PERIOD)
+    same(stage(sensor=make("sensor", "ideal")), control(coupled=False), rosette, {"axes.x.plant.gain": np.linspace(0.9, 1.3, 40)})
+
+
 @pytest.mark.parametrize(("following_error", "most"), [(1e-3, 6e3), (1e308, 1e9)])
 def test_variants_that_diverge_do_so_at_the_same_sample(a_gpu: None, turn: cl.Reference, following_error: float, most: float) -> None:
     machine = stage(drive=make("drive", "saturation"), friction=make("friction", "none"), sensor=make("sensor", "ideal"))

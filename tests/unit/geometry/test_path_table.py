@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from itertools import pairwise
 from types import SimpleNamespace
 
@@ -197,3 +198,13 @@ def test_the_cells_of_a_table_are_proportional_to_its_pieces() -> None:
         table = Path(Line.many(np.column_stack([ends[:-1], 0.0 * ends[1:]]), np.column_stack([ends[1:], 0.0 * ends[1:]]))).table(1e-10)
         assert len(table.cell) <= max(4096, 8 * n) + 1
         assert table.halvings <= 3
+
+
+@pytest.mark.parametrize("name", ["circle", "ellipse"])
+def test_a_view_travels_to_another_process(name: str) -> None:
+    view = view_of(contour(name), tolerance=1e-8)
+    again = pickle.loads(pickle.dumps(view))
+    par = SimpleNamespace(**view.parameters, **{key: np.ravel(table).tolist() for key, table in view.tables.items()})
+    assert again.path.digest == view.path.digest and again.parameters == view.parameters
+    for s in np.linspace(0.0, view.path.length, 7):
+        assert again.evaluate(par, float(s)) == view.evaluate(par, float(s))

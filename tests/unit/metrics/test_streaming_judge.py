@@ -4,43 +4,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from typing import Any
 
 import numpy as np
 import pytest
-from made_runs import PERIOD, Array, made_run, samples_on
+from made_runs import Array, made_run, samples_on
+from streamed_judge import TABLE, streamed
 
-from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port
 from contourlab.geometry import Arc, Line, Path, contour
-from contourlab.geometry.view import view_of
 from contourlab.metrics import judge
-from contourlab.metrics.streaming import SUMS, corner_parts, judge_step
-
-WINDOW = 2e-2
-TABLE = 1e-11
-"""Largest distance [m] of the path's table from the path, where no closed form exists."""
-
-
-def streamed(path: Path, along: Array, tool: Array, counted: tuple[int, int] | None = None, analytic: bool = True) -> Any:
-    """Return the sums of the streaming judge by name, its contour error (n_sample,), and the samples in doubt."""
-    view = view_of(path, tolerance=TABLE, analytic=analytic)
-    n = path.n_axis
-    counts = np.zeros(len(along))
-    counts[slice(*(counted or (0, None)))] = 1.0
-    corner_numbers, corner_tables = corner_parts(path)
-    parameters = {"window": WINDOW, **view.parameters, **corner_numbers}
-    step = judge_step(view, n, bool(corner_numbers))
-    wires = {"position": "in.position", "reference": "in.reference", "arc_length": "in.arc_length"}
-    node = Node("judge", step, wires, parameters, {**view.tables, "counts": counts, **corner_tables}, {"foot": float(along[0])})
-    ports = (Port("position", n), Port("reference", n), Port("arc_length"))
-    group = make_group(Schedule((node,), ports, PERIOD, 1), 1, slice(0, 1), False)
-    row, error, doubts = group.schedule.row("judge.contour_error"), [], []
-    for fed in np.column_stack([tool, path.position(along), along]):
-        error.append(group.run(fed[None, :], [row])[0, 0, 0])
-        doubts.append(group.state_of("judge")[1 + SUMS.index("unsure"), 0])
-    return dict(zip(SUMS, group.state_of("judge")[1:, 0], strict=True)), np.array(error), np.diff(doubts, prepend=0.0) > 0.0
 
 
 def wobble(n: int, size: float) -> Array:

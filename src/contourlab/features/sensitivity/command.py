@@ -158,8 +158,7 @@ def sensitivity_of(
         with shown(progress) as stages, request.executor.started(plugins) as pool:
             study, runs = _studied(case, request, (space, drawn), Path(out) / KEPT, stages, pool)
         kept = () if runs.kept is None else runs.kept.findings("runs", runs.reused)
-        doubts = [finding("CL675", doubtful=runs.doubtful, runs=runs.made + runs.reused)] if runs.doubtful else []
-        findings = (*_on_case(case, left_out), *kept, *_on_quick(request, study), *doubts, *verdict(study))
+        findings = (*_on_case(case, left_out), *kept, *_on_quick(request, study), *verdict(study))
         request = replace(request, plan=study.plan)
         name, period = case.machine.name, case.machine.servo_period
         result = Sensitivity(str(file), request, case.name, name, period, runs.made, runs.reused, study, ranking(study), findings)

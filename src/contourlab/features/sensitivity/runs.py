@@ -37,7 +37,6 @@ FIGURES = {
     "max": Figure("contour_error_max", "largest contour error", "um"),
 }
 KEYS = tuple(figure.key for figure in FIGURES.values())
-_KEPT = (*KEYS, "unsure")
 
 
 class Kept(Checkpoint):
@@ -55,7 +54,7 @@ class Kept(Checkpoint):
     def write(self, columns: Columns, figures: Mapping[str, Array]) -> Path:
         """Store the figures of a chunk; return its file."""
         file = self.file(columns)
-        self.store(file, {key: figures[key] for key in _KEPT})
+        self.store(file, {key: figures[key] for key in KEYS})
         return file
 
 
@@ -72,8 +71,6 @@ class Runs:
         Called with the runs done and in all, for each call.
     made, reused : int
         Number of new runs, and of runs reused from an earlier study.
-    doubtful : int
-        Runs that hardly follow the path: their figures are upper bounds.
     """
 
     model: Model
@@ -81,7 +78,6 @@ class Runs:
     progress: Callable[[int, int], None] | None = None
     made: int = field(default=0, init=False)
     reused: int = field(default=0, init=False)
-    doubtful: int = field(default=0, init=False)
     _seen: set[Path] = field(default_factory=set, init=False, repr=False)
 
     def judge(self, key: str) -> Judge:
@@ -108,13 +104,11 @@ class Runs:
             file = self.kept.file(columns)
             # Several parts of a study need the run with the present values: count it once.
             self.reused += n * (file not in self._seen)
-            self.doubtful += int(np.count_nonzero(figures["unsure"])) * (file not in self._seen)
             self._seen.add(file)
             return figures
-        new = {"unsure": np.zeros(n), **self.model(columns)}
-        figures = {key: np.asarray(new[key], dtype=float) for key in _KEPT}
+        new = self.model(columns)
+        figures = {key: np.asarray(new[key], dtype=float) for key in KEYS}
         self.made += n
-        self.doubtful += int(np.count_nonzero(figures["unsure"]))
         if self.kept is not None:
             self._seen.add(self.kept.write(columns, figures))
         return figures

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from contourlab.analysis.linear.margins import Margins
 from contourlab.app.json_values import HIDDEN
@@ -145,10 +145,6 @@ def _findings(
     for name, variant in judged.items():
         if variant.broken:
             yield finding("CL711", name, guards=variant.broken)
-    for name, point, evaluator in zip(judged, (study.recommended or study.base).points, study.variants.evaluators, strict=True):
-        # A copy of the evaluator, because this run is not part of the search.
-        if replace(evaluator)(study.variants.space.columns(point[None]))["unsure"].any():
-            yield finding("CL721", name)
     for cost in networks:
         yield from _on_network(study.variants, cost)
     if networks and study.settings.quick:

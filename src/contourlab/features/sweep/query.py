@@ -160,7 +160,7 @@ def spreads(store: Store) -> dict[str, Spread]:
 
 def counts(store: Store) -> dict[str, int]:
     """Return the number of variants of each status, and ``unsure``."""
-    sql = "SELECT status, count(*), count(*) FILTER (unsure > 0) FROM results GROUP BY status ORDER BY status"
+    sql = "SELECT status, count(*), count(*) FILTER (unsure > 0 AND status = 'ok') FROM results GROUP BY status ORDER BY status"
     found = rows(store, sql)[1]
     return {status: count for status, count, _ in found} | {"unsure": sum(unsure for *_, unsure in found)}
 

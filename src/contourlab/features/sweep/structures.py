@@ -85,9 +85,6 @@ class Structure:
         """View of the path for estimator and judge."""
         return view_of(self.reference.path)
 
-    def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in self.__dict__.items() if name != "view"}
-
     @property
     def identity(self) -> str:
         """Everything that decides the results, but for the varied values."""

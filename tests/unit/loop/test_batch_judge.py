@@ -1,0 +1,110 @@
+"""The judge of a batch gives the figures of the exact judge at corners that the tool cuts, in loops that follow well and badly."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from stages import control, make, stage
+
+import contourlab as cl
+
+MACHINE = """\
+[machine]
+name = "zigzag"
+servo_period = "0.5 ms"
+axes = ["x", "y"]
+[axes."*".plant]
+kind = "rigid-axis"
+gain = "1.8 m/s^2/full_scale"
+damping = "8 1/s"
+[axes."*".friction]
+kind = "coulomb"
+coulomb = "0.05 full_scale"
+[axes."*".drive]
+kind = "delayed-saturation"
+delay = "1 ms"
+[axes."*".limits]
+velocity = "12 m/min"
+acceleration = "5 m/s^2"
+jerk = "400 m/s^3"
+"""
+CONTROLLER = """\
+[controller.axes."*"]
+velocity = {kind = "filtered-difference", bandwidth = "2000 rad/s"}
+[controller.axes."*".controller]
+kind = "position"
+velocity_gain = "%g full_scale*s/m"
+position_gain = "%g full_scale/m"
+integral_gain = "10 1/s"
+model_gain = "1.7 m/s^2/full_scale"
+model_damping = "9 1/s"
+"""
+SCENARIO = 'machine = "machine.toml"\ncontroller = "controller.toml"\nprogram = "part.ngc"\n'
+GAIN = "axes.x.plant.gain"
+FACTORS = (1.0, 1.1)
+
+
+def zigzag(folder: Path, mode: str, turn: float, leg: float, position_gain: float, velocity_gain: float) -> cl.Scenario:
+    """Return the scenario of ten legs [mm] that turn by an angle [deg] to both sides."""
+    way = 0.3 + np.cumsum([0.0] + [np.radians(turn) * (1 if i % 2 else -1) for i in range(9)])
+    places = np.cumsum(leg * np.column_stack([np.cos(way), np.sin(way)]), axis=0)
+    lines = [f"G1 X{x:.9f} Y{y:.9f}" for x, y in places]
+    (folder / "part.ngc").write_text("\n".join(["G17 G21 G90 G94", mode, "F3000", *lines, "M2", ""]))
+    (folder / "machine.toml").write_text(MACHINE)
+    (folder / "controller.toml").write_text(CONTROLLER % (velocity_gain, position_gain))
+    (folder / "scenario.toml").write_text(SCENARIO)
+    return cl.load_scenario(folder / "scenario.toml")
+
+
+def exact(case: cl.Case, reference: cl.Reference, factor: float) -> cl.Metrics:
+    x = case.machine.axis("x")
+    plant = x.plant.replace(gain=x.plant.values()["gain"] * factor)
+    machine = replace(case.machine, axes=tuple(replace(axis, plant=plant) if axis is x else axis for axis in case.machine.axes))
+    return cl.summarise(cl.judge(cl.simulate(machine, case.controller, reference), reference), reference)
+
+
+@pytest.mark.parametrize("mode", ["G61", "G64 P0.05"])
+@pytest.mark.parametrize(("turn", "leg"), [(45.0, 6.0), (90.0, 6.0), (120.0, 6.0), (90.0, 1.0), (150.0, 1.5)])
+@pytest.mark.parametrize("gains", [(2000.0, 40.0), (8000.0, 90.0), (100.0, 10.0)])
+def test_corners(tmp_path: Path, mode: str, turn: float, leg: float, gains: tuple[float, float]) -> None:
+    case = zigzag(tmp_path, mode, turn, leg, *gains).base
+    reference = case.reference()
+    nominal = case.machine.axis("x").plant.values()["gain"]
+    batch = cl.simulate_batch(case.machine, case.controller, reference, {GAIN: [nominal * factor for factor in FACTORS]}, part=True)
+    assert not batch.unsure.any() and (batch.failed_at < 0).all()
+    for i, factor in enumerate(FACTORS):
+        found = exact(case, reference, factor)
+        for name in ("rms", "mean", "max", "signed_mean", "integral"):
+            of_batch, value = batch.figures[f"contour_error_{name}"][i], getattr(found.contour_error, name)
+            assert of_batch == pytest.approx(value, rel=1e-7, abs=1e-10), (name, factor)  # 0.1 nm: the table of a blended path
+        for name in ("rms", "max"):
+            assert batch.figures[f"part_error_{name}"][i] == pytest.approx(getattr(found.part_error, name), rel=1e-7, abs=1e-10)
+
+
+def test_doubtful_variants_do_not_depend_on_their_neighbours() -> None:
+    """Bits are the same in any order, grouping and number of threads, though some variants are judged twice and some fail."""
+    machine = stage(sensor=make("sensor", "ideal"))
+    reference = cl.uniform(cl.contour("butterfly"), 2.0, 1, machine.servo_period)
+    name, gains = "controller.axes.*.controller.position_gain", np.geomspace(1.0, 3000.0, 40)
+    machine = replace(machine, axes=tuple(replace(axis, limits=cl.Limits(following_error=0.038)) for axis in machine.axes))
+    first = cl.simulate_batch(machine, control(coupled=False), reference, {name: gains}, threads=1)
+    assert 0 < np.count_nonzero(first.failed_at >= 0) < 40
+    assert not first.unsure[first.failed_at < 0].any() and first.unsure[first.failed_at >= 0].any()
+    shuffle = np.random.default_rng(3).permutation(40)
+    second = cl.simulate_batch(machine, control(coupled=False), reference, {name: gains[shuffle]}, threads=2)
+    alone = cl.simulate_batch(machine, control(coupled=False), reference, {name: gains[30:31]})
+    for figure, values in first.figures.items():
+        assert np.array_equal(values[shuffle], second.figures[figure], equal_nan=True), figure
+        assert np.array_equal(values[30:31], alone.figures[figure], equal_nan=True), figure
+
+
+def test_a_contour_that_ends_where_it_starts_is_judged_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Start and end coincide, far apart along the path: a variant that follows well runs once."""
+    case = zigzag(tmp_path, "G61", 90.0, 6.0, 8000.0, 90.0).base
+    (tmp_path / "part.ngc").write_text("G17 G21 G90 G94 G61\nF3000\nG1 X20 Y5\nG1 X15 Y30\nG1 X-10 Y20\nG1 X0 Y0\nM2\n")
+    monkeypatch.setattr("contourlab.loop.doubtful.make_group", None)
+    batch = cl.simulate_batch(case.machine, case.controller, case.reference(), {GAIN: [1.8]}, part=True)
+    assert batch.figures["part_error_max"][0] == pytest.approx(exact(case, case.reference(), 1.0).part_error.max, rel=1e-7)
