@@ -1,0 +1,375 @@
+"""Two inputs whose figures must agree, or one input computed in two ways: the oracle for answers that are wrong but look right."""
+
+from __future__ import annotations
+
+import contextlib
+import random
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from machines import COUNT, KINDS, axis_tables, scenario
+from motions import MODES, Motion, Placing, Point, made_motions, placed, written
+
+Figures = dict[str, np.ndarray]
+SAME, CLOSE, ARC = 0.0, 1e-6, 2e-4
+"""Largest relative difference: none, bit for bit; rounding; a split arc, whose parts are planned anew."""
+COUNTS = 4.0
+"""Largest difference of a length [counts] behind quantised encoders: a last digit flips a count, and a loop then corrects another error."""
+TINY = 1e-13
+"""Lengths [m] and times [s] below this are rounding."""
+SIGNAL = "signal "
+ERRORS = ("contour_error_rms", "contour_error_max", "contour_error_mean")
+OUT_OF_RANGE = ("cycle_time", "judged_time", "contour_error_max_time")
+STUDY = """scenario = "scenario.toml"
+variants = {variants}
+chunk = 32
+seed = 5
+[vary]
+"axes.x.plant.gain" = {{uniform = ["90 %", "110 %"]}}
+"""
+
+
+@dataclass(frozen=True)
+class Side:
+    """Files of one of the two inputs, how it is computed, and the order in which its axes are those of the other."""
+
+    files: Mapping[str, str]
+    how: str = "run"
+    order: tuple[int, ...] = (0, 1, 2)
+
+
+@dataclass(frozen=True)
+class Related:
+    """Two sides, and how far their figures may differ."""
+
+    name: str
+    one: Side
+    other: Side
+    bound: float = CLOSE
+    counts: float = 0.0
+    words: str = field(default="", compare=False)
+
+    def fault(self, folder: Path) -> str:
+        """Compute both sides in a folder; return the first figure that differs, or nothing."""
+        figures = []
+        for name, side in (("one", self.one), ("other", self.other)):
+            place = write(side.files, folder / name)
+            try:
+                figures.append(HOWS[side.how](place, side))
+            except Exception as error:  # a sound input was refused
+                return f"{self.name}: {name}: {type(error).__name__}: {error}"
+        return difference(*figures, self)
+
+    @property
+    def commands(self) -> list[str]:
+        """Words of commands that show the figures, in a folder with both sides."""
+        return [f"run {name}/scenario.toml --json --out {name}/results" for name in ("one", "other")]
+
+    def write(self, folder: Path) -> None:
+        """Write both sides."""
+        write(self.one.files, folder / "one")
+        write(self.other.files, folder / "other")
+
+
+def write(files: Mapping[str, str], folder: Path) -> Path:
+    """Write files into a new folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder
+
+
+def difference(one: Figures, other: Figures, related: Related) -> str:
+    """Return the first figure that differs by more than the bound, or nothing."""
+    names = {name for name in one.keys() & other.keys() if related.bound == SAME or not name.startswith(SIGNAL)}
+    if not names:
+        return f"{related.name}: no figure in common: {sorted(one)}, {sorted(other)}"
+    for name in sorted(names):
+        a, b = one[name], other[name]
+        if a.shape != b.shape:
+            return f"{related.name}: {name}: {a.shape} against {b.shape} values"
+        if related.bound == SAME:
+            fine = a.tobytes() == b.tobytes()
+        else:
+            size = max(np.abs(a).max(initial=0.0), np.abs(b).max(initial=0.0))
+            allowed = TINY + related.bound * size + related.counts * COUNT * (name not in OUT_OF_RANGE)
+            fine = bool((np.isnan(a) == np.isnan(b)).all() and not (np.abs(a - b) > allowed).any())
+        if not fine:
+            at = int(np.nanargmax(np.abs(a - b))) if a.dtype.kind == "f" else 0
+            return f"{related.name}: {name}: {a.ravel()[at]!r} against {b.ravel()[at]!r} (value {at} of {a.size})"
+    return ""
+
+
+# --- how figures are computed --------------------------------------------------------------------------------------------------------------
+
+
+def _case(folder: Path) -> tuple[Any, Any]:
+    from contourlab import load_scenario
+
+    case = load_scenario(folder / "scenario.toml").cases()[0]
+    return case, case.reference()
+
+
+def _summarised(result: Any, reference: Any, side: Side) -> Figures:
+    from contourlab import summarise
+
+    found = summarise(result, reference)
+    figures: dict[str, Any] = {"cycle_time": found.cycle_time, "judged_time": found.judged_time, "left_out": found.left_out}
+    for name in ("part_error", "contour_error", "planning_deviation"):
+        error = getattr(found, name)
+        figures[name] = [error.rms, error.max, error.mean, error.p95, error.integral]
+    figures["tracking_error"] = [[found.tracking_error[k].rms, found.tracking_error[k].max] for k in side.order]
+    figures["saturation"] = [found.saturation[k] for k in side.order]
+    return {name: np.asarray(value, dtype=np.float64) for name, value in figures.items()}
+
+
+def _signals(result: Any) -> Figures:
+    return {SIGNAL + name: signal.data for name, signal in result.signals.items()}
+
+
+def _run(folder: Path, side: Side) -> Figures:
+    from contourlab import judge, simulate
+
+    case, reference = _case(folder)
+    result = judge(simulate(case.machine, case.controller, reference, seed=case.seed, moving=case.moving), reference)
+    return _summarised(result, reference, side) | _signals(result)
+
+
+def _saved(folder: Path, side: Side) -> Figures:
+    """Write the scenario again and read it; write the result and read it."""
+    from contourlab import Result, judge, load_scenario, simulate
+    from contourlab.scenario.dump import dump
+
+    again = folder / "again.toml"
+    again.write_text(dump(load_scenario(folder / "scenario.toml")), encoding="utf-8")
+    case = load_scenario(again).cases()[0]
+    reference = case.reference()
+    judge(simulate(case.machine, case.controller, reference, seed=case.seed), reference).save(folder / "result.nc")
+    result = Result.load(folder / "result.nc")
+    return _summarised(result, reference, side) | _signals(result)
+
+
+def _blocks(folder: Path, side: Side) -> Figures:
+    """Stop after each block, and go on."""
+    from contourlab import Result, judge
+    from contourlab.features.run.record import simulate_to_file
+
+    case, reference = _case(folder)
+    simulate_to_file(case.machine, case.controller, reference, folder / "result.nc", seed=case.seed, block=97)
+    result = judge(Result.load(folder / "result.nc"), reference)
+    return _summarised(result, reference, side) | _signals(result)
+
+
+def _batch(folder: Path, threads: int) -> Any:
+    from contourlab import parameter_names, simulate_batch
+
+    case, reference = _case(folder)
+    gain = next(name for name in parameter_names(case.machine, case.controller) if name.endswith(("position_gain", "proportional_gain")))
+    present = next(part for part in [case.controller.axes[gain.split(".")[2]]]).controller
+    value = getattr(present, gain.rpartition(".")[2])
+    asked = {gain: value * np.concatenate([[1.0], np.linspace(0.9, 1.1, 39)])}
+    return simulate_batch(case.machine, case.controller, reference, asked, threads=threads, keep=("position",), seed=case.seed)
+
+
+def _lanes(folder: Path, side: Side) -> Figures:
+    """Return the figures of the first of 40 variants, whose parameters are those of the scenario."""
+    found = _batch(folder, 1)
+    return {"position": found.signals["position"][:, :, 0]} | {name: found.figures[name][:1] for name in ERRORS}
+
+
+def _single(folder: Path, side: Side) -> Figures:
+    """Return the same figures of a run, over all samples."""
+    from contourlab import judge, simulate, summarise
+
+    case, reference = _case(folder)
+    result = judge(simulate(case.machine, case.controller, reference, seed=case.seed), reference)
+    error = summarise(result, reference, reference.judged).contour_error
+    return {"position": result["position"]} | {name: np.array([getattr(error, name.rpartition("_")[2])]) for name in ERRORS}
+
+
+def _threads(folder: Path, side: Side) -> Figures:
+    found = _batch(folder, 2 if side.how == "threads" else 1)
+    return {**found.figures, **found.signals}
+
+
+def _study(folder: Path, side: Side) -> Figures:
+    """Run a study; resume it where a part of its store is lost; return its rows."""
+    from contourlab.cli.main import main
+
+    store, table = folder / "store", folder / "rows.csv"
+    executor = ("--executor", "processes", "--workers", "2") if side.how == "processes" else ()
+    start = ["sweep", "run", str(folder / "study.toml"), "--out", str(store)]
+    codes = [main([*start, *executor])]
+    if side.how == "resumed":
+        sorted(store.glob("part-*"))[1].unlink()
+        codes.append(main([*start, "--resume"]))
+    codes.append(main(["sweep", "export", str(store), "--to", str(table)]))
+    if any(codes):
+        raise RuntimeError(f"exit codes {codes}")
+    return {"rows": np.frombuffer(table.read_bytes(), dtype=np.uint8)}
+
+
+HOWS: dict[str, Callable[[Path, Side], Figures]] = {
+    "run": _run,
+    "saved": _saved,
+    "blocks": _blocks,
+    "lanes": _lanes,
+    "single": _single,
+    "threads": _threads,
+    "one thread": _threads,
+    "study": _study,
+    "resumed": _study,
+    "processes": _study,
+}
+# --- relations -----------------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A random machine and program; each relation changes one thing of it."""
+
+    draw: random.Random
+    kind: str
+    equal: bool
+    mode: str
+    tables: list[str]
+    motions: list[Motion]
+
+    def side(self, text: str = "", how: str = "run", **changes: Any) -> Side:
+        """Return a side whose program is ``text``, by default that of the scene."""
+        program = text or written(self.motions, self.mode)
+        files = {"scenario.toml": scenario(self.kind, self.tables, 'program = "part.ngc"'), "part.ngc": program}
+        return replace(Side(files, how), **changes)
+
+
+def _split(scene: Scene, arc: bool) -> Related | None:
+    able = [k for k, motion in enumerate(scene.motions) if motion.feed and (motion.centre is not None) == arc]
+    if not able or scene.mode == "G61.1":  # stops at the end of each move
+        return None
+    k = scene.draw.choice(able)
+    parts = scene.motions[k].halves(scene.draw.uniform(0.2, 0.8))
+    motions = [*scene.motions[:k], *parts, *scene.motions[k + 1 :]]
+    name, bound = ("split arc", ARC) if arc else ("split line", CLOSE)
+    return Related(name, scene.side(), scene.side(written(motions, scene.mode)), bound)
+
+
+def _inch(scene: Scene) -> Related:
+    return Related("inch", scene.side(), scene.side(written(scene.motions, scene.mode, inch=True)))
+
+
+def _steps(scene: Scene) -> Related:
+    return Related("incremental", scene.side(), scene.side(written(scene.motions, scene.mode, steps=True)))
+
+
+def _moved(scene: Scene) -> Related:
+    """Move the program by its words, and by G10 or G92: the moves of the machine are the same."""
+    x, y, z = (round(scene.draw.uniform(-20.0, 20.0), 3) for _ in range(3))
+    first = scene.draw.choice((f"G10 L2 P1 X{x} Y{y} Z{z}", f"G92 X{-x} Y{-y} Z{-z}"))
+    one, other = (written(scene.motions, scene.mode, **how) for how in ({"shift": (x, y, z)}, {"first": first}))
+    return Related(f"moved by {first[:3]}", scene.side(one), scene.side(other))
+
+
+def _placed(scene: Scene) -> Related:
+    """Turn, mirror or exchange axes, with their drives: each axis does what it did before, under another name or sign."""
+    order = [0, 1, 2]
+    scene.draw.shuffle(order)
+    placing: Placing = tuple((axis, scene.draw.choice((-1.0, 1.0))) for axis in order)
+    if scene.kind == "play":  # the load begins in the middle of the gap, and may touch either flank
+        placing = tuple((axis, 1.0) for axis in order)
+    other = written(placed(scene.motions, placing), scene.mode)
+    tables = [scene.tables[axis] for axis in order]
+    files = {"scenario.toml": scenario(scene.kind, tables, 'program = "part.ngc"'), "part.ngc": other}
+    back = tuple(order.index(k) for k in range(3))
+    return Related("turned, mirrored or renamed", scene.side(), Side(files, order=back))
+
+
+def _contour(scene: Scene) -> Related:
+    """Move, turn and rename a contour of points in the plane."""
+    import math
+
+    draw = scene.draw
+    t = [math.tau * k / 60 for k in range(61)]
+    a, b, phase = draw.uniform(2.0, 8.0), draw.uniform(2.0, 8.0), draw.uniform(0.0, 3.0)
+    points: list[Point] = [(a * math.cos(u), b * math.sin(u) + 0.5 * math.sin(3.0 * u + phase), 0.0) for u in t]
+    points[-1] = points[0]
+    turn = draw.choice(((0, 1), (1, 0)))
+    sign, shift, names = [draw.choice((-1.0, 1.0)) for _ in turn], [draw.uniform(-30.0, 30.0) for _ in turn], draw.choice(("xy", "pq", "zx"))
+    if scene.kind == "play":
+        sign = [1.0, 1.0]
+    moved = [tuple(sign[i] * p[turn[i]] + shift[i] for i in (0, 1)) for p in points]
+
+    def side(rows: Any, tables: list[str], names: str, order: tuple[int, ...]) -> Side:
+        table = "x [mm],y [mm]\n" + "\n".join(f"{p[0]:.12f},{p[1]:.12f}" for p in rows) + "\n"
+        motion = '\n[contour]\nfile = "points.csv"\n[feed]\nfeedrate = "1500 mm/min"\n'
+        return Side({"scenario.toml": scenario(scene.kind, tables, motion, names), "points.csv": table}, order=order)
+
+    tables = scene.tables[:2]
+    other = side(moved, [tables[k] for k in turn], names, (turn.index(0), turn.index(1)))
+    return Related("contour moved, turned or renamed", side(points, tables, "xy", (0, 1)), other)
+
+
+def _saved_again(scene: Scene) -> Related:
+    return Related("saved and loaded", scene.side(), scene.side(how="saved"), SAME)
+
+
+def _in_blocks(scene: Scene) -> Related:
+    return Related("stopped and resumed", scene.side(), scene.side(how="blocks"), SAME)
+
+
+def _in_lanes(scene: Scene) -> Related:
+    side = scene.draw.choice((scene.side(), _contour(scene).one))  # with corners, and smooth
+    return Related("lanes and single", replace(side, how="single"), replace(side, how="lanes"))
+
+
+def _in_threads(scene: Scene) -> Related:
+    return Related("threads", scene.side(how="one thread"), scene.side(how="threads"), SAME)
+
+
+def _as_study(scene: Scene, how: str) -> Related:
+    scene = replace(scene, kind="rigid", tables=axis_tables("rigid", scene.draw, 3, False))
+    files = {**scene.side().files, "study.toml": STUDY.format(variants=scene.draw.randint(40, 90))}
+    return Related(f"study, {how}", Side(files, "study"), Side(files, how), SAME)
+
+
+RELATIONS: dict[str, tuple[Callable[[Scene], Related | None], int]] = {
+    "split line": (lambda scene: _split(scene, arc=False), 20),
+    "split arc": (lambda scene: _split(scene, arc=True), 20),
+    "inch": (_inch, 20),
+    "incremental": (_steps, 20),
+    "moved": (_moved, 20),
+    "placed": (_placed, 20),
+    "contour": (_contour, 20),
+    "saved": (_saved_again, 15),
+    "blocks": (_in_blocks, 15),
+    "lanes": (_in_lanes, 20),
+    "threads": (_in_threads, 10),
+    "resumed": (lambda scene: _as_study(scene, "resumed"), 3),
+    "processes": (lambda scene: _as_study(scene, "processes"), 1),
+}
+"""Each relation by name, with how often it is drawn."""
+
+
+def related(draw: random.Random, name: str = "") -> Related:
+    """Return two random inputs that belong together: by the relation ``name``, or any."""
+    weights = [weight for _, weight in RELATIONS.values()]
+    while True:
+        chosen = name or draw.choices([*RELATIONS], weights)[0]
+        kind, equal, mode = draw.choice(KINDS), draw.random() < 0.5, draw.choice(MODES)
+        scene = Scene(draw, kind, equal, mode, axis_tables(kind, draw, 3, equal), made_motions(draw))
+        if (found := RELATIONS[chosen][0](scene)) is not None:
+            exact = found.bound == SAME or scene.kind != "encoder"
+            return found if exact else replace(found, counts=COUNTS)
+
+
+def warm(folder: Path) -> None:
+    """Compile what the relations run, so that no input has to."""
+    draw = random.Random("warm")
+    for kind in KINDS:
+        scene = Scene(draw, kind, True, "G64 P0.05", axis_tables(kind, draw, 3, True), made_motions(draw))
+        for side in (scene.side(), scene.side(how="saved"), scene.side(how="blocks"), scene.side(how="lanes"), _contour(scene).other):
+            place = write(side.files, folder / f"{kind}-{side.how}-{len(side.files['scenario.toml'])}")
+            with contextlib.suppress(Exception):
+                HOWS[side.how](place, side)
