@@ -1,8 +1,8 @@
 """Look for wrong answers: ``python tools/fuzz --minutes 10``.
 
-Two kinds of inputs. A damaged file must end with one of the exit codes 0, 1, 2, 3 and 130; a file with a digest also with the answer of the
-intact one. Two sound inputs that belong together, such as a program in mm and in inch, must have the same figures. Each input has 60 s and
-1 GB. Inputs that fail are written whole into ``results/fuzz``, with the command that repeats them. Input number i depends on seed and i only.
+A damaged file must end with one of the exit codes 0, 1, 2, 3 and 130; a file with a digest also with the answer of the intact one. Two
+sound inputs that belong together, such as a program in mm and in inch, must have the same figures. Each input has 60 s and 1 GB. Those that
+fail are written whole into ``results/fuzz``, with the command that repeats them. Input number i depends on the seed and i only.
 """
 
 from __future__ import annotations

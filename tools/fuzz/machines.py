@@ -29,8 +29,8 @@ friction = {{kind = "lugre", coulomb = "20 N", breakaway = "25 N", stiffness = "
 drive = {{kind = "delayed-saturation", limit = "10 A", delay = "{delay} ms"}}
 substeps = 2
 """,
-    "play": """plant = {{kind = "two-inertia", motor_inertia = "2 kg*cm^2", lead = "10 mm", stiffness = "253 N*m/rad", shaft_damping = "0.008 N*m*s/rad", \
-load_damping = "0.004 N*m*s/rad", backlash_gap = "{gap} um", mass = "{mass} kg"}}
+    "play": """plant = {{kind = "two-inertia", motor_inertia = "2 kg*cm^2", lead = "10 mm", stiffness = "253 N*m/rad", \
+shaft_damping = "0.008 N*m*s/rad", load_damping = "0.004 N*m*s/rad", backlash_gap = "{gap} um", mass = "{mass} kg"}}
 friction = {{kind = "coulomb", coulomb = "40 N", breakaway = "50 N", stribeck_velocity = "2 mm/s"}}
 substeps = 6
 """,
