@@ -22,6 +22,7 @@ import tempfile
 import time
 from collections import Counter
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from damage import Damaged, Kind, damaged, kinds, programs
@@ -54,6 +55,33 @@ def keep(number: int, fault: str, given: Damaged | Related, repeat: str) -> None
     print(*lines, sep="\n", flush=True)
 
 
+@dataclass
+class Tally:
+    """Inputs, faults and time [s] by name."""
+
+    tried: Counter[str] = field(default_factory=Counter)
+    faults: Counter[str] = field(default_factory=Counter)
+    seconds: dict[str, float] = field(default_factory=dict)
+    begun: float = field(default_factory=time.monotonic)
+
+    def add(self, name: str, fault: str, seconds: float) -> None:
+        self.tried[name] += 1
+        self.faults[name] += bool(fault)
+        self.seconds[name] = self.seconds.get(name, 0.0) + seconds
+
+    @property
+    def line(self) -> str:
+        """Inputs, their rate, faults; the time of a processor says what an idle machine could do."""
+        count, used = max(self.tried.total(), 1), resource.getrusage(resource.RUSAGE_CHILDREN)
+        rate, each = count / (time.monotonic() - self.begun), 1e3 * (used.ru_utime + used.ru_stime) / count
+        return f"{self.tried.total()} inputs, {rate:.1f} a second, {each:.0f} ms of a processor each, {self.faults.total()} faults"
+
+    @property
+    def table(self) -> str:
+        rows = ((name, count, self.faults[name], 1e3 * self.seconds[name] / count) for name, count in sorted(self.tried.items()))
+        return "\n".join(f"{count:8d} {name}: {faults} faults, {each:.0f} ms each" for name, count, faults, each in rows)
+
+
 def main() -> int:
     """Fuzz; return 1 if there was a fault."""
     options = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
@@ -64,43 +92,32 @@ def main() -> int:
     options.add_argument("--only", default="", help=f"one relation ({', '.join(RELATIONS)}), or part of the name of a damaged file")
     options.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     given = options.parse_args()
-    numbers, few = range(given.first, given.first + given.count), programs()
+    pool, numbers, known = Pool(60.0 * given.minutes), range(given.first, given.first + given.count), programs()
 
     def crew(known: list[Kind]) -> Callable[[int, Path], str]:
         return lambda number, folder: made(number, given.seed, known, given.only).fault(folder)
 
-    pool = Pool(60.0 * given.minutes)
-    if not given.only:  # one worker suffices: reading is fast, and its process small
-        pool.hire(numbers[given.first % 2 :: 2], crew(few))
+    few, others = (range(0), numbers) if given.only else (numbers[given.first % 2 :: 2], numbers[1 - given.first % 2 :: 2])
+    pool.hire(few, crew(known))  # one worker suffices: it reads programs, and its process is small
     with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()):
         warm(Path(folder))
-        many = kinds()
-    known = few + many if given.only else many
-    if given.only not in RELATIONS and not any(given.only in kind.file for kind in known):
+        many = kinds() + (known if given.only else [])
+    if given.only not in RELATIONS and not any(given.only in kind.file for kind in many):
         options.error(f"--only {given.only}: no such relation or file")
-    others = numbers if given.only else numbers[1 - given.first % 2 :: 2]
     for k in range(given.workers):
-        pool.hire(others[k :: given.workers], crew(known))
-    begun = shown = time.monotonic()
-    tried, faults, lasted = Counter[str](), Counter[str](), Counter[str]()
+        pool.hire(others[k :: given.workers], crew(many))
+    tally, shown = Tally(), time.monotonic()
     for number, fault, seconds in pool.results():
-        one = made(number, given.seed, known if given.only or number % 2 else few, given.only)
-        tried[one.name] += 1
-        lasted[one.name] += seconds
+        one = made(number, given.seed, many if given.only or number % 2 else known, given.only)
+        tally.add(one.name, fault, seconds)
         if fault:
-            faults[one.name] += 1
             only = f" --only '{given.only}'" if given.only else ""
             keep(number, fault, one, f"python tools/fuzz --seed {given.seed} --first {number} --count 1{only}")
         if time.monotonic() - shown > 10.0:
             shown = time.monotonic()
-            print(f"{tried.total()} inputs, {tried.total() / (shown - begun):.0f} a second, {faults.total()} faults", flush=True)
-    took = time.monotonic() - begun
-    for name, count in sorted(tried.items()):
-        print(f"{count:8d} {name}, {1e3 * lasted[name] / count:.0f} ms each" + (f", {faults[name]} faults" if faults[name] else ""))
-    rate, used = tried.total() / max(took, 1e-9), resource.getrusage(resource.RUSAGE_CHILDREN)
-    each = 1e3 * (used.ru_utime + used.ru_stime) / max(tried.total(), 1)
-    print(f"{tried.total()} inputs, {rate:.1f} a second, {each:.0f} ms of a processor each, {faults.total()} faults, seed {given.seed}")
-    return int(faults.total() > 0)
+            print(tally.line, flush=True)
+    print(tally.table, f"{tally.line}, seed {given.seed}", sep="\n")
+    return int(tally.faults.total() > 0)
 
 
 if __name__ == "__main__":

@@ -49,14 +49,14 @@ class Related:
 
     def fault(self, folder: Path) -> str:
         """Compute both sides in a folder; return the first figure that differs, or nothing."""
-        figures = []
+        figures = {}
         for name, side in (("one", self.one), ("other", self.other)):
             place = write(side.files, folder / name)
             try:
-                figures.append(HOWS[side.how](place, side))
+                figures[name] = HOWS[side.how](place, side)
             except Exception as error:  # a sound input was refused
                 return f"{self.name}: {name}: {type(error).__name__}: {error}"
-        return difference(*figures, self)
+        return difference(figures["one"], figures["other"], self)
 
     @property
     def commands(self) -> list[str]:
