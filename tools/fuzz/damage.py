@@ -6,6 +6,7 @@ import contextlib
 import io
 import random
 import re
+import shlex
 import string
 import sys
 import tempfile
@@ -64,7 +65,7 @@ contour = {name = "circle", radius = "2 mm"}
 feed = {law = "uniform", frequency = "2 Hz"}
 run = {tolerance = "27.8 um", start = "moving"}
 """
-DRAGGED = f"{SCENARIO}[axes.1.friction]\nkind = \"open-drag\"\ncoefficient = 0.1\n"
+DRAGGED = f"{SCENARIO}[axes.1.friction]\nkind = \"open-drag\"\ncoefficient = \"0.1 full_scale*s/m\"\n"
 STUDY = """scenario = "scenario.toml"
 variants = 40
 chunk = 32
@@ -104,8 +105,13 @@ class Damaged:
 
     @property
     def commands(self) -> list[str]:
+        """The command, to be typed after ``contourlab``."""
+        return [shlex.join(self.typed)]
+
+    @property
+    def typed(self) -> list[str]:
         """The words of the command."""
-        return [" ".join(self.kind.file if word == "FILE" else word for word in self.kind.words)]
+        return [self.kind.file if word == "FILE" else word for word in self.kind.words]
 
     def write(self, folder: Path) -> None:
         """Write the file and those beside it."""
@@ -132,7 +138,7 @@ class Damaged:
         self.write(folder)
         out, err = io.StringIO(), io.StringIO()
         with contextlib.chdir(folder), contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            code = main(self.commands[0].split())
+            code = main(self.typed)
         return code, out.getvalue(), err.getvalue()
 
 
@@ -142,9 +148,12 @@ def rounded(text: str) -> str:
 
 
 def answered(kind: Kind) -> str:
-    """Return what the command prints for the intact file."""
-    with tempfile.TemporaryDirectory() as folder:
-        return Damaged(kind, kind.seeds[0]).said(Path(folder))[1]
+    """Return what the command prints for the intact file; a file that is refused would test nothing."""
+    for seed in kind.seeds[::-1]:
+        with tempfile.TemporaryDirectory() as folder:
+            code, out, err = Damaged(kind, seed).said(Path(folder))
+        assert code == 0, f"{kind.file}: {err}"
+    return out
 
 
 def _stored() -> dict[str, bytes]:
@@ -184,8 +193,12 @@ def programs() -> list[Kind]:
 
 
 def _tried(*known: Kind) -> list[Kind]:
-    """Return kinds with the answers of their intact files; what the commands import is there for all inputs."""
-    return [replace(kind, answer=answer) if (answer := answered(kind)) and kind.protected else kind for kind in known]
+    """Return kinds with the answers of their intact files; what the commands import is there for all inputs, but no plug-in."""
+    return [
+        replace(kind, answer=answered(kind)) if kind.protected else kind
+        for kind in known
+        if kind.protected or "--plugin" in kind.words or answered(kind)
+    ]
 
 
 def kinds() -> list[Kind]:
@@ -204,13 +217,18 @@ def kinds() -> list[Kind]:
     names = ("time [s]", "x ref [mm]", "x pos [mm]", "y ref [mm]", "y pos [mm]")
     rows = np.column_stack([t, x, x + 1e-3, y, y - 1e-3])
     table = "\n".join([",".join(names), *(",".join(f"{v:.9g}" for v in row) for row in rows)]).encode()
+    points = b"x [mm],y [mm]\n" + "\n".join(f"{a:.9g},{b:.9g}" for a, b in zip(x, y, strict=True)).encode()
     stream = io.BytesIO()
     savemat(stream, {"time": t, "x_ref": x, "x_pos": x, "y_ref": y, "y_pos": y})
     mat = b"MATLAB 5.0 MAT-file".ljust(116) + stream.getvalue()[116:]  # without the present time
     with tempfile.TemporaryDirectory() as folder:
-        Result("base", ("x",), 1e-3, {"position": Signal(x[:, None], ("sample", "axis"), "m")}).save(f"{folder}/run.nc")
+        both = {"reference": np.column_stack([x, y]) / 1e3, "position": np.column_stack([x, y + 1e-3]) / 1e3}
+        signals = {name: Signal(data, ("sample", "axis"), "m") for name, data in both.items()}
+        Result("base", ("x", "y"), 1e-3, signals).save(f"{folder}/run.nc")
         result = Path(folder, "run.nc").read_bytes()
     measure, check = ("measure", "FILE", "--out", "out", "--json"), ("run", "scenario.toml", "--check")
+    named = [f"{signal}.{axis}={axis}_{short} [mm]" for axis in "xy" for signal, short in (("reference", "ref"), ("position", "pos"))]
+    columns = [word for name in named for word in ("--column", name)]
     store, rig, commission = _stored(), Rig(), ("commission", "linuxcnc", "rig.ini", "rig.hal", "--out", "out", "--json")
     ini, hal = ("rig.ini", rig.ini_text().encode()), ("rig.hal", rig.hal_text().encode())
 
@@ -221,15 +239,15 @@ def kinds() -> list[Kind]:
         return Kind(file, (store[file],), ("sweep", "show", "store", "--json"), 8, tuple(store.items()), protected=True)
 
     return _tried(
-        Kind("part.ngc", (PROGRAM, program[:800]), ("check", "FILE", *FEW), 10),
-        Kind("part.ngc", (PROGRAM, program[:800]), ("run", "FILE", *ON_XYZ, *FEW, "--check"), 10),
+        Kind("part.ngc", (PROGRAM, program[:3000]), ("check", "FILE", *FEW), 10),
+        Kind("part.ngc", (PROGRAM, program[:3000]), ("run", "FILE", *ON_XYZ, *FEW, "--check"), 10),
         Kind("scenario.toml", whole, ("run", "FILE", "--check"), 60),
         Kind("shape.svg", (SHAPE,), check, 10, around("shape.svg")),
-        Kind("shape.csv", (table,), check, 10, around("shape.csv")),
+        Kind("shape.csv", (points,), check, 10, around("shape.csv")),
         Kind("shape.dxf", (_drawn(),), check, 10, around("shape.dxf")),
         Kind("log.csv", (table,), measure, 20),
-        Kind("log.mat", (mat,), measure, 3),
-        Kind("run.nc", (result,), measure, 3),
+        Kind("log.mat", (mat,), (*measure, *columns), 3),
+        Kind("run.nc", (result,), measure, 3, protected=True),
         Kind("plugin.py", (DRAG.encode(),), ("components", "--plugin", "FILE"), 10),
         Kind("plugin.py", (DRAG.encode(),), (*check, "--plugin", "FILE"), 5, (("scenario.toml", DRAGGED.encode()),)),
         Kind("study.toml", (STUDY.encode(),), ("sweep", "run", "FILE", "--chunks", "0:1"), 5, (("scenario.toml", SCENARIO.encode()),)),

@@ -70,7 +70,7 @@ def _child(number: int, attempt: Try, folder: Path, writer: int) -> None:
     """Try the input, write what is wrong, and leave without a trace of the parent's."""
     try:
         os.setsid()
-        resource.setrlimit(resource.RLIMIT_CPU, (int(SECONDS) + 5, int(SECONDS) + 5))  # if the parent is no more
+        resource.setrlimit(resource.RLIMIT_CPU, (int(2 * SECONDS) + 5, int(2 * SECONDS) + 5))  # if the parent is no more
         if sys.platform != "darwin":
             present = int(Path("/proc/self/statm").read_text().split()[0]) * os.sysconf("SC_PAGE_SIZE")
             resource.setrlimit(resource.RLIMIT_AS, (present + 2 * BYTES, present + 2 * BYTES))  # threads reserve more than they use
