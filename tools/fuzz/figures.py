@@ -98,8 +98,8 @@ def _batch(folder: Path, threads: int) -> Any:
 
     case, reference = _case(folder)
     gain = next(name for name in parameter_names(case.machine, case.controller) if name.endswith(("position_gain", "proportional_gain")))
-    present = next(part for part in [case.controller.axes[gain.split(".")[2]]]).controller
-    value = getattr(present, gain.rpartition(".")[2])
+    _, _, axis, *_, name = gain.split(".")
+    value = getattr(case.controller.axes[axis].controller, name)
     asked = {gain: value * np.concatenate([[1.0], np.linspace(0.9, 1.1, 39)])}
     return simulate_batch(case.machine, case.controller, reference, asked, threads=threads, keep=("position",), seed=case.seed)
 

@@ -105,7 +105,6 @@ class Scene:
 
     draw: random.Random
     kind: str
-    equal: bool
     mode: str
     tables: list[str]
     motions: list[Motion]
@@ -246,7 +245,7 @@ def related(draw: random.Random, name: str = "") -> Related:
     while True:
         chosen = name or draw.choices([*RELATIONS], weights)[0]
         kind, equal, mode = draw.choice(KINDS), draw.random() < 0.5, draw.choice(MODES)
-        scene = Scene(draw, kind, equal, mode, axis_tables(kind, draw, 3, equal), made_motions(draw))
+        scene = Scene(draw, kind, mode, axis_tables(kind, draw, 3, equal), made_motions(draw))
         if (found := RELATIONS[chosen][0](scene)) is not None:
             exact = found.bound == SAME or scene.kind != "encoder"
             return found if exact else replace(found, counts=COUNTS)
@@ -256,7 +255,7 @@ def warm(folder: Path) -> None:
     """Compile what the relations run, so that no input has to."""
     draw = random.Random("warm")
     for kind in KINDS:
-        scene = Scene(draw, kind, True, "G64 P0.05", axis_tables(kind, draw, 3, True), made_motions(draw))
+        scene = Scene(draw, kind, "G64 P0.05", axis_tables(kind, draw, 3, True), made_motions(draw))
         for side in (scene.side(), scene.side(how="saved"), scene.side(how="blocks"), scene.side(how="lanes"), _contour(scene).other):
             place = write(side.files, folder / f"{kind}-{side.how}-{len(side.files['scenario.toml'])}")
             with contextlib.suppress(Exception):
