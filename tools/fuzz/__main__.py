@@ -71,10 +71,11 @@ class Tally:
 
     @property
     def line(self) -> str:
-        """Inputs, their rate, faults; the time of a processor says what an idle machine could do."""
+        """Inputs, their rate, faults; at the end the time of a processor, which says what an idle machine could do."""
         count, used = max(self.tried.total(), 1), resource.getrusage(resource.RUSAGE_CHILDREN)
         rate, each = count / (time.monotonic() - self.begun), 1e3 * (used.ru_utime + used.ru_stime) / count
-        return f"{self.tried.total()} inputs, {rate:.1f} a second, {each:.0f} ms of a processor each, {self.faults.total()} faults"
+        cost = f", {each:.0f} ms of a processor each" if each else ""  # known when the workers have ended
+        return f"{self.tried.total()} inputs, {rate:.1f} a second{cost}, {self.faults.total()} faults"
 
     @property
     def table(self) -> str:
