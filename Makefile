@@ -24,7 +24,7 @@ help:
 	@echo "make check    ruff, mypy --strict, import contracts, examples in docstrings, documents"
 	@echo "make docs     check the documents, run the examples, build the site: docs/_build/html/index.html"
 	@echo "make package  build wheel and source archive in dist; try the wheel in an environment of its own"
-	@echo "make fuzz     try damaged input files on the commands; make fuzz MINUTES=10"
+	@echo "make fuzz     look for wrong answers and crashes on random inputs; make fuzz MINUTES=10"
 	@echo "make bench    measure the speed of the engine on this machine"
 	@echo "make programs run every part program of a folder; make programs PROGRAMS=my/folder"
 	@echo "make learning measure cost and benefit of learning and cross-coupling; reports in results/learning"
@@ -88,7 +88,7 @@ package: $(STAMP)
 	$(BIN)/python tools/package.py
 
 fuzz: $(STAMP)
-	$(BIN)/python tools/fuzz.py --minutes $(MINUTES) $(ARGS)
+	$(BIN)/python tools/fuzz --minutes $(MINUTES) $(ARGS)
 
 bench: $(STAMP)
 	$(BIN)/python benchmarks/run.py $(ARGS)

@@ -171,3 +171,17 @@ def test_from_a_model(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: p
     result = printed(capsys, "precompensate", "part.ngc", *machine, "--out", "out.ngc", "--repeat", "8")
     assert result["gain"] > 5.0
     assert result["passes"][result["best"]]["in_time"]
+
+
+def test_no_program_is_written_if_no_pass_gains(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text("G21 G90\nG1 X10 Y0 F600\nG1 X10 Y10\nG1 X0 Y0\nM2\n")  # neither G61 nor G64: the tool may cut corners
+    words = "precompensate part.ngc --machine xyz --controller xyz-controller --repeat 1 --out out.ngc --json"
+    assert main(words.split()) == 1
+    result = json.loads(capsys.readouterr().out)
+    assert (result["status"], result["written"], result["out"], result["best"]) == ("no gain", 0, "", 0)
+    assert not Path("out.ngc").exists()
+    corner = next(one for one in result["findings"] if one["code"] == "CL918")
+    assert corner["values"]["line"] == 3

@@ -11,6 +11,8 @@ from contourlab.feed.profile import Profile
 
 _SAME_PLACE = 1e-10
 """A span that begins this close to a border [m] begins there."""
+_ROUNDING = 1e-6
+"""A time this close behind a sample [samples] is that of the sample: the last digit of a length must not decide."""
 
 
 class Judged(NamedTuple):
@@ -65,7 +67,7 @@ WHOLE, LAST_LAP, CUTTING = "whole motion", "last lap", "cutting moves"
 def ranges_of_curves(profile: Profile, breaks: Array, chosen: Flags, servo_period: float, n_sample: int) -> tuple[tuple[int, int], ...]:
     """Return the sample ranges of chosen curves (n_curve,) between `breaks` (n_curve + 1,) [m]; a rest belongs to the curve before it."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], chosen, [False]]).astype(np.int8)))
-    samples = np.ceil(_leaving(profile, breaks[edges]) / servo_period).astype(np.int64)
+    samples = np.ceil(_leaving(profile, breaks[edges]) / servo_period - _ROUNDING).astype(np.int64)
     samples[edges == 0], samples[edges == len(chosen)] = 0, n_sample
     pairs = samples.reshape(-1, 2)
     return tuple((int(start), int(stop)) for start, stop in pairs[pairs[:, 0] < pairs[:, 1]])

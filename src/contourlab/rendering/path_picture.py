@@ -24,7 +24,10 @@ FLAT = 1e-3
 
 
 class _Drawn(NamedTuple):
-    """The drawn points of a run: foot points and errors (n, n_axis) [m], size of the part error and program line (n,)."""
+    """The drawn points of a run: foot points and errors (n, n_axis) [m], size of the part error and program line (n,).
+
+    A point of nan ends the line between two judged stretches.
+    """
 
     foot: Array
     error: Array
@@ -77,13 +80,15 @@ def _run(data: ReportData, scheme: SchemeReport, points: int) -> _Drawn:
 
     With many laps drawn, each would have too few points, and lines between them would cut corners.
     """
-    result, judged = scheme.result, scheme.metrics.judged.samples
+    result, judged, stops = scheme.result, scheme.metrics.judged.samples, [stop for _, stop in scheme.metrics.judged.ranges]
     size, along = np.abs(signal(result, "part_error")[judged]), signal(result, "foot_arc_length")[judged]
     good = np.flatnonzero(np.isfinite(size) & np.isfinite(along))
     kept = good[keep_changes(size[good], points)] if good.size else good
     foot = np.asarray(data.asked.position(along[kept]), dtype=np.float64)
     lines = np.zeros(kept.size, dtype=np.int64) if scheme.lines is None else scheme.lines[judged[kept]]
-    return _Drawn(foot, signal(result, "tool_position")[judged[kept]] - foot, size[kept], lines)
+    gaps = np.flatnonzero(np.diff(np.searchsorted(stops, judged[kept], side="right"))) + 1
+    foot, error = (np.insert(part, gaps, np.nan, axis=0) for part in (foot, signal(result, "tool_position")[judged[kept]] - foot))
+    return _Drawn(foot, error, np.insert(size[kept], gaps, 0.0), np.insert(lines, gaps, 0))
 
 
 def _space(data: ReportData, asked: Array, asked_at: Index, runs: list[_Drawn], scale: float) -> SpaceChart:

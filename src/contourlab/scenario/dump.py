@@ -261,8 +261,8 @@ def learning_table(learning: LearningSettings, machine: Machine) -> dict[str, An
 
 
 def difference(base: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the overrides that turn `base` into `other`; keys missing from `other` are reset."""
-    changed: dict[str, Any] = {name: DEFAULT for name in base if name not in other}
+    """Return the overrides that turn `base` into `other`; keys missing from `other` are reset, learning by its law."""
+    changed: dict[str, Any] = {name: {"law": "none"} if name == "learning" else DEFAULT for name in base if name not in other}
     for name, value in other.items():
         old = base.get(name)
         if isinstance(value, Mapping) and isinstance(old, Mapping) and value.get("kind") == old.get("kind"):

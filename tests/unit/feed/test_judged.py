@@ -11,6 +11,8 @@ import pytest
 import contourlab as cl
 from contourlab.errors import FeedError, ParameterError, ProgramError
 from contourlab.feed import Judged, Reference
+from contourlab.feed.judged import ranges_of_curves
+from contourlab.feed.profile import Profile
 from contourlab.scenario import Scenario, scenario_from_parts
 
 PART = "G21 G17 G90\nG0 X10 Y10 Z5\nG1 Z0 F600\nG4 P0.3\nX20 F1200\nG3 X30 Y20 I0 J10\nG0 Z5\nX10 Y10\nG4 P0.2\nG1 Z-1\nY20\nG0 Z10\nM2\n"
@@ -105,3 +107,11 @@ def test_a_contour_is_judged_over_its_last_lap_or_whole() -> None:
     reference = cl.uniform(cl.contour("circle"), 1.0, 3, 1e-3)
     assert reference.judged == Judged(((2000, 3000),), "last lap")
     assert replace(reference, laps=()).judged == Judged(((0, 3000),), "whole motion")
+
+
+@pytest.mark.parametrize("late", [-1e-12, 0.0, 1e-12])
+def test_a_move_that_begins_at_a_sample_up_to_rounding_begins_there(late: float) -> None:
+    rest = 0.05 + late  # two moves of 0.1 m at 2 m/s, to 50 ms and 100 ms
+    profile = Profile(np.array([0.0, rest]), np.array([0.0, 0.1]), np.full(2, 2.0), np.zeros(2), np.zeros(2), rest + 0.05, 0.2)
+    ranges = ranges_of_curves(profile, np.array([0.0, 0.1, 0.2]), np.array([False, True]), 1e-3, 101)
+    assert ranges == ((50, 101),)

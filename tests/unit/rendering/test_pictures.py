@@ -9,7 +9,7 @@ import pytest
 import synthetic
 
 from contourlab.errors import ResultError
-from contourlab.feed import uniform
+from contourlab.feed import Judged, uniform
 from contourlab.geometry import Line, Path, contour
 from contourlab.rendering.axis_pictures import axis_charts, bode_charts
 from contourlab.rendering.comparison import compare
@@ -37,6 +37,19 @@ def test_magnified_error_is_the_radial_deviation(circle):
 def test_laps_that_do_not_count_are_not_drawn(square):
     run = path_charts(square, POINTS)[0].runs[0]
     assert len(run.foot) == square.schemes[0].metrics.judged.samples.size < square.schemes[0].result.n_sample
+
+
+@pytest.mark.parametrize("points", [POINTS, 60])
+def test_judged_stretches_are_not_joined(circle, points):
+    scheme, ranges = circle.schemes[0], ((100, 250), (300, 301), (700, 900))
+    apart = replace(scheme, metrics=replace(scheme.metrics, judged=Judged(ranges, "cutting moves")))
+    charts = path_charts(replace(circle, schemes=(apart,)), points)
+    for run in (charts[0].runs[0], charts[-1].runs[0]):
+        gaps = np.flatnonzero(np.isnan(run.foot[:, 0]) & np.isnan(run.error[:, 0]))
+        whole = np.split(run.foot[:, :2], gaps)
+        feet = [circle.asked.position(scheme.result["foot_arc_length"][slice(*one)])[:, 0] * 1e3 for one in ranges]
+        stretches = [np.isin(part[np.isfinite(part[:, 0]), 0], foot) for foot, part in zip(feet, whole, strict=True)]
+        assert all(drawn.size and drawn.all() for drawn in stretches)
 
 
 def test_largest_drawn_error_covers_about_a_tenth(circle):

@@ -82,5 +82,6 @@ def precompensate(
             part, scenario.machine, scenario.controller, out, options=options, reading=reading, seed=seed, progress=wants_progress(as_json)
         )
     show_result(result, as_json)
-    suggest(as_json, "check", out)
+    if result.written:
+        suggest(as_json, "check", out)
     return 0 if result.passed else 1

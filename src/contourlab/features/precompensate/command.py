@@ -18,7 +18,6 @@ from contourlab.features.precompensate.work import Settings, Work
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
 from contourlab.program import Reading
-from contourlab.result import write_text_atomic
 
 NODE_TIME = 1e-3
 """Least time between nodes at the programmed feed [s]."""
@@ -65,7 +64,7 @@ def precompensate_from_logs(
     options: Options | None = None,
     reading: Reading | None = None,
 ) -> Precompensated:
-    """Learn from the logs of one pass, and write the program of the next.
+    """Learn from the logs of one pass, and write the program of the next, if a pass helps.
 
     Parameters
     ----------
@@ -117,7 +116,7 @@ def precompensate_from_logs(
     if passes is not None:
         spared(Path(passes) / f"pass-{len(work.passes.written)}.ngc", given, "--passes")
     result = work.result(out, measured.source, rest, findings, proceed)
-    write_text_atomic(out, work.text(result.written))
+    work.write(result)
     if passes is not None:
         save(work.passes, Path(passes))
     return result
@@ -147,7 +146,7 @@ def precompensate_from_model(
     seed: int = 0,
     progress: bool = False,
 ) -> Precompensated:
-    """Simulate pass after pass, and write the best program.
+    """Simulate pass after pass, and write the best program, if it is better than the given one.
 
     Parameters
     ----------
@@ -190,5 +189,5 @@ def precompensate_from_model(
             more += work.propose()
             findings += [one for one in more if str(one) not in map(str, findings)]
     result = work.result(out, "model", rest, findings, proceed=False)
-    write_text_atomic(out, work.text(result.written))
+    work.write(result)
     return result

@@ -32,6 +32,7 @@ class Precompensated:
     Attributes
     ----------
     program, out : str
+        The given one, and the one written; empty if none was.
     position : str
         What counted as the tool's position: ``"load"``, ``"motor and model"``, ``"motor"`` or ``"model"``.
     axes : tuple of str
@@ -42,9 +43,9 @@ class Precompensated:
     best : int
         The best of them.
     written : int
-        The pass that `out` holds.
+        The pass that `out` holds; 0 for none.
     status : str
-        ``"next pass"``: run it; ``"done"``: no further pass helps, and it is the best one.
+        ``"next pass"``: run it; ``"done"``: no further pass helps, and it is the best one; ``"no gain"``: none is better than `program`.
     bandwidth : dict of str to float [Hz]
         Of the loop of each axis that moves.
     cutoff : float [Hz]
@@ -86,12 +87,12 @@ class Precompensated:
 
     @property
     def passed(self) -> bool:
-        """Whether no finding is an error."""
-        return all(one.entry.severity != "error" for one in self.findings)
+        """Whether a program was written and no finding is an error."""
+        return self.written > 0 and all(one.entry.severity != "error" for one in self.findings)
 
     @property
     def text(self) -> str:
-        """What does not repeat, the passes, and what was written."""
+        """What does not repeat, the passes, and what was written; if nothing was, this first."""
         repeats = "unknown from one run" if self.not_repeating is None else f"{figure(self.not_repeating, 'um')} rms"
         heads = ("pass", "rms [um]", "largest [um]", "cycle time [s]", "change")
         table = Table([*map(Column, heads), Column("", left=True)])
@@ -100,10 +101,11 @@ class Precompensated:
             marks = "best" if one.number == self.best else "" if one.in_time else "too slow"
             table.add(str(one.number), f"{1e6 * one.rms:.2f}", f"{1e6 * one.largest:.1f}", f"{one.duration:.3f}", change, marks)
         lines = [f"does not repeat: {repeats}", f"position: {self.position}, axes {', '.join(self.axes)}", "", table.text()]
-        what = f"pass {self.written}" if self.written else "the program as it was"
-        first = f"\nwritten: {self.out}, {what}"
         if self.written:
             size, cutoff = figure(self.correction, "um"), figure(self.cutoff, "Hz")
-            first += f": {self.lines} lines, path displaced by up to {size}, filtered at {cutoff}"
+            what = f"{self.lines} lines, path displaced by up to {size}, filtered at {cutoff}"
+            lines.append(f"\nwritten: {self.out}, pass {self.written}: {what}")
+        else:
+            lines.insert(0, "No pass is better than the program itself: nothing is written.\n")
         more = paragraphs(map(str, self.findings))
-        return "\n".join([*lines, first, *(["", more] if more else [])])
+        return "\n".join([*lines, *(["", more] if more else [])])

@@ -25,6 +25,7 @@ from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
 from contourlab.program import Reading
 from contourlab.program.reader import read_text, split_lines
+from contourlab.result import write_text_atomic
 
 SMOOTHER = 0.8
 """Factor on the cutoff after a pass that took too long."""
@@ -96,7 +97,7 @@ class Work:
         """Whether LinuxCNC's interpreter is installed and reads the program itself."""
         if shutil.which("rs274") is None or self.reading.dialect != "linuxcnc":
             return False
-        return not complaint(self.text(0), self.part.parent)
+        return not complaint("\n".join(split_lines(read_text(self.part))) + "\n", self.part.parent)
 
     def contour_again(self, written: Written) -> Contour:
         """Read a written program, and check that it is the corrected path and nothing else."""
@@ -231,11 +232,10 @@ class Work:
         message = complaint(written.text, self.part.parent) if self.is_interpreted else ""
         return [finding("CL916", message=message)] if message else []
 
-    def text(self, number: int) -> str:
-        """Return the program of a pass."""
-        if number:
-            return self.passes.written[number - 1].text
-        return "\n".join(split_lines(read_text(self.part))) + "\n"
+    def write(self, result: Precompensated) -> None:
+        """Write the program that a result names, if a pass gains."""
+        if result.written:
+            write_text_atomic(result.out, self.passes.written[result.written - 1].text)
 
     def result(self, out: Path, position: str, rest: float | None, findings: Sequence[Finding], proceed: bool) -> Precompensated:
         """Return the result."""
@@ -254,14 +254,14 @@ class Work:
             more.append(finding("CL915", best=passes.best))
         return Precompensated(
             program=self.part.name,
-            out=str(out),
+            out=str(out) if number else "",
             position=position,
             axes=passes.axes,
             not_repeating=rest,
             passes=passes.figures,
             best=passes.best,
             written=number,
-            status="next pass" if proceed else "done",
+            status="next pass" if proceed else "done" if number else "no gain",
             bandwidth={axis: loop.bandwidth for axis, loop in zip(passes.axes, passes.loops, strict=True) if np.isfinite(loop.bandwidth)},
             cutoff=passes.cutoff,
             correction=_largest(learned.tried if proceed else learned.kept),
