@@ -2,33 +2,43 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import perf_counter
 from typing import Any
 
+import numpy as np
+
 from contourlab.app.checkpoint import noted
 from contourlab.app.executors import Executor, Workers
+from contourlab.app.json_values import json_values, write_json
+from contourlab.app.results import proposed
 from contourlab.app.stages import shown
 from contourlab.design.values import with_values
 from contourlab.engine.gpu import LANES as GPU_LANES
-from contourlab.errors import ParameterError
+from contourlab.errors import DivergenceError, ParameterError, ResultError
 from contourlab.extras import extra_module
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
 from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, run_chunks
+from contourlab.features.sweep.design import Design
+from contourlab.features.sweep.distributions import Distribution
 from contourlab.features.sweep.query import variant
 from contourlab.features.sweep.store import Store, read_store, writing
-from contourlab.features.sweep.structures import Structured
+from contourlab.features.sweep.structures import Structure, Structured
 from contourlab.features.sweep.study import Study, study_of
-from contourlab.features.sweep.summary import SweepSummary, summary
-from contourlab.findings import finding
+from contourlab.features.sweep.summary import SweepSummary, display, remarks, summary
+from contourlab.figures import number as number_text
+from contourlab.findings import Finding, finding
 from contourlab.result import write_text_atomic
-from contourlab.scenario import Scenario, dump, parse_scenario
+from contourlab.scenario import Case, Scenario, dump, parse_scenario
 
 AGAIN = "Repeat the command with --resume to continue"
+SAME = 1e-6
+"""Largest relative difference between the stored figure of a variant and a new run; on the same processor they are equal."""
 
 
 @dataclass(frozen=True)
@@ -177,13 +187,41 @@ def rerun(folder: str | Path, number: int, options: RunOptions) -> RunOutcome:
     """
     store = read_store(folder)
     row = variant(store, number)
-    structure = next(one for one in store.manifest["structures"] if all(row[key] == label for key, label in one["choices"].items()))
+    fits = (one for one in store.manifest["structures"] if all(row.get(key) == label for key, label in one["choices"].items()))
+    if (structure := next(fits, None)) is None:
+        raise ResultError(f"{store.folder}: has no scenario for variant {number}: restore its manifest.json")
     base = parse_scenario(structure["scenario"], f"{folder}: variant {number}", options.plugins).base
     values = {name: row[name] for name in store.columns if name not in structure["choices"] and row[name] is not None}
+    findings = (*remarks(store, {}), *_differences(store, row, base, values))
     machine, controller = with_values(base.machine, base.controller, values)
     run = base.run if store.manifest["tolerance"] is None else replace(base.run, tolerance=store.manifest["tolerance"])
     case = replace(base, machine=machine, controller=controller, run=run)
     scenario = Scenario(f"variant {number}", Path(f"variant-{number}.toml"), case)
     file = options.out / f"variant-{number}.toml"
-    write_text_atomic(file, dump(scenario))
-    return run_session(scenario, options, command=options.command("run", file, {}))
+    write_text_atomic(file, proposed(f"Variant {number} of {folder}.", dump(scenario)))
+    try:
+        outcome = run_session(scenario, options, command=options.command("run", file, {}))
+    except DivergenceError as error:
+        for one in findings:
+            error.add_note(str(one))
+        raise
+    for scheme in outcome.summary["schemes"].values():
+        scheme["findings"] += json_values(findings)
+        scheme["warnings"] += [one.text for one in findings if one.entry.severity == "warning"]
+    write_json(options.out / "summary.json", outcome.summary)
+    return replace(outcome, table="\n\n".join([outcome.table, *map(str, findings)]))
+
+
+def _differences(store: Store, row: Mapping[str, Any], case: Case, values: Mapping[str, float]) -> Iterator[Finding]:
+    """Run a variant again as the study did; yield the first figure that is not that of its row."""
+    numbers = tuple((name, i, Distribution("values", (value,))) for i, (name, value) in enumerate(values.items()))
+    structure = Structure(case.machine, case.controller, case.reference(), case.moving, case.seed, numbers)
+    design = Design("list", 1, 1, (1,) * len(numbers))
+    (chunk,) = run_chunks(Study("", "", design, (), {(): structure}, dict.fromkeys(values, ""), tuple(store.figures)), [0])
+    for name, unit in store.figures.items():
+        stored, now = math.nan if row[name] is None else row[name], float(chunk.columns[name][0])
+        if not np.isclose(now, stored, rtol=SAME, atol=0.0, equal_nan=True):
+            unit, factor = display(unit)
+            texts = {key: f"{number_text(value * factor, 9)} {unit}" for key, value in (("stored", stored), ("now", now))}
+            yield finding("CL934", variant=row["variant"], figure=name, **texts)
+            return
