@@ -109,15 +109,17 @@ def show(store: StoreFolder, as_json: Json = False) -> int:
 def query(
     store: StoreFolder,
     sql: Annotated[str, typer.Argument(metavar="SQL", help="DuckDB SQL over the view results, in SI.", show_default=False)],
+    memory: Annotated[str, typer.Option(help="Most memory of the query.")] = "2 GB",
+    time: Annotated[str, typer.Option(help="Longest time of the query.")] = "60 s",
     as_json: Json = False,
 ) -> int:
     """Ask a store in SQL, such as "SELECT scheme, avg(part_error_max) FROM results GROUP BY scheme"."""
-    from contourlab.features.sweep.query import rows
+    from contourlab.features.sweep.query import QueryLimits, limited_rows
     from contourlab.features.sweep.store import read_store
     from contourlab.features.sweep.summary import rows_text
 
-    opened = read_store(store)
-    names, found = rows(opened, sql)
+    limits, opened = QueryLimits.read(memory, time), read_store(store)
+    names, found = limited_rows(opened, sql, limits)
     if as_json:
         emit_json([dict(zip(names, row, strict=True)) for row in found])
     else:

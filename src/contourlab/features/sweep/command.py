@@ -209,7 +209,7 @@ def rerun(folder: str | Path, number: int, options: RunOptions) -> RunOutcome:
         scheme["findings"] += json_values(findings)
         scheme["warnings"] += [one.text for one in findings if one.entry.severity == "warning"]
     write_json(options.out / "summary.json", outcome.summary)
-    return replace(outcome, table="\n\n".join([outcome.table, *map(str, findings)]))
+    return replace(outcome, table="\n\n".join([*map(str, findings), outcome.table]))
 
 
 def _differences(store: Store, row: Mapping[str, Any], case: Case, values: Mapping[str, float]) -> Iterator[Finding]:

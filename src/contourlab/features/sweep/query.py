@@ -6,20 +6,26 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
+from sys import getsizeof
+from threading import Timer
 from typing import Any
 
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError, error_text
+from contourlab.errors import ParameterError, UnitError, error_text
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import Store
 from contourlab.result.atomic import replacing
+from contourlab.units import to_si
 
 QUANTILES = {"minimum": 0.0, "p5": 0.05, "median": 0.5, "p95": 0.95, "p99": 0.99, "maximum": 1.0}
 Z = 1.959963984540054
 """Half width of the interval of 95 % of a normal distribution, in standard deviations."""
+PIECE = 4096
+"""Rows between two looks at the memory of a query."""
 JUDGED = "part_error_max"
 """The figure that a tolerance bounds, as in ``contourlab run``."""
 
@@ -118,18 +124,54 @@ def effective_size(tallies: Sequence[tuple[Array, Array]]) -> float:
     return min(share * (1.0 - share) / variance * (Z / float(stdtrit(fewest - 1, 0.975))) ** 2, most)
 
 
+@dataclass(frozen=True)
+class QueryLimits:
+    """What a query of a user may take.
+
+    Attributes
+    ----------
+    memory : float [B]
+        Of DuckDB, and of the rows in Python.
+    time : float [s]
+    """
+
+    memory: float
+    time: float
+
+    @classmethod
+    def read(cls, memory: str, time: str) -> QueryLimits:
+        """Read the options.
+
+        Raises
+        ------
+        ParameterError
+            If one is no such quantity.
+        """
+        found = []
+        for option, text, unit, low, high in (("--memory", memory, "byte", 8e6, 8e15), ("--time", time, "s", 1e-3, 1e9)):
+            try:
+                value = to_si(text, unit)  # of bytes: bits
+            except UnitError:
+                value = math.nan
+            if not low <= value <= high:
+                raise ParameterError(option, repr(text), "1 MB or more, as 4 GB" if unit == "byte" else "a time, as 5 min")
+            found.append(value)
+        return cls(found[0] / 8.0, found[1])
+
+
 @contextmanager
-def connected(store: Store) -> Iterator[Any]:
-    """Yield a DuckDB connection with the view ``results``, which can read nothing else and write nothing."""
+def connected(store: Store, memory: float | None = None) -> Iterator[Any]:
+    """Yield a DuckDB connection with the view ``results``, which can read nothing else and write nothing; `memory` is its limit [B]."""
     duckdb = extra_module("duckdb")
-    options = {"enable_external_access": "false", "python_enable_replacements": "false"}
+    options = {"enable_external_access": "false", "python_enable_replacements": "false", "temp_directory": ""}
+    options |= {} if memory is None else {"memory_limit": f"{memory:.0f}B"}
     with duckdb.connect(":memory:", config=options) as connection:
         connection.register("results", store.dataset)
         connection.execute("SET lock_configuration = true")
         yield connection
 
 
-def rows(store: Store, sql: str, most: int | None = None) -> tuple[list[str], list[tuple[Any, ...]]]:
+def rows(store: Store, sql: str) -> tuple[list[str], list[tuple[Any, ...]]]:
     """Return the names of the columns and the rows of a query over ``results``.
 
     Raises
@@ -137,14 +179,51 @@ def rows(store: Store, sql: str, most: int | None = None) -> tuple[list[str], li
     ParameterError
         If the query fails.
     """
-    duckdb = extra_module("duckdb")
-    with connected(store) as connection:
+    with connected(store) as connection, _refused(sql):
+        answer = connection.execute(sql)
+        return [column[0] for column in answer.description or ()], answer.fetchall()
+
+
+def limited_rows(store: Store, sql: str, limits: QueryLimits) -> tuple[list[str], list[tuple[Any, ...]]]:
+    """Return the names of the columns and the rows of a query of a user; see `rows`.
+
+    Raises
+    ------
+    ParameterError
+        If the query fails, or takes more than its limits; names the option.
+    """
+    duckdb, found, held = extra_module("duckdb"), list[tuple[Any, ...]](), 0
+    slow = ParameterError("--time", f"{limits.time:g} s", f'longer for this query, such as --time "{10 * limits.time:g} s"')
+    memory = f"{limits.memory / 1e9:g} GB"
+    large = ParameterError("--memory", memory, f'larger for this query, such as --memory "{2 * limits.memory / 1e9:g} GB"')
+    with connected(store, limits.memory) as connection, _refused(sql):
+        timer = Timer(limits.time, connection.interrupt)
+        timer.start()
         try:
             answer = connection.execute(sql)
-            names = [column[0] for column in answer.description or ()]
-            return names, answer.fetchall() if most is None else answer.fetchmany(most)
-        except duckdb.Error as error:
-            raise ParameterError("query", repr(sql), f"SQL over the view results: {error_text(error)}") from error
+            while some := answer.fetchmany(PIECE):
+                found += some
+                held += sum(map(getsizeof, chain(some, chain.from_iterable(some))))
+                if held > limits.memory:
+                    raise large
+                if timer.finished.is_set():  # between two pieces there is nothing to interrupt
+                    raise slow
+        except duckdb.InterruptException as error:
+            raise slow from error
+        except duckdb.OutOfMemoryException as error:
+            raise large from error
+        finally:
+            timer.cancel()
+        return [column[0] for column in answer.description or ()], found
+
+
+@contextmanager
+def _refused(sql: str) -> Iterator[None]:
+    """Say what is wrong with a query."""
+    try:
+        yield
+    except extra_module("duckdb").Error as error:
+        raise ParameterError("query", repr(sql), f"SQL over the view results: {error_text(error)}") from error
 
 
 def spreads(store: Store) -> dict[str, Spread]:
