@@ -31,6 +31,7 @@ class StudyFirst(TyperGroup):
 sweep = typer.Typer(
     cls=StudyFirst, help="Run studies of thousands to millions of variants; ask their stores. `run` may be left out.", no_args_is_help=True
 )
+Yes = Annotated[bool, typer.Option("--yes", help="Begin without a question, also beyond an hour or 10 GB.")]
 Resume = Annotated[bool, typer.Option("--resume", help="Continue a store; starts an empty one.")]
 StoreFolder = Annotated[Path, typer.Argument(metavar="STORE", help="Folder of a store.", show_default=False)]
 
@@ -51,6 +52,7 @@ def run(
         str,
         typer.Option(metavar="FIRST:END", help="Run only these chunks, to share a study between machines; then merge.", show_default=False),
     ] = "",
+    yes: Yes = False,
     as_json: Json = False,
     plugin: Plugins = None,
 ) -> int:
@@ -58,7 +60,7 @@ def run(
     from contourlab.app.executors import Executor
     from contourlab.features.sweep.command import SweepOptions, sweep_study
 
-    options = SweepOptions(Executor(executor, workers), resume, chunks)
+    options = SweepOptions(Executor(executor, workers), resume, chunks, yes)
     result = sweep_study(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
     show_result(result, as_json)
     suggest(as_json, "sweep", "report", out)
@@ -79,6 +81,7 @@ def optimise(
     resume: Resume = False,
     executor: ExecutorKind = "threads",
     workers: Workers = None,
+    yes: Yes = False,
     as_json: Json = False,
     plugin: Plugins = None,
 ) -> int:
@@ -87,7 +90,7 @@ def optimise(
     from contourlab.features.sweep.optimise import SearchOptions
     from contourlab.features.sweep.optimise import optimise as optimised
 
-    options = SearchOptions(tuple(minimise or ("part_error_max",)), sampler, trials, batch, resume, Executor(executor, workers))
+    options = SearchOptions(tuple(minimise or ("part_error_max",)), sampler, trials, batch, resume, Executor(executor, workers), yes)
     found = optimised(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
     show_result(found, as_json)
     if found.best:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import perf_counter
@@ -24,10 +24,11 @@ from contourlab.errors import DivergenceError, ParameterError, ResultError
 from contourlab.extras import extra_module
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
 from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, run_chunks
+from contourlab.features.sweep.cost import agree, cost_of
 from contourlab.features.sweep.design import Design
 from contourlab.features.sweep.distributions import Distribution
 from contourlab.features.sweep.query import variant
-from contourlab.features.sweep.store import Store, read_store, writing
+from contourlab.features.sweep.store import Store, check_folder, numbers_in, read_store, writing
 from contourlab.features.sweep.structures import Structure, Structured
 from contourlab.features.sweep.study import Study, study_of
 from contourlab.features.sweep.summary import SweepSummary, display, remarks, summary
@@ -52,11 +53,14 @@ class SweepOptions:
         Whether to continue a store.
     chunks : str
         Chunks to run, as ``0:50``, the end excluded; empty for all.
+    yes : bool
+        Whether to begin whatever it costs; a store that goes on does.
     """
 
     executor: Executor = field(default_factory=Executor)
     resume: bool = False
     chunks: str = ""
+    yes: bool = False
 
     def chosen(self, count: int) -> range:
         """Return the chunks to run, of `count`.
@@ -99,16 +103,18 @@ def sweep_study(
     """
     for package in ("duckdb", "pyarrow.parquet"):
         extra_module(package)
+    check_folder(out, resume=options.resume)
     made = 0
-    with shown(progress) as stages:
-        stages.begin("planning the motions")
-        study, structured = study_of(file, plugins, stages.advance)
-        wanted = options.chosen(study.design.chunks)
-        with (
-            options.executor.started(study.plugins, AGAIN) as pool,
-            writing(out, study, lambda: structures_of(structured), resume=options.resume) as store,
-            kept_note(store),
-        ):
+    with ExitStack() as stack:
+        with shown(progress) as stages:
+            stages.begin("planning the motions")
+            study, structured = study_of(file, plugins, stages.advance)
+            wanted = options.chosen(study.design.chunks)
+            pool = stack.enter_context(options.executor.started(study.plugins, AGAIN))
+            cost = cost_of(study, wanted, numbers_in(out), options.executor, pool)
+        agree(cost, yes=options.yes or options.resume)
+        stages = stack.enter_context(shown(progress))
+        with writing(out, study, lambda: structures_of(structured), resume=options.resume) as store, kept_note(store):
             todo = [number for number in wanted if number not in store.parts]
             total = sum(len(study.design.numbers(number)) for number in todo)
             done, last = 0, perf_counter()

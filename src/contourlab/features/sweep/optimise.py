@@ -7,7 +7,7 @@ import json
 import math
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import perf_counter
@@ -22,10 +22,11 @@ from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, joined, run_chunks
 from contourlab.features.sweep.command import AGAIN, kept_note, structures_of
+from contourlab.features.sweep.cost import agree, cost_of
 from contourlab.features.sweep.design import Design
 from contourlab.features.sweep.query import counts, rows
 from contourlab.features.sweep.statistics import pareto_front
-from contourlab.features.sweep.store import Store, writing
+from contourlab.features.sweep.store import Store, check_folder, numbers_in, writing
 from contourlab.features.sweep.structures import Structured
 from contourlab.features.sweep.study import Study, study_of
 from contourlab.features.sweep.summary import remarks, rows_text
@@ -58,6 +59,8 @@ class SearchOptions:
     resume : bool
         Whether to continue a store.
     executor : Executor
+    yes : bool
+        Whether to begin whatever it costs; a store that goes on does.
     """
 
     minimise: tuple[str, ...] = ("part_error_max",)
@@ -66,6 +69,7 @@ class SearchOptions:
     batch: int = 64
     resume: bool = False
     executor: Executor = field(default_factory=Executor)
+    yes: bool = False
 
     def __post_init__(self) -> None:
         if self.sampler not in ("", *SAMPLERS):
@@ -159,12 +163,17 @@ def optimise(
         extra_module(package)
     if options.chosen == "cma-es":
         extra_module("cmaes")
-    with shown(progress) as stages:
-        stages.begin("planning the motions")
-        planned, structured = study_of(file, plugins, stages.advance, variants=1)
-        study, levels = _space(planned, structured, options)
+    check_folder(out, resume=options.resume)
+    with ExitStack() as stack:
+        with shown(progress) as stages:
+            stages.begin("planning the motions")
+            planned, structured = study_of(file, plugins, stages.advance, variants=1)
+            study, levels = _space(planned, structured, options)
+            pool = stack.enter_context(options.executor.started(study.plugins, AGAIN))
+            cost = cost_of(study, range(study.design.chunks), numbers_in(out), options.executor, pool)
+        agree(cost, yes=options.yes or options.resume)
+        stages = stack.enter_context(shown(progress))
         with (
-            options.executor.started(study.plugins, AGAIN) as pool,
             writing(out, study, lambda: structures_of(structured), resume=options.resume) as store,
             kept_note(store),
             _journal(store, options) as journal,

@@ -273,14 +273,7 @@ def writing(folder: str | Path, study: Study, structures: Callable[[], Sequence[
         If it is the store of another study.
     """
     path = Path(folder)
-    if path.exists() and not path.is_dir():
-        raise OutputError(f"{path}: is a file; name a folder with --out")
-    held = (MANIFEST, TIMES, LOCK)
-    others = [other.name for other in path.iterdir() if other.name not in held and not other.name.startswith(".")] if path.is_dir() else []
-    if not (path / MANIFEST).exists() and others:
-        raise OutputError(f"{path}: has other files, such as {sorted(others)[0]}: name an empty or new folder with --out")
-    if (path / MANIFEST).exists() and not resume:
-        raise OutputError(f"{path}: has a store: add --resume to continue it, or name another folder with --out")
+    check_folder(path, resume=resume)
     with locked(path):
         for left in path.glob(".*.part"):  # of a killed writer
             left.unlink(missing_ok=True)
@@ -295,6 +288,25 @@ def writing(folder: str | Path, study: Study, structures: Callable[[], Sequence[
         store.manifest = manifest_of(study, structures())  # comments and the tolerance may have changed
         write_manifest(path, store.manifest)
         yield store
+
+
+def check_folder(folder: str | Path, *, resume: bool) -> None:
+    """Raise `OutputError` if a folder cannot be that of a new store, or with `resume` of one to continue."""
+    path = Path(folder)
+    if path.exists() and not path.is_dir():
+        raise OutputError(f"{path}: is a file; name a folder with --out")
+    held = (MANIFEST, TIMES, LOCK)
+    others = [other.name for other in path.iterdir() if other.name not in held and not other.name.startswith(".")] if path.is_dir() else []
+    if not (path / MANIFEST).exists() and others:
+        raise OutputError(f"{path}: has other files, such as {sorted(others)[0]}: name an empty or new folder with --out")
+    if (path / MANIFEST).exists() and not resume:
+        raise OutputError(f"{path}: has a store: add --resume to continue it, or name another folder with --out")
+
+
+def numbers_in(folder: str | Path) -> set[int]:
+    """Return the numbers of the chunks in a folder by their files, unchecked."""
+    path = Path(folder)
+    return {int(match[2]) for file in (path.iterdir() if path.is_dir() else ()) if (match := _PART.match(file.name)) and match[1] == "part"}
 
 
 def manifest_of(study: Study, structures: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
