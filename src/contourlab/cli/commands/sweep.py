@@ -81,7 +81,6 @@ def optimise(
     resume: Resume = False,
     executor: ExecutorKind = "threads",
     workers: Workers = None,
-    yes: Yes = False,
     as_json: Json = False,
     plugin: Plugins = None,
 ) -> int:
@@ -90,7 +89,7 @@ def optimise(
     from contourlab.features.sweep.optimise import SearchOptions
     from contourlab.features.sweep.optimise import optimise as optimised
 
-    options = SearchOptions(tuple(minimise or ("part_error_max",)), sampler, trials, batch, resume, Executor(executor, workers), yes)
+    options = SearchOptions(tuple(minimise or ("part_error_max",)), sampler, trials, batch, resume, Executor(executor, workers))
     found = optimised(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
     show_result(found, as_json)
     if found.best:
@@ -117,12 +116,12 @@ def query(
     as_json: Json = False,
 ) -> int:
     """Ask a store in SQL, such as "SELECT scheme, avg(part_error_max) FROM results GROUP BY scheme"."""
-    from contourlab.features.sweep.query import QueryLimits, limited_rows
+    from contourlab.features.sweep.query import rows
     from contourlab.features.sweep.store import read_store
     from contourlab.features.sweep.summary import rows_text
 
-    limits, opened = QueryLimits.read(memory, time), read_store(store)
-    names, found = limited_rows(opened, sql, limits)
+    opened = read_store(store)
+    names, found = rows(opened, sql, memory, time)
     if as_json:
         emit_json([dict(zip(names, row, strict=True)) for row in found])
     else:

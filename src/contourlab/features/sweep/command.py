@@ -131,9 +131,7 @@ def sweep_study(
         return summary(store, made, (*study.findings, *damaged))
 
 
-def _chunks(
-    study: Study, numbers: Sequence[int], pool: Workers | None, executor: Executor, tell: Callable[[int], None]
-) -> Iterator[Chunk]:
+def _chunks(study: Study, numbers: Sequence[int], pool: Workers | None, executor: Executor, tell: Callable[[int], None]) -> Iterator[Chunk]:
     """Yield finished chunks, in any order. They do not depend on the executor; only threads and a GPU tell the variants done in between."""
     if pool is not None:
         yield from (chunk for _, chunk in pool.run(chunk_elsewhere, pool.shared(study), numbers))

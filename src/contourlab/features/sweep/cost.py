@@ -73,8 +73,7 @@ def agree(cost: Cost, *, yes: bool) -> None:
         If it is much, and nobody says yes.
     """
     told(cost.text)
-    is_large = cost.seconds > LONGEST or cost.disk > LARGEST
-    if is_large and not yes and not asked("Begin?"):
+    if (cost.seconds > LONGEST or cost.disk > LARGEST) and not yes and not asked("Begin?"):
         raise ParameterError("--yes", "off", f"given for so much work ({cost.text}), or the study smaller")
 
 
@@ -88,17 +87,13 @@ def _seconds_each(study: Study, count: int, threads: int, gpu: bool) -> float:
 
         def stop(share: float, began: float = began) -> None:
             if perf_counter() - began > PROBE:
-                raise _EnoughError((perf_counter() - began) / share)
+                raise TimeoutError((perf_counter() - began) / share)  # the time that all of it would take
 
         try:
             run_chunks(some, [0], threads, stop, gpu=gpu)
             seconds = perf_counter() - began
-        except _EnoughError as enough:
+        except TimeoutError as enough:
             (seconds,) = enough.args
         if not first and (gpu or seconds > PROBE or count >= min(study.design.variants, study.design.chunk)):
             return float(seconds) / count
         count, first = count if first else min(4 * count, study.design.chunk), False
-
-
-class _EnoughError(Exception):
-    """A measurement has lasted long enough; holds the time that all of it would take [s]."""

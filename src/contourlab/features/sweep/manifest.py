@@ -24,12 +24,6 @@ class _Strict(BaseModel):
     model_config = ConfigDict(strict=True, extra="forbid", allow_inf_nan=False)
 
 
-class _Identity(_Strict):
-    program: str
-    scenario: str
-    study: str
-
-
 class _Structure(_Strict):
     choices: dict[str, str | float]
     scenario: str
@@ -39,7 +33,7 @@ class _Manifest(_Strict):
     """Keys of a manifest, and their types."""
 
     form: Annotated[Literal["contourlab-sweep/1", "contourlab-sweep/2"], Field(alias="schema")]
-    identity: _Identity
+    identity: Annotated[dict[Literal["program", "scenario", "study"], str], Field(min_length=3)]
     seed: int
     design: Literal["random", "sobol", "latin-hypercube", "saltelli", "grid", "list", "search"]
     variants: Count

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
 from sys import getsizeof
-from threading import Timer
+from threading import TIMEOUT_MAX, Timer
 from typing import Any
 
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError, UnitError, error_text
+from contourlab.errors import ParameterError, error_text
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import Store
 from contourlab.result.atomic import replacing
@@ -124,87 +124,47 @@ def effective_size(tallies: Sequence[tuple[Array, Array]]) -> float:
     return min(share * (1.0 - share) / variance * (Z / float(stdtrit(fewest - 1, 0.975))) ** 2, most)
 
 
-@dataclass(frozen=True)
-class QueryLimits:
-    """What a query of a user may take.
-
-    Attributes
-    ----------
-    memory : float [B]
-        Of DuckDB, and of the rows in Python.
-    time : float [s]
-    """
-
-    memory: float
-    time: float
-
-    @classmethod
-    def read(cls, memory: str, time: str) -> QueryLimits:
-        """Read the options.
-
-        Raises
-        ------
-        ParameterError
-            If one is no such quantity.
-        """
-        found = []
-        for option, text, unit, low, high in (("--memory", memory, "byte", 8e6, 8e15), ("--time", time, "s", 1e-3, 1e9)):
-            try:
-                value = to_si(text, unit)  # of bytes: bits
-            except UnitError:
-                value = math.nan
-            if not low <= value <= high:
-                raise ParameterError(option, repr(text), "1 MB or more, as 4 GB" if unit == "byte" else "a time, as 5 min")
-            found.append(value)
-        return cls(found[0] / 8.0, found[1])
-
-
 @contextmanager
-def connected(store: Store, memory: float | None = None) -> Iterator[Any]:
+def connected(store: Store, memory: float = math.inf) -> Iterator[Any]:
     """Yield a DuckDB connection with the view ``results``, which can read nothing else and write nothing; `memory` is its limit [B]."""
     duckdb = extra_module("duckdb")
     options = {"enable_external_access": "false", "python_enable_replacements": "false", "temp_directory": ""}
-    options |= {} if memory is None else {"memory_limit": f"{memory:.0f}B"}
+    options |= {"memory_limit": f"{max(memory, 1.0):.0f}B"} if math.isfinite(memory) else {}
     with duckdb.connect(":memory:", config=options) as connection:
         connection.register("results", store.dataset)
         connection.execute("SET lock_configuration = true")
         yield connection
 
 
-def rows(store: Store, sql: str) -> tuple[list[str], list[tuple[Any, ...]]]:
+def rows(store: Store, sql: str, memory: str = "", time: str = "") -> tuple[list[str], list[tuple[Any, ...]]]:
     """Return the names of the columns and the rows of a query over ``results``.
 
-    Raises
-    ------
-    ParameterError
-        If the query fails.
-    """
-    with connected(store) as connection, _refused(sql):
-        answer = connection.execute(sql)
-        return [column[0] for column in answer.description or ()], answer.fetchall()
-
-
-def limited_rows(store: Store, sql: str, limits: QueryLimits) -> tuple[list[str], list[tuple[Any, ...]]]:
-    """Return the names of the columns and the rows of a query of a user; see `rows`.
+    Parameters
+    ----------
+    store : Store
+    sql : str
+    memory, time : str
+        Most memory, of DuckDB and of the rows each, and longest time, such as ``"2 GB"`` and ``"60 s"``; empty for no limit.
 
     Raises
     ------
     ParameterError
-        If the query fails, or takes more than its limits; names the option.
+        If the query fails, or takes more; names the option.
     """
     duckdb, found, held = extra_module("duckdb"), list[tuple[Any, ...]](), 0
-    slow = ParameterError("--time", f"{limits.time:g} s", f'longer for this query, such as --time "{10 * limits.time:g} s"')
-    memory = f"{limits.memory / 1e9:g} GB"
-    large = ParameterError("--memory", memory, f'larger for this query, such as --memory "{2 * limits.memory / 1e9:g} GB"')
-    with connected(store, limits.memory) as connection, _refused(sql):
-        timer = Timer(limits.time, connection.interrupt)
+    most = to_si(memory, "byte") / 8.0 if memory else math.inf  # SI counts bits
+    longest = min(to_si(time, "s") if time else math.inf, TIMEOUT_MAX)
+    limits = (("--memory", memory, "8 GB"), ("--time", time, "10 min"))
+    large, slow = (ParameterError(name, text, f"more for this query, such as {example!r}") for name, text, example in limits)
+    with connected(store, most) as connection:
+        timer = Timer(longest, connection.interrupt)
         timer.start()
         try:
             answer = connection.execute(sql)
             while some := answer.fetchmany(PIECE):
                 found += some
-                held += sum(map(getsizeof, chain(some, chain.from_iterable(some))))
-                if held > limits.memory:
+                held += sum(map(getsizeof, chain(some, chain.from_iterable(some)))) if memory else 0
+                if held > most:
                     raise large
                 if timer.finished.is_set():  # between two pieces there is nothing to interrupt
                     raise slow
@@ -212,18 +172,11 @@ def limited_rows(store: Store, sql: str, limits: QueryLimits) -> tuple[list[str]
             raise slow from error
         except duckdb.OutOfMemoryException as error:
             raise large from error
+        except duckdb.Error as error:
+            raise ParameterError("query", repr(sql), f"SQL over the view results: {error_text(error)}") from error
         finally:
             timer.cancel()
         return [column[0] for column in answer.description or ()], found
-
-
-@contextmanager
-def _refused(sql: str) -> Iterator[None]:
-    """Say what is wrong with a query."""
-    try:
-        yield
-    except extra_module("duckdb").Error as error:
-        raise ParameterError("query", repr(sql), f"SQL over the view results: {error_text(error)}") from error
 
 
 def spreads(store: Store) -> dict[str, Spread]:

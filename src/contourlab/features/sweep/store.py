@@ -281,8 +281,6 @@ def writing(folder: str | Path, study: Study, structures: Callable[[], Sequence[
             store = read_store(path, repair=True)
             what, cure = f"{path}: is the store of another study", "Name another folder with --out."
             same_study(store.manifest["identity"], study.identity, what, cure)
-            if store.manifest["schema"] != SCHEMA:
-                raise ResultError(f"{path}: is a store of an older version, which is only read. {cure}")
         else:
             store = Store(path, {})
         store.manifest = manifest_of(study, structures())  # comments and the tolerance may have changed
@@ -291,7 +289,7 @@ def writing(folder: str | Path, study: Study, structures: Callable[[], Sequence[
 
 
 def check_folder(folder: str | Path, *, resume: bool) -> None:
-    """Raise `OutputError` if a folder cannot be that of a new store, or with `resume` of one to continue."""
+    """Raise `OutputError` or `ResultError` if a folder cannot be that of a new store, or with `resume` of one to continue."""
     path = Path(folder)
     if path.exists() and not path.is_dir():
         raise OutputError(f"{path}: is a file; name a folder with --out")
@@ -301,6 +299,8 @@ def check_folder(folder: str | Path, *, resume: bool) -> None:
         raise OutputError(f"{path}: has other files, such as {sorted(others)[0]}: name an empty or new folder with --out")
     if (path / MANIFEST).exists() and not resume:
         raise OutputError(f"{path}: has a store: add --resume to continue it, or name another folder with --out")
+    if (path / MANIFEST).exists() and read_manifest(path)["schema"] != SCHEMA:
+        raise ResultError(f"{path}: is a store of an older version, which is only read: name another folder with --out")
 
 
 def numbers_in(folder: str | Path) -> set[int]:
