@@ -6,9 +6,12 @@ import io
 import json
 import os
 import pickle
+import re
+import signal
 import socket
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from operator import mul
 from pathlib import Path
@@ -58,48 +61,71 @@ def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 # --- clusters --------------------------------------------------------------------------------------------------------------------------
 
+STRANGERS = """
+import sys, distributed
+for address in sys.argv[1:]:
+    for protocol, security in (("tcp", None), ("tls", distributed.Security.temporary())):
+        try:
+            with distributed.Client(f"{protocol}://{address}", security=security, timeout="3s"):
+                print("in", flush=True)
+        except Exception:
+            print("refused", flush=True)
+"""
 SBATCH = """#!/bin/sh
-sh "$1" > job.log 2>&1 &
+cp "$1" job.sh
+exec 3> job.log
+sh job.sh >&3 2>&3 &
 echo "Submitted batch job $!"
 """
 
 
-def refused(address: str, security: Any) -> bool:
-    """Return whether a scheduler or worker turns a client away; nothing waits longer than 5 s."""
-    import distributed
-
-    try:
-        with distributed.Client(address, security=security, timeout="5s", set_as_default=False):
-            return False
-    except (OSError, TypeError, ValueError):  # no answer, and an address of TLS without keys
-        return True
+def answers(*addresses: str) -> set[str]:
+    """Return what happens to clients without keys, and with keys of their own, at some addresses."""
+    done = subprocess.run([sys.executable, "-c", STRANGERS, *addresses], capture_output=True, text=True, timeout=200, check=True)
+    assert len(done.stdout.split()) == 2 * len(addresses)
+    return set(done.stdout.split())
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["dask-local", *(["slurm"] if sys.platform == "linux" else [])])
-def test_nobody_without_the_keys_of_the_run_reaches_a_cluster(kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    import dask
+def test_nobody_without_the_keys_of_the_run_reaches_a_local_cluster() -> None:
     import distributed
 
+    with Executor("dask-local", 1).started() as pool:
+        assert pool is not None and pool.map(mul, pool.shared(21), [1, 2]) == [21, 42]
+        client = distributed.default_client()
+        addresses = [client.scheduler.address, *client.scheduler_info()["workers"]]
+        assert len(addresses) == 2 and all(address.startswith("tls://") for address in addresses)
+        assert answers(*(address.removeprefix("tls://") for address in addresses)) == {"refused"}
+    with distributed.LocalCluster(n_workers=0, dashboard_address="127.0.0.1:0", host="127.0.0.1") as plain:
+        assert "in" in answers(plain.scheduler_address.removeprefix("tcp://"))  # so a stranger could
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform != "linux", reason="a stand-in for Slurm")
+def test_nobody_without_the_keys_of_the_run_reaches_jobs_of_slurm(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
+    made_study(tmp_path, STUDY.replace("variants = 100", "variants = 1000000"))
     for name, text in (("sbatch", SBATCH), ("scancel", '#!/bin/sh\nkill "$@"\n')):
         Path(name).write_text(text)
         Path(name).chmod(0o755)
-    monkeypatch.setenv("PATH", f"{tmp_path}{os.pathsep}{os.environ['PATH']}")
-    job = {"cores": 1, "memory": "1GB", "interface": "lo", "job-extra-directives": []}
-    with dask.config.set({f"jobqueue.slurm.{name}": value for name, value in job.items()}), Executor(kind, 1).started() as pool:
-        assert pool is not None
-        assert pool.map(mul, pool.shared(21), [1, 2]) == [21, 42]
-        ours = distributed.default_client()
-        scheduler, (worker,) = ours.scheduler.address, ours.scheduler_info()["workers"]
-        assert scheduler.startswith("tls://") and worker.startswith("tls://")
-        for address in (scheduler, worker):
-            for stranger in (None, distributed.Security.temporary()):
-                assert refused(address, stranger)
-            assert refused(address.replace("tls://", "tcp://"), None)
-        assert not refused(scheduler, ours.security)
-        for file in tmp_path.rglob(".dask-jobqueue*"):  # the jobs read them
-            assert file.stat().st_mode & 0o077 == 0
+    Path("jobqueue.yaml").write_text("jobqueue: {slurm: {cores: 1, memory: 1GB, interface: lo, job-extra-directives: []}}\n")
+    environment = os.environ | {"PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}", "DASK_CONFIG": str(tmp_path)}
+    command = [sys.executable, "-m", "contourlab", "sweep", "study.toml", "--executor", "slurm", "--workers", "1", "--yes"]
+    with subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        try:
+            while not list(Path("store").glob("part-*")):
+                assert process.poll() is None, process.communicate()
+                time.sleep(0.1)
+            job = Path("job.sh").read_text()
+            (scheduler,) = set(re.findall(r"tls://([\d.]+:\d+)", job))
+            assert "PRIVATE" not in job and "tcp://" not in job
+            keys = list(tmp_path.glob(".dask-jobqueue*"))
+            assert len(keys) == 3 and all(file.stat().st_mode & 0o077 == 0 for file in keys)
+            assert answers(scheduler) == {"refused"}
+        finally:
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=100)
+    assert not list(tmp_path.glob(".dask-jobqueue*"))
 
 
 @pytest.mark.slow
