@@ -60,7 +60,7 @@ def main() -> None:
         for executor in options.executor or ["threads"]:
             store = Path(tempfile.mkdtemp(dir=folder)) / "store"
             where = ["--executor", executor, "--out", str(store)]
-            wall, cpu, memory = cost([sys.executable, "-m", "contourlab", "sweep", str(folder / "study.toml"), *where])
+            wall, cpu, memory = cost([sys.executable, "-m", "contourlab", "sweep", str(folder / "study.toml"), "--yes", *where])
             first = first or cpu
             disk = sum(file.stat().st_size for file in store.iterdir()) / 1e6
             row = f"{executor:<11} {wall:8.1f} {cpu:8.1f} {1e3 * cpu / options.variants:8.3f} {memory:6.0f} {disk:8.1f}"

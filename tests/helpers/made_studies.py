@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +12,7 @@ import pytest
 from typed_commands import SCHEMES
 
 from contourlab.cli.main import main
+from contourlab.features.sweep.manifest import read_manifest, write_manifest
 
 SCENARIO = """\
 machine = "builtin:ghaffari/a3a1"
@@ -48,6 +51,23 @@ def asked(capsys: pytest.CaptureFixture[str], *words: str, code: int = 0) -> Any
     capsys.readouterr()
     assert main(["sweep", *words, "--json"]) == code
     return json.loads(capsys.readouterr().out)
+
+
+def as_older(store: Path) -> None:
+    """Turn a store into one of the form before: digests cover the bytes of each file alone, and the manifest has none."""
+    manifest = json.loads((store / "manifest.json").read_text())
+    del manifest["digest"]
+    (store / "manifest.json").write_text(json.dumps({**manifest, "schema": "contourlab-sweep/1"}))
+    for file in store.glob("part-*"):
+        file.rename(file.with_name(f"{file.name[:12]}{hashlib.sha256(file.read_bytes()).hexdigest()[:16]}.parquet"))
+
+
+def forged(store: Path, change: Callable[[str], str]) -> None:
+    """Change the scenario in the manifest of a store, as one who knows its digest."""
+    fields = read_manifest(store)
+    for one in fields["structures"]:
+        one["scenario"] = change(one["scenario"])
+    write_manifest(store, fields)
 
 
 def exported(store: Path) -> bytes:

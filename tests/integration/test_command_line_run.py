@@ -11,7 +11,7 @@ import pytest
 from typed_commands import CIRCLE, ON_XYZ, PART, Finished, Run, contents
 
 import contourlab as package
-from contourlab.app.results import LIST
+from contourlab.app.results import LIST, SAFETY
 from contourlab.cli.main import main
 from contourlab.result import Result
 
@@ -40,6 +40,7 @@ def test_json_is_alone_on_standard_output_and_is_the_summary(circle: Finished) -
 def test_a_run_leaves_report_summary_and_the_signals_of_each_scheme(circle: Finished) -> None:
     written = {LIST, "report.html", "summary.json", "signals/position-loop.nc", "signals/all-of-it.nc", "proposed/position-loop.toml"}
     assert set(contents(circle.folder)) == written
+    assert f"# {SAFETY}" in (circle.folder / "proposed" / "position-loop.toml").read_text().splitlines()
     page = (circle.folder / "report.html").read_text(encoding="utf-8")
     assert page.lower().startswith("<!doctype html>")
     assert page.rstrip().endswith("</html>")

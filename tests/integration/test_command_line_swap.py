@@ -11,6 +11,7 @@ import pytest
 from rigid_circle import SCENARIO, STAGE
 from typed_commands import Run, drag
 
+from contourlab.app.results import SAFETY
 from contourlab.cli.main import main
 from contourlab.design import Evaluator
 from contourlab.features.swap.search import SwapSearch
@@ -54,6 +55,7 @@ def test_one_local_parameter_restores_what_a_stronger_axis_loses(typed: Path, ca
     assert set(found["variants"]) == {"x = as it is", "x = strong"}
     # The recommended controllers can be read again and name the local parameters.
     files = sorted((results / "controllers").glob("x*.toml"))
+    assert all(f"# {SAFETY}" in file.read_text().splitlines() for file in (results / "controllers").iterdir())
     machine = load_machine(typed / "stage.toml")
     gains = [load_controller(file, machine).axes["x"].controller.values()["model_gain"] for file in files]
     assert gains[0] < 1.3 < 1.7 < gains[1]

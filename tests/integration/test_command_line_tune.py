@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from typed_commands import Run, contents
 
+from contourlab.app.results import SAFETY
 from contourlab.cli.main import main
 from contourlab.features.tune import study
 from contourlab.scenario import load_scenario
@@ -84,6 +85,7 @@ def test_every_kind_of_controller_is_calibrated_and_its_file_runs(kind: str, tmp
     for margins in after["margins"].values():
         assert margins["gain"] is None or 20.0 * math.log10(margins["gain"]) >= 6.0
         assert math.degrees(margins["phase"]) >= 30.0
+    assert f"# {SAFETY}" in out.read_text().splitlines()
     again = tmp_path / "again.toml"
     again.write_text(file.read_text().replace("control.toml", "tuned.toml"))
     capsys.readouterr()

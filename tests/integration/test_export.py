@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import json
+import zipfile
 from pathlib import Path
 
 import pytest
 from tests.helpers.typed_commands import invoke
+
+from contourlab.app.results import SAFETY
+from contourlab.features.export.command import TARGETS, export_controller
 
 SCENARIO = """
 name = "circle"
@@ -39,6 +43,19 @@ def test_files_and_json(tmp_path: Path, scenario: Path) -> None:
     assert {finding["code"] for finding in made["findings"]} == {"CL952", "CL954"}
     assert all(made["hash"] in (tmp_path / "code" / name).read_text() for name in ("axis_y.c", "axis_y.h", "export-c99.json"))
     assert len((tmp_path / "code" / "axis_y_run.csv").read_text().splitlines()) == 2001
+
+
+@pytest.mark.parametrize("to", sorted(TARGETS))
+def test_every_exported_controller_says_that_it_is_no_safety_function(tmp_path: Path, scenario: Path, to: str) -> None:
+    exported = export_controller(scenario, to, tmp_path / "code", axes=("y",))
+    texts = {}
+    for file in exported.files:
+        if file.suffix == ".fmu":
+            with zipfile.ZipFile(file) as unit:
+                texts |= {name: unit.read(name).decode() for name in unit.namelist() if name.endswith(("modelDescription.xml", ".c", ".h"))}
+        elif file.suffix not in (".csv", ".json", "") and "bench" not in file.name:
+            texts[file.name] = file.read_text()
+    assert texts and all(SAFETY in " ".join(text.split()) for text in texts.values()), texts.keys()
 
 
 def test_a_controller_takes_its_machine(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from identified_logs import codes, found_by
 from typed_commands import AsJson, Refused
 
 from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.app.results import SAFETY
 from contourlab.cli.main import main
 from contourlab.scenario import load_scenario
 from contourlab.scenario.load import load_axis
@@ -129,6 +130,7 @@ def test_the_notch_keeps_6_db_and_30_degrees_with_the_gains_that_break_them(
 ) -> None:
     out = folder / "notched.toml"
     found = as_json("notch", folder / "part.toml", "--write", out)
+    assert f"# {SAFETY}" in out.read_text().splitlines()
     design = found["designs"]["x"]
     assert list(found["designs"]) == ["x"] and not codes(found)
     assert design["resonance"] == pytest.approx(60.0, rel=1e-3)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import io
 import sys
+import zipfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
@@ -73,11 +74,14 @@ class Checkpoint:
         except OSError:
             stream = io.BytesIO()
         # From a damaged file NumPy may return wrong values: it does not check all that it reads.
-        if not is_intact(stream, file.name.encode()):
+        try:
+            if not is_intact(stream, file.name.encode()):
+                raise ValueError
+            with np.load(io.BytesIO(stream.getvalue()[:-DIGEST_SIZE]), allow_pickle=False) as data:
+                arrays = dict(data)
+        except (ValueError, OSError, EOFError, zipfile.BadZipFile):  # the last ones: not written by us, with a digest nonetheless
             self.damaged += 1
             return None
-        with np.load(io.BytesIO(stream.getvalue()[:-DIGEST_SIZE]), allow_pickle=False) as data:
-            arrays = dict(data)
         self.reused += 1
         return arrays
 

@@ -62,6 +62,8 @@ class Executor:
             raise ParameterError("--workers", f"{self.workers}", "1 or more")
         if self.kind not in (*HERE, "processes"):
             extra_module("distributed")
+        if self.kind in ("dask-local", "slurm"):
+            extra_module("cryptography")
         if self.kind == "slurm":
             extra_module("dask_jobqueue")
 
@@ -338,7 +340,9 @@ def _client(executor: str, count: int) -> Iterator[Any]:
         if name.partition(".")[0] == "distributed":  # each of its loggers has a level of its own
             logging.getLogger(name).setLevel(logging.CRITICAL)
     if executor.startswith("dask://"):
-        address = "tcp://" + executor.removeprefix("dask://")
+        # Dask's configuration names the keys of a cluster, if it has some.
+        protocol = "tls" if distributed.Security().tls_ca_file else "tcp"
+        address = f"{protocol}://{executor.removeprefix('dask://')}"
         try:
             client = distributed.Client(address, timeout="10s")
         except (OSError, TimeoutError, ValueError) as error:
@@ -348,14 +352,14 @@ def _client(executor: str, count: int) -> Iterator[Any]:
                 raise EngineError(f"no worker at {executor}: start some with  dask worker {executor.removeprefix('dask://')}")
             yield client
         return
+    keys = distributed.Security.temporary()  # of this run: without them nobody reaches its scheduler and workers
     if executor == "slurm":
-        cluster = _slurm(count)
+        cluster = _slurm(count, keys)
     else:
         extra_module("dask").config.set(QUIET)
         with _deaf():
-            cluster = distributed.LocalCluster(
-                n_workers=count, threads_per_worker=1, silence_logs=logging.CRITICAL, scheduler_kwargs=NO_DASHBOARD
-            )
+            settings = {"silence_logs": logging.CRITICAL, "scheduler_kwargs": NO_DASHBOARD, "security": keys}
+            cluster = distributed.LocalCluster(n_workers=count, threads_per_worker=1, **settings)
     with cluster, distributed.Client(cluster) as client:
         yield client
 
@@ -373,12 +377,13 @@ def _deaf() -> Iterator[None]:
         signal.signal(signal.SIGINT, before)
 
 
-def _slurm(jobs: int) -> Any:
-    """Return a cluster of Slurm jobs, as the user's ``jobqueue.yaml`` describes them."""
+def _slurm(jobs: int, keys: Any) -> Any:
+    """Return a cluster of Slurm jobs, as the user's ``jobqueue.yaml`` describes them; they read `keys` from files for this user alone."""
     if shutil.which("sbatch") is None:
         raise EngineError("no sbatch on this machine: type the command where you submit Slurm jobs")
+    folder = extra_module("dask").config.get("jobqueue.slurm.shared-temp-directory", None) or str(Path.cwd())
     try:
-        cluster = extra_module("dask_jobqueue").SLURMCluster(scheduler_options=NO_DASHBOARD)
+        cluster = extra_module("dask_jobqueue").SLURMCluster(scheduler_options=NO_DASHBOARD, security=keys, shared_temp_directory=folder)
     except ValueError as error:
         where = "set cores and memory under jobqueue: slurm: in ~/.config/dask/jobqueue.yaml"
         raise EngineError(f"Slurm: {' '.join(str(error).split())}: {where}") from error

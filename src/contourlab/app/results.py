@@ -20,6 +20,8 @@ from typing import BinaryIO
 
 from contourlab.errors import OutputError, ParameterError
 
+SAFETY = "contourlab is no safety function: test on the machine with its own limits active."
+"""What all proposed gains and exported controllers say."""
 LIST = ".contourlab.json"
 """File name of the list."""
 _STAGE = ".contourlab-"
@@ -38,6 +40,11 @@ _SINGLE = "single"
 """Summary in the list for files written without one."""
 _PRODUCTS = "learned/"
 """Folder of files that stay when the next run replaces their summary."""
+
+
+def proposed(head: str, text: str) -> str:
+    """Return a TOML file of proposed gains, with a first line and the note on safety."""
+    return f"# {' '.join(head.split())}\n# {SAFETY}\n\n{text}"
 
 
 def check_file(file: str | Path, inputs: Iterable[str | Path] = (), option: str = "--write") -> None:

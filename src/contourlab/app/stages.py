@@ -153,6 +153,27 @@ def wait_for(what: str) -> None:
         _running.waits_for = what
 
 
+def told(text: str) -> None:
+    """Print a line beside the progress of the command."""
+    if _running is not None:
+        sys.stderr.write(f"{_running.command}: {text}\n")
+        sys.stderr.flush()
+
+
+def asked(question: str) -> bool:
+    """Ask at a terminal; return whether the answer is yes. Elsewhere it is no."""
+    if not (sys.stdin is not None and sys.stdin.isatty() and sys.stderr.isatty()):
+        return False
+    if _running is not None:
+        _running.show_bar = lambda: None  # no line below the question
+    sys.stderr.write(f"{question} [y/N] ")
+    sys.stderr.flush()
+    answer = sys.stdin.readline()
+    if _running is not None:
+        _running.show_bar = None
+    return answer.strip().lower() in ("y", "yes")
+
+
 class Stages:
     """The stages of a run, one after another.
 

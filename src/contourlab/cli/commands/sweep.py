@@ -31,6 +31,7 @@ class StudyFirst(TyperGroup):
 sweep = typer.Typer(
     cls=StudyFirst, help="Run studies of thousands to millions of variants; ask their stores. `run` may be left out.", no_args_is_help=True
 )
+Yes = Annotated[bool, typer.Option("--yes", help="Begin without a question, also beyond an hour or 10 GB.")]
 Resume = Annotated[bool, typer.Option("--resume", help="Continue a store; starts an empty one.")]
 StoreFolder = Annotated[Path, typer.Argument(metavar="STORE", help="Folder of a store.", show_default=False)]
 
@@ -51,6 +52,7 @@ def run(
         str,
         typer.Option(metavar="FIRST:END", help="Run only these chunks, to share a study between machines; then merge.", show_default=False),
     ] = "",
+    yes: Yes = False,
     as_json: Json = False,
     plugin: Plugins = None,
 ) -> int:
@@ -58,7 +60,7 @@ def run(
     from contourlab.app.executors import Executor
     from contourlab.features.sweep.command import SweepOptions, sweep_study
 
-    options = SweepOptions(Executor(executor, workers), resume, chunks)
+    options = SweepOptions(Executor(executor, workers), resume, chunks, yes)
     result = sweep_study(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
     show_result(result, as_json)
     suggest(as_json, "sweep", "report", out)
@@ -109,6 +111,8 @@ def show(store: StoreFolder, as_json: Json = False) -> int:
 def query(
     store: StoreFolder,
     sql: Annotated[str, typer.Argument(metavar="SQL", help="DuckDB SQL over the view results, in SI.", show_default=False)],
+    memory: Annotated[str, typer.Option(help="Most memory of the query.")] = "2 GB",
+    time: Annotated[str, typer.Option(help="Longest time of the query.")] = "60 s",
     as_json: Json = False,
 ) -> int:
     """Ask a store in SQL, such as "SELECT scheme, avg(part_error_max) FROM results GROUP BY scheme"."""
@@ -117,7 +121,7 @@ def query(
     from contourlab.features.sweep.summary import rows_text
 
     opened = read_store(store)
-    names, found = rows(opened, sql)
+    names, found = rows(opened, sql, memory, time)
     if as_json:
         emit_json([dict(zip(names, row, strict=True)) for row in found])
     else:

@@ -14,6 +14,7 @@ from typing import TypeAlias
 
 import numpy as np
 
+from contourlab.app.results import SAFETY
 from contourlab.arrays import Array
 from contourlab.features.commission.hal_files import AxisSetup, Setup
 from contourlab.features.commission.identification import IdentifiedAxis
@@ -64,7 +65,8 @@ def changes(setup: Setup, gains: Mapping[str, Mapping[str, float]]) -> str:
     for number in sorted(added, reverse=True):
         lines[setup.hal][number:number] = added[number]
     diffs = (difflib.unified_diff(_lines(file), new, f"a/{file.name}", f"b/{file.name}") for file, new in lines.items())
-    return "".join(line for diff in diffs for line in diff)
+    text = "".join(line for diff in diffs for line in diff)
+    return f"{SAFETY}\n{text}" if text else ""
 
 
 def _lines(file: Path) -> list[str]:

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.app.results import SAFETY
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealSensor
@@ -256,6 +257,7 @@ def _notes(machine: Machine, axis: str, parts: tuple[str, ...], digest: str, lim
         "Limits: " + (", ".join(known) or "none"),
         *([f"Simulated with the sensor {counted}: feed its measured position in."] if counted else []),
         "Units are SI; the command is in " + unit,
+        SAFETY,
     )
 
 

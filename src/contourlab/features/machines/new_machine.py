@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from contourlab.app.results import spared
+from contourlab.app.results import proposed, spared
 from contourlab.errors import OutputError, ParameterError
 from contourlab.features.machines.answers import answers_text, axis_names, check_keys, machine_values, mounting, sized
 from contourlab.features.machines.command import refuse_existing
@@ -53,7 +53,7 @@ class NewMachine:
         for axis in self.axes:
             files[f"axis-{axis.name}.toml"] = f"# Axis {axis.name}; total moved mass {axis.mass:.4g} kg\n\n" + toml(axis_tables(axis))
         note = "P-PI cascades; the gains follow from bandwidth and Kv"
-        files["controller.toml"] = f"# Controller for {self.name}: {note}\n\n" + toml(controller_tables(self.axes))
+        files["controller.toml"] = proposed(f"Controller for {self.name}: {note}", toml(controller_tables(self.axes)))
         scenario = scenario_tables(self.name, self.axes, self.tolerance)
         if scenario is not None:
             files["scenario.toml"] = "# Run it with: contourlab run scenario.toml\n\n" + toml(scenario)

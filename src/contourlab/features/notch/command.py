@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from contourlab.analysis.linear.margins import Margins
-from contourlab.app.results import check_file
+from contourlab.app.results import check_file, proposed
 from contourlab.design.guards import Bounds, Guards
 from contourlab.design.notch import MOVED, NotchDesign, design_notch, resonance_of, with_velocity_gain
 from contourlab.errors import ParameterError
@@ -132,8 +132,7 @@ def notch_scenario(
     findings = tuple(one for name, design in designs.items() for one in _findings(name, design, bounds))
     findings = findings or ((finding("CL640", bounds=bounds.margin_words),) if not designs else ())
     if out is not None and designs:
-        head = f"# Notch filters for {scenario.name}, scheme {case.name}.\n\n".replace("\r", " ")
-        write_text_atomic(Path(out), head + dump(made, machine))
+        write_text_atomic(Path(out), proposed(f"Notch filters for {scenario.name}, scheme {case.name}.", dump(made, machine)))
     passed = not any(bounds.broken(margins) for margins in after.margins.values())
     written = Path(out) if out is not None and designs else None
     return Notched(scenario.name, case.name, passed, bounds, designs, before, after, without, findings, written)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from contourlab.app.command_line import as_typed
 from contourlab.app.json_values import write_json
-from contourlab.app.results import staged
+from contourlab.app.results import proposed, staged
 from contourlab.app.stages import shown
 from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ParameterError
@@ -180,7 +180,7 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
                 if outcome.learning is not None:
                     outcome.learning.table.save(folder / "learned" / f"{names[outcome.name]}.nc")
                 if outcome.verdict is not None and outcome.verdict.proposed is not None:
-                    text = dump(outcome.verdict.proposed, outcome.case.machine)
+                    text = proposed(f"Proposed for {outcome.name}.", dump(outcome.verdict.proposed, outcome.case.machine))
                     write_text_atomic(folder / "proposed" / f"{names[outcome.name]}.toml", text)
                 if outcome.switches is not None:
                     with switch_file(folder / "switches" / f"{names[outcome.name]}.csv") as listed:
@@ -188,10 +188,10 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
             summary = summary_of(scenario.name, outcomes, command, diverged)
             write_json(folder / "summary.json", summary)
             stages.begin("writing the report")
-            proposed = [name for name in names if (folder / "proposed" / f"{names[name]}.toml").exists()]
-            steps = next_steps(outcomes, command, out, [f"proposed/{names[name]}.toml" for name in proposed])
+            written_for = [name for name in names if (folder / "proposed" / f"{names[name]}.toml").exists()]
+            steps = next_steps(outcomes, command, out, [f"proposed/{names[name]}.toml" for name in written_for])
             text, data = _write_report(scenario, outcomes, folder, command, options, steps)
-            files = {f"{name}, changed controller": f"proposed/{names[name]}.toml" for name in proposed} | {"report": "report.html"}
+            files = {f"{name}, changed controller": f"proposed/{names[name]}.toml" for name in written_for} | {"report": "report.html"}
             files |= {"to print": "report.pdf"} if options.pdf else {}
     if stopped:
         end = KeyboardInterrupt()

@@ -12,7 +12,7 @@ from contourlab.app.checkpoint import Checkpoint, resumable, run_identity
 from contourlab.app.executors import Executor
 from contourlab.app.json_values import json_values, write_json
 from contourlab.app.quick import affordable, too_slow
-from contourlab.app.results import staged
+from contourlab.app.results import proposed, staged
 from contourlab.app.stages import Stages, shown
 from contourlab.design import Space
 from contourlab.design.guards import Bounds
@@ -240,8 +240,8 @@ def write_results(study: SwapStudy, folder: Path, out: Path, plots: Sequence[str
     files = file_names(variants.names)
 
     def write(name: str, i: int, controller: Controller, title: str) -> None:
-        head = f"# {title}; J and the guards apply to the motion of the study.\n\n"
-        write_text_atomic(folder / "controllers" / f"{name}.toml", head + dump(controller, variants.members[i].machine))
+        head = f"{title}; J and the guards apply to the motion of the study."
+        write_text_atomic(folder / "controllers" / f"{name}.toml", proposed(head, dump(controller, variants.members[i].machine)))
 
     for i, name in enumerate(variants.names):
         write(f"own-{files[name]}", i, variants.controller_at(variants.best_points[i]), f"Best of {name} alone")

@@ -2,33 +2,44 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import perf_counter
 from typing import Any
 
+import numpy as np
+
 from contourlab.app.checkpoint import noted
 from contourlab.app.executors import Executor, Workers
+from contourlab.app.json_values import json_values, write_json
+from contourlab.app.results import proposed
 from contourlab.app.stages import shown
 from contourlab.design.values import with_values
 from contourlab.engine.gpu import LANES as GPU_LANES
-from contourlab.errors import ParameterError
+from contourlab.errors import DivergenceError, ParameterError, ResultError
 from contourlab.extras import extra_module
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
 from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, run_chunks
+from contourlab.features.sweep.cost import agree, cost_of
+from contourlab.features.sweep.design import Design
+from contourlab.features.sweep.distributions import Distribution
 from contourlab.features.sweep.query import variant
-from contourlab.features.sweep.store import Store, read_store, writing
-from contourlab.features.sweep.structures import Structured
+from contourlab.features.sweep.store import Store, check_folder, numbers_in, read_store, writing
+from contourlab.features.sweep.structures import Structure, Structured
 from contourlab.features.sweep.study import Study, study_of
-from contourlab.features.sweep.summary import SweepSummary, summary
-from contourlab.findings import finding
+from contourlab.features.sweep.summary import SweepSummary, display, remarks, summary
+from contourlab.figures import number as number_text
+from contourlab.findings import Finding, finding
 from contourlab.result import write_text_atomic
-from contourlab.scenario import Scenario, dump, parse_scenario
+from contourlab.scenario import Case, Scenario, dump, parse_scenario
 
 AGAIN = "Repeat the command with --resume to continue"
+SAME = 1e-6
+"""Largest relative difference between the stored figure of a variant and a new run; on the same processor they are equal."""
 
 
 @dataclass(frozen=True)
@@ -42,11 +53,14 @@ class SweepOptions:
         Whether to continue a store.
     chunks : str
         Chunks to run, as ``0:50``, the end excluded; empty for all.
+    yes : bool
+        Whether to begin whatever it costs; a store that goes on does.
     """
 
     executor: Executor = field(default_factory=Executor)
     resume: bool = False
     chunks: str = ""
+    yes: bool = False
 
     def chosen(self, count: int) -> range:
         """Return the chunks to run, of `count`.
@@ -89,16 +103,18 @@ def sweep_study(
     """
     for package in ("duckdb", "pyarrow.parquet"):
         extra_module(package)
+    check_folder(out, resume=options.resume)
     made = 0
-    with shown(progress) as stages:
-        stages.begin("planning the motions")
-        study, structured = study_of(file, plugins, stages.advance)
-        wanted = options.chosen(study.design.chunks)
-        with (
-            options.executor.started(study.plugins, AGAIN) as pool,
-            writing(out, study, lambda: structures_of(structured), resume=options.resume) as store,
-            kept_note(store),
-        ):
+    with ExitStack() as stack:
+        with shown(progress) as stages:
+            stages.begin("planning the motions")
+            study, structured = study_of(file, plugins, stages.advance)
+            wanted = options.chosen(study.design.chunks)
+            pool = stack.enter_context(options.executor.started(study.plugins, AGAIN))
+            cost = cost_of(study, wanted, numbers_in(out), options.executor, pool)
+        agree(cost, yes=options.yes or options.resume)
+        stages = stack.enter_context(shown(progress))
+        with writing(out, study, lambda: structures_of(structured), resume=options.resume) as store, kept_note(store):
             todo = [number for number in wanted if number not in store.parts]
             total = sum(len(study.design.numbers(number)) for number in todo)
             done, last = 0, perf_counter()
@@ -115,9 +131,7 @@ def sweep_study(
         return summary(store, made, (*study.findings, *damaged))
 
 
-def _chunks(
-    study: Study, numbers: Sequence[int], pool: Workers | None, executor: Executor, tell: Callable[[int], None]
-) -> Iterator[Chunk]:
+def _chunks(study: Study, numbers: Sequence[int], pool: Workers | None, executor: Executor, tell: Callable[[int], None]) -> Iterator[Chunk]:
     """Yield finished chunks, in any order. They do not depend on the executor; only threads and a GPU tell the variants done in between."""
     if pool is not None:
         yield from (chunk for _, chunk in pool.run(chunk_elsewhere, pool.shared(study), numbers))
@@ -177,13 +191,41 @@ def rerun(folder: str | Path, number: int, options: RunOptions) -> RunOutcome:
     """
     store = read_store(folder)
     row = variant(store, number)
-    structure = next(one for one in store.manifest["structures"] if all(row[key] == label for key, label in one["choices"].items()))
+    fits = (one for one in store.manifest["structures"] if all(row.get(key) == label for key, label in one["choices"].items()))
+    if (structure := next(fits, None)) is None:
+        raise ResultError(f"{store.folder}: has no scenario for variant {number}: restore its manifest.json")
     base = parse_scenario(structure["scenario"], f"{folder}: variant {number}", options.plugins).base
     values = {name: row[name] for name in store.columns if name not in structure["choices"] and row[name] is not None}
+    findings = (*remarks(store, {}), *_differences(store, row, base, values))
     machine, controller = with_values(base.machine, base.controller, values)
     run = base.run if store.manifest["tolerance"] is None else replace(base.run, tolerance=store.manifest["tolerance"])
     case = replace(base, machine=machine, controller=controller, run=run)
     scenario = Scenario(f"variant {number}", Path(f"variant-{number}.toml"), case)
     file = options.out / f"variant-{number}.toml"
-    write_text_atomic(file, dump(scenario))
-    return run_session(scenario, options, command=options.command("run", file, {}))
+    write_text_atomic(file, proposed(f"Variant {number} of {folder}.", dump(scenario)))
+    try:
+        outcome = run_session(scenario, options, command=options.command("run", file, {}))
+    except DivergenceError as error:
+        for one in findings:
+            error.add_note(str(one))
+        raise
+    for scheme in outcome.summary["schemes"].values():
+        scheme["findings"] += json_values(findings)
+        scheme["warnings"] += [one.text for one in findings if one.entry.severity == "warning"]
+    write_json(options.out / "summary.json", outcome.summary)
+    return replace(outcome, table="\n\n".join([*map(str, findings), outcome.table]))
+
+
+def _differences(store: Store, row: Mapping[str, Any], case: Case, values: Mapping[str, float]) -> Iterator[Finding]:
+    """Run a variant again as the study did; yield the first figure that is not that of its row."""
+    numbers = tuple((name, i, Distribution("values", (value,))) for i, (name, value) in enumerate(values.items()))
+    structure = Structure(case.machine, case.controller, case.reference(), case.moving, case.seed, numbers)
+    design = Design("list", 1, 1, (1,) * len(numbers))
+    (chunk,) = run_chunks(Study("", "", design, (), {(): structure}, dict.fromkeys(values, ""), tuple(store.figures)), [0])
+    for name, unit in store.figures.items():
+        stored, now = math.nan if row[name] is None else row[name], float(chunk.columns[name][0])
+        if not np.isclose(now, stored, rtol=SAME, atol=0.0, equal_nan=True):
+            unit, factor = display(unit)
+            texts = {key: f"{number_text(value * factor, 9)} {unit}" for key, value in (("stored", stored), ("now", now))}
+            yield finding("CL934", variant=row["variant"], figure=name, **texts)
+            return

@@ -9,6 +9,7 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from importlib.metadata import version
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -25,7 +26,7 @@ from contourlab.features.sweep.command import AGAIN, kept_note, structures_of
 from contourlab.features.sweep.design import Design
 from contourlab.features.sweep.query import counts, rows
 from contourlab.features.sweep.statistics import pareto_front
-from contourlab.features.sweep.store import Store, writing
+from contourlab.features.sweep.store import Store, check_folder, writing
 from contourlab.features.sweep.structures import Structured
 from contourlab.features.sweep.study import Study, study_of
 from contourlab.features.sweep.summary import remarks, rows_text
@@ -36,7 +37,7 @@ from contourlab.loop.batch import lanes_each
 from contourlab.rendering.table import paragraphs
 
 SAMPLERS = ("tpe", "nsga2", "cma-es")
-JOURNAL, MARK = "optuna.log", "contourlab_batch"
+JOURNAL = "optuna.log"
 EDGE = 1e-6
 """Least distance of a cumulative probability from 0 and 1."""
 SHOWN = 20
@@ -159,6 +160,7 @@ def optimise(
         extra_module(package)
     if options.chosen == "cma-es":
         extra_module("cmaes")
+    check_folder(out, resume=options.resume)
     with shown(progress) as stages:
         stages.begin("planning the motions")
         planned, structured = study_of(file, plugins, stages.advance, variants=1)
@@ -194,23 +196,21 @@ def _space(study: Study, made: Structured, options: SearchOptions) -> tuple[Stud
     if options.chosen == "cma-es" and any(len(places) for places in levels):
         raise ParameterError("--sampler", "'cma-es'", "tpe or nsga2 for a study with values = [...]")
     design = Design("search", options.trials, options.batch, study.design.levels, study.design.seed)
-    said = json.dumps([study.identity["study"], options.minimise, options.chosen, options.trials, options.batch])
+    samplers = [version(name) for name in ("optuna", *(["cmaes"] if options.chosen == "cma-es" else []))]  # another may ask for others
+    said = json.dumps([study.identity["study"], options.minimise, options.chosen, options.trials, options.batch, samplers])
     identity = {**study.identity, "study": hashlib.sha256(said.encode()).hexdigest()}
     return replace(study, design=design, identity=identity), levels
 
 
 @contextmanager
 def _journal(store: Store, options: SearchOptions) -> Iterator[Any]:
-    """Yield the Optuna study in the journal of a store, whose writer we are; cut off what a kill left after the last whole batch."""
+    """Yield an Optuna study with a new journal in a store, whose writer we are; one that is there is not read, as Optuna unpickles it."""
     import optuna
     from optuna.storages.journal import JournalFileBackend
 
     file = store.folder / JOURNAL
-    file.with_name(JOURNAL + ".lock").unlink(missing_ok=True)
-    if file.exists():
-        data = file.read_bytes()
-        whole = data.rfind(b"\n", 0, data.rfind(MARK.encode()) + 1)  # before the last mark
-        file.write_bytes(data[: data.find(b"\n", whole + 1) + 1] if MARK.encode() in data else b"")
+    for name in (JOURNAL, JOURNAL + ".lock"):
+        file.with_name(name).unlink(missing_ok=True)
     verbosity = optuna.logging.get_verbosity()
     optuna.logging.set_verbosity(optuna.logging.ERROR)
     try:
@@ -220,7 +220,6 @@ def _journal(store: Store, options: SearchOptions) -> Iterator[Any]:
                 storage=optuna.storages.JournalStorage(JournalFileBackend(str(file))),
                 study_name="contourlab",
                 directions=["minimize"] * len(options.minimise),
-                load_if_exists=True,
             )
     finally:
         optuna.logging.set_verbosity(verbosity)
@@ -267,29 +266,24 @@ def _batch(
     number: int,
     run: Callable[[Array, int], Chunk],
 ) -> None:
-    """Ask for a batch, simulate and store it, and tell its figures; what a killed run has done of it is not repeated.
+    """Ask for a batch, simulate and store it, and tell its figures; a batch in the store is not simulated again.
 
-    The number of a trial is that of its variant. Each batch has a sampler of its own seed, so that a search that goes on finds the same.
+    The number of a trial is that of its variant. Each batch has a sampler of its own seed, so that a search that goes on asks for the same.
     """
     first = number * options.batch
     numbers = range(first, min(first + options.batch, options.trials))
-    asked = journal.get_trials(deepcopy=False)[first : numbers.stop]
-    is_new = not asked
-    if is_new:
-        journal.sampler = _sampler(options, (study.design.seed + number) % 2**32)
-        asked = [journal.ask() for _ in numbers]
+    journal.sampler = _sampler(options, (study.design.seed + number) % 2**32)
+    asked = [journal.ask() for _ in numbers]
     places = np.array([_places(trial, levels) for trial in asked])
     if number not in store.parts:
         began = perf_counter()
         chunk = run(places, number)
         store.write(chunk)
         store.log(chunk, perf_counter() - began)
-    if is_new:
-        names = ", ".join(f'"{name}"' for name in options.minimise)
-        sql = f"SELECT {names} FROM results WHERE variant BETWEEN {numbers[0]} AND {numbers[-1]} ORDER BY variant"
-        for trial, figures in zip(asked, rows(store, sql)[1], strict=True):
-            journal.tell(trial, [math.inf if value is None else value for value in figures])
-        journal.set_user_attr(MARK, number)
+    names = ", ".join(f'"{name}"' for name in options.minimise)
+    sql = f"SELECT {names} FROM results WHERE variant BETWEEN {numbers[0]} AND {numbers[-1]} ORDER BY variant"
+    for trial, figures in zip(asked, rows(store, sql)[1], strict=True):
+        journal.tell(trial, [math.inf if value is None else value for value in figures])
 
 
 def _places(trial: Any, levels: Sequence[Array]) -> list[float]:

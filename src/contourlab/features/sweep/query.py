@@ -6,7 +6,10 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
+from sys import getsizeof
+from threading import TIMEOUT_MAX, Timer
 from typing import Any
 
 import numpy as np
@@ -16,10 +19,13 @@ from contourlab.errors import ParameterError, error_text
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import Store
 from contourlab.result.atomic import replacing
+from contourlab.units import to_si
 
 QUANTILES = {"minimum": 0.0, "p5": 0.05, "median": 0.5, "p95": 0.95, "p99": 0.99, "maximum": 1.0}
 Z = 1.959963984540054
 """Half width of the interval of 95 % of a normal distribution, in standard deviations."""
+PIECE = 4096
+"""Rows between two looks at the memory of a query."""
 JUDGED = "part_error_max"
 """The figure that a tolerance bounds, as in ``contourlab run``."""
 
@@ -119,32 +125,58 @@ def effective_size(tallies: Sequence[tuple[Array, Array]]) -> float:
 
 
 @contextmanager
-def connected(store: Store) -> Iterator[Any]:
-    """Yield a DuckDB connection with the view ``results``, which can read nothing else and write nothing."""
+def connected(store: Store, memory: float = math.inf) -> Iterator[Any]:
+    """Yield a DuckDB connection with the view ``results``, which can read nothing else and write nothing; `memory` is its limit [B]."""
     duckdb = extra_module("duckdb")
-    options = {"enable_external_access": "false", "python_enable_replacements": "false"}
+    options = {"enable_external_access": "false", "python_enable_replacements": "false", "temp_directory": ""}
+    options |= {"memory_limit": f"{max(memory, 1.0):.0f}B"} if math.isfinite(memory) else {}
     with duckdb.connect(":memory:", config=options) as connection:
         connection.register("results", store.dataset)
         connection.execute("SET lock_configuration = true")
         yield connection
 
 
-def rows(store: Store, sql: str, most: int | None = None) -> tuple[list[str], list[tuple[Any, ...]]]:
+def rows(store: Store, sql: str, memory: str = "", time: str = "") -> tuple[list[str], list[tuple[Any, ...]]]:
     """Return the names of the columns and the rows of a query over ``results``.
+
+    Parameters
+    ----------
+    store : Store
+    sql : str
+    memory, time : str
+        Most memory, of DuckDB and of the rows each, and longest time, such as ``"2 GB"`` and ``"60 s"``; empty for no limit.
 
     Raises
     ------
     ParameterError
-        If the query fails.
+        If the query fails, or takes more; names the option.
     """
-    duckdb = extra_module("duckdb")
-    with connected(store) as connection:
+    duckdb, found, held = extra_module("duckdb"), list[tuple[Any, ...]](), 0
+    most = to_si(memory, "byte") / 8.0 if memory else math.inf  # SI counts bits
+    longest = min(to_si(time, "s") if time else math.inf, TIMEOUT_MAX)
+    limits = (("--memory", memory, "8 GB"), ("--time", time, "10 min"))
+    large, slow = (ParameterError(name, text, f"more for this query, such as {example!r}") for name, text, example in limits)
+    with connected(store, most) as connection:
+        timer = Timer(longest, connection.interrupt)
+        timer.start()
         try:
             answer = connection.execute(sql)
-            names = [column[0] for column in answer.description or ()]
-            return names, answer.fetchall() if most is None else answer.fetchmany(most)
+            while some := answer.fetchmany(PIECE):
+                found += some
+                held += sum(map(getsizeof, chain(some, chain.from_iterable(some)))) if memory else 0
+                if held > most:
+                    raise large
+                if timer.finished.is_set():  # between two pieces there is nothing to interrupt
+                    raise slow
+        except duckdb.InterruptException as error:
+            raise slow from error
+        except duckdb.OutOfMemoryException as error:
+            raise large from error
         except duckdb.Error as error:
             raise ParameterError("query", repr(sql), f"SQL over the view results: {error_text(error)}") from error
+        finally:
+            timer.cancel()
+        return [column[0] for column in answer.description or ()], found
 
 
 def spreads(store: Store) -> dict[str, Spread]:

@@ -5,7 +5,6 @@ The name of a file holds the number of its chunk and a digest of its bytes, so i
 
 from __future__ import annotations
 
-import hashlib
 import io
 import json
 import re
@@ -22,14 +21,12 @@ from contourlab.app.results import lock
 from contourlab.errors import OutputError, ResultError
 from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import STATUSES, Chunk
+from contourlab.features.sweep.manifest import MANIFEST, OLDER, SCHEMA, content_of, digest, read_manifest, write_manifest
 from contourlab.features.sweep.study import UNITS, Study
-from contourlab.result import write_text_atomic
 from contourlab.result.atomic import replacing, write_bytes_atomic
 from contourlab.threads import in_threads
 
-SCHEMA = "contourlab-sweep/1"
-_NEEDED = {"study", "identity", "variants", "chunk", "columns", "figures", "signals", "tolerance", "modules", "group", "structures"}
-MANIFEST, TIMES, LOCK = "manifest.json", "times.jsonl", ".lock"
+TIMES, LOCK = "times.jsonl", ".lock"
 _PART = re.compile(r"(part|signals)-(\d{6,})-([0-9a-f]{16})\.(parquet|nc)\Z")
 DIFFERENT = {
     "program": "another version of contourlab or its libraries",
@@ -53,7 +50,7 @@ class Store:
     parts : dict of int to Path
         File of each finished chunk.
     damaged : tuple of Path
-        Files whose bytes are not those that were written.
+        Files that are not those of this study and chunk as they were written.
     """
 
     folder: Path
@@ -136,7 +133,7 @@ class Store:
             if chunk.signals:
                 self._write_signals(chunk)
             parquet.write_table(self.table(chunk), buffer, compression="zstd")
-            file = self.folder / f"part-{chunk.number:06d}-{digest(buffer.getvalue())}.parquet"
+            file = self.folder / f"part-{chunk.number:06d}-{self.digest(chunk.number, buffer.getvalue())}.parquet"
             write_bytes_atomic(file, buffer.getvalue(), durable=True)
         except OutputError as error:
             error.add_note(f"{len(self.parts)} finished chunks are kept. Repeat the command with --resume to continue.")
@@ -145,6 +142,25 @@ class Store:
         for other in [*self.folder.glob(f"part-{chunk.number:06d}-*.parquet")]:
             if other != file:
                 other.unlink()  # damaged
+
+    def digest(self, number: int, data: bytes) -> str:
+        """Return the digest in the name of a file: over study, number of the chunk and bytes."""
+        is_older = self.manifest["schema"] == OLDER
+        return digest(data) if is_older else digest(content_of(self.manifest["identity"]), b"%d" % number, data)
+
+    def fits(self, number: int, data: bytes) -> bool:
+        """Return whether the bytes of a part hold the variants of a chunk, with the columns and units of the study."""
+        arrow, parquet = extra_module("pyarrow"), extra_module("pyarrow.parquet")
+        first = number * int(self.manifest["chunk"])
+        try:
+            file = parquet.ParquetFile(arrow.BufferReader(data))
+            if not file.schema_arrow.equals(self.schema, check_metadata=True):
+                return False
+            held = file.read(["variant"])["variant"].to_numpy()
+        except (arrow.ArrowException, OSError):
+            return False
+        wanted = np.arange(first, min(first + int(self.manifest["chunk"]), self.variants))
+        return bool(wanted.size) and np.array_equal(held, wanted)
 
     def _write_signals(self, chunk: Chunk) -> None:
         import xarray
@@ -158,7 +174,7 @@ class Store:
         data = xarray.Dataset(arrays, {"variant": first + np.arange(len(chunk.columns["status"]))})
         with replacing(self.folder / f"signals-{chunk.number:06d}", durable=True) as temporary:
             data.to_netcdf(temporary, engine="h5netcdf", encoding={key: {"zlib": True, "complevel": 1} for key in arrays})
-            name = f"signals-{chunk.number:06d}-{digest(temporary.read_bytes())}.nc"
+            name = f"signals-{chunk.number:06d}-{self.digest(chunk.number, temporary.read_bytes())}.nc"
         (self.folder / f"signals-{chunk.number:06d}").replace(self.folder / name)
 
     def log(self, chunk: Chunk, elapsed: float) -> None:
@@ -184,11 +200,6 @@ class Store:
         return sums
 
 
-def digest(data: bytes) -> str:
-    """Return the digest in the name of a file."""
-    return hashlib.sha256(data).hexdigest()[:16]
-
-
 # --- opening ---------------------------------------------------------------------------------------------------------------------------
 
 
@@ -207,37 +218,37 @@ def read_store(folder: str | Path, *, repair: bool = False) -> Store:
         If it is no store, a file is damaged, or a chunk has two files.
     """
     path = Path(folder)
-    try:
-        manifest = json.loads((path / MANIFEST).read_text(encoding="utf-8"))
-        schema = manifest["schema"]
-        missing = _NEEDED - set(manifest)
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        reason = "no manifest.json" if isinstance(error, FileNotFoundError) else "its manifest.json cannot be read"
-        raise ResultError(f"{path}: not a store of contourlab sweep: {reason}") from error
-    if schema != SCHEMA or missing:
-        raise ResultError(f"{path}: a store of the form {schema}; this version reads {SCHEMA}")
-    parts, damaged = _checked(path, manifest.get("signals"), repair)
-    return Store(path, manifest, parts, damaged)
+    store = Store(path, read_manifest(path))
+    store.parts, store.damaged = _checked(store, repair)
+    return store
 
 
-def _checked(folder: Path, signals: Sequence[str], repair: bool) -> tuple[dict[int, Path], tuple[Path, ...]]:
+def _checked(store: Store, repair: bool) -> tuple[dict[int, Path], tuple[Path, ...]]:
     """Return the intact parts by chunk, and the damaged files."""
-    named = {path: match for path in folder.iterdir() if (match := _PART.match(path.name))}
-    intact = dict(zip(named, in_threads(lambda path: digest(path.read_bytes()) == named[path][3], named), strict=True))
-    damaged = tuple(sorted(path for path, fine in intact.items() if not fine))
+    named = {path: match for path in store.folder.iterdir() if (match := _PART.match(path.name))}
+    faults = dict(zip(named, in_threads(lambda path: _fault(store, path, named[path]), named), strict=True))
+    damaged = tuple(sorted(path for path, fault in faults.items() if fault))
     if damaged and not repair:
-        raise ResultError(f"{damaged[0]}: is damaged: repeat the study with --resume to compute its chunk again")
-    kept = {int(match[2]) for path, match in named.items() if match[1] == "signals" and intact[path]}
+        raise ResultError(f"{damaged[0]}: {faults[damaged[0]]}: repeat the study with --resume to compute its chunk again")
+    kept = {int(match[2]) for path, match in named.items() if match[1] == "signals" and not faults[path]}
     parts: dict[int, Path] = {}
-    for path in sorted(path for path, match in named.items() if match[1] == "part" and intact[path]):
+    for path in sorted(path for path, match in named.items() if match[1] == "part" and not faults[path]):
         number = int(named[path][2])
         if number in parts:
             raise ResultError(f"{path}: chunk {number} is there twice, with different bytes: delete the file that is wrong")
-        if not signals or number in kept:
+        if not store.manifest["signals"] or number in kept:
             parts[number] = path
         elif not repair:
             raise ResultError(f"{path}: the signals of this chunk are missing: repeat the study with --resume")
     return parts, damaged
+
+
+def _fault(store: Store, path: Path, name: re.Match[str]) -> str:
+    """Return what is wrong with a file; empty if nothing is."""
+    data, number = path.read_bytes(), int(name[2])
+    if store.digest(number, data) != name[3]:
+        return "is damaged, or belongs to another chunk or study"
+    return "" if name[1] == "signals" or store.fits(number, data) else "does not hold the variants and columns of its chunk"
 
 
 @contextmanager
@@ -262,14 +273,7 @@ def writing(folder: str | Path, study: Study, structures: Callable[[], Sequence[
         If it is the store of another study.
     """
     path = Path(folder)
-    if path.exists() and not path.is_dir():
-        raise OutputError(f"{path}: is a file; name a folder with --out")
-    held = (MANIFEST, TIMES, LOCK)
-    others = [other.name for other in path.iterdir() if other.name not in held and not other.name.startswith(".")] if path.is_dir() else []
-    if not (path / MANIFEST).exists() and others:
-        raise OutputError(f"{path}: has other files, such as {sorted(others)[0]}: name an empty or new folder with --out")
-    if (path / MANIFEST).exists() and not resume:
-        raise OutputError(f"{path}: has a store: add --resume to continue it, or name another folder with --out")
+    check_folder(path, resume=resume)
     with locked(path):
         for left in path.glob(".*.part"):  # of a killed writer
             left.unlink(missing_ok=True)
@@ -280,8 +284,29 @@ def writing(folder: str | Path, study: Study, structures: Callable[[], Sequence[
         else:
             store = Store(path, {})
         store.manifest = manifest_of(study, structures())  # comments and the tolerance may have changed
-        write_text_atomic(path / MANIFEST, json.dumps(store.manifest, indent=1, allow_nan=False) + "\n")
+        write_manifest(path, store.manifest)
         yield store
+
+
+def check_folder(folder: str | Path, *, resume: bool) -> None:
+    """Raise `OutputError` or `ResultError` if a folder cannot be that of a new store, or with `resume` of one to continue."""
+    path = Path(folder)
+    if path.exists() and not path.is_dir():
+        raise OutputError(f"{path}: is a file; name a folder with --out")
+    held = (MANIFEST, TIMES, LOCK)
+    others = [other.name for other in path.iterdir() if other.name not in held and not other.name.startswith(".")] if path.is_dir() else []
+    if not (path / MANIFEST).exists() and others:
+        raise OutputError(f"{path}: has other files, such as {sorted(others)[0]}: name an empty or new folder with --out")
+    if (path / MANIFEST).exists() and not resume:
+        raise OutputError(f"{path}: has a store: add --resume to continue it, or name another folder with --out")
+    if (path / MANIFEST).exists() and read_manifest(path)["schema"] != SCHEMA:
+        raise ResultError(f"{path}: is a store of an older version, which is only read: name another folder with --out")
+
+
+def numbers_in(folder: str | Path) -> set[int]:
+    """Return the numbers of the chunks in a folder by their files, unchecked."""
+    path = Path(folder)
+    return {int(match[2]) for file in (path.iterdir() if path.is_dir() else ()) if (match := _PART.match(file.name)) and match[1] == "part"}
 
 
 def manifest_of(study: Study, structures: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -353,6 +378,8 @@ def merge(folders: Iterable[str | Path], out: str | Path) -> Store:
         same_study(first.manifest["identity"], store.manifest["identity"], f"{store.folder}: differs from {first.folder}", cure)
         if store.manifest["tolerance"] != first.manifest["tolerance"]:
             raise ResultError(f"{store.folder}: has another tolerance than {first.folder}: repeat its study with that one and --resume")
+        if store.manifest["schema"] != first.manifest["schema"]:
+            raise ResultError(f"{store.folder}: comes from another version than {first.folder}: repeat the study of the older one")
         for number in sorted(store.parts.keys() & first.parts.keys()):
             if store.parts[number].name != first.parts[number].name:
                 raise ResultError(f"{store.parts[number]}: differs from {first.parts[number]}: one of them is wrong")
@@ -367,5 +394,5 @@ def merge(folders: Iterable[str | Path], out: str | Path) -> Store:
             if (store.folder / TIMES).exists():
                 with (path / TIMES).open("a", encoding="utf-8") as stream:
                     stream.write((store.folder / TIMES).read_text(encoding="utf-8"))
-        write_text_atomic(path / MANIFEST, json.dumps(first.manifest, indent=1, allow_nan=False) + "\n")
+        write_manifest(path, first.manifest)
     return read_store(path)

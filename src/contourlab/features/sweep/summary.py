@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from contourlab.features.sweep.design import DRAWN
+from contourlab.features.sweep.manifest import SCHEMA
 from contourlab.features.sweep.query import Spread, Yield, counts, spreads, yield_of
 from contourlab.features.sweep.store import Store
 from contourlab.figures import figure, number, shown_unit
@@ -91,7 +92,8 @@ def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> Sw
 
 def remarks(store: Store, statuses: Mapping[str, int]) -> tuple[Finding, ...]:
     """Return what to know about the variants of a store: missing, refused, unsure."""
-    found = [finding("CL931", done=store.done, variants=store.variants)] if store.done < store.variants else []
+    found = [finding("CL935", store=str(store.folder))] if store.manifest["schema"] != SCHEMA else []
+    found += [finding("CL931", done=store.done, variants=store.variants)] if store.done < store.variants else []
     found += [finding("CL932", count=statuses["refused"])] if statuses.get("refused") else []
     found += [finding("CL933", count=statuses["unsure"])] if statuses.get("unsure") else []
     return tuple(found)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from contourlab.app.results import check_file, staged
+from contourlab.app.results import check_file, proposed, staged
 from contourlab.app.stages import shown
 from contourlab.design import Space
 from contourlab.errors import ParameterError, ScenarioError
@@ -169,8 +169,8 @@ def _write(tuned: Tuned, case: Case, out: Path, name: str, plugins: Sequence[str
     from contourlab.scenario.load import load_controller
 
     before, after = (1e6 * one.figures["part_error_max"] for one in (tuned.before, tuned.after))
-    head = f"# Calibrated for {name}, scheme {case.name}: largest part error {before:.4g} um before, {after:.4g} um after.\n\n"
-    text = head.replace("\r", " ") + dump(tuned.controller, case.machine)
+    head = f"Calibrated for {name}, scheme {case.name}: largest part error {before:.4g} um before, {after:.4g} um after."
+    text = proposed(head, dump(tuned.controller, case.machine))
     with tempfile.TemporaryDirectory() as folder:
         trial = Path(folder) / "controller.toml"
         write_text_atomic(trial, text)

@@ -11,6 +11,7 @@ from made_two_masses import TwoMasses
 
 from contourlab.analysis.identification.gauss_newton import DescentSettings
 from contourlab.app.json_values import json_values
+from contourlab.app.results import SAFETY
 from contourlab.errors import ParameterError
 from contourlab.features.commission.command import Commissioned, commission, prepare
 from contourlab.features.commission.hal_files import read_setup
@@ -69,6 +70,7 @@ def test_gains_do_what_is_predicted(made: bench.Made, answered: tuple[Commission
 def test_diff_leads_to_the_proposed_gains(made: bench.Made, answered: tuple[Commissioned, Path], tmp_path: Path) -> None:
     result, folder = answered
     diff = (folder / "gains.diff").read_text()
+    assert all((folder / name).read_text().startswith(f"{SAFETY}\n--- ") for name in ("gains.diff", "safe.diff"))
     patched = []
     for file in (made.ini, made.hal):
         old, new = file.read_text().splitlines(), list[str]()

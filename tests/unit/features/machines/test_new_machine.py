@@ -9,6 +9,7 @@ from dataclasses import replace
 import pytest
 
 from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.app.results import SAFETY
 from contourlab.design.notch import resonance_of
 from contourlab.errors import OutputError, ScenarioError
 from contourlab.features.machines.answers import BLANK, PRESETS, answers_text, interview, preset_file, read_answers
@@ -150,6 +151,7 @@ def test_a_router_takes_at_most_twenty_answers():
     assert not remarks
     by_file, by_hand = new_machine(answers()), new_machine(given)
     assert [axis.mass for axis in by_hand.axes] == [axis.mass for axis in by_file.axes]
+    assert f"# {SAFETY}" in by_hand.files()["controller.toml"].splitlines()
     assert by_hand.files()["controller.toml"] == by_file.files()["controller.toml"].replace("Router 3ax", "My machine")
 
 

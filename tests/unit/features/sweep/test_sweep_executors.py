@@ -67,6 +67,7 @@ def test_executors_give_the_same_bytes(study: Path, executor: str, monkeypatch: 
     with the_port_of_another_scheduler():
         done = subprocess.run(command, capture_output=True, text=True, timeout=300)
     assert (done.returncode, done.stderr) == (0, "")
+    assert not list(Path.cwd().glob(".dask-jobqueue*"))  # the keys of the jobs
     assert set(parts("threads")) == set(parts("other"))
     assert exported(Path("threads")) == exported(Path("other"))
 

@@ -7,17 +7,20 @@ import errno
 import io
 import json
 import os
+import shutil
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
-from made_studies import STUDY, asked, exported, made_study
+from made_studies import STUDY, as_older, asked, exported, forged, made_study
 
 from contourlab import load_scenario, simulate_batch
 from contourlab.cli.main import main
+from contourlab.features.sweep.manifest import read_manifest
 from contourlab.features.sweep.store import read_store
 from contourlab.result import Result
 
@@ -86,6 +89,105 @@ def test_a_damaged_file_is_found_and_computed_again(whole: Path, capsys: Capture
     again = asked(capsys, "study.toml", "--out", "whole", "--resume")
     assert again["chunks_made"] == 1 and "CL930" in {found["code"] for found in again["findings"]}
     assert exported(whole) == rows
+
+
+def test_a_chunk_under_another_number_is_found_and_computed_again(whole: Path, capsys: Capture) -> None:
+    rows = exported(whole)
+    for older in (False, True):  # by its digest; by its variants
+        if older:
+            as_older(whole)
+        first, second = (next(whole.glob(f"part-{number:06d}-*")) for number in (1, 2))
+        second.unlink()
+        moved = whole / first.name.replace("000001", "000002")
+        first.replace(moved)
+        for words in (["show", "whole"], ["worst", "whole"], ["export", "whole", "--to", "a.csv"], ["merge", "whole", "--out", "other"]):
+            assert main(["sweep", *words]) == 2
+            assert capsys.readouterr().err.startswith(f"contourlab: {moved}")
+        if older:
+            break
+        again = asked(capsys, "study.toml", "--out", "whole", "--resume")
+        assert again["chunks_made"] == 2 and "CL930" in {found["code"] for found in again["findings"]}
+        assert exported(whole) == rows and sorted(read_store(whole).parts) == [0, 1, 2, 3]
+
+
+def test_a_chunk_of_another_study_is_found(whole: Path, capsys: Capture) -> None:
+    rows = exported(whole)
+    Path("study.toml").write_text(STUDY.replace("seed = 3", "seed = 4"))
+    assert main(["sweep", "study.toml", "--out", "other", "--chunks", "1:2"]) == 0
+    (stranger,) = Path("other").glob("part-*")
+    (whole / stranger.name).write_bytes(stranger.read_bytes())
+    next(file for file in whole.glob("part-000001-*") if file.name != stranger.name).unlink()
+    capsys.readouterr()
+    assert main(["sweep", "show", "whole"]) == 2
+    assert capsys.readouterr().err.startswith(f"contourlab: {whole / stranger.name}")
+    Path("study.toml").write_text(STUDY)
+    assert asked(capsys, "study.toml", "--out", "whole", "--resume")["chunks_made"] == 1
+    assert exported(whole) == rows
+
+
+def test_an_older_store_is_read_merged_and_named_as_such(whole: Path, capsys: Capture) -> None:
+    rows, passed = exported(whole), asked(capsys, "show", "whole")["yield"]
+    as_older(whole)
+    shown = asked(capsys, "show", "whole")
+    assert shown["yield"] == passed and "CL935" in {found["code"] for found in shown["findings"]}
+    for words in (["worst", "whole"], ["query", "whole", "SELECT 1"]):
+        assert main(["sweep", *words]) == 0 and "CL935" in capsys.readouterr().err
+    assert "CL935" in {found["code"] for found in asked(capsys, "report", "whole")["answers"]["findings"]}
+    assert asked(capsys, "merge", "whole", "--out", "both")["done"] == 100
+    assert exported(whole) == exported(Path("both")) == rows
+    assert main(["sweep", "study.toml", "--out", "whole", "--resume"]) == 2
+
+
+WRONG = (None, True, -1, 0, 7, 1.5, "x", [], [7], ["x"], {}, {"x": None}, {"x": "m"}, 10**30)
+READERS = (
+    ["show", "whole"],
+    ["query", "whole", "SELECT * FROM results"],
+    ["worst", "whole"],
+    ["worst", "whole", "--rerun", "5"],
+    ["report", "whole", "--out", "page.html"],
+    ["merge", "whole", "--out", "merged"],
+    ["export", "whole", "--to", "a.csv"],
+    ["study.toml", "--out", "whole", "--resume"],
+    ["optimise", "study.toml", "--out", "whole", "--resume"],
+)
+
+
+def edits(fields: dict[str, object]) -> Iterator[dict[str, object]]:
+    """Yield a manifest without each of its keys, and with each wrong."""
+    for key, value in fields.items():
+        yield {name: other for name, other in fields.items() if name != key}
+        yield from ({**fields, key: wrong} for wrong in WRONG if wrong != value)
+    yield {**fields, "more": 1}
+
+
+def test_an_edited_manifest_is_refused_by_every_command(whole: Path, capsys: Capture) -> None:
+    fields = read_manifest(whole)
+    texts = [json.dumps(edited) for edited in edits(fields)]
+    texts += [json.dumps(fields).replace("1695", "1696"), "", "{", "[]", "null", "[" * 100_000, '{"schema": NaN}', "\x00"]
+    assert len(texts) > 200
+    for text in texts:
+        (whole / "manifest.json").write_text(text)
+        for words in READERS:
+            assert main(["sweep", *words]) == 2, (words, text[:300])
+            assert "manifest.json" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_whatever_the_manifest_of_an_older_store_says_no_command_breaks(whole: Path, capsys: Capture) -> None:
+    as_older(whole)
+    fields = read_manifest(whole)
+    (one,) = fields["structures"]
+    deep = [{**fields, "structures": [{**one, key: wrong}]} for key in ("choices", "scenario") for wrong in WRONG]
+    read = 0
+    for edited in (*edits(fields), *deep):
+        (whole / "manifest.json").write_text(json.dumps(edited))
+        for words in READERS[:-2]:
+            shutil.rmtree("merged", ignore_errors=True)
+            code = main(["sweep", *words])
+            assert code in (0, 1, 2), (words, edited)
+            read += code == 0
+            capsys.readouterr()
+    assert read > 20  # a seed, tolerance or text is any
 
 
 CHANGES = [("seed = 3", "seed = 4"), ('"20 %"', '"21 %"'), ("chunk = 32", "chunk = 64"), ("all of it", "position loop")]
@@ -170,6 +272,8 @@ def test_an_interrupt_keeps_what_is_finished(study: Path, capsys: Capture, monke
 def test_sql_reads_the_results_and_nothing_else(whole: Path, capsys: Capture) -> None:
     (row,) = asked(capsys, "query", "whole", "SELECT count(*) AS n, min(variant) AS first FROM results")
     assert row == {"n": 100, "first": 0}
+    assert main(["sweep", "query", "whole", "SELECT * FROM range(10000000) t(a), results ORDER BY random()", "--memory", "50 MB"]) == 2
+    assert not Path(".tmp").exists()
     secret = Path("secret.csv")
     secret.write_text("a\n1\n")
     for sql in (
@@ -184,6 +288,21 @@ def test_sql_reads_the_results_and_nothing_else(whole: Path, capsys: Capture) ->
     ):
         assert main(["sweep", "query", "whole", sql]) == 2, sql
     assert not Path("out.csv").exists() and not Path("other.db").exists()
+
+
+@pytest.mark.parametrize(
+    ("sql", "option", "limit"),
+    [
+        ("SELECT list(a) FROM range(1000000000) t(a)", "--memory", "100 MB"),  # in DuckDB
+        ("SELECT * FROM range(1000000000)", "--memory", "20 MB"),  # as rows
+        ("SELECT max(sin(a)) FROM range(1000000000000) t(a)", "--time", "0.3 s"),
+        ("SELECT * FROM range(1000000000)", "--time", "0.3 s"),
+    ],
+)
+def test_a_query_beyond_its_limit_names_the_option(whole: Path, capsys: Capture, sql: str, option: str, limit: str) -> None:
+    assert main(["sweep", "query", "whole", sql, option, limit]) == 2
+    assert option in capsys.readouterr().err
+    assert main(["sweep", "query", "whole", "SELECT 1", option, limit]) == 0
 
 
 STRUCTURES = """\
@@ -243,3 +362,25 @@ def test_a_variant_runs_again_into_a_report(whole: Path, capsys: Capture) -> Non
     assert np.abs(signals["contour_error"]).max() == pytest.approx(row["contour_error_max"], rel=1e-6)
     assert json.loads(Path("report/summary.json").read_text())["passed"] is False
     assert main(["sweep", "worst", "whole", "--rerun", "100"]) == 2
+
+
+def test_a_run_again_is_compared_with_the_stored_row(whole: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
+    from contourlab.features.sweep import command
+
+    def found() -> list[dict[str, Any]]:
+        words = ["sweep", "worst", "whole", "--rerun", "5", "--out", "again", "--json"]
+        assert main(words) in (0, 1)
+        summary = json.loads(capsys.readouterr().out)
+        assert summary == json.loads(Path("again/summary.json").read_text())
+        return [one for one in summary["schemes"]["base"]["findings"] if one["code"] == "CL934"]
+
+    capsys.readouterr()
+    with monkeypatch.context() as patch:
+        patch.setattr(command, "SAME", 0.0)
+        assert found() == []  # bit for bit
+    forged(whole, lambda text: text.replace("1116 mm/s^2", "1120 mm/s^2"))  # axis 3, which the study does not vary
+    (differs,) = found()
+    assert differs["values"]["variant"] == 5 and differs["values"]["stored"] != differs["values"]["now"]
+    forged(whole, lambda text: text.replace('following_error = "50 mm"', 'following_error = "1 um"'))
+    assert main(["sweep", "worst", "whole", "--rerun", "5", "--out", "again"]) == 3
+    assert "CL934" in capsys.readouterr().err
