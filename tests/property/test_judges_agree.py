@@ -15,7 +15,7 @@ from streamed_judge import streamed
 
 from contourlab.geometry import Arc, Line, Path
 from contourlab.metrics import judge
-from contourlab.metrics.judge import reach
+from contourlab.metrics.judge import furthest, reach
 
 N = 600
 """Samples of a run."""
@@ -95,7 +95,7 @@ def cut(draw: st.DrawFn, paths: st.SearchStrategy[Path]) -> tuple[Path, Array, A
 
 def brute_force(path: Path, along: Array, tool: Array) -> Array:
     """Return the least distance (n,) from the lines of a path within the window of the exact judge."""
-    window = reach(path, path.position(along) - tool)
+    window = reach(path, furthest(path.position(along) - tool))
     laps = range(-1, 3) if path.closed else range(1)
     best = np.full(len(along), np.inf)
     for lap, (curve, start) in itertools.product(laps, zip(path.curves, path.breaks, strict=False)):

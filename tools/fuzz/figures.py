@@ -84,12 +84,12 @@ def _saved(folder: Path, side: Side) -> Figures:
 
 def _blocks(folder: Path, side: Side) -> Figures:
     """Stop after each block, and go on."""
-    from contourlab import Result, judge
+    from contourlab import Result
     from contourlab.features.run.record import simulate_to_file
 
     case, reference = _case(folder)
     simulate_to_file(case.machine, case.controller, reference, folder / "result.nc", seed=case.seed, block=97)
-    result = judge(Result.load(folder / "result.nc"), reference)
+    result = Result.load(folder / "result.nc")
     return _summarised(result, reference, side) | _signals(result)
 
 

@@ -66,7 +66,7 @@ def judge_doubtful(
             here = np.flatnonzero(nodes[name].tables["counts"][samples] * log[:, j, lane])
             if here.size:
                 path, around = paths[name], nodes[PLACE].tables["place"][samples] if name == PART else arc_length
-                window = reach(path, np.sqrt(sums[name][-1:, variant, None])) + float(nodes[name].parameters["planning"])
+                window = reach(path, float(np.sqrt(sums[name][-1, variant]))) + float(nodes[name].parameters["planning"])
                 # Each lane on its own: the last digits of a foot point depend on what is searched together.
                 feet = path.foot_point(log[here, :n, lane], around[here], window)
                 _add(group.state_of(name)[:, lane], feet.signed if path.is_planar else feet.distance, k + here)

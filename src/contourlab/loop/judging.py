@@ -88,7 +88,7 @@ def most_error(machine: Machine) -> float:
 
 def room_for(path: Path, error: float, planning: float) -> tuple[dict[str, float], dict[str, Array]]:
     """Return parameters and tables of a judge for runs whose largest tracking error [m] does not exceed `error`."""
-    window = min(reach(path, np.array([[min(error, path.length)]])) + planning, path.length)
+    window = min(reach(path, min(error, path.length)) + planning, path.length)
     numbers, cells = clearance(path, 2.0 * window)
     return {"error": error, "planning": planning, "window": window, **numbers}, cells
 
@@ -236,7 +236,7 @@ class TrialJudge:
         wires: dict[str, Any] = {name: f"in.{name}" for name in ("position", "reference", "arc_length")}
         nodes, self.window = [replace(node, wires=wires)], float(node.parameters["window"])
         if vector:
-            part = Newton(window=reach(reference.path, np.array([[most_error(machine)]])), iterations=3.0)
+            part = Newton(window=reach(reference.path, most_error(machine)), iterations=3.0)
             step, values = part.path_step(view, n), {**part.block(machine.servo_period), **view.parameters}
             measured = {"position": "in.measured", "arc_length": "in.arc_length"}
             nodes.append(Node("vector", step, measured, values, view.tables))

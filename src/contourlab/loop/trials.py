@@ -25,7 +25,7 @@ from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
-from contourlab.metrics.judge import reach
+from contourlab.metrics.judge import furthest, reach
 from contourlab.result import Status
 
 
@@ -231,7 +231,7 @@ class Trials:
         contour, doubtful, vector = self._judge(tool, measured)
         if doubtful.size:
             path = self.reference.path
-            window = reach(path, self.position - tool)
+            window = reach(path, furthest(self.position - tool))
             if window > self._judge.window:  # nearer points may lie further away than the judge looks
                 doubtful = np.arange(len(tool))
             feet = path.foot_point(tool[doubtful], self.arc_length[doubtful], window)

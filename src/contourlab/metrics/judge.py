@@ -23,16 +23,21 @@ from contourlab.result import Result, Signal
 MARGIN = 1e-4
 
 
-def reach(path: Path, tracking: Array) -> float:
-    """Return the search window [m] of foot points: three times the largest tracking error plus 0.1 mm, at most half of a closed path.
+def furthest(off: Array) -> float:
+    """Return the largest length [m] of some differences (n, n_axis) [m]."""
+    return float(np.linalg.norm(off, axis=1).max(initial=0.0))
+
+
+def reach(path: Path, error: float) -> float:
+    """Return the search window [m] of foot points: three times the largest tracking error [m] plus 0.1 mm, at most half of a closed path.
 
     The foot point of a tool at the distance e from its reference lies within 2 e of it on a straight path, and slightly further on a curve.
     """
-    window = 3.0 * float(np.linalg.norm(tracking, axis=1).max(initial=0.0)) + MARGIN
+    window = 3.0 * error + MARGIN
     return min(window, 0.5 * path.length) if path.closed else window
 
 
-def judge(result: Result, reference: Reference) -> Result:
+def judge(result: Result, reference: Reference, *, error: float = 0.0, planning: float = 0.0) -> Result:
     """Add the errors [m], the arc length of the foot point [m] and the tracking error of each axis [m] to a result.
 
     Parameters
@@ -40,6 +45,9 @@ def judge(result: Result, reference: Reference) -> Result:
     result : Result
         With ``tool_position``, ``reference`` and ``arc_length``.
     reference : Reference
+    error, planning : float [m], >= 0
+        For a block of a run: the largest distance of the tool from the reference, and of the reference from the programmed path, in the
+        whole run. They widen the search for the nearest point as in the whole run.
 
     Returns
     -------
@@ -63,13 +71,15 @@ def judge(result: Result, reference: Reference) -> Result:
     if tool.shape[1] != reference.n_axis:
         raise ResultError(f"a result of axes {', '.join(result.axes)} for a path of {reference.n_axis} coordinates")
     off = wanted - tool
+    error = max(error, furthest(off))
     planned, programmed = reference.path, reference.programmed
-    contour, foot = _errors(planned, tool, along, reach(planned, off))
+    contour, foot = _errors(planned, tool, along, reach(planned, error))
     if programmed is planned:
-        part, planning, part_foot = contour, np.zeros_like(contour), foot
+        part, deviation, part_foot = contour, np.zeros_like(contour), foot
     else:
-        planning, at = planning_deviation(reference, wanted, along)
-        part, part_foot = _errors(programmed, tool, at, reach(programmed, off) + float(np.abs(planning).max(initial=0.0)))
+        deviation, at = planning_deviation(reference, wanted, along)
+        planning = max(planning, float(np.abs(deviation).max(initial=0.0)))
+        part, part_foot = _errors(programmed, tool, at, reach(programmed, error) + planning)
     # The tracking error is that of the axes; the machine's error map moves the tool only.
     tracking = off
     if "axis_position" in result.signals:
@@ -78,7 +88,7 @@ def judge(result: Result, reference: Reference) -> Result:
     return replace(result, motion=reference).with_signals(
         contour_error=Signal(contour, ("sample",), "m"),
         part_error=Signal(part, ("sample",), "m"),
-        planning_deviation=Signal(planning, ("sample",), "m"),
+        planning_deviation=Signal(deviation, ("sample",), "m"),
         foot_arc_length=Signal(part_foot, ("sample",), "m"),
         tracking_error=Signal(tracking, ("sample", "axis"), "m"),
     )

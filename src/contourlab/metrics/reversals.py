@@ -11,7 +11,7 @@ import numpy as np
 from contourlab.arrays import Array, Index
 from contourlab.feed import Reference
 from contourlab.geometry import Arc, Curve
-from contourlab.metrics.judge import reach
+from contourlab.metrics.judge import furthest, reach
 from contourlab.result import Result
 
 _BEFORE = 5
@@ -138,7 +138,8 @@ class _Errors:
         if reference.programmed is path:
             foot = path.position(result["foot_arc_length"][here])
         else:
-            foot = path.foot_point(tool, result["arc_length"][here], reach(path, result["reference"][here] - tool)).position
+            window = reach(path, furthest(result["reference"] - result["tool_position"]))
+            foot = path.foot_point(tool, result["arc_length"][here], window).position
         self.values = tool - foot
 
     def of(self, start: int, stop: int) -> Array:

@@ -12,7 +12,7 @@ from made_runs import circle_laps, made_run, samples_on
 from contourlab.errors import ResultError
 from contourlab.geometry import Arc, Line, Path, contour
 from contourlab.metrics import judge, summarise
-from contourlab.metrics.judge import reach
+from contourlab.metrics.judge import furthest, reach
 
 ROUND = 1e-15  # positions of some 0.1 m have a last digit of 1.4e-17 m
 
@@ -163,9 +163,9 @@ def test_rounded_corner_has_a_planning_deviation(turn: float) -> None:
 def test_reach_holds_the_foot_of_any_tracking_error() -> None:
     straight, ring = Path([Line((0.0, 0.0), (1.0, 0.0))]), contour("circle", radius=0.02)
     tracking = np.array([[3e-3, 4e-3], [0.0, 0.0]])
-    assert reach(straight, tracking) >= 2.0 * 5e-3
-    assert reach(ring, 100.0 * tracking) == pytest.approx(math.pi * 0.02)
-    assert reach(straight, np.zeros((2, 2))) > 0.0
+    assert reach(straight, furthest(tracking)) >= 2.0 * 5e-3
+    assert reach(ring, 100.0 * furthest(tracking)) == pytest.approx(math.pi * 0.02)
+    assert reach(straight, 0.0) > 0.0
 
 
 def test_a_reference_far_ahead_does_not_lose_the_foot() -> None:

@@ -9,11 +9,14 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any, TextIO
 
+import numpy as np
+
 from contourlab.errors import DivergenceError
 from contourlab.feed import Reference
 from contourlab.loop import Change, Controller, Machine, result_of, simulate_blocks
 from contourlab.loop.switches import RECORDED, Switches, SwitchLog
 from contourlab.metrics import judge
+from contourlab.metrics.judge import furthest, planning_deviation
 from contourlab.result import ResultWriter, Status
 from contourlab.result.atomic import replacing
 
@@ -79,11 +82,11 @@ def simulate_to_file(
     with ExitStack() as stack:
         listed = stack.enter_context(switch_file(switches)) if switches is not None else None
         writer = stack.enter_context(ResultWriter(file, empty.header(), empty.axes, reference.n_sample))
-        given: dict[str, Any] = {"seed": seed, "signals": wanted, "block": block, "changes": changes}
-        for signals_of_block, status in simulate_blocks(machine, controller, reference, **given):
-            if not status.ok:
-                raise DivergenceError(status.reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
-            part = judge(result_of(machine, reference, signals_of_block, status, scheme=scheme, seed=seed, start=start), reference)
+        given: dict[str, Any] = {"seed": seed, "block": block, "changes": changes}
+        errors = _largest(machine, controller, reference, given)
+        for signals_of_block, status in simulate_blocks(machine, controller, reference, signals=wanted, **given):
+            made = result_of(machine, reference, signals_of_block, status, scheme=scheme, seed=seed, start=start)
+            part = judge(made, reference, **errors)
             writer.append(part.signals)
             if listed is not None:
                 listed.append(log.add(part))
@@ -91,6 +94,19 @@ def simulate_to_file(
             if progress is not None:
                 progress(start)
     return Status()
+
+
+def _largest(machine: Machine, controller: Controller, reference: Reference, given: dict[str, Any]) -> dict[str, float]:
+    """Run once without a file; return the largest tracking error and planning deviation [m], on which the judge's search depends."""
+    error = planning = 0.0
+    for block, status in simulate_blocks(machine, controller, reference, signals=_JUDGED, **given):
+        if not status.ok:
+            raise DivergenceError(status.reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
+        error = max(error, furthest(block["reference"] - block["tool_position"]))
+        if reference.programmed is not reference.path:
+            deviation, _ = planning_deviation(reference, block["reference"], block["arc_length"])
+            planning = max(planning, float(np.abs(deviation).max()))
+    return {"error": error, "planning": planning}
 
 
 class SwitchWriter:

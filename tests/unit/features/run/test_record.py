@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import tracemalloc
+from dataclasses import replace
+from itertools import pairwise, starmap
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +14,7 @@ import pytest
 import contourlab as cl
 from contourlab.components.registry import component
 from contourlab.features.run.record import switch_file
+from contourlab.geometry.line import Line
 from contourlab.loop import Change
 from contourlab.loop.switches import Switches, SwitchKind
 
@@ -39,8 +42,21 @@ def test_the_file_holds_the_same_as_a_run_in_memory(tmp_path: Path) -> None:
     assert told[-1] == whole.n_sample and len(told) == 5
     assert read.signals.keys() == whole.signals.keys()
     for name in whole.signals:
-        # The judge's search window depends on the block's largest tracking error; the foot point does not.
         assert np.max(np.abs(read[name] - whole[name])) <= (1e-15 if name in ("foot_arc_length", "contour_error", "part_error") else 0.0)
+
+
+def test_blocks_are_judged_as_the_whole_run_at_corners(tmp_path: Path) -> None:
+    """A block in which the tool follows closely still looks as far for the nearest leg as the whole run."""
+    machine, controller = rig(velocity_gain=40.0)
+    machine = replace(machine, axes=tuple(replace(axis, limits=cl.Limits(following_error=20e-3)) for axis in machine.axes))
+    star = [(0.0, 0.0), (20e-3, 0.0), (1e-3, 4e-3), (18e-3, 9e-3), (0.0, 8e-3), (0.0, 0.0)]
+    asked = cl.uniform(cl.Path(list(starmap(Line, pairwise(star))), closed=True), 1.0, 1, PERIOD)
+    whole = cl.judge(cl.simulate(machine, controller, asked), asked)
+    for block in (17, 97, 1 << 15):
+        cl.simulate_to_file(machine, controller, asked, tmp_path / "run.nc", block=block)
+        read = cl.Result.load(tmp_path / "run.nc")
+        for name in ("contour_error", "part_error"):
+            assert np.max(np.abs(read[name] - whole[name])) <= 1e-15
 
 
 def test_chosen_signals_only(tmp_path: Path) -> None:
