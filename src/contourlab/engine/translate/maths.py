@@ -25,7 +25,7 @@ def _exp(run: Any, x: Any) -> Any:
     if not isinstance(x, Op):
         return primitives.exp(x)
     below = graph.select(graph.compare("<", 709.0, x), 709.0, x)
-    return graph.branch(graph.compare(">", x, -700.0), lambda: graph.op("exp", [below]), lambda: 0.0)
+    return graph.branch(graph.compare(">", x, -700.0), lambda: graph.op("exp", [graph.number(below)]), lambda: 0.0)
 
 
 def _lookup(run: Any, table: Op, index: Any) -> Any:
