@@ -27,7 +27,7 @@ _SIGNS: dict[str, Callable[[Any, Any], bool]] = {
 _WORD = 1 << 64
 
 
-class Unsure(Exception):
+class UnsureError(Exception):
     """A decision that rounding may turn."""
 
 
@@ -205,7 +205,7 @@ class Oracle:
 
 
 class Bounded(Oracle):
-    """Carries pairs: a number, and a bound of its distance from what plain Python computes; decisions within it raise `Unsure`.
+    """Carries pairs: a number, and a bound of its distance from what plain Python computes; decisions within it raise `UnsureError`.
 
     It takes a contracted graph of `maths.EXACT`. A number computed with polynomials is as near to it: they agree with the library to
     `DIGITS` units in the last place, sine and cosine also to `CLOSE`.
@@ -225,7 +225,7 @@ class Bounded(Oracle):
         if kind == "fma" and x[0] * x[1] + x[2] != v:
             off += abs(x[0] * x[1] + x[2] - v)
         if off and not math.isfinite(v + off):
-            raise Unsure
+            raise UnsureError
         if any(e) and kind not in ("fneg", "fabs", "copysign", "floor", "rint"):
             off += 2.0 * math.ulp(v) + 2.0 * math.ulp(off)
         return v, off * (1.0 + 1e-9)
@@ -240,11 +240,11 @@ class Bounded(Oracle):
         if kind in ("floor", "rint"):
             low, high = (NUMERIC[kind](x[0] + step) for step in (-e[0], e[0]))
             if not low == high == v or (v == 0.0 and abs(x[0]) <= e[0]):
-                raise Unsure
+                raise UnsureError
             return 0.0
         if kind == "copysign":
             if abs(x[1]) <= e[1] and e[1]:
-                raise Unsure
+                raise UnsureError
             return e[0]
         if kind in ("fmul", "fma"):
             product = abs(x[0]) * e[1] + abs(x[1]) * e[0] + e[0] * e[1]
@@ -256,18 +256,18 @@ class Bounded(Oracle):
     @staticmethod
     def _over(a: float, b: float) -> float:
         if a and not b > 0.0:
-            raise Unsure
+            raise UnsureError
         return a / b if a else 0.0
 
     def compared(self, sign: str, a: Any, b: Any) -> bool:
         near = a[1] + b[1]
         if near and not abs(a[0] - b[0]) > near * (1.0 + 1e-9):
-            raise Unsure
+            raise UnsureError
         return _SIGNS[sign](a[0], b[0])
 
     def whole_number(self, x: Any) -> float:
         if math.trunc(x[0] - x[1]) != math.trunc(x[0] + x[1]):
-            raise Unsure
+            raise UnsureError
         return float(x[0])
 
     def index(self, x: Any) -> int:

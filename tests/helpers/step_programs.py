@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Port, Step, ports
 
 TABLE = (0.5, -1.0, 2.25, 0.0, -0.0, 7.5, 0.1, -3.0)
 INPUTS = (0.0, -0.0, 1.0, -1.0, 0.5, 2.0, -3.25, 1e3)
@@ -23,19 +23,21 @@ def wrapped(a, b):
     return a - b * floor(a / b)
 
 
-def value(par, a, b, u, clock):
-    c, n, m = 0.5, 0, 1
+def value(par, a, b, c, u, clock):
+    n, m = 0, 1
 """
 FOOT = """
 
 def step(par, x, inp, clock):
-    y = value(par, par.a, par.b, inp.u, clock)
-    return (clip(y, -1e3, 1e3),), (y + x.z,)
+    y = value(par, x.a, x.b, x.c, inp.u, clock)
+    return (x.a, x.b, 0.25 * y), (y + x.c,)
 """
-LEAVES = ["a", "b", "c", "u"]
-ARITHMETIC = ["({} + {})", "({} - {})", "({} * {})", "({} * {} + {})", "({} * {} - {})", "fabs({})", "floor({})", "rint({})", "(-{})"]
+LEAVES = ["a", "b", "c", "u", "a", "b", "c", "u", "par.g"]
+ARITHMETIC = ["({} + {})", "({} - {})", "({} * {})", "({} * {} + {})", "({} * {} - {})", "fabs({})", "floor({})", "rint({})",
+              "(-{})", "({} / par.d)"]  # fmt: skip
+WHOLE = ["({} + {})", "({} - {})", "(-{})", "({} * -1)", "({} * -2)", "({} if c > 0.5 else {})", "product", "truth", "truth"]
 MORE = [
-    "({} / par.d)", "({} / 49.0)", "({} / (fabs({}) + 0.5))", "wrapped({}, par.d)", "wrapped(clock.t, par.d)", "copysign({}, {})",
+    "({} / 49.0)", "({} / (fabs({}) + 0.5))", "wrapped({}, par.d)", "wrapped(clock.t, par.d)", "copysign({}, {})",
     "clip({}, -2.0, {})", "sqrt(fabs({}))", "dot(({}, {}), ({}, {}))", "lookup(par.tab, clip(floor({}), 0.0, 7.0))",
     "delayed(par.ring, clock, clip(floor({}), 0.0, 7.0))", "uniform(par.s, clock.k, rint(clip({}, -50.0, 50.0)))",
 ]  # fmt: skip
@@ -55,7 +57,7 @@ class Writer:
     def number(self, depth: int = 3) -> str:
         draw = self.random
         if depth == 0 or draw.random() < 0.25:
-            return draw.choice([*LEAVES, *LEAVES, "n", "0.0", "-0.0", "1.0", "0.5", "-2.0", "7.25", "0", "-1"])
+            return draw.choice([*LEAVES, "n", "0.0", "-0.0", "1.0", "0.5", "-2.0", "7.25", "0", "-1"])
         form = draw.choice([*self.forms, "minimum({}, {})", "maximum({}, {})", "select", "if", "whole"])
         if form == "whole":
             return self.whole(depth - 1)
@@ -70,10 +72,10 @@ class Writer:
         draw = self.random
         if depth <= 0 or draw.random() < 0.3:
             return draw.choice(["n", "m", "n", "m", "0", "1", "-1", "3"])
-        form = draw.choice(["({} + {})", "({} - {})", "(-{})", "({} * -1)", "({} * -2)", "({} if c > 0.5 else {})", "product", "truth", "not"])
+        form = draw.choice(WHOLE)
         if form == "product":
             return f"({draw.choice('nm')} * {self.whole(0)})"
-        if form in ("truth", "not"):
+        if form == "truth":
             return draw.choice(["(-{})", "({0} - {1})", "({0} * n)", "({0} + 1)", "{0}"]).format(self.condition(0), self.condition(0))
         return form.format(*(self.whole(depth - 1) for _ in range(form.count("{}"))))
 
@@ -140,14 +142,15 @@ def step_of(file: Path, source: str) -> Step:
     spec: Any = importlib.util.spec_from_file_location(file.stem, file)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    ports = {"states": (Port("z"),), "inputs": (Port("u"),), "outputs": (Port("y"),)}
-    return Step(file.stem, module.step, ("a", "b", "d", "s"), tables=("tab",), ring="u", **ports)
+    layout = {"states": ports("a", "b", "c"), "inputs": (Port("u"),), "outputs": (Port("y"),)}
+    return Step(file.stem, module.step, ("g", "d", "s"), tables=("tab",), ring="u", **layout)
 
 
 def schedule_of(step: Step, seed: int, lanes: int) -> Schedule:
-    """Return a schedule of the step alone, with values of its parameters for each lane."""
+    """Return a schedule of the step alone, with parameters and states for each lane."""
     draw = random.Random(seed)
-    values: dict[str, Any] = {name: np.array([draw.choice([*INPUTS, draw.gauss(0.0, 2.0)]) for _ in range(lanes)]) for name in "ab"}
-    values |= {"d": draw.choice(DIVISORS), "s": float(seed)}
-    node = Node("s", step, {"u": "in.u"}, values, {"tab": np.array(TABLE)}, ring_length=8, repeat=draw.choice([1, 1, 2, 3]))
+    drawn = {name: np.array([draw.choice([*INPUTS, draw.gauss(0.0, 2.0)]) for _ in range(lanes)]) for name in "abg"}
+    values = {"g": drawn.pop("g"), "d": draw.choice(DIVISORS), "s": float(seed)}
+    tables = {"tab": np.array(TABLE)}
+    node = Node("s", step, {"u": "in.u"}, values, tables, initial=drawn, ring_length=8, repeat=draw.choice([1, 2, 2, 3]))
     return Schedule((node,), (Port("u"),), 1e-3, 1)

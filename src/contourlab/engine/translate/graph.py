@@ -63,18 +63,17 @@ class Op:
     """An operation: `kind`, the operations that it takes, its type, and what else identifies it.
 
     A branch has two blocks and a loop has two (the test, and one round). `results` are the values that come out of either. A loop with a
-    known number of rounds has an `index` in place of a test; its `extra` is that number. What is `fixed` is the same in every tick. What is
-    `sealed` crosses the border of a step: it is not contracted with what comes after.
+    known number of rounds has an `index` in place of a test; its `extra` is that number. What is `fixed` is the same in every tick.
     """
 
-    __slots__ = ("args", "blocks", "extra", "fixed", "index", "kind", "results", "sealed", "type")
+    __slots__ = ("args", "blocks", "extra", "fixed", "index", "kind", "results", "type")
 
     def __init__(self, kind: str, args: tuple[Op, ...], type_: str, extra: Any = None) -> None:
         self.kind, self.args, self.type, self.extra = kind, args, type_, extra
         self.blocks: tuple[Block, ...] = ()
         self.results: tuple[Op, ...] = ()
         self.index: Op | None = None
-        self.sealed = self.fixed = False
+        self.fixed = False
 
     def __repr__(self) -> str:
         return f"<{self.kind} {self.extra}>" if self.extra is not None else f"<{self.kind}>"
@@ -126,7 +125,7 @@ class Graph:
     def op(self, kind: str, args: Sequence[Op] = (), type_: str = NUMBER, extra: Any = None) -> Op:
         """Return an operation: the one that is there already, or a new one in the current block."""
         mark = extra.hex() if isinstance(extra, float) else extra
-        # A product of another step may be sealed already: each step has its own.
+        # Whether a product is fused depends on the step that uses it: each step, and each sub-step, has its own.
         key = (kind, tuple(map(id, args)), mark, self.scope if kind == "fmul" else None)
         block: Block | None = self.block
         while block is not None:

@@ -15,7 +15,7 @@ def fuse_products(blocks: Sequence[Block], wanted: Sequence[Op]) -> None:
     """Make fused multiply-adds of products that are used once, in the step that makes them; call it before `prune`.
 
     A product with two uses stays: a number less itself must be 0. So does one in a sum that, in the end, only comparisons, `floor`, `rint`
-    and indices read: they decide as in Python. `wanted` holds the next states and outputs of each step.
+    and indices read: they decide as in Python. `wanted` holds all that crosses the border of a step: it is not fused with what follows.
     """
     ops = [op for block in blocks for op in block.every()]
     uses = Counter(id(arg) for op in ops for arg in op.args)
@@ -31,7 +31,7 @@ def _fuse_in(block: Block, uses: Counter[int], read: set[int]) -> None:
     for op in block.ops:
         for inner in op.blocks:
             _fuse_in(inner, uses, read)
-        free = [arg.kind == "fmul" and not arg.sealed and uses[id(arg)] == 1 for arg in op.args]
+        free = [arg.kind == "fmul" and uses[id(arg)] == 1 for arg in op.args]
         if op.kind in ("fadd", "fsub") and any(free) and id(op) in read:
             (a, b), first = op.args, free[0]
             product, other = (a, b) if first else (b, a)

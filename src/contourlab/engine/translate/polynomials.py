@@ -68,7 +68,7 @@ def exp(x: float) -> float:
 
 
 def tanh(x: float) -> float:
-    n, p = _expm1_reduced(2.0 * minimum(fabs(x), 20.0))
+    n, p = _expm1_reduced(2.0 * minimum(20.0, fabs(x)))  # keeps NaN
     s = pow2(n)
     e = fma(s, p, s - 1.0)
     return copysign(e / (e + 2.0), x)

@@ -107,14 +107,11 @@ class _Builder:
         def once(part: Any, before: Sequence[Op]) -> list[Op]:
             graph.scope = i, part
             passed = graph.arithmetic("fmul", part, held)
-            passed.sealed = True
             at = graph.arithmetic("fadd", time, passed) if node.repeat > 1 else time
             clock = Clock(tick, at, held)  # type: ignore[arg-type]
             following, after = step_once(self.run, node.step, par, before, members, inputs, clock)
-            self.borders += (values := [*following, *after])
-            for value in values:
-                value.sealed = True
-            return values
+            self.borders += (passed, *following, *after)
+            return [*following, *after]
 
         if node.repeat <= _UNROLLED:
             after: list[Op] = [*states]
