@@ -199,7 +199,7 @@ def test_a_whole_number_that_crosses_a_border_is_a_float() -> None:
 
 
 def _assigned(a: float, b: float, par: Any, clock: Any) -> float:
-    if a > 0.0:
+    if a > 0.0:  # noqa: SIM108
         y = exp(b)
     else:
         y = b > 0.5
@@ -238,8 +238,8 @@ def test_nodes_one_by_one_give_the_same_bits_with_substeps(repeat: int) -> None:
     """A product that all sub-steps share, and one that crosses from one to the next."""
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        y = par.g * inp.u + x.c
-        return (0.3 * y,), (y + 0.1 * x.c,)
+        y = x.c + par.g * inp.u
+        return (0.3 * y,), (y + clock.t,)
 
     made = Step("made", step, ("g",), states=(Port("c"),), inputs=(Port("u"),), outputs=(Port("y"),))
     schedule = Schedule((Node("s", made, {"u": "in.u"}, {"g": 0.7}, repeat=repeat),), (Port("u"),), PERIOD, 1)
