@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 import pytest
 from graph_oracle import Bounded, Oracle, UnsureError
-from host_gpu import HostGpu
 from step_programs import TABLE, Writer, schedule_of, step_of
 from tests.helpers.translated_group import TranslatedGroup
 
 from contourlab.arrays import Array
+from contourlab.engine.gpu import gpu_of_process
 from contourlab.engine.runner import CompiledGroup, GpuGroup, Group, InterpretedGroup
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Step
@@ -131,15 +131,10 @@ def check_production(case: Case) -> int:
     return sure
 
 
-def check_nodes_and_gpu(case: Case) -> None:
-    """A node called alone has the bits of the fused loop; a thread of a GPU those of a lane."""
-    one = slice(7, 8)
+def check_node_by_node(case: Case) -> None:
+    """A node called alone has the bits of the fused loop."""
     apart = TranslatedGroup(case.schedule, graph=partial(graph_of, contract=True, primitives=SINGLE))
-    alone = CompiledGroup(case.schedule, 1, slice(0, 1))
-    assert_bits(case.run(alone), case.run(apart))
-    if case.seed % 8 == 0:
-        threads = GpuGroup(case.schedule, 64, slice(0, N_LANE), HostGpu())  # type: ignore[arg-type]
-        assert_bits(case.run(threads)[:, one], case.run(CompiledGroup(case.schedule, N_LANE, slice(0, N_LANE)))[:, one])
+    assert_bits(case.run(CompiledGroup(case.schedule, 1, slice(0, 1))), case.run(apart))
 
 
 @pytest.mark.parametrize("first", [*range(0, 48, PROGRAMS), *(pytest.param(n, marks=pytest.mark.slow) for n in range(48, 3200, PROGRAMS))])
@@ -149,8 +144,15 @@ def test_random_steps_compute_the_same_bits(first: int, tmp_path: Path) -> None:
     for case in cases:
         check_without_contraction(case)
         sure += check_production(case)
-        check_nodes_and_gpu(case)
+        check_node_by_node(case)
     assert sure > len(cases) * len(CHECKED) / 2
+
+
+@pytest.mark.parametrize("first", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(PROGRAMS, 400, PROGRAMS))])
+def test_random_steps_have_the_bits_of_lanes_on_a_gpu(a_gpu: None, first: int, tmp_path: Path) -> None:
+    for case in cases_of(range(first, first + PROGRAMS), tmp_path):
+        lanes = case.run(CompiledGroup(case.schedule, N_LANE, slice(0, N_LANE)))
+        assert_bits(case.run(GpuGroup(case.schedule, 64, slice(0, N_LANE), gpu_of_process()))[:, :N_LANE], lanes)
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
