@@ -11,6 +11,7 @@ import math
 import operator
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from functools import reduce
 from typing import Any
 
 NUMBER, WHOLE, CONDITION, TABLE = "f", "n", "b", "p"
@@ -173,10 +174,11 @@ class Graph:
         if not any(isinstance(value, Op) for value in values):
             return _FOLDED[kind](*values)
         args = [self.number(value) for value in values]
-        made, whole = self._computed(kind, args), kind in _KEEPS_WHOLE
-        for value in values:
-            whole = self.logic("and", whole, _whole(value))
-        if whole is not False and (kind == "fneg" or (kind == "fmul" and not any(a.kind == "constant" and a.extra > 0.0 for a in args))):
+        made = self._computed(kind, args)
+        if kind not in _KEEPS_WHOLE or not all(map(_whole, values)):
+            return made
+        whole = reduce(lambda p, q: self.logic("and", p, q), map(_whole, values))
+        if kind == "fneg" or (kind == "fmul" and not any(op.kind == "constant" and op.extra > 0.0 for op in args)):
             made = self.select(whole, self._computed("fadd", [made, self.constant(0.0)]), made)  # -0.0 + 0.0 is 0.0
         return _marked(made, whole)
 
