@@ -60,6 +60,8 @@ def _polynomial(function: Primitive) -> Primitive:
 def _saturated_exp(run: Any, x: Any) -> Any:
     """Return the polynomial of exp where it is not 0: friction laws ask mostly for exp of very negative numbers."""
     graph = run.graph
+    if not isinstance(x, Op):
+        return primitives.exp(x)
     return graph.branch(graph.compare(">", x, -700.0), lambda: run.call(polynomials.exp, [x]), lambda: 0.0)
 
 
