@@ -1,124 +1,185 @@
-"""Random steps: machine code, for one variant and in lanes, computes the bits of plain Python."""
+"""Random steps: machine code as users run it computes the bits of its graph; without contraction and in C, the bits of plain Python."""
 
 from __future__ import annotations
 
-import importlib.util
+import ctypes
 import random
-from collections.abc import Iterator
+import shutil
+import subprocess
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from graph_oracle import Bounded, Oracle, UnsureError
+from step_programs import TABLE, Writer, schedule_of, step_of
+from tests.helpers.translated_group import TranslatedGroup
 
-from contourlab.arrays import Array, aligned
-from contourlab.engine.runner import CompiledGroup, InterpretedGroup
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port, Step
-from contourlab.engine.translate import llvm_ir, tick_loop
-from contourlab.engine.translate.maths import EXACT
-from contourlab.engine.translate.tick_graph import tick_graph
+from contourlab.arrays import Array
+from contourlab.engine.gpu import gpu_of_process
+from contourlab.engine.runner import CompiledGroup, GpuGroup, Group, InterpretedGroup
+from contourlab.engine.schedule import Schedule
+from contourlab.engine.step import Step
+from contourlab.engine.translate import c99, llvm_ir, tick_loop
+from contourlab.engine.translate.maths import EXACT, LANES, SINGLE
+from contourlab.engine.translate.step_graph import StepGraph, graph_of
+from contourlab.engine.translate.tick_graph import TickGraph, tick_graph
+from contourlab.errors import EngineError
 
-LANES, TICKS = 32, 3
-INPUTS = (0.0, -0.0, 1.0, -1.0, 0.5, 2.0, -3.25, 1e3)
-HEAD = "from contourlab.primitives import fabs, floor, maximum, minimum, rint, select\n\n\ndef value(a, b):\n    c = 0.5\n"
-FOOT = "\n\n\ndef step(par, x, inp, clock):\n    y = value(par.a, par.b)\n    return (y,), (y + x.z,)\n"
-
-
-class Writer:
-    """Writes random statements over the names a, b and c."""
-
-    def __init__(self, seed: int) -> None:
-        self.random, self.count = random.Random(seed), 0
-
-    def number(self, depth: int = 3) -> str:
-        draw = self.random
-        if depth == 0 or draw.random() < 0.25:
-            return draw.choice(["a", "b", "c", "a", "b", "c", "0.0", "-0.0", "1.0", "0.5", "-2.0", "7.25"])
-        one, other = self.number(depth - 1), self.number(depth - 1)
-        plain = ["({} + {})", "({} - {})", "({} * {})", "fabs({})", "floor({})", "rint({})", "(-{})"]
-        form = draw.choice([*plain, "min", "max", "select", "if"])
-        if form == "select":
-            return f"select({self.condition(depth - 1)}, {one}, {other})"
-        if form == "if":
-            return f"({one} if {self.condition(depth - 1)} else {other})"
-        return f"{form}imum({one}, {other})" if form in ("min", "max") else form.format(one, other)
-
-    def condition(self, depth: int = 2) -> str:
-        draw, least = self.random, min(depth, 1)
-        plain = f"({self.number(least)} {draw.choice(['<', '>', '<=', '>=', '==', '!='])} {self.number(least)})"
-        if depth == 0 or draw.random() < 0.6:
-            return plain
-        chain = f"({self.number(0)} < c <= {self.number(0)})"
-        other = self.condition(depth - 1)
-        return draw.choice([f"({plain} and {other})", f"({plain} or {other})", f"(not {other})", chain])
-
-    def block(self, depth: int, pad: str) -> Iterator[str]:
-        for _ in range(self.random.randrange(1, 4)):
-            yield from self.statement(depth, pad)
-
-    def statement(self, depth: int, pad: str) -> Iterator[str]:
-        draw, inner = self.random, pad + "    "
-        kind = draw.choice(["assign", "change", "swap", "if", "for", "break", "while"] if depth else ["assign", "change", "swap"])
-        self.count += 1
-        name = f"n{self.count}"
-        if kind == "assign":
-            yield f"{pad}{draw.choice('abc')} = {self.number()}"
-        elif kind == "change":
-            yield f"{pad}{draw.choice('abc')} {draw.choice('+-*')}= {self.number(2)}"
-        elif kind == "swap":
-            yield f"{pad}{', '.join(draw.sample('abc', 2))} = {self.number(2)}, {self.number(2)}"
-        elif kind == "if":
-            yield f"{pad}if {self.condition()}:"
-            yield from self.block(depth - 1, inner)
-            yield f"{pad}else:"
-            yield from self.block(depth - 1, inner)
-        elif kind == "while":
-            yield f"{pad}{name} = 0.0"
-            yield f"{pad}while {name} < 5.0 and {self.condition()}:"
-            yield from self.block(depth - 1, inner)
-            yield f"{inner}{name} += 1.0"
-        else:
-            yield f"{pad}for {name} in range({draw.choice([2, 3, 9])}):"
-            yield from self.block(depth - 1, inner)
-            if kind == "break":
-                yield f"{inner}if {self.condition()}:"
-                yield f"{inner}    break"
-                yield from self.block(0, inner)
-            elif draw.random() < 0.5:
-                yield f"{inner}c = c + {name}"
-
-    def program(self) -> str:
-        lines = [*self.block(3, "    "), f"    if {self.condition()}:", f"        return {self.number()}", *self.block(1, "    ")]
-        return HEAD + "\n".join(lines) + f"\n    return {self.number()}" + FOOT
+N_LANE, TICKS, FIRST, PROGRAMS = 32, 3, 4711, 8
+CHECKED = (0, 7, 18, 31)
+"""Lanes that are compared with the slow oracles."""
 
 
-def step_of(file: Path, source: str) -> Step:
-    file.write_text(source)
-    spec: Any = importlib.util.spec_from_file_location(file.stem, file)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return Step(file.stem, module.step, ("a", "b"), states=(Port("z"),), outputs=(Port("y"),))
+@dataclass
+class Case:
+    """A random step, what is fed to it, and what plain Python computes: arrays (n_tick, lanes)."""
+
+    seed: int
+    step: Step
+    schedule: Schedule
+    fed: Array
+    plain: Array
+
+    def run(self, group: Group) -> Array:
+        group.tick = FIRST
+        return group.run(self.fed, [self.schedule.row("s.y")])[:, 0]
 
 
-def run(schedule: Schedule, lanes: int, width: int, part: slice) -> Array:
-    """Run without contraction, so that nothing is rounded otherwise than in Python."""
-    group = CompiledGroup(schedule, width, part)
-    made = tick_graph(schedule, group._places, (0,), EXACT, contract=False)
-    loop = llvm_ir.loaded(llvm_ir.object_code(tick_loop.source_of(made, lanes, width)), "run", tick_loop.SIGNATURE)
-    log, nothing = aligned((TICKS, 1, width)), np.zeros(1)
-    for lane in range(0, width, lanes):
-        loop(group.memory.ctypes.data, 0, nothing.ctypes.data, 0, 0, log.ctypes.data, 0, TICKS, schedule.period, lane)
-    return log
+class ExactGroup(CompiledGroup):
+    """Machine code without contraction."""
+
+    def _loop(self, log_rows: tuple[int, ...], gpu: Any = None) -> Any:
+        if log_rows not in self._loops:
+            made = tick_graph(self.schedule, self._places, log_rows, EXACT, contract=False)
+            code = llvm_ir.object_code(tick_loop.source_of(made, min(self.width, tick_loop.VECTOR), self.width))
+            self._loops[log_rows] = llvm_ir.loaded(code, "run", tick_loop.SIGNATURE)
+        return self._loops[log_rows]
 
 
-@pytest.mark.parametrize("seed", [*range(40), *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(40, 400))])
-def test_a_random_step_computes_the_same_bits(seed: int, tmp_path: Path) -> None:
-    draw = random.Random(seed)
-    values = {name: np.array([draw.choice([*INPUTS, draw.gauss(0.0, 2.0)]) for _ in range(LANES)]) for name in "ab"}
-    schedule = Schedule((Node("s", step_of(tmp_path / f"step_{seed}.py", Writer(seed).program()), {}, values),), (), 1e-3, 1)
-    plain = InterpretedGroup(schedule, LANES, slice(0, LANES)).run(np.zeros((TICKS, 0)), [0])
-    for found, wanted in ((run(schedule, 16, LANES, slice(0, LANES)), plain), (run(schedule, 1, 1, slice(7, 8)), plain[:, :, 7:8])):
-        np.testing.assert_array_equal(found, wanted)
-        sound = ~np.isnan(wanted)  # the sign of a NaN depends on the processor
-        np.testing.assert_array_equal(np.signbit(found)[sound], np.signbit(wanted)[sound])
+def assert_bits(found: Any, wanted: Any) -> None:
+    found, wanted = np.asarray(found), np.asarray(wanted)
+    np.testing.assert_array_equal(found, wanted)
+    sound = ~np.isnan(wanted)  # the sign of a NaN depends on the processor
+    np.testing.assert_array_equal(np.signbit(found)[sound], np.signbit(wanted)[sound])
+
+
+def cases_of(seeds: range, folder: Path) -> list[Case]:
+    """Return the programs that can be translated."""
+    made = []
+    for seed in seeds:
+        step = step_of(folder / f"step_{seed}.py", Writer(seed).program())
+        try:
+            graph_of(step)
+        except EngineError as refusal:  # a name is a truth value before a loop and a number in it
+            assert "begin with a number" in str(refusal)
+            continue
+        schedule, draw = schedule_of(step, seed, N_LANE), random.Random(seed)
+        fed = np.array([[draw.choice([0.0, -0.0, 2.0, draw.gauss(0.0, 2.0)])] for _ in range(TICKS)])
+        case = Case(seed, step, schedule, fed, np.empty(0))
+        case.plain = case.run(InterpretedGroup(schedule, N_LANE, slice(0, N_LANE)))
+        made.append(case)
+    assert len(made) > len(seeds) // 2
+    return made
+
+
+def graph_as_compiled(group: CompiledGroup, primitives: Any) -> TickGraph:
+    return tick_graph(group.schedule, group._places, (group.schedule.row("s.y"),), primitives)
+
+
+def oracle_runs(case: Case, kind: type[Oracle], group: CompiledGroup, made: TickGraph, lane: int, ticks: int = TICKS) -> list[Any]:
+    """Return what an oracle logs for a lane of a group that has not run."""
+    oracle = kind(made, group.memory[:, lane].tolist(), [TABLE], case.schedule.period)
+    return [oracle.tick(FIRST + k, case.fed[k])[0] for k in range(ticks)]
+
+
+def check_without_contraction(case: Case) -> None:
+    """One variant calls the library that Python calls. Lanes have no library."""
+    for lane in CHECKED:
+        assert_bits(case.run(ExactGroup(case.schedule, 1, slice(lane, lane + 1)))[:, 0], case.plain[:, lane])
+    if case.seed % 3 < 2:
+        assert_bits(case.run(ExactGroup(case.schedule, N_LANE, slice(0, N_LANE))), case.plain)
+
+
+def check_production(case: Case) -> int:
+    """Compare with the oracle bit for bit, and over one tick with plain Python; return how many lanes no rounding may turn."""
+    together = CompiledGroup(case.schedule, N_LANE, slice(0, N_LANE))
+    of_lanes, of_one = graph_as_compiled(together, LANES), graph_as_compiled(CompiledGroup(case.schedule, 1, slice(0, 1)), SINGLE)
+    bounded = graph_as_compiled(CompiledGroup(case.schedule, 1, slice(0, 1)), EXACT)
+    wanted = {lane: oracle_runs(case, Oracle, together, of_lanes, lane) for lane in CHECKED}
+    in_lanes, sure = case.run(together), 0
+    for lane in CHECKED:
+        group = CompiledGroup(case.schedule, 1, slice(lane, lane + 1))
+        memory = group.memory.copy()
+        of_group = oracle_runs(case, Oracle, group, of_one, 0)
+        alone = case.run(group)[:, 0]
+        assert_bits(in_lanes[:, lane], wanted[lane])
+        assert_bits(alone, of_group)
+        group.memory[:] = memory
+        try:
+            ((value, off),) = oracle_runs(case, Bounded, group, bounded, 0, 1)
+        except UnsureError:
+            continue
+        sure += 1
+        for found in (alone[0], in_lanes[0, lane]):
+            if off == 0.0:
+                assert_bits(found, case.plain[0, lane])
+            else:
+                assert abs(found - case.plain[0, lane]) <= 2.0 * off, (found, value, off, lane)
+    return sure
+
+
+def check_node_by_node(case: Case) -> None:
+    """A node called alone has the bits of the fused loop."""
+    apart = TranslatedGroup(case.schedule, graph=partial(graph_of, contract=True, primitives=SINGLE))
+    assert_bits(case.run(CompiledGroup(case.schedule, 1, slice(0, 1))), case.run(apart))
+
+
+@pytest.mark.parametrize("first", [*range(0, 48, PROGRAMS), *(pytest.param(n, marks=pytest.mark.slow) for n in range(48, 3200, PROGRAMS))])
+def test_random_steps_compute_the_same_bits(first: int, tmp_path: Path) -> None:
+    cases = cases_of(range(first, first + PROGRAMS), tmp_path)
+    sure = 0
+    for case in cases:
+        check_without_contraction(case)
+        sure += check_production(case)
+        check_node_by_node(case)
+    assert sure > len(cases) * len(CHECKED) / 2
+
+
+@pytest.mark.parametrize("first", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(PROGRAMS, 400, PROGRAMS))])
+def test_random_steps_have_the_bits_of_lanes_on_a_gpu(a_gpu: None, first: int, tmp_path: Path) -> None:
+    for case in cases_of(range(first, first + PROGRAMS), tmp_path):
+        lanes = case.run(CompiledGroup(case.schedule, N_LANE, slice(0, N_LANE)))
+        assert_bits(case.run(GpuGroup(case.schedule, 64, slice(0, N_LANE), gpu_of_process()))[:, :N_LANE], lanes)
+
+
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+@pytest.mark.parametrize("first", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(48, 3200, 48))])
+def test_random_steps_in_c_compute_the_bits_of_plain_python(first: int, tmp_path: Path) -> None:
+    cases = cases_of(range(first, first + 48), tmp_path)
+    source, library = tmp_path / "steps.c", tmp_path / "steps.so"
+    graphs = {case.step: graph_of(case.step) for case in cases}
+    texts = [c99.source_of(graph, step.name) for step, graph in graphs.items()]
+    hashed = c99.HASH  # several steps in one file share it
+    text = "\n".join(text.replace(hashed, "") for text in texts)
+    source.write_text("#include <stdint.h>\n" + hashed + text)
+    strict = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O1", "-ffp-contract=off", "-shared", "-fPIC")
+    done = subprocess.run(["gcc", *strict, "-o", str(library), str(source), "-lm"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    loaded = ctypes.CDLL(str(library))
+
+    def function_of(made: StepGraph) -> Any:
+        function = loaded[made.step.name]
+        function.restype = None
+
+        def call(par: int, tables: int, ring: int, x: int, inp: int, mask: int, k: float, t: float, dt: float, *after: int) -> None:
+            words = [ctypes.c_void_p(word) for word in (par, x, inp)] + [ctypes.c_double(word) for word in (k, t, dt)]
+            words += [ctypes.c_void_p(tables), ctypes.c_void_p(ring), ctypes.c_int64(mask)]
+            function(*words, *map(ctypes.c_void_p, after))
+
+        return call
+
+    for case in cases:
+        assert_bits(case.run(TranslatedGroup(case.schedule, function_of, graphs.__getitem__))[:, 0], case.plain[:, 0])

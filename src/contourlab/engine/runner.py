@@ -171,10 +171,10 @@ class CompiledGroup(Group):
 
 
 class _PastOf:
-    """A lane's column of a ring, in the form that `primitives.delayed` reads."""
+    """A lane's column of a ring, in the form that `primitives.delayed` reads: it gives Python's floats."""
 
     def __init__(self, column: Array) -> None:
-        self.values = column
+        self.values = column.data
 
 
 class InterpretedGroup(Group):

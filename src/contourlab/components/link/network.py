@@ -21,8 +21,7 @@ def _make(extrapolate: bool) -> Any:
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         newest, value, slope = x.newest, x.value, x.slope
         # Messages that may arrive at this tick, newest first, down to the one held.
-        # Half a tick keeps the quotient off whole numbers, where machine code may round it down.
-        number = floor((clock.k - par.soonest + 0.5) / par.spacing)
+        number = floor((clock.k - par.soonest) / par.spacing)
         while number > newest and number * par.spacing >= clock.k - par.latest:
             sent_at = number * par.spacing
             taken = -floor(NEARLY - par.delay_ticks - par.jitter_ticks * uniform(par.stream, number, 0.0))

@@ -51,7 +51,7 @@ def source_of(made: StepGraph, name: str = "") -> str:
     arguments += ["const double *const *tables"] if step.tables else []
     arguments += ["const double *ring", "int64_t mask"] if step.ring else []
     arguments += ["double *x_next", "double *out"]
-    unused = "".join(f" (void){word};" for word in ("par", "x", "inp", "k", "t", "dt", "x_next", "out"))
+    unused = "".join(f" (void){argument.split('*')[-1].split()[-1]};" for argument in arguments)
     return "\n".join(
         [
             f"/* {step.name}, written by contourlab. Compile with -ffp-contract=off.",

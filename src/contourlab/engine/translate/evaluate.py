@@ -155,7 +155,7 @@ class Evaluator(Expressions):
             own.env.update(zip(names, shaped(shapes, values[2:]), strict=True))
             if items is not None:
                 assert isinstance(statement, ast.For)
-                index = self.graph.arithmetic("fadd", items.start, self.graph.arithmetic("fmul", values[1], float(items.step)))
+                index = self.graph.arithmetic("fadd", items.start, self.graph.arithmetic("fmul", values[1], items.step))
                 assign(statement.target, index, own.env)
 
         def goes_on(values: Sequence[Op]) -> Any:
@@ -169,10 +169,10 @@ class Evaluator(Expressions):
         def round_(values: Sequence[Op]) -> list[Any]:
             enter(values)
             on = self._until_break(statement.body, own)
-            count = self.graph.arithmetic("fadd", values[1], 1.0) if items is not None else values[1]
+            count = self.graph.arithmetic("fadd", values[1], 1) if items is not None else values[1]
             return [on, count, *flat(own.name(name) for name in names)]
 
-        start = [True, 0.0, *flat(shapes)]
+        start = [True, 0, *flat(shapes)]
         after = self.graph.loop(start, goes_on, round_)
         frame.env.update(dict.fromkeys(assigned(statement), UNSET))
         frame.env.update(zip(names, shaped(shapes, after[2:]), strict=True))

@@ -25,13 +25,16 @@ _INSTEAD = {
     "abs": "fabs",
     "absolute": "fabs",
     "round": "rint",
-    "int": "floor",
-    "trunc": "floor",
+    "int": "copysign(floor(fabs(x)), x)",
+    "trunc": "copysign(floor(fabs(x)), x)",
+    "fix": "copysign(floor(fabs(x)), x)",
     "ceil": "-floor(-x)",
     "where": "select",
-    "sum": "dot, or + in a loop",
-    "fsum": "dot, or + in a loop",
-    "pow": "a product",
+    "add": "+",
+    "sub": "-",
+    "sum": "dot, or + in a loop; they round after each term",
+    "fsum": "dot, or + in a loop; they round after each term",
+    "pow": "a product; x*x may differ from x**2 in the last digit",
     "bool": "a comparison",
     "random": "uniform",
     "gauss": "normal",
@@ -40,9 +43,9 @@ _INSTEAD = {
 """Functions that a step cannot call, and what it uses instead. Some of them differ from machine code, such as `max` for NaN or, from
 Python 3.12 on, `sum`, which does not round after each term; all are refused, so that the rule has no exceptions."""
 _SYMBOLS: dict[type, tuple[str, str]] = {
-    ast.Pow: ("**", "a product, or exp and log"),
-    ast.Mod: ("%", "a - b*floor(a/b)"),
-    ast.FloorDiv: ("//", "floor(a/b)"),
+    ast.Pow: ("**", "a product, or exp(n*log(x)) for x > 0; x*x may differ from x**2 in the last digit"),
+    ast.Mod: ("%", "a - b*floor(a/b); they may differ unless a and b are whole numbers, so count ticks (clock.k), not seconds"),
+    ast.FloorDiv: ("//", "floor(a/b); they may differ unless a and b are whole numbers, so count ticks (clock.k), not seconds"),
 }
 _DEEPEST = 60
 """Most calls within each other: more is a recursion."""

@@ -11,10 +11,15 @@ import math
 import operator
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from functools import reduce
 from typing import Any
 
-NUMBER, CONDITION, TABLE = "f", "b", "p"
-"""Types of values: a float64, a truth value, the address of a table."""
+NUMBER, WHOLE, CONDITION, TABLE = "f", "n", "b", "p"
+"""Types of values: a float64, a whole number of Python, a truth value, the address of a table.
+
+A whole number has no -0.0, so ``-n`` and ``n * -1`` are 0.0 for n = 0. It is a mark around a float64, never an operation of a block:
+``args`` hold the float64, and ``extra`` where it is whole, True or a condition, since the sides of an ``if`` may differ.
+"""
 
 _FOLDED: dict[str, Callable[..., float]] = {
     "fadd": operator.add,
@@ -35,6 +40,7 @@ _COMPARED: dict[str, Callable[[float, float], bool]] = {
     "!=": operator.ne,
 }
 _COSTS = {"fdiv": 8, "sqrt": 10, "exp": 40, "tanh": 50, "log": 40, "sin": 40, "cos": 40, "uniform": 15}
+_KEEPS_WHOLE = ("fadd", "fsub", "fmul", "fneg")
 _FIXED = ("constant", "parameter", "table", "period", "dt")
 """Values that are the same in every tick; what is computed from them alone is computed once."""
 LARGEST = 100_000
@@ -58,18 +64,17 @@ class Op:
     """An operation: `kind`, the operations that it takes, its type, and what else identifies it.
 
     A branch has two blocks and a loop has two (the test, and one round). `results` are the values that come out of either. A loop with a
-    known number of rounds has an `index` in place of a test; its `extra` is that number. What is `fixed` is the same in every tick. What is
-    `sealed` crosses the border of a step: it is not contracted with what comes after.
+    known number of rounds has an `index` in place of a test; its `extra` is that number. What is `fixed` is the same in every tick.
     """
 
-    __slots__ = ("args", "blocks", "extra", "fixed", "index", "kind", "results", "sealed", "type")
+    __slots__ = ("args", "blocks", "extra", "fixed", "index", "kind", "results", "type")
 
     def __init__(self, kind: str, args: tuple[Op, ...], type_: str, extra: Any = None) -> None:
         self.kind, self.args, self.type, self.extra = kind, args, type_, extra
         self.blocks: tuple[Block, ...] = ()
         self.results: tuple[Op, ...] = ()
         self.index: Op | None = None
-        self.sealed = self.fixed = False
+        self.fixed = False
 
     def __repr__(self) -> str:
         return f"<{self.kind} {self.extra}>" if self.extra is not None else f"<{self.kind}>"
@@ -107,7 +112,7 @@ class Graph:
     Parameters
     ----------
     contract : bool
-        Whether to make fused multiply-adds, and to multiply by reciprocals of what is fixed: faster, and rounded otherwise than Python.
+        Whether to make fused multiply-adds: faster, and rounded otherwise than Python.
     """
 
     def __init__(self, contract: bool = False) -> None:
@@ -121,7 +126,7 @@ class Graph:
     def op(self, kind: str, args: Sequence[Op] = (), type_: str = NUMBER, extra: Any = None) -> Op:
         """Return an operation: the one that is there already, or a new one in the current block."""
         mark = extra.hex() if isinstance(extra, float) else extra
-        # A product of another step may be sealed already: each step has its own.
+        # Whether a product is fused depends on the step that uses it: each step, and each sub-step, has its own.
         key = (kind, tuple(map(id, args)), mark, self.scope if kind == "fmul" else None)
         block: Block | None = self.block
         while block is not None:
@@ -150,8 +155,8 @@ class Graph:
 
     def number(self, value: Any) -> Op:
         """Return a value as a number; a condition counts 1 or 0, as in Python."""
-        if isinstance(value, Op) and value.type == NUMBER:
-            return value
+        if isinstance(value, Op) and value.type in (NUMBER, WHOLE):
+            return value.args[0] if value.type == WHOLE else value
         if isinstance(value, Op) and value.type == CONDITION:
             return self.op("select", (value, self.constant(1.0), self.constant(0.0)))
         if isinstance(value, (int, float)):
@@ -169,6 +174,15 @@ class Graph:
         if not any(isinstance(value, Op) for value in values):
             return _FOLDED[kind](*values)
         args = [self.number(value) for value in values]
+        made = self._computed(kind, args)
+        if kind not in _KEEPS_WHOLE or not all(map(_whole, values)):
+            return made
+        whole = reduce(lambda p, q: self.logic("and", p, q), map(_whole, values))
+        if kind == "fneg" or (kind == "fmul" and not any(op.kind == "constant" and op.extra > 0.0 for op in args)):
+            made = self.select(whole, self._computed("fadd", [made, self.constant(0.0)]), made)  # -0.0 + 0.0 is 0.0
+        return _marked(made, whole)
+
+    def _computed(self, kind: str, args: list[Op]) -> Op:
         if all(op.kind == "constant" for op in args):
             with suppress(ArithmeticError, ValueError):
                 return self.constant(_FOLDED[kind](*(op.extra for op in args)))
@@ -178,8 +192,6 @@ class Graph:
             return args[0]
         if kind == "fneg" and args[0].kind == "fneg":
             return args[0].args[0]
-        if kind == "fdiv" and self.contract and args[1].fixed and not args[0].fixed:
-            return self.op("fmul", (args[0], self.arithmetic("fdiv", 1.0, args[1])))
         return self.op(kind, args)
 
     def compare(self, sign: str, a: Any, b: Any) -> Any:
@@ -203,7 +215,7 @@ class Graph:
         """Return a where the condition holds, else b; both are computed. Tuples are joined item by item."""
         if not isinstance(condition, Op):
             return a if condition else b
-        return self._joined(a, b, lambda p, q: self._selected(condition, p, q))
+        return self._joined(a, b, lambda p, q: self._selected(condition, p, q), (self.block, self.block))
 
     def _selected(self, condition: Op, p: Op, q: Op) -> Op:
         if p is condition or q is condition:  # of conditions: p or q, p and q
@@ -240,7 +252,7 @@ class Graph:
             results.append(Op("result", (made,), p.type))
             return results[-1]
 
-        value = self._joined(values[0], values[1], join)
+        value = self._joined(values[0], values[1], join, blocks)
         blocks[0].ends, blocks[1].ends = tuple(p for p, _ in pairs), tuple(q for _, q in pairs)
         made.results = tuple(results)
         self.block.ops.append(made)
@@ -256,15 +268,9 @@ class Graph:
         test, body : callable
             Take the values before a round; return a condition, and the values after the round.
 
-        Returns
-        -------
-        list of Op
-            The values after the last round.
+        Returns the values after the last round.
         """
-        made = self._new_loop(start)
-        with self._within(made.blocks[0]) as block:
-            block.ends = (self._as_condition(test([*made.extra])),)
-        return self._rounds(made, body)
+        return self._rounds(start, test, lambda _, values: body(values))
 
     def repeat(self, count: int, start: Sequence[Any], body: Callable[[Op, list[Op]], Sequence[Any]]) -> list[Op]:
         """Repeat a body `count` times, at least once.
@@ -277,29 +283,38 @@ class Graph:
         body : callable
             Takes the number of the round, from 0, and the values before the round; returns the values after the round.
 
-        Returns
-        -------
-        list of Op
-            The values after the last round.
+        Returns the values after the last round.
         """
-        made = self._new_loop(start)
-        index = made.index = Op("index", (made,), NUMBER, count)
-        return self._rounds(made, lambda values: body(index, values))
+        return self._rounds(start, count, body)
 
-    def _new_loop(self, start: Sequence[Any]) -> Op:
-        begin = tuple(value if isinstance(value, Op) else self.constant(value) for value in start)
-        made = Op("loop", begin, "")
-        made.blocks = (Block(self.block), Block(self.block))
-        made.extra = tuple(Op("carried", (made,), op.type) for op in begin)
-        made.results = tuple(Op("result", (made,), op.type) for op in begin)
-        return made
+    def _rounds(self, start: Sequence[Any], head: Any, body: Callable[[Any, list[Op]], Sequence[Any]]) -> list[Op]:
+        """Build a loop with a test or a count.
 
-    def _rounds(self, made: Op, body: Callable[[list[Op]], Sequence[Any]]) -> list[Op]:
-        with self._within(made.blocks[1]) as block:
-            after = body([*made.extra])
-            block.ends = tuple(self._kept(v, op) for v, op in zip(after, made.extra, strict=True))
-        self.block.ops.append(made)
-        return list(made.results)
+        Build it again if a number is whole before a round and not after it, or the reverse: a condition then says where it is.
+        """
+        begin = [self._as_condition(value) if _is_condition(value) else self.number(value) for value in start]
+        wholes = [_whole(value) for value in start]
+        while True:
+            made = Op("loop", (*begin, *(whole for whole in wholes if isinstance(whole, Op))), "")
+            made.blocks = (Block(self.block), Block(self.block))
+            made.extra = tuple(Op("carried", (made,), op.type) for op in made.args)
+            made.results = tuple(Op("result", (made,), op.type) for op in made.args)
+            before = _marked_each(made.extra, wholes)
+            if isinstance(head, int):
+                made.index = Op("index", (made,), NUMBER, head)
+            else:
+                with self._within(made.blocks[0]) as block:
+                    block.ends = (self._as_condition(head(before)),)
+            with self._within(made.blocks[1]) as block:
+                after = body(made.index, before)
+                block.ends = tuple(self._kept(value, op) for value, op in zip(after, begin, strict=True))
+                now = [_whole(value) for value in after]
+                block.ends += tuple(self._as_condition(q) for p, q in zip(wholes, now, strict=True) if isinstance(p, Op))
+            same = [isinstance(p, Op) or p is q or op.type == CONDITION for op, p, q in zip(begin, wholes, now, strict=True)]
+            if all(same):
+                self.block.ops.append(made)
+                return _marked_each(made.results, wholes)
+            wholes = [whole if still else self._as_condition(whole) for whole, still in zip(wholes, same, strict=True)]
 
     @contextmanager
     def _within(self, block: Block) -> Iterator[Block]:
@@ -322,20 +337,48 @@ class Graph:
         value = self.condition(value)
         return value if isinstance(value, Op) else self.constant(bool(value))
 
-    def _joined(self, a: Any, b: Any, join: Callable[[Op, Op], Op]) -> Any:
-        """Return two values joined: what is the same on both sides stays as it is, what cannot be joined is `UNSET`."""
+    def _joined(self, a: Any, b: Any, join: Callable[[Op, Op], Op], sides: Sequence[Block]) -> Any:
+        """Return two values joined: what is the same on both sides stays as it is, what cannot be joined is `UNSET`.
+
+        `sides` are the blocks in which a and b were computed: there they become values of one type.
+        """
         if isinstance(a, tuple) and isinstance(b, tuple) and len(a) == len(b):
-            items = [self._joined(p, q, join) for p, q in zip(a, b, strict=True)]
+            items = [self._joined(p, q, join, sides) for p, q in zip(a, b, strict=True)]
             return type(a)(*items) if hasattr(a, "_fields") else tuple(items)
         if a is b or (not isinstance(a, Op) and not isinstance(b, Op) and type(a) is type(b) and _same(a, b)):
             return a
-        if isinstance(a, (Op, int, float)) and isinstance(b, (Op, int, float)):
-            if _is_condition(a) and _is_condition(b):
-                pair = (self._as_condition(a), self._as_condition(b))
-            else:
-                pair = (self.number(a), self.number(b))
+        if not isinstance(a, (Op, int, float)) or not isinstance(b, (Op, int, float)):
+            return UNSET
+
+        def joined(convert: Callable[[Any], Op], *values: Any) -> Op:
+            pair: list[Op] = []
+            for side, value in zip(sides, values, strict=True):
+                with self._within(side):
+                    pair.append(convert(value))
             return pair[0] if pair[0] is pair[1] else join(*pair)
-        return UNSET
+
+        if _is_condition(a) and _is_condition(b):
+            return joined(self._as_condition, a, b)
+        wholes = _whole(a), _whole(b)
+        return _marked(joined(self.number, a, b), wholes[0] if wholes[0] is wholes[1] else joined(self._as_condition, *wholes))
+
+
+def _whole(value: Any) -> Op | bool:
+    """Return where a value is a whole number or a truth value of Python: always, never, or where a condition holds."""
+    if isinstance(value, Op):
+        return value.extra if value.type == WHOLE else value.type == CONDITION
+    return isinstance(value, int)
+
+
+def _marked(value: Op, whole: Op | bool) -> Op:
+    """Return a number marked as whole where it is."""
+    return value if whole is False or value.type == CONDITION else Op("whole", (value,), WHOLE, whole)
+
+
+def _marked_each(ops: Sequence[Op], wholes: Sequence[Op | bool]) -> list[Op]:
+    """Mark the numbers that a loop carries; the conditions that it carries for some of them follow."""
+    more = iter(ops[len(wholes) :])
+    return [_marked(op, next(more) if isinstance(whole, Op) else whole) for op, whole in zip(ops, wholes, strict=False)]
 
 
 def _is(op: Op, value: float) -> bool:

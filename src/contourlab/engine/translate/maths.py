@@ -25,7 +25,7 @@ def _exp(run: Any, x: Any) -> Any:
     if not isinstance(x, Op):
         return primitives.exp(x)
     below = graph.select(graph.compare("<", 709.0, x), 709.0, x)
-    return graph.branch(graph.compare(">", x, -700.0), lambda: graph.op("exp", [below]), lambda: 0.0)
+    return graph.branch(graph.compare(">", x, -700.0), lambda: graph.op("exp", [graph.number(below)]), lambda: 0.0)
 
 
 def _lookup(run: Any, table: Op, index: Any) -> Any:
@@ -60,6 +60,8 @@ def _polynomial(function: Primitive) -> Primitive:
 def _saturated_exp(run: Any, x: Any) -> Any:
     """Return the polynomial of exp where it is not 0: friction laws ask mostly for exp of very negative numbers."""
     graph = run.graph
+    if not isinstance(x, Op):
+        return primitives.exp(x)
     return graph.branch(graph.compare(">", x, -700.0), lambda: run.call(polynomials.exp, [x]), lambda: 0.0)
 
 

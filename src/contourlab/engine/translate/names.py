@@ -7,7 +7,7 @@ import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from contourlab.engine.translate.graph import CONDITION, NUMBER, UNSET, MismatchError, Op
+from contourlab.engine.translate.graph import CONDITION, NUMBER, UNSET, WHOLE, MismatchError, Op
 
 Env = dict[str, Any]
 
@@ -98,7 +98,7 @@ def is_numeric(value: Any) -> bool:
     """Return whether a value is a number, a condition, or a tuple of them."""
     if isinstance(value, tuple):
         return all(map(is_numeric, value))
-    return isinstance(value, (int, float)) or (isinstance(value, Op) and value.type in (NUMBER, CONDITION))
+    return isinstance(value, (int, float)) or (isinstance(value, Op) and value.type in (NUMBER, WHOLE, CONDITION))
 
 
 def has_unset(value: Any) -> bool:

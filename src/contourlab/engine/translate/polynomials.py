@@ -14,8 +14,12 @@ from contourlab.primitives import clip, copysign, fabs, minimum, rint, select
 def fma(a: float, b: float, c: float) -> float:
     """Return a*b + c in one rounding."""
     if not all(map(math.isfinite, (a, b, c))):
-        return a * b + c
-    return float(Fraction(a) * Fraction(b) + Fraction(c))
+        return c if math.isfinite(a) and math.isfinite(b) else a * b + c
+    exact = Fraction(a) * Fraction(b) + Fraction(c)
+    try:
+        return float(exact) if exact else a * b + c  # with the sign of zero
+    except OverflowError:
+        return math.inf if exact > 0 else -math.inf
 
 
 def pow2(n: float) -> float:
@@ -64,7 +68,7 @@ def exp(x: float) -> float:
 
 
 def tanh(x: float) -> float:
-    n, p = _expm1_reduced(2.0 * minimum(fabs(x), 20.0))
+    n, p = _expm1_reduced(2.0 * minimum(20.0, fabs(x)))  # keeps NaN
     s = pow2(n)
     e = fma(s, p, s - 1.0)
     return copysign(e / (e + 2.0), x)

@@ -68,6 +68,7 @@ class _Builder:
         self.now: dict[int, Op] = {}
         self.late: dict[int, Op] = {}
         self.tables = 0
+        self.borders: list[Op] = []
 
     def signal(self, row: int) -> Op:
         """Return the value of a row: of this tick if it is there already, else of the last one."""
@@ -81,7 +82,6 @@ class _Builder:
 
     def node(self, i: int, node: Node) -> None:
         graph, step = self.graph, node.step
-        graph.scope = i
         first = self.places.parameters[i]
         values: list[Any] = [graph.op("parameter", extra=first + r) for r in range(len(step.parameters))]
         values += [graph.op("table", (), TABLE, self.tables + n) for n in range(len(step.tables))]
@@ -94,8 +94,6 @@ class _Builder:
         states = [Op("before", (), "f", self.places.states[i] + r) for r in range(rows(step.own_states))]
         out = [self.signal(self.schedule.first_row[i] + r) for r in range(rows(step.outputs))] if node.repeat > _UNROLLED else []
         after = self._repeated(i, par, states, inputs, out)
-        for value in after:
-            value.sealed = True
         self.made.carried += [(op, op.extra, value) for op, value in zip(states, after, strict=False)]
         self.now |= {self.schedule.first_row[i] + r: value for r, value in enumerate(after[len(states) :])}
 
@@ -108,11 +106,12 @@ class _Builder:
         tick, time = graph.op("tick"), graph.op("time")
 
         def once(part: Any, before: Sequence[Op]) -> list[Op]:
+            graph.scope = i, part
             passed = graph.arithmetic("fmul", part, held)
-            passed.sealed = True
             at = graph.arithmetic("fadd", time, passed) if node.repeat > 1 else time
             clock = Clock(tick, at, held)  # type: ignore[arg-type]
             following, after = step_once(self.run, node.step, par, before, members, inputs, clock)
+            self.borders += (passed, *following, *after)
             return [*following, *after]
 
         if node.repeat <= _UNROLLED:
@@ -173,6 +172,6 @@ def tick_graph(
     wanted = [*(op for _, _, op in made.carried), *(op for _, op in made.signals), *made.log]
     blocks = (made.graph.top, made.body)
     if contract:
-        fuse_products(blocks, wanted)
+        fuse_products(blocks, [*wanted, *builder.borders])
     prune(blocks, wanted)
     return made
