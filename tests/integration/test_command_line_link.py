@@ -55,7 +55,7 @@ def scheme(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, Any]:
 
 def test_the_smallest_message_rate_is_printed(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     said = output(capsys, circle, "--division", "observer", "--vary", "message-period,delay", "--longest", "20 ms")
-    assert "9.987 um undivided, 10.99 um allowed" in said
+    assert "9.986 um undivided, 10.98 um allowed" in said
     both, one = (line for line in said.splitlines() if line.startswith("observer") and "Hz" in line)
     assert both.startswith("observer, both ways") and "(125 Hz)" in both and one.startswith("observer, one way")
 

@@ -33,6 +33,7 @@ from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import matching, parameter_names, parameters_of
 from contourlab.loop.simulate import BLOCK, check_kinds, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
+from contourlab.metrics.judge import stands_still
 
 LANES = 32
 
@@ -145,6 +146,9 @@ def simulate_batch(
     log = reuse.log if reuse is not None and reuse.log.shape == shape else aligned(shape)
     failed = _advance_all(groups, feed, rows, log, 1 if gpu else workers, progress)[:n]
     sums = {name: sums_of(groups, name, n) for name in (JUDGE,) * judge + (PART,) * blended}
+    if judge:
+        still = stands_still(reference, np.sqrt(sums[JUDGE][-1]))
+        failed = np.where((failed < 0) & still, reference.n_sample - 1, failed)
     unsure = judge_doubtful(loop, machine, feed, sums, failed, compiled, workers, LANES)
     figures = error_figures(sums[JUDGE], failed, machine.servo_period) if judge else {}
     if part:

@@ -37,7 +37,8 @@ class BatchResult:
         accepted commands, and ``command_largest``, both relative to each drive's limit (in command units if it has none), and
         ``limited_share``, the share of time at which a drive did not accept the whole command. NaN for a variant that failed.
     failed_at : ndarray (n_variant,) of int
-        Sample at which the variant left its following-error limit, or produced a non-finite command; -1 for neither.
+        Sample at which the variant left its following-error limit, or produced a non-finite command; the last one if its tool hardly left
+        the start (`contourlab.metrics.judge.stands_still`); -1 for none of these.
     unsure : ndarray (n_variant,)
         Samples of a variant that failed whose foot point is in doubt; 0 for all others, whose figures are those of `judge`.
     signals : mapping of str to ndarray (n_sample, n, n_variant)

@@ -10,17 +10,22 @@ In the plane it is signed, positive to the left of the direction of travel; in s
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array
-from contourlab.errors import ResultError
+from contourlab.arrays import Array, Flags
+from contourlab.errors import DivergenceError, ResultError
 from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.result import Result, Signal
 
 MARGIN = 1e-4
+_STILL = 0.9
+_BLOCK = 1 << 16
 
 
 def furthest(off: Array) -> float:
@@ -111,6 +116,33 @@ def _around(reference: Reference, wanted: Array, along: Array) -> tuple[Array, A
         return place, np.full(place.size, 0.02 * reference.programmed.length)
     off = np.linalg.norm(wanted - reference.programmed.position(place), axis=1)
     return place, reference.correspondence.span(along) + 3.0 * off + 1e-9
+
+
+def stands_still(reference: Reference, error: ArrayLike) -> Flags:
+    """Return whether runs with these largest tracking errors [m] hardly leave their start.
+
+    A tool that stands on the path has no contour error, so such a run has no figures. It does if its largest tracking error reaches
+    0.9 times the largest distance of the reference from its start.
+    """
+    return np.asarray(error) >= _STILL * _extent(reference)
+
+
+def check_follows(judged: Result, reference: Reference) -> None:
+    """Raise DivergenceError if the tool stands still while its reference moves; see `stands_still`."""
+    off = np.linalg.norm(judged["reference"] - judged["tool_position"], axis=1)
+    sample = int(np.argmax(off))
+    if stands_still(reference, off[sample]):
+        axis = judged.axes[int(np.argmax(np.abs(judged["reference"] - judged["tool_position"])[sample]))]
+        reason = f"{judged.scheme}: the tool hardly leaves its start: it is {1e3 * off[sample]:.4g} mm from its reference"
+        raise DivergenceError(reason, sample=sample, time=sample * judged.servo_period, axis=axis)
+
+
+@lru_cache(maxsize=8)
+def _extent(reference: Reference) -> float:
+    """Return the largest distance [m] of the reference from its start; infinite if it does not move."""
+    blocks = (reference.block(k, min(k + _BLOCK, reference.n_sample)).position for k in range(0, reference.n_sample, _BLOCK))
+    start = reference.block(0, 1).position
+    return max(furthest(block - start) for block in blocks) or math.inf
 
 
 def check_reference(result: Result, reference: Reference) -> None:

@@ -10,6 +10,7 @@ import pytest
 from stages import control, make, stage
 
 import contourlab as cl
+from contourlab.metrics.judge import check_follows
 
 MACHINE = """\
 [machine]
@@ -108,3 +109,19 @@ def test_a_contour_that_ends_where_it_starts_is_judged_once(tmp_path: Path, monk
     monkeypatch.setattr("contourlab.loop.doubtful.make_group", None)
     batch = cl.simulate_batch(case.machine, case.controller, case.reference(), {GAIN: [1.8]}, part=True)
     assert batch.figures["part_error_max"][0] == pytest.approx(exact(case, case.reference(), 1.0).part_error.max, rel=1e-7)
+
+
+def test_a_tool_that_stands_still_has_no_figures() -> None:
+    """It stands on the path, where its contour error is 0: a search would take gains that do nothing for the best."""
+    machine = stage()
+    machine = replace(machine, axes=tuple(replace(axis, limits=cl.Limits(following_error=0.1)) for axis in machine.axes))
+    ring = cl.uniform(cl.contour("circle", radius=5e-3), 4.0, 2, machine.servo_period)
+    variants = {"axes.*.plant.gain": machine.axes[0].plant.gain * np.array([1.0, 0.8, 1e-9])}
+    batch = cl.simulate_batch(machine, control(coupled=False), ring, variants)
+    assert batch.failed_at.tolist() == [-1, -1, ring.n_sample - 1]
+    assert np.isnan(batch.figures["contour_error_max"]).tolist() == [False, False, True]
+    stuck = replace(machine, axes=tuple(replace(axis, plant=axis.plant.replace(gain=1e-9)) for axis in machine.axes))
+    judged = cl.judge(cl.simulate(stuck, control(coupled=False), ring), ring)
+    assert np.abs(judged["contour_error"]).max() < 1e-9
+    with pytest.raises(cl.DivergenceError):
+        check_follows(judged, ring)

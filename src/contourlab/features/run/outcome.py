@@ -35,6 +35,7 @@ from contourlab.loop.simulate import sampler
 from contourlab.loop.switches import Switches, switches_of
 from contourlab.loop.template import build
 from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, judged_part, reversal_spikes, summarise
+from contourlab.metrics.judge import check_follows
 from contourlab.rendering.judgement import Trust, Verdict
 from contourlab.result import Result
 from contourlab.scenario import Case, PartProgram
@@ -169,6 +170,7 @@ def run_case(
     result = simulate(machine, controller, reference, scheme=case.name, trial=trial, progress=shown, **given)  # type: ignore[arg-type]
     begin(f"judging {case.name}")
     judged = judge(result, reference)
+    check_follows(judged, reference)
     figures = summarise(judged, reference)
     explain = explain and case.tolerance is not None and figures.part_error.max > case.tolerance and learned is None
     if explain:

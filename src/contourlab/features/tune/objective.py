@@ -17,6 +17,7 @@ from contourlab.errors import DivergenceError, ParameterError
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import judge, summarise
+from contourlab.metrics.judge import check_follows
 from contourlab.result import Result
 
 FIGURES = {
@@ -229,10 +230,10 @@ def evaluate(
     exact = Guards([(machine, controller)], guards.bounds)
     margins = exact.exact({})
     try:
-        run = simulate(machine, controller, reference, seed=seed, moving=moving)
+        run = judge(simulate(machine, controller, reference, seed=seed, moving=moving), reference)
+        check_follows(run, reference)
     except DivergenceError as error:
         return Evaluation(dict.fromkeys(FIGURES, math.nan), margins, (f"diverges: {error}",), None)
-    run = judge(run, reference)
     figures = _figures(run, machine, reference)
     return Evaluation(figures, margins, exact.broken({}, figures["limited_share"], figures["command_largest"], margins), run)
 
