@@ -20,7 +20,6 @@ def file_of(function: FunctionType) -> str:
     return str(function.__globals__.get(TYPED, function.__code__.co_filename))
 
 
-@cache
 def tree_of(function: FunctionType) -> Function:
     """Return the syntax tree of a plain function; its line numbers are those of the file.
 
@@ -29,17 +28,22 @@ def tree_of(function: FunctionType) -> Function:
     EngineError
         If there is no source, or the file has changed since it was imported.
     """
-    code = function.__code__
-    file, line = file_of(function), code.co_firstlineno
-    linecache.checkcache(code.co_filename)  # the file of a plugin may have changed since
-    source = "".join(linecache.getlines(code.co_filename))
+    code = function.__code__  # another one after a reload in place
+    return _tree_of(code, code.co_filename, file_of(function), function.__qualname__)
+
+
+@cache
+def _tree_of(code: CodeType, read: str, file: str, name: str) -> Function:
+    line = code.co_firstlineno
+    linecache.checkcache(read)  # the file of a plugin may have changed since
+    source = "".join(linecache.getlines(read))
     found = [node for node in _functions(source) if _matches(node, code)]
     if len(found) > 1:
         found = [node for node in found if _start(node) == _start_of_code(code)]
-    if found and code_words(code) not in _written(source, code.co_filename):
-        raise EngineError(f"{function.__qualname__} has changed in the file since it was imported: import it again", file=file, line=line)
+    if found and code_words(code) not in _written(source, read):
+        raise EngineError(f"{name} has changed in the file since it was imported: import it again", file=file, line=line)
     if len(found) != 1:
-        raise EngineError(f"no source of {function.__qualname__}: define it in a file", file=file, line=line)
+        raise EngineError(f"no source of {name}: define it in a file", file=file, line=line)
     return found[0]
 
 

@@ -137,6 +137,19 @@ def test_what_is_read_may_depend_on_what_was_read(tmp_path: Path, monkeypatch: p
         outputs(step, True)
 
 
+def test_a_function_whose_code_is_replaced_is_read_again(tmp_path: Path, translations: list[int]) -> None:
+    """A notebook that reloads an edited module gives the functions that it has the new code."""
+    source = "def gain(k):\n    return 2.0 + k\ndef step(par, x, inp, clock):\n    return (), (gain(clock.k),)\n"
+    module, step = step_of(source, tmp_path)
+    found = [outputs(step, True).tolist()]
+    for name, old, new in (("gain", "2.0", "3.0"), ("step", "gain(clock.k)", "7.0 + gain(clock.k)")):
+        source = source.replace(old, new)
+        edited, _ = step_of(source, tmp_path)
+        getattr(module, name).__code__ = getattr(edited, name).__code__
+        found.append(outputs(step, True).tolist())
+    assert found == [[2.0], [3.0], [10.0]] and outputs(step, False).tolist() == [10.0]
+
+
 def test_a_run_from_a_snapshot_sees_a_change(tmp_path: Path, translations: list[int]) -> None:
     module, step = step_of(BRANCHES, tmp_path)
     group = make_group(Schedule((Node("node", step),), (), 1e-3, 1), 1, slice(0, 1), True)
