@@ -338,7 +338,7 @@ async def _result_of(future: Any) -> Any:
 def _client(executor: str, count: int) -> Iterator[Any]:
     distributed = extra_module("distributed")
     for name in logging.root.manager.loggerDict:
-        if name.partition(".")[0] == "distributed":  # each of its loggers has a level of its own
+        if name.partition(".")[0] in ("distributed", "tornado"):  # each logger has a level of its own; an interrupt may end in theirs
             logging.getLogger(name).setLevel(logging.CRITICAL)
     if executor.startswith("dask://"):
         # Dask's configuration names the keys of a cluster, if it has some.

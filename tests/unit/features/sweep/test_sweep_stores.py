@@ -395,8 +395,8 @@ def test_equal_rows_in_another_order_have_the_same_bits() -> None:
 
     rows = np.random.default_rng(1).lognormal(size=1000)
     orders = (rows, rows[::-1], np.random.default_rng(2).permutation(rows))
-    stores = [SimpleNamespace(figures={"a": "m"}, dataset=pyarrow.dataset.dataset(pyarrow.table({"a": [*order, None]}))) for order in orders]
-    found = [spreads(store)["a"] for store in stores]  # type: ignore[arg-type]
+    tables = [pyarrow.dataset.dataset(pyarrow.table({"a": [*order, None]})) for order in orders]
+    found = [spreads(SimpleNamespace(figures={"a": "m"}, dataset=table))["a"] for table in tables]  # type: ignore[arg-type]
     assert found == [found[0]] * 3
     assert found[0].mean == pytest.approx(math.fsum(rows) / len(rows), rel=1e-15)
     assert (found[0].minimum, found[0].maximum) == (min(rows), max(rows))
