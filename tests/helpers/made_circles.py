@@ -34,21 +34,25 @@ def positions(clockwise: bool, start: float = 0.3, noise: float = 2e-8, turns: f
     return command, command + np.column_stack([ex, ey]) + noise * np.random.default_rng(int(clockwise)).standard_normal(command.shape)
 
 
-def behind(motor: Array, gap: float) -> Array:
-    """Return the position of a load (n,) that moves only where its motor has crossed the gap."""
-    load, at = np.empty_like(motor), float(motor[0])
+def behind(motor: Array, gap: float, held: float = math.inf) -> Array:
+    """Return the position of a load (n,) that its motor carries with the flanks of a gap; friction slows it by `held` [m/s^2]."""
+    load, at, speed, before = np.empty_like(motor), float(motor[0]), 0.0, float(motor[0])
     for k, x in enumerate(motor):
-        at = min(max(at, x - 0.5 * gap), x + 0.5 * gap)
-        load[k] = at
+        speed -= min(max(speed, -held * PERIOD), held * PERIOD)
+        free = at + speed * PERIOD
+        at = min(max(free, x - 0.5 * gap), x + 0.5 * gap)
+        if at != free:
+            speed = (x - before) / PERIOD  # an impact without a bounce
+        load[k], before = at, x
     return load
 
 
-def runs_behind(gaps: tuple[float, float], noise: float = 2e-7, **size: float) -> list[CircleRun]:
+def runs_behind(gaps: tuple[float, float], noise: float = 2e-7, held: float = math.inf, **size: float) -> list[CircleRun]:
     """Return runs of both senses, measured at loads behind play, of motors with known errors."""
     made: list[CircleRun] = []
     for clockwise in (False, True):
         command, motor = positions(clockwise, 0.3, 0.0, 1.6, **size)
-        load = np.column_stack([behind(column, gap) for column, gap in zip(motor.T, gaps, strict=True)])
+        load = np.column_stack([behind(column, gap, held) for column, gap in zip(motor.T, gaps, strict=True)])
         load += noise * np.random.default_rng(int(clockwise)).standard_normal(load.shape)
         made += runs_of("made", load, PERIOD, find_circle(command), command)
     return [CircleRun(r.name, r.clockwise, RADIUS, r.turned, r.deviation, FEED, r.lag) for r in made]

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+import shlex
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -164,3 +166,34 @@ def test_the_tutorial_learns_as_described(folder: Path, capsys: pytest.CaptureFi
     for scheme, worst, rms in rows:
         metrics = schemes[scheme]["metrics"]["part_error"]
         assert (f"{metrics['max'] * 1e6:.3g}", f"{metrics['rms'] * 1e6:.3g}") == (worst, rms), scheme
+
+
+@pytest.mark.slow
+def test_commissioning_prints_its_figures(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from contourlab.cli.main import main
+
+    page = "docs/tutorials/commissioning.md"
+    text = (ROOT / page).read_text(encoding="utf-8")
+    commands = [shlex.split(line, comments=True) for block in blocks(page, "sh") for line in block.splitlines()]
+
+    def said(first: str, number: int = 0) -> str:
+        capsys.readouterr()
+        main([words for words in commands if words[1] == first][number][1:])
+        return " ".join(capsys.readouterr().out.split())
+
+    said("machines", 1)
+    said("run")
+    (verdict,) = re.findall(r"^```\n(FAIL, largest contour error .*)\n```", text, re.MULTILINE)
+    assert verdict in said("measure")
+    identified = said("identify")
+    rows = re.findall(r"^\| (\w+) \| ([\d.]+) \| ([\d.e-]+) \| ([\d.e-]+) \|", text, re.MULTILINE)
+    assert [name for name, *_ in rows] == ["a", "b", "friction"]
+    assert all(" ".join(row) in identified for row in rows)
+    said("machines", 2)
+    shutil.copy("axis1.toml", "identified/axis1.toml")
+    (verdict,) = re.findall(r"^```\n(with modified .*)\n```", text, re.MULTILINE)
+    assert verdict in said("run", 1)
+    row = re.search(r"part error, largest (\S+) um (\S+) um", said("tune"))
+    (before, after), *_ = re.findall(r"^\| largest part error \| ([\d.]+) um \| ([\d.]+) um \|", text, re.MULTILINE)
+    assert row and row[1] == before
+    assert float(row[2]) == pytest.approx(float(after), rel=0.1)  # the search ends elsewhere on another processor

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from made_studies import exported
 from rigid_circle import SCENARIO, STAGE
 from typed_commands import drag
 
@@ -91,6 +92,20 @@ def test_an_executor_does_not_change_the_answer(tmp_path: Path, command: str, mo
         words = [{"circle.toml": "part.toml", "study.toml": "part-study.toml"}.get(word, word) for word in words]
     elsewhere = answer(tmp_path / "elsewhere", *words, "--executor", executor, "--workers", "2")
     assert elsewhere == answer(tmp_path / "here", *words)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("executor", ["threads", "processes", "dask-local"])
+@pytest.mark.parametrize("motion", ["circle", "part"])
+def test_an_executor_does_not_change_a_store(tmp_path: Path, motion: str, executor: str) -> None:
+    folder = written(tmp_path / "here")
+    (folder / "many.toml").write_text("variants = 96\nchunk = 32\n" + STUDY.replace("circle", motion))
+    stores = []
+    for kind, workers in (("threads", "1"), (executor, "2")):
+        words = ["sweep", "many.toml", "--executor", kind, "--workers", workers, "--out", kind + workers, "--plugin", "drag.py"]
+        subprocess.run([sys.executable, "-m", "contourlab", *words], cwd=folder, capture_output=True, timeout=300, check=True)
+        stores.append(exported(folder / (kind + workers)))
+    assert stores[0] == stores[1] and stores[0].count(b"\n") == 97
 
 
 @pytest.mark.slow

@@ -124,7 +124,8 @@ def test_nobody_without_the_keys_of_the_run_reaches_jobs_of_slurm(tmp_path: Path
             assert answers(scheduler) == {"refused"}
         finally:
             process.send_signal(signal.SIGINT)
-            process.communicate(timeout=100)
+            errors = process.communicate(timeout=100)[1]
+    assert process.returncode == 130, errors
     assert not list(tmp_path.glob(".dask-jobqueue*"))
 
 

@@ -65,7 +65,8 @@ class Executor:
         if self.kind in ("dask-local", "slurm"):
             extra_module("cryptography")
         if self.kind == "slurm":
-            extra_module("dask_jobqueue")
+            with _deaf():  # its import makes Ctrl-C a plain exit
+                extra_module("dask_jobqueue")
 
     @property
     def gpu(self) -> bool:
@@ -337,7 +338,7 @@ async def _result_of(future: Any) -> Any:
 def _client(executor: str, count: int) -> Iterator[Any]:
     distributed = extra_module("distributed")
     for name in logging.root.manager.loggerDict:
-        if name.partition(".")[0] == "distributed":  # each of its loggers has a level of its own
+        if name.partition(".")[0] in ("distributed", "tornado"):  # each logger has a level of its own; an interrupt may end in theirs
             logging.getLogger(name).setLevel(logging.CRITICAL)
     if executor.startswith("dask://"):
         # Dask's configuration names the keys of a cluster, if it has some.
@@ -366,7 +367,7 @@ def _client(executor: str, count: int) -> Iterator[Any]:
 
 @contextmanager
 def _deaf() -> Iterator[None]:
-    """Let processes that the block starts leave Ctrl-C to this one."""
+    """Let processes that the block starts leave Ctrl-C to this one; what the block does to Ctrl-C ends with it."""
     if threading.current_thread() is not threading.main_thread():  # which cannot set it
         yield
         return

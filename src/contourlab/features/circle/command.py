@@ -38,6 +38,8 @@ FINDINGS = {
 }
 LARGE, MOST = 0.2, 3
 """Share of the largest cause from which another one gets a finding, and the most of them."""
+HELD = 0.02
+"""Acceleration [m/s^2] that the friction of a guideway gives a load: 0.002 of its weight, that of rolling guides without seals."""
 SAME = 0.01
 """Share by which fitted radii of one circle may differ."""
 
@@ -225,7 +227,7 @@ def _cause_findings(causes: Sequence[Cause]) -> list[Finding]:
 
 
 def _fit_findings(fit: CircleFit, causes: Sequence[Cause], correlations: Sequence[Correlation]) -> list[Finding]:
-    """Return what limits the fit: one sense, correlated estimates, a residual as large as the causes."""
+    """Return what limits the fit: one sense, correlated estimates, a fast circle, a residual as large as the causes."""
     findings = [] if fit.both else [finding("CL489")]
     by_name = {cause.name: cause for cause in causes}
     shown = [pair for pair in correlations if any(name in by_name and by_name[name].is_sure for name in pair.causes)]
@@ -233,6 +235,8 @@ def _fit_findings(fit: CircleFit, causes: Sequence[Cause], correlations: Sequenc
         pairs = [f"{a} with {b} ({pair.correlation:+.2f})" for pair in shown[:MOST] for a, b in [pair.causes]]
         findings.append(finding("CL490", pairs=pairs))
     largest = max((cause.contribution for cause in causes if cause.is_sure), default=0.0)
+    if (acceleration := fit.runs[0].feedrate ** 2 / fit.runs[0].radius) > HELD:
+        findings.append(finding("CL494", acceleration=acceleration, feed=math.sqrt(HELD * fit.runs[0].radius)))
     if SURE * fit.residual > largest:
         findings.append(finding("CL493", residual=fit.residual))
     return findings

@@ -195,7 +195,8 @@ class _Wiring:
             one = self.set.get(f"{name}.{gain}")
             if one is not None:
                 gains[gain], places[gain] = self._number(one), self._place(one)
-        self._check(letter, joint, name)
+        loop = classified(self.graph, name)
+        self._check(letter, joint, name, loop)
         previous = self.set.get(f"{name}.error-previous-target")
         limit = self.set.get(f"{name}.maxoutput")
         signals = {pin: self.signal_of.get(f"{name}.{pin}", f"{name}.{pin}") for pin in ("command", "feedback", "output")}
@@ -208,7 +209,7 @@ class _Wiring:
             max(mine, default=0),
             signals,
             self._limits(letter, joint),
-            classified(self.graph, name),
+            loop,
             None if previous is None else self._true(f"{name}.error-previous-target"),
             self._number(limit) if limit else 0.0,
             self.ini.number(f"JOINT_{joint}", "BACKLASH") or 0.0,
@@ -243,7 +244,7 @@ class _Wiring:
             raise ScenarioError(f"[JOINT_{joint}]MAX_LIMIT = {limits['high']:g}: must be above MIN_LIMIT", file=self.ini.file.name)
         return limits
 
-    def _check(self, letter: str, joint: int, name: str) -> None:
+    def _check(self, letter: str, joint: int, name: str, loop: LoopClass) -> None:
         """Note what is missing or unusual in the wiring of a pid."""
         place = f"axis {letter}"
         fed = self.signal_of.get(f"{name}.feedback")
@@ -262,6 +263,8 @@ class _Wiring:
         elif controller in self.graph.functions and self.graph.functions.index(calculation) < self.graph.functions.index(controller):
             at = next(one for one in self.graph.statements if one.words[:2] == ("addf", calculation))
             self.findings.append(finding("CL858", at.place, function=calculation))
+        if loop.loop == "step generator":
+            return  # nothing is predicted for it
         for parameter in UNUSUAL:
             one = self.set.get(f"{name}.{parameter}")
             if one is not None and self._number(one) != 0.0:

@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from contourlab.errors import ResultError
+from contourlab.features.circle.command import HELD, _fit_findings
 from contourlab.features.circle.fit import fit_circle
 from contourlab.features.circle.result import Cause, causes_of, correlations_of, lags_of, plus_minus, value_text
 from contourlab.features.circle.runs import CircleRun, find_circle, runs_of, runs_of_angles
@@ -171,3 +172,15 @@ def test_a_swing_from_the_line_before_is_no_circle_if_a_turn_remains(turns: floa
     position = (1.0 + 0.02 * np.exp(-time / 0.03))[:, None] * command
     (run,) = runs_of("made", position, 1e-3, find_circle(command), command)
     assert (np.abs(run.deviation).max() < 1e-8) == (turns > 1.0)
+
+
+@pytest.mark.parametrize("feed", [0.01, 0.03, 0.05, 0.1])
+@pytest.mark.parametrize("gaps", [(20e-6, 8e-6), (5e-6, 5e-6)])
+def test_a_circle_too_fast_for_a_load_is_named(feed: float, gaps: tuple[float, float], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(made_circles, "FEED", feed)
+    fit = fit_circle(made_circles.runs_behind(gaps, held=HELD), AXES)
+    found = {cause.name: cause.value for cause in causes_of(fit)}
+    wrong = max(abs(found[f"backlash {axis}"] / gap - 1.0) for axis, gap in zip(AXES, gaps, strict=True))
+    named = any(one.code == "CL494" for one in _fit_findings(fit, (), ()))
+    assert named is (feed**2 / made_circles.RADIUS > HELD)
+    assert wrong > 0.3 if named else wrong < 0.05

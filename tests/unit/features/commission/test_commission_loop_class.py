@@ -119,6 +119,13 @@ def test_forms(tmp_path: Path, sink: str, source: str, more: str, loop: str, wri
     assert len(setup.closed) == (loop != STEPS)
 
 
+@pytest.mark.parametrize(("output", "loop"), [(OWN, STEPS), (OWN.replace("x-fb stepgen.0.position-fb", "x-fb laser.0.position"), UNKNOWN)])
+def test_limits_inside_a_pid_count_where_its_loop_is_predicted(tmp_path: Path, output: str, loop: str) -> None:
+    setup = setup_of(tmp_path, f"{output}setp pid.x.maxerror 0.01\nnet v joint.0.vel-cmd pid.x.command-deriv\n")
+    assert loop_of(setup) == loop
+    assert {one.code for one in setup.findings} & {"CL859", "CL860"} == (set() if loop == STEPS else {"CL859", "CL860"})
+
+
 CHAIN = ("scale.0 in", "limit3.0 in", "mult2.0 in1", "sum2.0 in0", "mux4.0 in2", "lowpass.0 in", "abs.0 in", "offset.0 in", "mux-gen.0 in")
 
 

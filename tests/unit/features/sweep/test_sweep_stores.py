@@ -6,12 +6,14 @@ import csv
 import errno
 import io
 import json
+import math
 import os
 import shutil
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -21,6 +23,7 @@ from made_studies import STUDY, as_older, asked, exported, forged, made_study
 from contourlab import load_scenario, simulate_batch
 from contourlab.cli.main import main
 from contourlab.features.sweep.manifest import read_manifest
+from contourlab.features.sweep.query import spreads
 from contourlab.features.sweep.store import read_store
 from contourlab.result import Result
 
@@ -384,3 +387,16 @@ def test_a_run_again_is_compared_with_the_stored_row(whole: Path, capsys: Captur
     forged(whole, lambda text: text.replace('following_error = "50 mm"', 'following_error = "1 um"'))
     assert main(["sweep", "worst", "whole", "--rerun", "5", "--out", "again"]) == 3
     assert "CL934" in capsys.readouterr().err
+
+
+def test_equal_rows_in_another_order_have_the_same_bits() -> None:
+    import pyarrow
+    import pyarrow.dataset
+
+    rows = np.random.default_rng(1).lognormal(size=1000)
+    orders = (rows, rows[::-1], np.random.default_rng(2).permutation(rows))
+    tables = [pyarrow.dataset.dataset(pyarrow.table({"a": [*order, None]})) for order in orders]
+    found = [spreads(SimpleNamespace(figures={"a": "m"}, dataset=table))["a"] for table in tables]  # type: ignore[arg-type]
+    assert found == [found[0]] * 3
+    assert found[0].mean == pytest.approx(math.fsum(rows) / len(rows), rel=1e-15)
+    assert (found[0].minimum, found[0].maximum) == (min(rows), max(rows))
