@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError, error_text
+from contourlab.errors import ParameterError, UnitError, error_text
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import Store
 from contourlab.result.atomic import replacing
@@ -152,8 +152,8 @@ def rows(store: Store, sql: str, memory: str = "", time: str = "") -> tuple[list
         If the query fails, or takes more; names the option.
     """
     duckdb, found, held = extra_module("duckdb"), list[tuple[Any, ...]](), 0
-    most = to_si(memory, "byte") / 8.0 if memory else math.inf  # SI counts bits
-    longest = min(to_si(time, "s") if time else math.inf, TIMEOUT_MAX)
+    most = _limit("--memory", memory, "byte", "2 GB") / 8.0  # SI counts bits
+    longest = min(_limit("--time", time, "s", "60 s"), TIMEOUT_MAX)
     limits = (("--memory", memory, "8 GB"), ("--time", time, "10 min"))
     large, slow = (ParameterError(name, text, f"more for this query, such as {example!r}") for name, text, example in limits)
     with connected(store, most) as connection:
@@ -177,6 +177,16 @@ def rows(store: Store, sql: str, memory: str = "", time: str = "") -> tuple[list
         finally:
             timer.cancel()
         return [column[0] for column in answer.description or ()], found
+
+
+def _limit(option: str, text: str, unit: str, example: str) -> float:
+    try:
+        value = to_si(text, unit) if text else math.inf
+    except UnitError:
+        value = 0.0
+    if not value > 0.0:
+        raise ParameterError(option, repr(text), f"more than 0, such as {example!r}")
+    return value
 
 
 def spreads(store: Store) -> dict[str, Spread]:

@@ -308,6 +308,13 @@ def test_a_query_beyond_its_limit_names_the_option(whole: Path, capsys: Capture,
     assert main(["sweep", "query", "whole", "SELECT 1", option, limit]) == 0
 
 
+@pytest.mark.parametrize("limit", ["0", "2", "2 zz", "-3 s", "2 mm", "-1 GB"])
+@pytest.mark.parametrize("option", ["--memory", "--time"])
+def test_a_limit_of_a_query_that_is_none_names_its_option(whole: Path, capsys: Capture, option: str, limit: str) -> None:
+    assert main(["sweep", "query", "whole", "SELECT 1", option, limit]) == 2
+    assert option in capsys.readouterr().err
+
+
 STRUCTURES = """\
 scenario = "scenario.toml"
 design = "grid"
