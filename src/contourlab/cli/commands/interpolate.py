@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import Json
+from contourlab.cli import options as shared
 from contourlab.cli.output import emit_json, say, suggest, suggest_again
 
 
@@ -26,7 +26,7 @@ def interpolate(
         typer.Option(help="Correct by recursive least squares with this forgetting factor, 0.995 to 0.9995.", show_default=False),
     ] = None,
     out: Annotated[Path | None, typer.Option(help="Folder for counts, constants and picture.", show_default=False)] = None,
-    as_json: Json = False,
+    as_json: shared.Json = False,
 ) -> int:
     """Correct quadrature signals of an encoder, interpolate them to counts, and measure their errors."""
     from contourlab.features.interpolate.command import interpolate_file

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from contourlab.cli.options import Json
+from contourlab.cli import options as shared
 from contourlab.cli.output import emit_json, say, suggest
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ def machines(
         Path | None, typer.Option(help="Copy it, and the files that it names, into this folder.", metavar="FOLDER", show_default=False)
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Overwrite existing files.")] = False,
-    as_json: Json = False,
+    as_json: shared.Json = False,
 ) -> int:
     """List the shipped machines, axes, controllers and runs with the sources of their numbers; show or copy one."""
     from contourlab.features.machines.command import copy_shipped, shipped, shipped_one
