@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli import options as shared
-from contourlab.cli.output import emit_json, say, suggest, wants_progress
+from contourlab.cli.output import show_result, suggest, wants_progress
 
 FAULTY = 2
 
@@ -34,10 +34,7 @@ def check(
 
     reading = shared.reading_of(file, dialect, block_delete, tools, most_moves)
     checked = check_program(file, machine, reading=reading, progress=wants_progress(as_json))
-    if as_json:
-        emit_json(checked)
-    else:
-        say(checked.text)
+    show_result(checked, as_json)
     if not checked.faults:
         other = None if dialect == Reading.dialect else dialect
         keys = shared.program_keys(False, block_delete, tools, not checked.has_end, most_moves, other)

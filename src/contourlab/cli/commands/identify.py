@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli import options as shared
-from contourlab.cli.output import emit_json, say, suggest, suggest_again
+from contourlab.cli.output import show, suggest, suggest_again
 
 MODEL = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor, two-mass, two-inertia."
 
@@ -77,10 +77,7 @@ def identify(
         excitation=excitation,
     )
     identification = identify_log(request, out=write, plots=tuple(plots or ()), folder=out)
-    if as_json:
-        emit_json(identification.summary)
-    else:
-        say(identification.text)
+    show(identification.summary, identification.text, as_json)
     if write is None:
         suggest_again(as_json, "--write", "axis.toml")
     else:

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli import options as shared
-from contourlab.cli.output import emit_json, say, suggest, suggest_again
+from contourlab.cli.output import show, suggest, suggest_again
 
 
 def interpolate(
@@ -33,12 +33,9 @@ def interpolate(
     from contourlab.features.interpolate.text import text
 
     result = interpolate_file(file, out, pitch=pitch, resolution=resolution, columns=columns, reference=reference, forgetting=forgetting)
-    if as_json:
-        emit_json(result)
+    show(result, text(result), as_json)
+    if out is None:
+        suggest_again(as_json, "--out", "interpolated")
     else:
-        say(text(result))
-        if out is None:
-            suggest_again(as_json, "--out", "interpolated")
-        else:
-            suggest(as_json, "components", "quadrature-encoder")
+        suggest(as_json, "components", "quadrature-encoder")
     return 1 if result.missed["n_sample"] else 0

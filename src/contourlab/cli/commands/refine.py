@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli import options as shared
-from contourlab.cli.output import emit_json, say, suggest, suggest_again
+from contourlab.cli.output import show, suggest, suggest_again
 
 
 def refine(
@@ -62,10 +62,7 @@ def refine(
         folder=out,
         progress=progress,
     )
-    if as_json:
-        emit_json(refinement)
-    else:
-        say(refinement.text())
+    show(refinement, refinement.text(), as_json)
     if write is None:
         suggest_again(as_json, "--write", "machine.toml")
     else:

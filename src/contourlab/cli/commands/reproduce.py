@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import typer
 
 from contourlab.cli import options as shared
-from contourlab.cli.output import emit_json, say, suggest, wants_progress
+from contourlab.cli.output import show, suggest, wants_progress
 
 Plots = Annotated[list[str] | None, typer.Option(help="Also draw the pictures of the paper or log as png, svg or pdf; repeatable.")]
 Out = Annotated[Path, typer.Option(help="Folder of the pictures; created if missing.")]
@@ -107,9 +107,6 @@ def _compared(paper: str, parts_of: Parts, draw: Draw, form: tuple[bool, bool], 
         if plots:
             stages.begin("drawing")
             draw(rows, out, tuple(plots))
-    if as_json:
-        emit_json(rows)
-    else:
-        say(text_of(rows, whole=whole))
+    show(rows, text_of(rows, whole=whole), as_json)
     suggest(as_json, *NEXT[paper].split())
     return 1 if any(row.passed is False for row in rows) else 0

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli import options as shared
-from contourlab.cli.output import emit_json, say, suggest, wants_progress
+from contourlab.cli.output import show, suggest, wants_progress
 
 
 def sensitivity(
@@ -59,9 +59,6 @@ def sensitivity(
     given = (tuple(parameter or ()), width, distribution, tuple(deviation or ()), servo_period, Executor(executor, workers), judge, quick)
     request = Request(plan, scheme, *given)
     result = sensitivity_of(file, out, request, plugins=tuple(plugin or ()), plots=tuple(plots or ()), progress=wants_progress(as_json))
-    if as_json:
-        emit_json(result)
-    else:
-        say(f"{result.text()}\n\nresults: {out}")
+    show(result, f"{result.text()}\n\nresults: {out}", as_json)
     suggest(as_json, "tune", file, "--scheme", scheme or None)
     return 0

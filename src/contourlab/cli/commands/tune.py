@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli import options as shared
-from contourlab.cli.output import emit_json, say, suggest, suggest_again, wants_progress
+from contourlab.cli.output import show, suggest, suggest_again, wants_progress
 
 
 def tune(
@@ -93,10 +93,7 @@ def tune(
         plugins=tuple(plugin or ()),
         progress=wants_progress(as_json),
     )
-    if as_json:
-        emit_json(calibration)
-    else:
-        say(calibration.text())
+    show(calibration, calibration.text(), as_json)
     kept = calibration.controller_file
     if kept is not None:
         more = [*shared.typed_keys(program), *(str(word) for one in plugin or () for word in ("--plugin", one))]
