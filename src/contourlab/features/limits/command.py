@@ -164,13 +164,11 @@ def _planned(file: Path, options: LimitOptions, tolerance: float, reading: Readi
     route = route_from_program(read_program(file, reading=reading), machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
     reference = plan(blended(route, within), within, machine.servo_period)
     report, use = limit_report_by_line(reference, limits)
+    by_axis = zip(report.velocity, report.acceleration, report.jerk, report.curvature_step, report.kink, strict=True)
     peaks = [
         _peak(worst, kind, machine.axis_names, machine.servo_period)
-        for j in range(len(machine.axes))
-        for kind, row in zip(
-            ALL_KINDS, (report.velocity, report.acceleration, report.jerk, report.curvature_step, report.kink), strict=True
-        )
-        for worst in (row[j],)
+        for of_axis in by_axis
+        for kind, worst in zip(ALL_KINDS, of_axis, strict=True)
         if worst.sample >= 0 and (worst.value > 0.0 or kind in KINDS)
     ]
     rows = _rows(_sample_lines(reference), reference.servo_period, use, machine.axis_names)
