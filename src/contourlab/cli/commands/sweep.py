@@ -101,9 +101,10 @@ def optimise(
 @sweep.command("show")
 def show(store: StoreFolder, as_json: shared.Json = False) -> int:
     """Show what a store holds: yield, distribution of each figure, time."""
-    from contourlab.features.sweep.command import show as shown
+    from contourlab.features.sweep.store import read_store
+    from contourlab.features.sweep.summary import summary
 
-    show_result(shown(store), as_json)
+    show_result(summary(read_store(store)), as_json)
     return 0
 
 
