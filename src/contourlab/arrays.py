@@ -23,6 +23,12 @@ def across(combine: Callable[[Array, Array], Array], rows: Array) -> Array:
     return reduce(combine, rows.T)
 
 
+def true_spans(mask: Flags) -> list[tuple[int, int]]:
+    """Return the spans [start, stop) of samples at which a mask (n,) is true."""
+    edges = np.flatnonzero(np.diff(np.r_[False, mask, False].astype(np.int8)))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
 def free_memory() -> float:
     """Return the memory that is available [bytes]; inf where the system does not tell."""
     try:

@@ -11,46 +11,27 @@ import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from contourlab.app.stages import heartbeat
-from contourlab.cli.commands.analyse import analyse
-from contourlab.cli.commands.backlash import backlash
-from contourlab.cli.commands.canon import canon
-from contourlab.cli.commands.check import check
-from contourlab.cli.commands.circle import circle
-from contourlab.cli.commands.commission import commission
-from contourlab.cli.commands.compare import compare
-from contourlab.cli.commands.components import components
-from contourlab.cli.commands.demo import demo
-from contourlab.cli.commands.explain import explain
-from contourlab.cli.commands.export import export
-from contourlab.cli.commands.identify import identify
-from contourlab.cli.commands.interpolate import interpolate
-from contourlab.cli.commands.learn import learn
-from contourlab.cli.commands.limits import limits
-from contourlab.cli.commands.link import link
-from contourlab.cli.commands.machines import machines
-from contourlab.cli.commands.measure import measure
-from contourlab.cli.commands.new import new
-from contourlab.cli.commands.notch import notch
-from contourlab.cli.commands.precompensate import precompensate
-from contourlab.cli.commands.refine import refine
-from contourlab.cli.commands.reproduce import reproduce
-from contourlab.cli.commands.run import run as run_command
-from contourlab.cli.commands.schema import schema
-from contourlab.cli.commands.sensitivity import sensitivity
-from contourlab.cli.commands.swap import swap
-from contourlab.cli.commands.sweep import sweep
-from contourlab.cli.commands.tune import tune
 from contourlab.cli.output import say, silence
 from contourlab.errors import ContourlabError, ParameterError, error_text
 
 NAME = "contourlab"
 BAD_INPUT, INTERNAL, INTERRUPTED = 2, 70, 130
+PANELS = {
+    "Start": ("demo", "run", "check", "new"),
+    "Simulate": ("compare", "learn", "analyse", "backlash", "link", "sweep"),
+    "Measure": ("measure", "circle", "limits", "identify", "refine", "interpolate"),
+    "Tune": ("tune", "notch", "commission", "precompensate", "sensitivity", "swap", "export"),
+    "Papers": ("reproduce",),
+    "Look up": ("components", "machines", "explain", "schema", "canon"),
+}
+"""Commands by the panel of the help that lists them: each is a function, or a group, in the module of its name."""
 
 app = typer.Typer(
     name=NAME,
@@ -58,35 +39,19 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-app.command("demo", rich_help_panel="Start")(demo)
-app.command("run", rich_help_panel="Start")(run_command)
-app.command("check", rich_help_panel="Start")(check)
-app.add_typer(new, name="new", rich_help_panel="Start")
-app.command("compare", rich_help_panel="Simulate")(compare)
-app.command("learn", rich_help_panel="Simulate")(learn)
-app.command("analyse", rich_help_panel="Simulate")(analyse)
-app.command("backlash", rich_help_panel="Simulate")(backlash)
-app.command("link", rich_help_panel="Simulate")(link)
-app.add_typer(sweep, name="sweep", rich_help_panel="Simulate")
-app.command("measure", rich_help_panel="Measure")(measure)
-app.command("circle", rich_help_panel="Measure")(circle)
-app.command("limits", rich_help_panel="Measure")(limits)
-app.command("identify", rich_help_panel="Measure")(identify)
-app.command("refine", rich_help_panel="Measure")(refine)
-app.command("interpolate", rich_help_panel="Measure")(interpolate)
-app.command("tune", rich_help_panel="Tune")(tune)
-app.command("notch", rich_help_panel="Tune")(notch)
-app.add_typer(commission, name="commission", rich_help_panel="Tune")
-app.command("precompensate", rich_help_panel="Tune")(precompensate)
-app.command("sensitivity", rich_help_panel="Tune")(sensitivity)
-app.command("swap", rich_help_panel="Tune")(swap)
-app.command("export", rich_help_panel="Tune")(export)
-app.add_typer(reproduce, name="reproduce", rich_help_panel="Papers")
-app.command("components", rich_help_panel="Look up")(components)
-app.command("machines", rich_help_panel="Look up")(machines)
-app.command("explain", rich_help_panel="Look up")(explain)
-app.command("schema", rich_help_panel="Look up")(schema)
-app.command("canon", rich_help_panel="Look up")(canon)
+
+
+def _add_commands() -> None:
+    for panel, names in PANELS.items():
+        for name in names:
+            command = getattr(import_module(f"contourlab.cli.commands.{name}"), name)
+            if isinstance(command, typer.Typer):
+                app.add_typer(command, name=name, rich_help_panel=panel)
+            else:
+                app.command(name, rich_help_panel=panel)(command)
+
+
+_add_commands()
 
 
 def _print_version(wanted: bool) -> None:

@@ -50,6 +50,11 @@ def emit_json(value: Any) -> None:
     say(json_text(value))
 
 
+def show(value: Any, text: str, as_json: bool) -> None:
+    """Print a value as JSON, or else its text."""
+    say(json_text(value) if as_json else text)
+
+
 def show_result(result: HasText, as_json: bool) -> None:
     """Print a result as JSON or as text."""
     if as_json:
@@ -84,10 +89,7 @@ def conclude(outcome: RunOutcome, as_json: bool) -> int:
     DivergenceError
         If a scheme ran away; raised after printing.
     """
-    if as_json:
-        emit_json(outcome.summary)
-    else:
-        say(outcome.table)
+    show(outcome.summary, outcome.table, as_json)
     if outcome.runaway is not None:
         raise outcome.runaway
     return 0 if outcome.passed else 1

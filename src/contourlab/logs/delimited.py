@@ -13,21 +13,8 @@ import numpy as np
 from contourlab.arrays import Array, Index
 from contourlab.errors import LogError
 from contourlab.findings import Finding, finding
+from contourlab.logs import reading
 from contourlab.logs.limits import COLUMNS, check_limit
-from contourlab.logs.reading import (
-    CUT,
-    called,
-    cells_of,
-    columns_of,
-    is_empty,
-    is_unit,
-    lines_in,
-    name_and_unit,
-    number,
-    number_channel,
-    shown,
-    text_of,
-)
 from contourlab.logs.record import Channel, Record
 
 MARKS = (";", "\t", ",")
@@ -70,8 +57,8 @@ def read(file: Path) -> Record:
     LogError
         If there is no row of numbers, or one has another number of columns.
     """
-    text = text_of(file)
-    lines = ((i, line) for i, line in lines_in(text) if _bare(line))
+    text = reading.text_of(file)
+    lines = ((i, line) for i, line in reading.lines_in(text) if _bare(line))
     looked = list(itertools.islice(lines, LOOKED_AT))
     if not looked:
         raise LogError("contains no samples", file=file)
@@ -98,7 +85,7 @@ def _plain(rows: Iterable[tuple[int, str]], width: int, mark: str | None) -> Arr
 
 
 def _read_cells(file: Path, text: str, first: int, mark: str | None) -> Record:
-    lines = [(i, line) for i, line in lines_in(text) if _bare(line)]
+    lines = [(i, line) for i, line in reading.lines_in(text) if _bare(line)]
     heads, rows = lines[:first], lines[first:]
     cut = len(rows) > 1 and not text.endswith(("\n", "\r"))
     if _is_closed(heads, rows[:-1] if cut else rows, mark):
@@ -107,7 +94,7 @@ def _read_cells(file: Path, text: str, first: int, mark: str | None) -> Record:
     names, units = _heads([_cells(line, mark) for _, line in heads], width)
     findings: tuple[Finding, ...] = ()
     if cut and len(_cells(rows[-1][1], mark)) != width:
-        rows, findings = rows[:-1], (CUT,)
+        rows, findings = rows[:-1], (reading.CUT,)
     above = {line for _, line in heads}
     if repeated := next((i for i, line in rows if line in above), 0):
         raise LogError("the header is repeated here: split the file, it contains two records", file=file, line=repeated)
@@ -118,12 +105,12 @@ def _channels(rows: list[tuple[int, str]], names: list[str], units: list[str], m
     """Yield the columns cell by cell: numbers, or timestamps if the first cell that is not empty looks like one."""
     comma = mark != "," and any("," in line for _, line in rows)
     lines = [i for i, _ in rows]
-    columns = columns_of([(i, _cells(line, mark)) for i, line in rows], len(names), file)
+    columns = reading.columns_of([(i, _cells(line, mark)) for i, line in rows], len(names), file)
     for name, unit, cells in zip(names, units, columns, strict=True):
-        if is_timestamp(next((cell.strip('" ') for cell in cells if not is_empty(cell)), "")):
+        if is_timestamp(next((cell.strip('" ') for cell in cells if not reading.is_empty(cell)), "")):
             yield timestamp_channel(name, cells, lines, file)
         else:
-            yield number_channel(name, cells, lines, file, comma, unit)
+            yield reading.number_channel(name, cells, lines, file, comma, unit)
 
 
 def _first_row(lines: list[tuple[int, str]], file: Path) -> tuple[int, str | None]:
@@ -164,7 +151,7 @@ def _kind(cell: str) -> int:
     if _NUMBER.match(cell) or is_timestamp(cell):
         return NUMBER
     try:
-        return WORD if np.isinf(number(cell)) else VALUE
+        return WORD if np.isinf(reading.number(cell)) else VALUE
     except ValueError:
         return WORD
 
@@ -194,7 +181,8 @@ def _no_row(lines: list[tuple[int, str]], file: Path) -> LogError:
         return LogError("contains no row of numbers", file=file, line=lines[0][0])
     j = right[k].index(False)
     name = parted[0][j].strip(' "') if k and len(parted[0]) == len(parted[k]) else str(j + 1)
-    fault = f"{shown(parted[k][j])} in {called(name_and_unit(name)[0])} is neither a number nor a date and time such as {EXAMPLE}"
+    what, where = reading.shown(parted[k][j]), reading.called(reading.name_and_unit(name)[0])
+    fault = f"{what} in {where} is neither a number nor a date and time such as {EXAMPLE}"
     return LogError(f"contains no row of numbers: {fault}", file=file, line=lines[k][0])
 
 
@@ -223,7 +211,7 @@ def _mark(line: str) -> str | None:
 def _cells(line: str, mark: str | None) -> list[str]:
     if mark is None:
         return re.findall(r"[^\s\[(]+\s*(?:[\[(][^\])]*[\])])?", line.strip()) if "[" in line or "(" in line else line.split()
-    return cells_of(line, mark)
+    return reading.cells_of(line, mark)
 
 
 def _heads(lines: list[list[str]], width: int) -> tuple[list[str], list[str]]:
@@ -238,14 +226,14 @@ def _heads(lines: list[list[str]], width: int) -> tuple[list[str], list[str]]:
             return above, below
         if _bare_units(above, below):
             return above, ["" if cell in NO_UNIT else cell for cell in below]
-    pairs = [name_and_unit(cell.strip().strip('"')) for cell in wide[-1]]
+    pairs = [reading.name_and_unit(cell.strip().strip('"')) for cell in wide[-1]]
     return [name or str(j + 1) for j, (name, _) in enumerate(pairs)], [unit for _, unit in pairs]
 
 
 def _bare_units(names: list[str], cells: list[str]) -> bool:
     """Tell whether the cells below the names are known units without brackets, or empty."""
     units = [(name, cell) for name, cell in zip(names, cells, strict=True) if cell not in NO_UNIT]
-    return bool(units) and all(name and name != cell and is_unit(cell) for name, cell in units)
+    return bool(units) and all(name and name != cell and reading.is_unit(cell) for name, cell in units)
 
 
 # --- dates and times of day --------------------------------------------------------------------------------------------------------
@@ -295,7 +283,7 @@ def timestamp_channel(name: str, texts: Sequence[str], lines: Sequence[int], fil
     lines : sequence of int
         Line of each row in the file.
     """
-    rows = [row for row, text in enumerate(texts) if not is_empty(text)]
+    rows = [row for row, text in enumerate(texts) if not reading.is_empty(text)]
     seconds = np.full(len(texts), np.nan)
     findings: tuple[Finding, ...] = ()
     try:
@@ -330,7 +318,8 @@ def _ticks(texts: list[str], name: str, lines: Sequence[int], file: Path) -> tup
     if any(wrong):
         k = wrong.index(True)
         other = ", in another format than the first," if forms[k] and forms[k] != forms[0] else ""
-        raise LogError(f"{shown(texts[k])} in column {name!r}{other} is not an unambiguous timestamp: {CURE}", file=file, line=lines[k])
+        what = f"{reading.shown(texts[k])} in column {name!r}{other}"
+        raise LogError(f"{what} is not an unambiguous timestamp: {CURE}", file=file, line=lines[k])
     return ticks, is_clock
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, true_spans
 from contourlab.errors import FeedError, GeometryError, LogError, ParameterError, ResultError, UnitError
 from contourlab.findings import Finding, finding
 from contourlab.logs.clock import (
@@ -106,8 +106,7 @@ class Log:
                 before = (gap.time - self.start) / period
                 first, last = np.floor(before + 1e-3) + 1, np.ceil(before + (gap.missing + 1) * report.period / period - 1e-3)
                 measured[max(int(first), 0) : max(int(last), 0)] = False
-        edges = np.flatnonzero(np.diff(np.r_[False, measured, False].astype(np.int8)))
-        return [(a, b) for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True) if b - a >= 3]
+        return [(a, b) for a, b in true_spans(measured) if b - a >= 3]
 
 
 def load_log(

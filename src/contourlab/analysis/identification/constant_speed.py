@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from contourlab.analysis.identification.filtered_motion import require_finite, true_spans
-from contourlab.arrays import Array, Index
+from contourlab.analysis.identification.filtered_motion import require_finite
+from contourlab.arrays import Array, Index, true_spans
 
 BATCHES = 8
 """Parts of a stretch; the scatter of their means gives the deviation of the mean, ripple included."""

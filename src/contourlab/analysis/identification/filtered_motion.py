@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 
 ANTI_ALIAS_ORDER, ANTI_ALIAS_RIPPLE, ANTI_ALIAS_BAND = 8, 0.05, 0.8
@@ -126,12 +126,6 @@ def require_finite(name: str, values: Array) -> None:
     bad = np.flatnonzero(~np.isfinite(values))
     if bad.size:
         raise ParameterError(name, f"{values[bad[0]]} at sample {bad[0]}", "finite")
-
-
-def true_spans(mask: Flags) -> list[tuple[int, int]]:
-    """Return the spans [start, stop) of samples at which a mask (n,) is true."""
-    edges = np.flatnonzero(np.diff(np.r_[False, mask, False].astype(np.int8)))
-    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
 def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int = 50) -> tuple[float, list[Array]]:

@@ -12,10 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from contourlab.analysis.identification.filtered_motion import true_spans
 from contourlab.analysis.identification.frequency_response import Measured, MeasuredResponse
 from contourlab.analysis.identification.output_error import coloured_deviations, lasting_window
-from contourlab.arrays import Array, Complex, Flags
+from contourlab.arrays import Array, Complex, Flags, true_spans
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
 

@@ -7,17 +7,17 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, listed
+from contourlab.cli import options as shared
 from contourlab.cli.output import show_result, suggest
 
 
 def analyse(
-    file: ScenarioFile,
-    schemes: Schemes = None,
-    out: Out = Path("results"),
-    as_json: Json = False,
-    plots: Plots = None,
-    plugin: Plugins = None,
+    file: shared.ScenarioFile,
+    schemes: shared.Schemes = None,
+    out: shared.Out = Path("results"),
+    as_json: shared.Json = False,
+    plots: shared.Plots = None,
+    plugin: shared.Plugins = None,
     whole: Annotated[
         bool, typer.Option("--whole", help="Also analyse whole laps and trials on the exact path; takes up to minutes.")
     ] = False,
@@ -25,7 +25,8 @@ def analyse(
     """Print the margins of each loop and of the coupling, and whether learning converges; simulates nothing."""
     from contourlab.features.analyse.command import analyse_scenario
 
-    analysis = analyse_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), plots=tuple(plots or ()), out=out, whole=whole)
+    chosen, plugins = shared.listed(schemes), tuple(plugin or ())
+    analysis = analyse_scenario(file, schemes=chosen, plugins=plugins, plots=tuple(plots or ()), out=out, whole=whole)
     show_result(analysis, as_json)
     suggest(as_json, "compare", file, "--schemes", schemes)
     return 0 if analysis.good else 1

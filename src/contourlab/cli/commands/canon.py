@@ -7,22 +7,22 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import BlockDelete, Dialect, MostMoves, Part, ToolTable, program_keys, reading_of, typed_keys
+from contourlab.cli import options as shared
 from contourlab.cli.output import silence, suggest
 
 
 def canon(
-    file: Part,
+    file: shared.Part,
     as_json: Annotated[bool, typer.Option("--json", help='Print only one JSON document on standard output, {"moves": [...]}.')] = False,
-    dialect: Dialect = "linuxcnc",
-    block_delete: BlockDelete = False,
-    tools: ToolTable = None,
-    most_moves: MostMoves = None,
+    dialect: shared.Dialect = "linuxcnc",
+    block_delete: shared.BlockDelete = False,
+    tools: shared.ToolTable = None,
+    most_moves: shared.MostMoves = None,
 ) -> None:
     """Print the moves of a part program: tool tip in mm in machine coordinates, feed in mm/min."""
     from contourlab.features.check.canon import write_canon
 
-    reading = reading_of(file, dialect, block_delete, tools, most_moves)
+    reading = shared.reading_of(file, dialect, block_delete, tools, most_moves)
     try:
         notices = write_canon(file, sys.stdout, as_json=as_json, reading=reading)
     except BrokenPipeError:
@@ -31,5 +31,5 @@ def canon(
     for notice in notices:
         print(notice, file=sys.stderr)
     if sys.stdout.isatty():
-        keys = program_keys(False, block_delete, tools, False, most_moves, None)
-        suggest(as_json, "check", file, "--dialect", dialect if dialect != "linuxcnc" else None, *typed_keys(keys))
+        keys = shared.program_keys(False, block_delete, tools, False, most_moves, None)
+        suggest(as_json, "check", file, "--dialect", dialect if dialect != "linuxcnc" else None, *shared.typed_keys(keys))

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from contourlab.app.command_line import as_typed
-from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, SamplePeriod, listed
+from contourlab.cli import options as shared
 from contourlab.cli.output import say, show_result
 
 
@@ -27,18 +27,18 @@ def circle(
         str | None, typer.Option(help='Pitch of the cyclic error, e.g. "10 mm"; by default searched.', show_default=False)
     ] = None,
     axes: Annotated[str | None, typer.Option(help="The two axes, e.g. x,y; by default the first two.", show_default=False)] = None,
-    column: ColumnTexts = None,
-    columns: ColumnFile = None,
-    format: LogFormat = None,  # noqa: A002
-    period: SamplePeriod = None,
-    out: Out = Path("results"),
-    as_json: Json = False,
+    column: shared.ColumnTexts = None,
+    columns: shared.ColumnFile = None,
+    format: shared.LogFormat = None,  # noqa: A002
+    period: shared.SamplePeriod = None,
+    out: shared.Out = Path("results"),
+    as_json: shared.Json = False,
 ) -> int:
     """Find what shapes a measured circle: backlash, spikes, servo mismatch, squareness, scale, cyclic error, vibration."""
     from contourlab.features.circle.command import CircleOptions, circle_test
     from contourlab.features.measure.log_choice import LogChoice
 
-    choices = [LogChoice(log, tuple(column or ()), columns, format, period, listed(axes)) for log in logs]
+    choices = [LogChoice(log, tuple(column or ()), columns, format, period, shared.listed(axes)) for log in logs]
     options = CircleOptions(radius, feed, pitch, tolerance)
     typed = as_typed(["contourlab", *(word for word in sys.argv[1:] if word != "--json")])
     result = circle_test(choices, out, options, typed)

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import GainMargin, Json, Out, PhaseMargin, Seed
+from contourlab.cli import options as shared
 from contourlab.cli.output import show_result, suggest, wants_progress
 from contourlab.errors import ParameterError
 
@@ -33,11 +33,11 @@ def linuxcnc(
         str | None,
         typer.Option("--for", help="Give the gains in the terms of sinumerik, twincat or generic too.", show_default=False),
     ] = None,
-    gain_margin: GainMargin = 6.0,
-    phase_margin: PhaseMargin = 30.0,
-    seed: Seed = 0,
-    out: Out = Path("commissioning"),
-    as_json: Json = False,
+    gain_margin: shared.GainMargin = 6.0,
+    phase_margin: shared.PhaseMargin = 30.0,
+    seed: shared.Seed = 0,
+    out: shared.Out = Path("commissioning"),
+    as_json: shared.Json = False,
 ) -> int:
     """Write an excitation for LinuxCNC; with --log, find the gains of each HAL pid."""
     from contourlab.features.commission.command import commission as commissioned

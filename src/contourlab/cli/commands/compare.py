@@ -8,40 +8,26 @@ from typing import Annotated
 import typer
 
 from contourlab.app.command_line import as_typed
-from contourlab.cli.options import (
-    Json,
-    Judge,
-    Out,
-    Pdf,
-    Plots,
-    Plugins,
-    ScenarioFile,
-    Schemes,
-    Signals,
-    Trials,
-    WithInterval,
-    listed,
-    options_of,
-)
+from contourlab.cli import options as shared
 from contourlab.cli.output import conclude
 
 
 def compare(
-    file: ScenarioFile,
+    file: shared.ScenarioFile,
     others: Annotated[
         list[str] | None,
         typer.Argument(metavar="[RUN]...", help="To compare finished runs, name at least two: logs, results (.nc) or folders of results."),
     ] = None,
-    schemes: Schemes = None,
-    trials: Trials = None,
-    judge: Judge = None,
-    out: Out = Path("results"),
-    as_json: Json = False,
-    plots: Plots = None,
-    pdf: Pdf = False,
-    signals: Signals = None,
-    interval: WithInterval = None,
-    plugin: Plugins = None,
+    schemes: shared.Schemes = None,
+    trials: shared.Trials = None,
+    judge: shared.Judge = None,
+    out: shared.Out = Path("results"),
+    as_json: shared.Json = False,
+    plots: shared.Plots = None,
+    pdf: shared.Pdf = False,
+    signals: shared.Signals = None,
+    interval: shared.WithInterval = None,
+    plugin: shared.Plugins = None,
 ) -> int:
     """Run schemes of a scenario side by side; or compare finished runs from their files."""
     if others:
@@ -56,5 +42,5 @@ def compare(
         return conclude(outcome, as_json)
     from contourlab.features.run.schemes import compare_schemes
 
-    options = options_of(out, as_json, plugin, plots, signals, interval, pdf)
-    return conclude(compare_schemes(file, options, schemes=listed(schemes), trials=trials, judge=judge), as_json)
+    options = shared.options_of(out, as_json, plugin, plots, signals, interval, pdf)
+    return conclude(compare_schemes(file, options, schemes=shared.listed(schemes), trials=trials, judge=judge), as_json)

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import Json
+from contourlab.cli import options as shared
 from contourlab.cli.output import emit_json, say, suggest
 
 
@@ -16,7 +16,7 @@ def components(
         str | None,
         typer.Argument(metavar="KIND", help="A family (plant), a kind (rigid-axis) or both (plant/rigid-axis).", show_default=False),
     ] = None,
-    as_json: Json = False,
+    as_json: shared.Json = False,
     plugin: Annotated[list[Path] | None, typer.Option(help="Load and check the components of a Python file; repeatable.")] = None,
 ) -> int:
     """List the components; show a family or one component with all parameters."""

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from contourlab.cli.options import Json, Out, WithInterval
+from contourlab.cli import options as shared
 from contourlab.cli.output import conclude, wants_progress
 
 
 def demo(
-    out: Out = Path("results/demo"),
-    as_json: Json = False,
-    interval: WithInterval = None,
+    out: shared.Out = Path("results/demo"),
+    as_json: shared.Json = False,
+    interval: shared.WithInterval = None,
 ) -> int:
     """Run a shipped part on a shipped machine under several controllers, and compare them."""
     from contourlab.features.run.demo import run_demo

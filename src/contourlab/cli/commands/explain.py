@@ -6,12 +6,12 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import Json
+from contourlab.cli import options as shared
 
 
 def explain(
     code: Annotated[str | None, typer.Argument(metavar="[CODE]", help="Code of a finding, such as CL104. Without it, list all.")] = None,
-    as_json: Json = False,
+    as_json: shared.Json = False,
 ) -> None:
     """Explain a finding: what it means, and what to do about it."""
     from contourlab.cli.output import emit_json, say, suggest

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import Json, Out, Plugins, listed
+from contourlab.cli import options as shared
 from contourlab.cli.output import show_result, suggest
 
 
@@ -19,14 +19,14 @@ def export(
     machine: Annotated[str | None, typer.Option(help="Machine of the controller: a file, a folder, or the name of a shipped one.")] = None,
     scheme: Annotated[str | None, typer.Option(help="Scheme of the scenario; by default the scenario itself.", show_default=False)] = None,
     axis: Annotated[str | None, typer.Option(help="Axes, with commas; by default all.", show_default=False)] = None,
-    out: Out = Path("export"),
-    as_json: Json = False,
-    plugin: Plugins = None,
+    out: shared.Out = Path("export"),
+    as_json: shared.Json = False,
+    plugin: shared.Plugins = None,
 ) -> None:
     """Write the controller of each axis as code for a control."""
     from contourlab.features.export.command import export_controller
 
-    made = export_controller(file, to, out, machine=machine, scheme=scheme, axes=listed(axis), plugins=tuple(plugin or ()))
+    made = export_controller(file, to, out, machine=machine, scheme=scheme, axes=shared.listed(axis), plugins=tuple(plugin or ()))
     show_result(made, as_json)
     if made.findings:
         suggest(as_json, "explain", made.findings[0].code)

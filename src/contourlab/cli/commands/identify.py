@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, Plots, SamplePeriod, Write
-from contourlab.cli.output import emit_json, say, suggest, suggest_again
+from contourlab.cli import options as shared
+from contourlab.cli.output import show, suggest, suggest_again
 
 MODEL = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor, two-mass, two-inertia."
 
@@ -23,10 +23,10 @@ def identify(
     full_scale: Annotated[
         str | None, typer.Option(help='Full scale of the command, e.g. "10 V", if the force is unknown.', show_default=False)
     ] = None,
-    column: ColumnTexts = None,
-    columns: ColumnFile = None,
-    format: LogFormat = None,  # noqa: A002
-    period: SamplePeriod = None,
+    column: shared.ColumnTexts = None,
+    columns: shared.ColumnFile = None,
+    format: shared.LogFormat = None,  # noqa: A002
+    period: shared.SamplePeriod = None,
     cutoff: Annotated[str, typer.Option(help="rigid: cut-off of the low-pass, five times the loop's bandwidth.")] = "100 Hz",
     slowest: Annotated[
         str | None, typer.Option(help='rigid: drop samples below this speed, e.g. "1 mm/s".', show_default=False)
@@ -49,10 +49,10 @@ def identify(
     excitation: Annotated[
         str, typer.Option(help="Frequency response: reference, where it moves; or command, if a test signal is added to it.")
     ] = "reference",
-    write: Write = None,
-    out: Out = Path("results"),
-    as_json: Json = False,
-    plots: Plots = None,
+    write: shared.Write = None,
+    out: shared.Out = Path("results"),
+    as_json: shared.Json = False,
+    plots: shared.Plots = None,
 ) -> int:
     """Identify a model of an axis from logs; write an axis file with uncertainties."""
     from contourlab.features.identify.command import identify_log
@@ -77,10 +77,7 @@ def identify(
         excitation=excitation,
     )
     identification = identify_log(request, out=write, plots=tuple(plots or ()), folder=out)
-    if as_json:
-        emit_json(identification.summary)
-    else:
-        say(identification.text)
+    show(identification.summary, identification.text, as_json)
     if write is None:
         suggest_again(as_json, "--write", "axis.toml")
     else:

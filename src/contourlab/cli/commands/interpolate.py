@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import Json
-from contourlab.cli.output import emit_json, say, suggest, suggest_again
+from contourlab.cli import options as shared
+from contourlab.cli.output import show, suggest, suggest_again
 
 
 def interpolate(
@@ -26,19 +26,16 @@ def interpolate(
         typer.Option(help="Correct by recursive least squares with this forgetting factor, 0.995 to 0.9995.", show_default=False),
     ] = None,
     out: Annotated[Path | None, typer.Option(help="Folder for counts, constants and picture.", show_default=False)] = None,
-    as_json: Json = False,
+    as_json: shared.Json = False,
 ) -> int:
     """Correct quadrature signals of an encoder, interpolate them to counts, and measure their errors."""
     from contourlab.features.interpolate.command import interpolate_file
     from contourlab.features.interpolate.text import text
 
     result = interpolate_file(file, out, pitch=pitch, resolution=resolution, columns=columns, reference=reference, forgetting=forgetting)
-    if as_json:
-        emit_json(result)
+    show(result, text(result), as_json)
+    if out is None:
+        suggest_again(as_json, "--out", "interpolated")
     else:
-        say(text(result))
-        if out is None:
-            suggest_again(as_json, "--out", "interpolated")
-        else:
-            suggest(as_json, "components", "quadrature-encoder")
+        suggest(as_json, "components", "quadrature-encoder")
     return 1 if result.missed["n_sample"] else 0

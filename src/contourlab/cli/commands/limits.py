@@ -7,19 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import (
-    BlockDelete,
-    ColumnFile,
-    ColumnTexts,
-    Dialect,
-    Json,
-    LogFormat,
-    MostMoves,
-    SamplePeriod,
-    ToolTable,
-    listed,
-    reading_of,
-)
+from contourlab.cli import options as shared
 from contourlab.cli.output import say, show_result
 
 
@@ -40,23 +28,23 @@ def limits(
         Path | None, typer.Option(help="Program to write: times, limits and errors as comments, same moves.", show_default=False)
     ] = None,
     axes: Annotated[str | None, typer.Option(help="Axes of the log, e.g. x,y; by default all.", show_default=False)] = None,
-    column: ColumnTexts = None,
-    columns: ColumnFile = None,
-    format: LogFormat = None,  # noqa: A002
-    period: SamplePeriod = None,
-    dialect: Dialect = "linuxcnc",
-    block_delete: BlockDelete = False,
-    tools: ToolTable = None,
-    most_moves: MostMoves = None,
-    as_json: Json = False,
+    column: shared.ColumnTexts = None,
+    columns: shared.ColumnFile = None,
+    format: shared.LogFormat = None,  # noqa: A002
+    period: shared.SamplePeriod = None,
+    dialect: shared.Dialect = "linuxcnc",
+    block_delete: shared.BlockDelete = False,
+    tools: shared.ToolTable = None,
+    most_moves: shared.MostMoves = None,
+    as_json: shared.Json = False,
 ) -> int:
     """Compare commanded velocity, acceleration and jerk with the limits of a machine; show the worst program lines."""
     from contourlab.features.limits.command import LimitOptions, check_limits
     from contourlab.features.measure.log_choice import LogChoice
 
-    choice = LogChoice(file, tuple(column or ()), columns, format, period, listed(axes))
+    choice = LogChoice(file, tuple(column or ()), columns, format, period, shared.listed(axes))
     options = LimitOptions(machine, velocity, acceleration, jerk, tolerance, program, line_column, annotate)
-    test = check_limits(choice, options, reading_of(program or Path("log"), dialect, block_delete, tools, most_moves))
+    test = check_limits(choice, options, shared.reading_of(program or Path("log"), dialect, block_delete, tools, most_moves))
     show_result(test, as_json)
     if not as_json:
         say(f"\nnext: {test.next_command}")

@@ -7,13 +7,13 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, listed
+from contourlab.cli import options as shared
 from contourlab.cli.output import say, show_result, suggest, wants_progress
 
 
 def link(
-    file: ScenarioFile,
-    schemes: Schemes = None,
+    file: shared.ScenarioFile,
+    schemes: shared.Schemes = None,
     division: Annotated[
         str | None, typer.Option(help="What moves into the axis, with commas: drive, observer, controller.", show_default=False)
     ] = None,
@@ -43,20 +43,20 @@ def link(
         int | None, typer.Option(help="Runs with jitter or loss; the worst counts; by default 8.", show_default=False)
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Answer within a minute: few values, a limit lies between two.")] = False,
-    out: Out = Path("results"),
-    as_json: Json = False,
-    plots: Plots = None,
-    plugin: Plugins = None,
+    out: shared.Out = Path("results"),
+    as_json: shared.Json = False,
+    plots: shared.Plots = None,
+    plugin: shared.Plugins = None,
 ) -> int:
     """Divide controllers between base and axes: find the lowest message rate that holds."""
     from contourlab.features.link.command import LinkOptions, link_scenario
 
     network = {"message_period": message_period, "delay": delay, "jitter": jitter, "loss": loss}
     options = LinkOptions(
-        divisions=listed(division),
-        ways=listed(ways),
-        quantities=listed(vary),
-        axes=listed(axes),
+        divisions=shared.listed(division),
+        ways=shared.listed(ways),
+        quantities=shared.listed(vary),
+        axes=shared.listed(axes),
         figure=figure,
         within=within,
         tolerance=tolerance,
@@ -66,7 +66,7 @@ def link(
         seeds=seeds,
         quick=quick,
     )
-    given = {"schemes": listed(schemes), "plugins": tuple(plugin or ()), "plots": tuple(plots or ()), "folder": out}
+    given = {"schemes": shared.listed(schemes), "plugins": tuple(plugin or ()), "plots": tuple(plots or ()), "folder": out}
     result = link_scenario(file, options, **given, progress=wants_progress(as_json))  # type: ignore[arg-type]
     show_result(result, as_json)
     if not as_json:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from contourlab.cli.options import Json
-from contourlab.cli.output import emit_json, say, suggest
+from contourlab.cli import options as shared
+from contourlab.cli.output import show, suggest
 
 if TYPE_CHECKING:
     from contourlab.features.machines.command import Shipped
@@ -25,7 +25,7 @@ def machines(
         Path | None, typer.Option(help="Copy it, and the files that it names, into this folder.", metavar="FOLDER", show_default=False)
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Overwrite existing files.")] = False,
-    as_json: Json = False,
+    as_json: shared.Json = False,
 ) -> int:
     """List the shipped machines, axes, controllers and runs with the sources of their numbers; show or copy one."""
     from contourlab.features.machines.command import copy_shipped, shipped, shipped_one
@@ -34,53 +34,43 @@ def machines(
         if name is None:
             raise typer.BadParameter("name the file to copy", param_hint="--copy")
         written = copy_shipped(name, copy, force=force)
-        if as_json:
-            emit_json(written)
-        else:
-            say("\n".join(f"wrote {file}" for file in written))
-            suggest(as_json, "run" if shipped_one(name).kind == "scenario" else "machines", written[0])
+        show(written, "\n".join(f"wrote {file}" for file in written), as_json)
+        suggest(as_json, "run" if shipped_one(name).kind == "scenario" else "machines", written[0])
         return 0
     if name is None:
         files = shipped()
-        if as_json:
-            emit_json(files)
-        else:
-            _list(files)
-            suggest(as_json, "machines", "demo-part")
+        show(files, _list(files), as_json)
+        suggest(as_json, "machines", "demo-part")
         return 0
     file = shipped_one(name)
-    if as_json:
-        emit_json(file)
-    else:
-        _details(file)
-        own, scenario = str(file.file) == name, file.kind == "scenario"
-        copied = ("machines",) if own else ("machines", name, "--copy", "mine")
-        suggest(as_json, *(("run", name if own else f"builtin:{name}") if scenario else copied))
+    show(file, _details(file), as_json)
+    own, scenario = str(file.file) == name, file.kind == "scenario"
+    copied = ("machines",) if own else ("machines", name, "--copy", "mine")
+    suggest(as_json, *(("run", name if own else f"builtin:{name}") if scenario else copied))
     return 0
 
 
-def _list(files: list[Shipped]) -> None:
+def _list(files: list[Shipped]) -> str:
     from contourlab.rendering.table import Column, Table, paragraphs
 
     names, prose = ("kind", "name", "axes"), ("description", "sources")
     table = Table([*(Column(head, left=True) for head in names), *(Column(head, prose=True) for head in prose)])
     for file in files:
         table.add(file.kind, file.name, ", ".join(file.axes), file.about, "; ".join(file.references))
-    say(f"{table.text()}\n\n{paragraphs([FOOT])}")
+    return f"{table.text()}\n\n{paragraphs([FOOT])}"
 
 
-def _details(file: Shipped) -> None:
+def _details(file: Shipped) -> str:
     from contourlab.rendering.table import Column, Table
 
     axes = f" with the axes {', '.join(file.axes)}" if file.axes else ""
     shown = file.name if file.name == str(file.file) else f"builtin:{file.name}"
     head = [f"{shown}, {file.kind}{axes}", f"file: {file.file}"]
     if not file.numbers:
-        say("\n".join([*head, "", file.text.rstrip()]))
-        return
+        return "\n".join([*head, "", file.text.rstrip()])
     sources = ", ".join(f"{count} {source}" for source, count in file.sources.items())
     plain = (Column("value"), *(Column(name, left=True) for name in ("unit", "source", "deviation")))
     table = Table([Column("number", left=True), *plain, Column("from", prose=True), Column("note", prose=True)])
     for number in file.numbers:
         table.add(number.name, number.value_text, number.display, number.source, number.deviation_text, number.reference, number.note)
-    say("\n".join([*head, f"{file.about}.", f"numbers: {sources}", table.text()]))
+    return "\n".join([*head, f"{file.about}.", f"numbers: {sources}", table.text()])

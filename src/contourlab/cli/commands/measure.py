@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.app.command_line import as_typed
-from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, Plots, SamplePeriod, listed
+from contourlab.cli import options as shared
 from contourlab.cli.output import conclude
 
 
@@ -23,15 +23,15 @@ def measure(
         str | None,
         typer.Option(help='Zero of the part in the log: "fit", or lengths, e.g. "10 mm, 5 mm".', show_default=False),
     ] = None,
-    column: ColumnTexts = None,
-    columns: ColumnFile = None,
-    format: LogFormat = None,  # noqa: A002
-    period: SamplePeriod = None,
+    column: shared.ColumnTexts = None,
+    columns: shared.ColumnFile = None,
+    format: shared.LogFormat = None,  # noqa: A002
+    period: shared.SamplePeriod = None,
     axes: Annotated[str | None, typer.Option(help="Axes of the contour, e.g. x,y; by default all.", show_default=False)] = None,
     tolerance: Annotated[str | None, typer.Option(help='Largest contour error that passes, e.g. "25 um".', show_default=False)] = None,
-    out: Out = Path("results"),
-    as_json: Json = False,
-    plots: Plots = None,
+    out: shared.Out = Path("results"),
+    as_json: shared.Json = False,
+    plots: shared.Plots = None,
 ) -> int:
     """Judge a measured run like a simulated one: contour error, tracking, reversals."""
     from contourlab.features.measure.command import measure_log
@@ -49,7 +49,7 @@ def measure(
     }
     words += [word for name, value in options.items() if value is not None for word in (name, str(value))]
     words += [word for text in column or () for word in ("--column", text)]
-    choice = LogChoice(log, tuple(column or ()), columns, format, period, listed(axes))
+    choice = LogChoice(log, tuple(column or ()), columns, format, period, shared.listed(axes))
     asked = {"reference": reference, "shift": shift, "tolerance": tolerance}
     outcome = measure_log(choice, out, **asked, plots=tuple(plots or ()), command=as_typed(words))
     return conclude(outcome, as_json)

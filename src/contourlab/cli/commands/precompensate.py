@@ -7,27 +7,12 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import (
-    BlockDelete,
-    ColumnFile,
-    ColumnTexts,
-    Dialect,
-    Json,
-    LogFormat,
-    MostMoves,
-    Part,
-    Plugins,
-    SamplePeriod,
-    Seed,
-    ToolTable,
-    listed,
-    reading_of,
-)
+from contourlab.cli import options as shared
 from contourlab.cli.output import show_result, suggest, wants_progress
 
 
 def precompensate(
-    part: Part,
+    part: shared.Part,
     out: Annotated[Path, typer.Option(help="Program to write.", show_default=False)],
     log: Annotated[
         list[Path] | None, typer.Option(help="Log of a run of the pass written last; repeatable.", show_default=False)
@@ -42,17 +27,17 @@ def precompensate(
     cap: Annotated[str, typer.Option(help="Largest displacement of the path.")] = "1 mm",
     band: Annotated[str, typer.Option(help="By how much cycle time and local speed may grow.")] = "2 %",
     axes: Annotated[str | None, typer.Option(help="Axes of the log, e.g. x,y; by default all.", show_default=False)] = None,
-    column: ColumnTexts = None,
-    columns: ColumnFile = None,
-    format: LogFormat = None,  # noqa: A002
-    period: SamplePeriod = None,
-    dialect: Dialect = "linuxcnc",
-    block_delete: BlockDelete = False,
-    tools: ToolTable = None,
-    most_moves: MostMoves = None,
-    seed: Seed = 0,
-    plugin: Plugins = None,
-    as_json: Json = False,
+    column: shared.ColumnTexts = None,
+    columns: shared.ColumnFile = None,
+    format: shared.LogFormat = None,  # noqa: A002
+    period: shared.SamplePeriod = None,
+    dialect: shared.Dialect = "linuxcnc",
+    block_delete: shared.BlockDelete = False,
+    tools: shared.ToolTable = None,
+    most_moves: shared.MostMoves = None,
+    seed: shared.Seed = 0,
+    plugin: shared.Plugins = None,
+    as_json: shared.Json = False,
 ) -> int:
     """Correct a part program by the contour error that repeats, so that the same control makes a better part."""
     from contourlab.errors import ParameterError
@@ -62,12 +47,12 @@ def precompensate(
     from contourlab.scenario import load_machine
     from contourlab.scenario.load import named_file
 
-    options, reading = Options(tolerance, cap, band, repeat), reading_of(part, dialect, block_delete, tools, most_moves)
+    options, reading = Options(tolerance, cap, band, repeat), shared.reading_of(part, dialect, block_delete, tools, most_moves)
     plugins = tuple(plugin or ())
     if log:
         if controller is not None:
             raise ParameterError("--controller", repr(controller), "left out: with --log the real one is corrected")
-        choices = [LogChoice(file, tuple(column or ()), columns, format, period, listed(axes)) for file in log]
+        choices = [LogChoice(file, tuple(column or ()), columns, format, period, shared.listed(axes)) for file in log]
         known = None if machine is None else load_machine(named_file(machine), plugins=plugins)
         result = precompensate_from_logs(part, choices, out, passes=passes, machine=known, options=options, reading=reading)
     elif machine is None:

@@ -8,12 +8,12 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import ColumnFile, ColumnTexts, Json, LogFormat, Out, Plots, Plugins, SamplePeriod, ScenarioFile, Write
-from contourlab.cli.output import emit_json, say, suggest, suggest_again
+from contourlab.cli import options as shared
+from contourlab.cli.output import show, suggest, suggest_again
 
 
 def refine(
-    scenario: ScenarioFile,
+    scenario: shared.ScenarioFile,
     log: Annotated[list[Path], typer.Option(help="Log of a run; repeatable.", show_default=False)],
     parameter: Annotated[
         list[str],
@@ -23,20 +23,20 @@ def refine(
         list[str] | None,
         typer.Option(help="Scenario of the next log, with the same machine and another controller; repeatable.", show_default=False),
     ] = None,
-    column: ColumnTexts = None,
-    columns: ColumnFile = None,
-    format: LogFormat = None,  # noqa: A002
-    period: SamplePeriod = None,
+    column: shared.ColumnTexts = None,
+    columns: shared.ColumnFile = None,
+    format: shared.LogFormat = None,  # noqa: A002
+    period: shared.SamplePeriod = None,
     window: Annotated[
         list[str] | None, typer.Option(help='Times to fit, e.g. "0.8 s..1.6 s"; once for all logs, or for each.', show_default=False)
     ] = None,
     validation: Annotated[Path | None, typer.Option(help="Log for validation, under the first scenario.", show_default=False)] = None,
     starts: Annotated[int, typer.Option(help="Number of searches, from the scenario's values and from points around them.")] = 3,
-    plugin: Plugins = None,
-    write: Write = None,
-    out: Out = Path("results"),
-    as_json: Json = False,
-    plots: Plots = None,
+    plugin: shared.Plugins = None,
+    write: shared.Write = None,
+    out: shared.Out = Path("results"),
+    as_json: shared.Json = False,
+    plots: shared.Plots = None,
 ) -> int:
     """Fit parameters of a machine and its controllers until the simulation follows a log."""
     from contourlab.features.measure.log_choice import LogChoice
@@ -62,10 +62,7 @@ def refine(
         folder=out,
         progress=progress,
     )
-    if as_json:
-        emit_json(refinement)
-    else:
-        say(refinement.text())
+    show(refinement, refinement.text(), as_json)
     if write is None:
         suggest_again(as_json, "--write", "machine.toml")
     else:

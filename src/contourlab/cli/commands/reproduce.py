@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 import typer
 
-from contourlab.cli.options import Json
-from contourlab.cli.output import emit_json, say, suggest, wants_progress
+from contourlab.cli import options as shared
+from contourlab.cli.output import show, suggest, wants_progress
 
 Plots = Annotated[list[str] | None, typer.Option(help="Also draw the pictures of the paper or log as png, svg or pdf; repeatable.")]
 Out = Annotated[Path, typer.Option(help="Folder of the pictures; created if missing.")]
@@ -32,7 +32,7 @@ reproduce = typer.Typer(no_args_is_help=True, help="Recompute the figures of a p
 
 
 @reproduce.command()
-def ghaffari(as_json: Json = False, plots: Plots = None, out: Out = RESULTS, whole: All = False) -> int:
+def ghaffari(as_json: shared.Json = False, plots: Plots = None, out: Out = RESULTS, whole: All = False) -> int:
     """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring; Figs 6 to 9."""
     from contourlab.papers.ghaffari import pictures, study
 
@@ -40,7 +40,7 @@ def ghaffari(as_json: Json = False, plots: Plots = None, out: Out = RESULTS, who
 
 
 @reproduce.command()
-def gecer_ulu(as_json: Json = False, plots: Plots = None, out: Out = RESULTS, whole: All = False) -> int:
+def gecer_ulu(as_json: shared.Json = False, plots: Plots = None, out: Out = RESULTS, whole: All = False) -> int:
     """Gecer Ulu, Ulu and Cakmakci: learning based cross-coupled control for precision positioning; Figs 9 and 10."""
     from contourlab.papers.gecer_ulu import pictures, study
 
@@ -48,7 +48,7 @@ def gecer_ulu(as_json: Json = False, plots: Plots = None, out: Out = RESULTS, wh
 
 
 @reproduce.command()
-def shahin(as_json: Json = False, plots: Plots = None, out: Out = RESULTS, whole: All = False) -> int:
+def shahin(as_json: shared.Json = False, plots: Plots = None, out: Out = RESULTS, whole: All = False) -> int:
     """Shahin, ElMaraghy and ElBeheiry: nonlinearity control of CNC feed drives, backlash and switching controllers; Figs 7 to 13."""
     from contourlab.papers.shahin import pictures, study
 
@@ -59,7 +59,7 @@ def shahin(as_json: Json = False, plots: Plots = None, out: Out = RESULTS, whole
 def emps(
     log: Annotated[Path | None, typer.Option(help="DATA_EMPS.mat of the benchmark: the log to identify from.")] = None,
     validation: Annotated[Path | None, typer.Option(help="DATA_EMPS_PULSES.mat: a second log, to check the parameters.")] = None,
-    as_json: Json = False,
+    as_json: shared.Json = False,
     plots: Plots = None,
     out: Out = RESULTS,
     whole: All = False,
@@ -77,7 +77,7 @@ def emps(
 def ubc(
     log_folder: Annotated[Path | None, typer.Option(help="Folder with line_circle_lli.mat and line_circle_pp.mat.")] = None,
     unseen: Annotated[bool, typer.Option(help="Also fit with parts of the runs left out; takes minutes.")] = True,
-    as_json: Json = False,
+    as_json: shared.Json = False,
     plots: Plots = None,
     out: Out = RESULTS,
     whole: All = False,
@@ -107,9 +107,6 @@ def _compared(paper: str, parts_of: Parts, draw: Draw, form: tuple[bool, bool], 
         if plots:
             stages.begin("drawing")
             draw(rows, out, tuple(plots))
-    if as_json:
-        emit_json(rows)
-    else:
-        say(text_of(rows, whole=whole))
+    show(rows, text_of(rows, whole=whole), as_json)
     suggest(as_json, *NEXT[paper].split())
     return 1 if any(row.passed is False for row in rows) else 0

@@ -7,16 +7,16 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import ExecutorKind, Json, Judge, Out, Parameters, Plots, Plugins, ScenarioFile, Seed, Width, Workers, listed
-from contourlab.cli.output import emit_json, say, suggest, wants_progress
+from contourlab.cli import options as shared
+from contourlab.cli.output import show, suggest, wants_progress
 
 
 def sensitivity(
-    file: ScenarioFile,
-    parameter: Parameters = None,
+    file: shared.ScenarioFile,
+    parameter: shared.Parameters = None,
     scheme: Annotated[str, typer.Option(help="Scheme of the scenario; by default the scenario itself.", show_default=False)] = "",
     figure: Annotated[str, typer.Option(help="integral, rms or max of the contour error.")] = "integral",
-    width: Width = 2.0,
+    width: shared.Width = 2.0,
     parts: Annotated[
         str | None, typer.Option(help="Analyses, separated by commas: curves, local, morris, sobol; by default all.", show_default=False)
     ] = None,
@@ -38,14 +38,14 @@ def sensitivity(
     quick: Annotated[
         bool, typer.Option("--quick", help="Answer within a minute; what does not fit is made smaller: --values, --base, --trajectories.")
     ] = False,
-    judge: Judge = None,
-    seed: Seed = 0,
-    executor: ExecutorKind = "threads",
-    workers: Workers = None,
-    out: Out = Path("results"),
-    as_json: Json = False,
-    plots: Plots = None,
-    plugin: Plugins = None,
+    judge: shared.Judge = None,
+    seed: shared.Seed = 0,
+    executor: shared.ExecutorKind = "threads",
+    workers: shared.Workers = None,
+    out: shared.Out = Path("results"),
+    as_json: shared.Json = False,
+    plots: shared.Plots = None,
+    plugin: shared.Plugins = None,
 ) -> int:
     """Find the parameters that the contour error depends on, and in which order to calibrate them.
 
@@ -55,13 +55,10 @@ def sensitivity(
     from contourlab.features.sensitivity.command import Request, sensitivity_of
     from contourlab.features.sensitivity.study import PARTS, Plan
 
-    plan = Plan(listed(parts) or PARTS, figure, values, base, second_order, trajectories, transform, seed)
+    plan = Plan(shared.listed(parts) or PARTS, figure, values, base, second_order, trajectories, transform, seed)
     given = (tuple(parameter or ()), width, distribution, tuple(deviation or ()), servo_period, Executor(executor, workers), judge, quick)
     request = Request(plan, scheme, *given)
     result = sensitivity_of(file, out, request, plugins=tuple(plugin or ()), plots=tuple(plots or ()), progress=wants_progress(as_json))
-    if as_json:
-        emit_json(result)
-    else:
-        say(f"{result.text()}\n\nresults: {out}")
+    show(result, f"{result.text()}\n\nresults: {out}", as_json)
     suggest(as_json, "tune", file, "--scheme", scheme or None)
     return 0

@@ -7,26 +7,12 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import (
-    ExecutorKind,
-    GainMargin,
-    Json,
-    Out,
-    Parameters,
-    PhaseMargin,
-    Plots,
-    Plugins,
-    ScenarioFile,
-    Seed,
-    Width,
-    Workers,
-    listed,
-)
+from contourlab.cli import options as shared
 from contourlab.cli.output import conclude, suggest, suggest_again, wants_progress
 
 
 def swap(
-    file: ScenarioFile,
+    file: shared.ScenarioFile,
     axis: Annotated[list[str], typer.Option(help="Axis to swap; repeat for more axes, each with its --with.", show_default=False)],
     others: Annotated[
         list[str], typer.Option("--with", help="Files of the modules that may replace it, separated by commas.", show_default=False)
@@ -39,8 +25,8 @@ def swap(
         str | None,
         typer.Option(help='J_tol, the floor of J in the loss; by default "2 um*s" for the integral, else "1 um".', show_default=False),
     ] = None,
-    parameter: Parameters = None,
-    width: Width = 4.0,
+    parameter: shared.Parameters = None,
+    width: shared.Width = 4.0,
     local: Annotated[
         list[str] | None,
         typer.Option(
@@ -60,11 +46,11 @@ def swap(
     ] = None,
     budget: Annotated[int, typer.Option(help="Candidates of each search.")] = 8000,
     quick: Annotated[bool, typer.Option("--quick", help="Answer within a minute, with its uncertainty.")] = False,
-    seed: Seed = 0,
-    executor: ExecutorKind = "threads",
-    workers: Workers = None,
-    gain_margin: GainMargin = 6.0,
-    phase_margin: PhaseMargin = 30.0,
+    seed: shared.Seed = 0,
+    executor: shared.ExecutorKind = "threads",
+    workers: shared.Workers = None,
+    gain_margin: shared.GainMargin = 6.0,
+    phase_margin: shared.PhaseMargin = 30.0,
     region: Annotated[
         list[str] | None,
         typer.Option(
@@ -95,10 +81,10 @@ def swap(
     jitter: Annotated[str | None, typer.Option(help="Jitter of a message in each direction; by default none.")] = None,
     loss: Annotated[str | None, typer.Option(help="Share of lost messages; by default none.")] = None,
     longest: Annotated[str, typer.Option(help="Longest message period to test.")] = "100 ms",
-    out: Out = Path("results"),
-    as_json: Json = False,
-    plots: Plots = None,
-    plugin: Plugins = None,
+    out: shared.Out = Path("results"),
+    as_json: shared.Json = False,
+    plots: shared.Plots = None,
+    plugin: shared.Plugins = None,
 ) -> int:
     """Find out whether one controller serves all modules of a swapped axis, or which parameters must be local."""
     from contourlab.app.executors import Executor
@@ -130,8 +116,8 @@ def swap(
         places=places,
         linear=tuple(linear or ()),
         network=LinkOptions(
-            divisions=listed(division),
-            ways=listed(ways),
+            divisions=shared.listed(division),
+            ways=shared.listed(ways),
             within=within,
             network={name: text for name, text in network.items() if text is not None},
             longest=longest,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from contourlab.cli.options import ExecutorKind, Json, Out, Plugins, Workers
+from contourlab.cli import options as shared
 from contourlab.cli.output import conclude, emit_json, say, show_result, suggest, wants_progress
 
 if TYPE_CHECKING:
@@ -44,17 +44,17 @@ def _sweep() -> None:
 @sweep.command("run")
 def run(
     study: Annotated[Path, typer.Argument(metavar="STUDY", help="A study (.toml).", show_default=False)],
-    out: Out = Path("store"),
+    out: shared.Out = Path("store"),
     resume: Resume = False,
-    executor: ExecutorKind = "threads",
-    workers: Workers = None,
+    executor: shared.ExecutorKind = "threads",
+    workers: shared.Workers = None,
     chunks: Annotated[
         str,
         typer.Option(metavar="FIRST:END", help="Run only these chunks, to share a study between machines; then merge.", show_default=False),
     ] = "",
     yes: Yes = False,
-    as_json: Json = False,
-    plugin: Plugins = None,
+    as_json: shared.Json = False,
+    plugin: shared.Plugins = None,
 ) -> int:
     """Run a study into a store. Finished chunks stay, whatever happens."""
     from contourlab.app.executors import Executor
@@ -70,7 +70,7 @@ def run(
 @sweep.command("optimise")
 def optimise(
     study: Annotated[Path, typer.Argument(metavar="STUDY", help="A study (.toml).", show_default=False)],
-    out: Out = Path("store"),
+    out: shared.Out = Path("store"),
     minimise: Annotated[
         list[str] | None,
         typer.Option(metavar="FIGURE", help="Figure; part_error_max by default. Several: their Pareto front.", show_default=False),
@@ -79,10 +79,10 @@ def optimise(
     trials: Annotated[int, typer.Option(min=1, max=1_000_000, help="Variants in all.")] = 1024,
     batch: Annotated[int, typer.Option(min=8, max=4096, help="Variants that are simulated together.")] = 64,
     resume: Resume = False,
-    executor: ExecutorKind = "threads",
-    workers: Workers = None,
-    as_json: Json = False,
-    plugin: Plugins = None,
+    executor: shared.ExecutorKind = "threads",
+    workers: shared.Workers = None,
+    as_json: shared.Json = False,
+    plugin: shared.Plugins = None,
 ) -> int:
     """Search the space of a study for the smallest figures. Finished batches stay, whatever happens."""
     from contourlab.app.executors import Executor
@@ -99,11 +99,12 @@ def optimise(
 
 
 @sweep.command("show")
-def show(store: StoreFolder, as_json: Json = False) -> int:
+def show(store: StoreFolder, as_json: shared.Json = False) -> int:
     """Show what a store holds: yield, distribution of each figure, time."""
-    from contourlab.features.sweep.command import show as shown
+    from contourlab.features.sweep.store import read_store
+    from contourlab.features.sweep.summary import summary
 
-    show_result(shown(store), as_json)
+    show_result(summary(read_store(store)), as_json)
     return 0
 
 
@@ -113,7 +114,7 @@ def query(
     sql: Annotated[str, typer.Argument(metavar="SQL", help="DuckDB SQL over the view results, in SI.", show_default=False)],
     memory: Annotated[str, typer.Option(help="Most memory of the query.")] = "2 GB",
     time: Annotated[str, typer.Option(help="Longest time of the query.")] = "60 s",
-    as_json: Json = False,
+    as_json: shared.Json = False,
 ) -> int:
     """Ask a store in SQL, such as "SELECT scheme, avg(part_error_max) FROM results GROUP BY scheme"."""
     from contourlab.features.sweep.query import rows
@@ -146,9 +147,9 @@ def worst(
     number: Annotated[
         int | None, typer.Option("--rerun", metavar="VARIANT", help="Run this variant into a full report.", show_default=False)
     ] = None,
-    out: Out = Path("results"),
-    as_json: Json = False,
-    plugin: Plugins = None,
+    out: shared.Out = Path("results"),
+    as_json: shared.Json = False,
+    plugin: shared.Plugins = None,
 ) -> int:
     """List the worst variants with their parameters; with --rerun, write the report of one."""
     from contourlab.features.sweep.query import worst as worst_of
@@ -180,7 +181,7 @@ def report(
     store: StoreFolder,
     out: Annotated[Path | None, typer.Option(metavar="FILE", help="Page; by default report.html in the store.", show_default=False)] = None,
     figure: Annotated[str | None, typer.Option(help="Figure to explain; by default part_error_max.", show_default=False)] = None,
-    as_json: Json = False,
+    as_json: shared.Json = False,
 ) -> int:
     """Answer in one page: yield, distribution, what decides it, best compromises, when to stop."""
     from contourlab.features.sweep.report import report as reported
@@ -194,7 +195,7 @@ def report(
 def merge(
     stores: Annotated[list[Path], typer.Argument(metavar="STORE...", help="Stores of one study.", show_default=False)],
     out: Annotated[Path, typer.Option(help="New folder for the store.", show_default=False)],
-    as_json: Json = False,
+    as_json: shared.Json = False,
 ) -> int:
     """Join the stores of one study that several machines have filled."""
     from contourlab.features.sweep.store import merge as merged
@@ -208,7 +209,7 @@ def merge(
 def export(
     store: StoreFolder,
     to: Annotated[Path, typer.Option("--to", metavar="FILE", help="File that ends in .csv or .parquet.", show_default=False)],
-    as_json: Json = False,
+    as_json: shared.Json = False,
 ) -> int:
     """Write one row per variant, in their order, in SI."""
     from contourlab.features.sweep.query import export as exported

@@ -7,30 +7,8 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.options import (
-    AnyDialect,
-    BlockDelete,
-    ExecutorKind,
-    Fit,
-    GainMargin,
-    Json,
-    Judge,
-    MostMoves,
-    NoRequireEnd,
-    Out,
-    Parameters,
-    PhaseMargin,
-    Plots,
-    Plugins,
-    Seed,
-    ToolTable,
-    Width,
-    Workers,
-    Write,
-    program_keys,
-    typed_keys,
-)
-from contourlab.cli.output import emit_json, say, suggest, suggest_again, wants_progress
+from contourlab.cli import options as shared
+from contourlab.cli.output import show, suggest, suggest_again, wants_progress
 
 
 def tune(
@@ -41,23 +19,23 @@ def tune(
         str | None, typer.Option(help="Controller to start from: a file, or a shipped name; a scenario has its own.", show_default=False)
     ] = None,
     tolerance: Annotated[str | None, typer.Option(help='Largest part error of a part program, e.g. "25 um".', show_default=False)] = None,
-    judge: Judge = None,
-    fit: Fit = False,
-    block_delete: BlockDelete = False,
-    tools: ToolTable = None,
-    no_require_end: NoRequireEnd = False,
-    most_moves: MostMoves = None,
-    dialect: AnyDialect = None,
+    judge: shared.Judge = None,
+    fit: shared.Fit = False,
+    block_delete: shared.BlockDelete = False,
+    tools: shared.ToolTable = None,
+    no_require_end: shared.NoRequireEnd = False,
+    most_moves: shared.MostMoves = None,
+    dialect: shared.AnyDialect = None,
     method: Annotated[str, typer.Option(help="sequential, global, or both: the better result.")] = "both",
     start: Annotated[str, typer.Option(help="scenario, or placed: poles as fast as the margins allow.")] = "scenario",
     objective: Annotated[
         str,
         typer.Option(help="part (largest part error, then rms), max, rms, integral, tracking, energy; or a sum, integral=1,energy=0.1."),
     ] = "part",
-    parameter: Parameters = None,
-    width: Width = 4.0,
-    gain_margin: GainMargin = 6.0,
-    phase_margin: PhaseMargin = 30.0,
+    parameter: shared.Parameters = None,
+    width: shared.Width = 4.0,
+    gain_margin: shared.GainMargin = 6.0,
+    phase_margin: shared.PhaseMargin = 30.0,
     limited: Annotated[float, typer.Option(help="Largest share of the time at a drive limit, 0 to 1.")] = 0.0,
     command: Annotated[float | None, typer.Option(help="Largest command, relative to the drive limit.", show_default=False)] = None,
     passes: Annotated[int, typer.Option(help="Largest number of passes of the sequential procedure.")] = 1,
@@ -66,14 +44,14 @@ def tune(
     within: Annotated[float, typer.Option(help="Values worse than the best by up to this share count as equally good.")] = 0.01,
     budget: Annotated[int, typer.Option(help="Runs of the global search.")] = 6000,
     starts: Annotated[int, typer.Option(help="Starts of the global search.")] = 5,
-    seed: Seed = 0,
-    executor: ExecutorKind = "threads",
-    workers: Workers = None,
-    write: Write = None,
-    out: Out = Path("results"),
-    as_json: Json = False,
-    plots: Plots = None,
-    plugin: Plugins = None,
+    seed: shared.Seed = 0,
+    executor: shared.ExecutorKind = "threads",
+    workers: shared.Workers = None,
+    write: shared.Write = None,
+    out: shared.Out = Path("results"),
+    as_json: shared.Json = False,
+    plots: shared.Plots = None,
+    plugin: shared.Plugins = None,
 ) -> int:
     """Tune gains, innermost loop first, within margins and drive limits; write a controller file."""
     import math
@@ -85,7 +63,7 @@ def tune(
     from contourlab.features.tune.objective import Goal
     from contourlab.features.tune.study import TuneSettings
 
-    program = program_keys(fit, block_delete, tools, no_require_end, most_moves, dialect)
+    program = shared.program_keys(fit, block_delete, tools, no_require_end, most_moves, dialect)
     settings = TuneSettings(
         goal=Goal.parse(objective),
         bounds=Bounds(gain_margin, phase_margin, limited, math.inf if command is None else command),
@@ -115,13 +93,10 @@ def tune(
         plugins=tuple(plugin or ()),
         progress=wants_progress(as_json),
     )
-    if as_json:
-        emit_json(calibration)
-    else:
-        say(calibration.text())
+    show(calibration, calibration.text(), as_json)
     kept = calibration.controller_file
     if kept is not None:
-        more = [*typed_keys(program), *(str(word) for one in plugin or () for word in ("--plugin", one))]
+        more = [*shared.typed_keys(program), *(str(word) for one in plugin or () for word in ("--plugin", one))]
         parts = ("--machine", machine, "--controller", kept, "--tolerance", tolerance, "--judge", judge)
         suggest(as_json, "run", file, *parts, *more)
     elif not calibration.result.interrupted:

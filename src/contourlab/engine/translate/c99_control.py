@@ -58,7 +58,7 @@ def source_of(made: Control) -> str:
 
 def body_of(made: Control, storage: str = "") -> str:
     """Return the definitions of a source, without head; `storage`, such as ``"static "``, goes before functions and defaults."""
-    name, writer = made.name, _ControlWriter(made)
+    name, writer = made.name, ControlWriter(made)
     writer.block(made.tick.graph.top, "    ")
     writer.block(made.tick.body, "    ")
     after = [f"    state->{made.states[row].name} = {writer.value(op)};" for row, op in made.carried()]
@@ -182,26 +182,32 @@ def _filled(memory: Memory) -> list[str]:
     ]
 
 
-class _ControlWriter(Writer):
-    """Writes a tick over the structs of a controller."""
+class ControlWriter(Writer):
+    """Writes a tick over the structs of a controller. A subclass has another language."""
 
     elsewhere = IN_PLACE
+    parameters, arrays, tick = "par->", "state->", "state->tick"
+    """What stands before the name of a parameter and of an array; the number of the call."""
 
     def __init__(self, made: Control) -> None:
         super().__init__()
         self.made = made
 
+    def input(self, field: Field) -> str:
+        """Return the place of an input."""
+        return f"in->{field.name}"
+
     def value(self, op: Op) -> str:
         made = self.made
         if op.kind == "parameter":
-            return f"par->{made.parameters[op.extra].name}" if op.extra in made.parameters else made.constants[op.extra].name
+            return self.parameters + made.parameters[op.extra].name if op.extra in made.parameters else made.constants[op.extra].name
         if op.kind == "external":
-            return f"in->{made.inputs[op.extra].name}"
+            return self.input(made.inputs[op.extra])
         if op.kind == "before":
             return f"x_{made.states[op.extra].name}"
         if op.kind == "table":
             return made.array(op).name
-        words = {"tick": "state->tick", "time": "(state->tick * PERIOD)", "period": "PERIOD"}
+        words = {"tick": self.tick, "time": f"({self.tick} * PERIOD)", "period": "PERIOD"}
         return words.get(op.kind) or super().value(op)
 
     def past(self, op: Op, tick: str) -> str:
@@ -209,7 +215,7 @@ class _ControlWriter(Writer):
 
     def member(self, op: Op) -> str:
         bank = self.made.array(op)
-        return f"state->{bank.name}[{self.member_row(op, op.extra[0] - bank.first)}]"
+        return f"{self.arrays}{bank.name}[{self.member_row(op, op.extra[0] - bank.first)}]"
 
     def stored(self, op: Op) -> str:
-        return self.past(op, "state->tick") if op.kind == "store_ring" else self.member(op)
+        return self.past(op, self.tick) if op.kind == "store_ring" else self.member(op)

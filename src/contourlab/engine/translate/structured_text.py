@@ -7,8 +7,8 @@ import uuid
 from collections.abc import Iterable
 from typing import ClassVar
 
-from contourlab.engine.translate.c99 import Writer
-from contourlab.engine.translate.control import IN_PLACE, Control, Field, Memory
+from contourlab.engine.translate.c99_control import ControlWriter
+from contourlab.engine.translate.control import Control, Field, Memory
 from contourlab.engine.translate.graph import CONDITION, MismatchError, Op
 
 _LARGEST = "1.7976931348623157E+308"
@@ -131,36 +131,28 @@ def literal(number: float) -> str:
     return text if math.copysign(1.0, number) > 0.0 else f"(-{text})"
 
 
-class _Writer(Writer):
+class _Writer(ControlWriter):
     """Writes statements of Structured Text; variables are declared in `locals`."""
 
-    elsewhere = IN_PLACE
-    symbols: ClassVar = Writer.symbols | {"and": "AND", "or": "OR", "not": "NOT ", "==": "=", "!=": "<>"}
+    parameters, arrays, tick = "", "", "s_tick"
+    symbols: ClassVar = ControlWriter.symbols | {"and": "AND", "or": "OR", "not": "NOT ", "==": "=", "!=": "<>"}
     functions: ClassVar = {"sqrt": "SQRT", "fabs": "ABS", "exp": "EXP", "log": "LN", "sin": "SIN", "cos": "COS"}
     declares = False
     assigns, if_, else_, while_, leave = ":=", "IF {} THEN", "ELSE", "WHILE TRUE DO", "IF NOT {} THEN EXIT; END_IF"
     end_if, end_for, end_while = "END_IF", "END_FOR", "END_WHILE"
 
     def __init__(self, made: Control) -> None:
-        super().__init__()
-        self.made = made
+        super().__init__(made)
         self.locals: dict[str, str] = {}
         self.indices: list[str] = []
 
+    def input(self, field: Field) -> str:
+        return input_name(field.name)
+
     def value(self, op: Op) -> str:
-        made = self.made
         if op.kind == "constant":
             return str(op.extra).upper() if op.type == CONDITION else literal(op.extra)
-        if op.kind == "parameter":
-            return (made.parameters.get(op.extra) or made.constants[op.extra]).name
-        if op.kind == "external":
-            return input_name(made.inputs[op.extra].name)
-        if op.kind == "before":
-            return f"x_{made.states[op.extra].name}"
-        if op.kind == "table":
-            return made.array(op).name
-        words = {"tick": "s_tick", "time": "(s_tick * PERIOD)", "period": "PERIOD"}
-        return words.get(op.kind) or super().value(op)
+        return super().value(op)
 
     def name(self, op: Op, ending: str = "") -> str:
         name = super().name(op, ending)
@@ -194,13 +186,6 @@ class _Writer(Writer):
 
     def past(self, op: Op, tick: str) -> str:
         return f"{self.made.array(op).name}[(LREAL_TO_LINT({tick}) + {op.extra[1]}) MOD {op.extra[1]}]"
-
-    def member(self, op: Op) -> str:
-        bank = self.made.array(op)
-        return f"{bank.name}[{self.member_row(op, op.extra[0] - bank.first)}]"
-
-    def stored(self, op: Op) -> str:
-        return self.past(op, "s_tick") if op.kind == "store_ring" else self.member(op)
 
     def counting(self, index: str, count: int) -> list[str]:
         self.indices.append(index)

@@ -162,11 +162,9 @@ class CircleTest:
     @property
     def text(self) -> str:
         """The result for the terminal."""
-        parts = [paragraphs([self.sentence]), self._causes().text(), paragraphs(self._about())]
-        if self.findings:
-            parts.append(paragraphs(map(str, self.findings)))
-        parts += [f"report: {self.report}"] if self.report else []
-        return "\n\n".join(parts)
+        report = f"report: {self.report}" if self.report else ""
+        parts = (paragraphs([self.sentence]), self._causes().text(), paragraphs(self._about()), paragraphs(map(str, self.findings)), report)
+        return "\n\n".join(filter(None, parts))
 
     @property
     def sentence(self) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, true_spans
 from contourlab.errors import LogError
 from contourlab.features.commission.excitation import SIGNALS, sampler_columns
 from contourlab.features.commission.hal_files import AxisSetup, Setup
@@ -142,11 +142,9 @@ def moving(log: AxisLog) -> AxisLog:
 
 def _off(log: AxisLog) -> int:
     """Return the number of samples until LinuxCNC was switched on: while it is off, the command repeats the noisy position."""
-    equal = np.concatenate([[False], np.abs(log.error) <= 2e-9, [False]])
-    edges = np.flatnonzero(np.diff(equal.astype(np.int8)))
-    for first, last in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+    for first, last in true_spans(np.abs(log.error) <= 2e-9):
         if first < 100 and last - first > 20 and np.ptp(log.measured[first:last]) > 0.0:
-            return int(last)
+            return last
     return 0
 
 

@@ -27,6 +27,7 @@ from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
 from contourlab.logs.load import about
+from contourlab.loop import Machine
 from contourlab.program import Reading, read_program
 from contourlab.scenario import load_machine
 from contourlab.scenario.load import named_file
@@ -120,11 +121,11 @@ def _share(text: str) -> float:
     return share
 
 
-def _limits(options: LimitOptions, axes: Sequence[str], machine: AxisLimits | None, names: Sequence[str]) -> dict[str, list[float]]:
+def _limits(options: LimitOptions, axes: Sequence[str], machine: Machine | None) -> dict[str, list[float]]:
     """Return the limits of each kind by axis, inf for none."""
     limits: dict[str, list[float]] = {}
     for kind, unit in _UNITS.items():
-        known = {} if machine is None else dict(zip(names, getattr(machine, kind).tolist(), strict=True))
+        known = {} if machine is None else dict(zip(machine.axis_names, getattr(machine.planner_limits(), kind).tolist(), strict=True))
         text = getattr(options, kind)
         if text is not None:
             known |= _by_axis(f"--{kind}", text, unit, axes, _EXAMPLES[kind])
@@ -156,21 +157,18 @@ def _planned(file: Path, options: LimitOptions, tolerance: float, reading: Readi
 
     refuse_drawing(file)
     machine = load_machine(DEFAULT_MACHINE if options.machine is None else named_file(options.machine))
-    own = machine.planner_limits()
-    asked = _limits(options, machine.axis_names, own, machine.axis_names)
+    asked = _limits(options, machine.axis_names, machine)
     limits = AxisLimits(*(asked[kind] for kind in KINDS))
     given = tuple(kind for kind in KINDS if getattr(options, kind) is not None)
-    within = limits if options.machine is None else own
+    within = limits if options.machine is None else machine.planner_limits()
     route = route_from_program(read_program(file, reading=reading), machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
     reference = plan(blended(route, within), within, machine.servo_period)
     report, use = limit_report_by_line(reference, limits)
+    by_axis = zip(report.velocity, report.acceleration, report.jerk, report.curvature_step, report.kink, strict=True)
     peaks = [
         _peak(worst, kind, machine.axis_names, machine.servo_period)
-        for j in range(len(machine.axes))
-        for kind, row in zip(
-            ALL_KINDS, (report.velocity, report.acceleration, report.jerk, report.curvature_step, report.kink), strict=True
-        )
-        for worst in (row[j],)
+        for of_axis in by_axis
+        for kind, worst in zip(ALL_KINDS, of_axis, strict=True)
         if worst.sample >= 0 and (worst.value > 0.0 or kind in KINDS)
     ]
     rows = _rows(_sample_lines(reference), reference.servo_period, use, machine.axis_names)
@@ -223,17 +221,10 @@ def _logged(choice: LogChoice, options: LimitOptions, tolerance: float, reading:
         moves = moving_part(position)
     if not moves.any():
         raise LogError("nothing moves: position or reference is the same at all samples", file=log.record.file)
-    name = ""
-    machine = None
-    if options.machine is not None:
-        loaded = load_machine(named_file(options.machine))
-        name, machine = loaded.name, loaded.planner_limits()
-        names: Sequence[str] = loaded.axis_names
-        if unlike := [axis for axis in axes if axis not in names]:
-            raise ParameterError("--axes", ", ".join(unlike), f"axes of {name}: {', '.join(names)}")
-    else:
-        names = ()
-    limits = _limits(options, axes, machine, names)
+    machine = None if options.machine is None else load_machine(named_file(options.machine))
+    if machine is not None and (unlike := [axis for axis in axes if axis not in machine.axis_names]):
+        raise ParameterError("--axes", ", ".join(unlike), f"axes of {machine.name}: {', '.join(machine.axis_names)}")
+    limits = _limits(options, axes, machine)
     lines, errors = _lines_of(log, choice, options, axes, position, reading)
     use = LineUse(int(lines.max(initial=0)) + 1)
     first, commanded = control_samples(position, result.servo_period)
@@ -243,6 +234,7 @@ def _logged(choice: LogChoice, options: LimitOptions, tolerance: float, reading:
     passed = all((peak.use or 0.0) <= 1.0 + tolerance for peak in known) if known else None
     cycle = float(np.count_nonzero(moves) - 1) * result.servo_period
     found = (*_exceeded(peaks, tolerance), *findings, *log.findings)
+    name = "" if machine is None else machine.name
     return LimitTest(Path(choice.file).name, source, axes, commanded, cycle, name, tolerance, passed, tuple(peaks), rows, found)
 
 

@@ -97,13 +97,10 @@ class LimitTest:
     @property
     def text(self) -> str:
         """The result for the terminal."""
-        parts = [paragraphs([self._sentence()]), self._peaks().text()]
-        if self.worst:
-            parts.append(self._lines().text())
-        if self.findings:
-            parts.append(paragraphs(map(str, self.findings)))
-        parts += [f"annotated program: {self.annotated}"] if self.annotated else []
-        return "\n\n".join(parts)
+        lines = self._lines().text() if self.worst else ""
+        annotated = f"annotated program: {self.annotated}" if self.annotated else ""
+        parts = (paragraphs([self._sentence()]), self._peaks().text(), lines, paragraphs(map(str, self.findings)), annotated)
+        return "\n\n".join(filter(None, parts))
 
     def _sentence(self) -> str:
         of = {"plan": "planned", "reference": "commanded", "position": "measured"}[self.source]

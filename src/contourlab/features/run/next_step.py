@@ -29,7 +29,7 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     part = "--controller" in options or "--machine" in options
     judged = [outcome for outcome in outcomes if outcome.verdict is not None]
     if not judged:
-        limit = 2.0 * min(outcome.metrics.part_error.max for outcome in outcomes)
+        limit = max(2.0 * min(outcome.metrics.part_error.max for outcome in outcomes), 1e-9)  # not the rounding of a straight line
         words = [*options, "--tolerance", f"{float(f'{1e6 * limit:.1g}'):g} um"]
         explore = ("Find what the error depends on:", _typed("sensitivity", file, ["--quick", *plugins]))
         return [("Judge it against a tolerance:", _typed("run", file, words)) if part else explore]

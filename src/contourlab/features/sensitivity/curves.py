@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Flags, true_spans
 from contourlab.design import DesignVariable, Space
 from contourlab.features.sensitivity.runs import Columns, Judge
 
@@ -142,10 +142,9 @@ def _is_flat(part: Array) -> bool:
     return bool(np.isfinite(part).all() and part.max() <= (1.0 + CHANGE) * part.min())
 
 
-def _intervals(values: Array, which: Array) -> tuple[Interval, ...]:
+def _intervals(values: Array, which: Flags) -> tuple[Interval, ...]:
     """Return the intervals over which a condition holds."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], which, [False]]).astype(int)))
-    return tuple(_interval(values, int(a), int(b) - 1) for a, b in zip(edges[::2], edges[1::2], strict=True))
+    return tuple(_interval(values, a, b - 1) for a, b in true_spans(which))
 
 
 def _interval(values: Array, a: int, b: int) -> Interval:

@@ -12,7 +12,6 @@ import numpy as np
 from contourlab.app.checkpoint import Checkpoint
 from contourlab.arrays import Array
 
-Array: TypeAlias = Array
 Columns: TypeAlias = Mapping[str, Array]
 """Values [SI] by parameter name, each (n,)."""
 Model: TypeAlias = Callable[[Columns], Mapping[str, Array]]

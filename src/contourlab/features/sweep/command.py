@@ -161,17 +161,6 @@ def structures_of(made: Structured) -> list[dict[str, Any]]:
     return found
 
 
-def show(folder: str | Path) -> SweepSummary:
-    """Return what a store holds.
-
-    Raises
-    ------
-    ResultError
-        If it is no store, or damaged.
-    """
-    return summary(read_store(folder))
-
-
 def rerun(folder: str | Path, number: int, options: RunOptions) -> RunOutcome:
     """Write the scenario of a variant into a folder, run it, and write its report.
 

@@ -74,8 +74,8 @@ def agree(cost: Cost, *, yes: bool) -> None:
         If it is much, and nobody says yes.
     """
     told(cost.text)
-    if (cost.seconds > LONGEST or cost.disk > LARGEST) and not yes and not asked("Begin?"):
-        raise ParameterError("--yes", "off", f"given for so much work ({cost.text}), or the study smaller")
+    if (cost.seconds > LONGEST or cost.disk > LARGEST) and not yes and not asked(f"{cost.text}. Begin?"):
+        raise ParameterError("--yes", "off", f"given, or the study made smaller: {cost.text}")
 
 
 def _seconds_each(study: Study, count: int, threads: int, gpu: bool) -> float:

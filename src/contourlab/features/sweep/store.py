@@ -71,8 +71,12 @@ class Store:
     @property
     def done(self) -> int:
         """Variants in the store."""
+        return sum(len(self.numbers(chunk)) for chunk in self.parts)
+
+    def numbers(self, chunk: int) -> range:
+        """Return the numbers of the variants of a chunk."""
         size = int(self.manifest["chunk"])
-        return sum(min(size, self.variants - number * size) for number in self.parts)
+        return range(chunk * size, min((chunk + 1) * size, self.variants))
 
     @property
     def tolerance(self) -> float | None:
@@ -114,8 +118,7 @@ class Store:
     def table(self, chunk: Chunk) -> Any:
         """Return the rows of a chunk as an Arrow table; nan becomes null."""
         arrow = extra_module("pyarrow")
-        first = chunk.number * int(self.manifest["chunk"])
-        columns = {**chunk.columns, "variant": np.arange(first, first + len(chunk.columns["status"]))}
+        columns = {**chunk.columns, "variant": np.array(self.numbers(chunk.number))}
         columns["status"] = np.array(STATUSES, dtype=object)[chunk.columns["status"]]
         arrays = [arrow.array(columns[field.name], from_pandas=True).cast(field.type) for field in self.schema]
         return arrow.Table.from_arrays(arrays, schema=self.schema)
@@ -151,7 +154,6 @@ class Store:
     def fits(self, number: int, data: bytes) -> bool:
         """Return whether the bytes of a part hold the variants of a chunk, with the columns and units of the study."""
         arrow, parquet = extra_module("pyarrow"), extra_module("pyarrow.parquet")
-        first = number * int(self.manifest["chunk"])
         try:
             file = parquet.ParquetFile(arrow.BufferReader(data))
             if not file.schema_arrow.equals(self.schema, check_metadata=True):
@@ -159,19 +161,18 @@ class Store:
             held = file.read(["variant"])["variant"].to_numpy()
         except (arrow.ArrowException, OSError):
             return False
-        wanted = np.arange(first, min(first + int(self.manifest["chunk"]), self.variants))
-        return bool(wanted.size) and np.array_equal(held, wanted)
+        wanted = self.numbers(number)
+        return bool(wanted) and np.array_equal(held, wanted)
 
     def _write_signals(self, chunk: Chunk) -> None:
         import xarray
 
         for other in self.folder.glob(f"signals-{chunk.number:06d}-*.nc"):
             other.unlink()
-        first = chunk.number * int(self.manifest["chunk"])
         dims = ("variant", "sample", "axis")
         arrays = {name: (dims if values.shape[2] > 1 else dims[:2], np.squeeze(values, 2) if values.shape[2] == 1 else values)
                   for name, values in chunk.signals.items()}  # fmt: skip
-        data = xarray.Dataset(arrays, {"variant": first + np.arange(len(chunk.columns["status"]))})
+        data = xarray.Dataset(arrays, {"variant": np.array(self.numbers(chunk.number))})
         with replacing(self.folder / f"signals-{chunk.number:06d}", durable=True) as temporary:
             data.to_netcdf(temporary, engine="h5netcdf", encoding={key: {"zlib": True, "complevel": 1} for key in arrays})
             name = f"signals-{chunk.number:06d}-{self.digest(chunk.number, temporary.read_bytes())}.nc"

@@ -122,9 +122,7 @@ def _text(result: SweepSummary) -> str:
             values = (getattr(spread, word) for word in names)
             table.add(name, unit, *("-" if value is None else number(value * factor, 4) for value in values))
         lines.append(table.text())
-    if result.findings:
-        lines.append(paragraphs(map(str, result.findings)))
-    return "\n\n".join(lines)
+    return "\n\n".join(filter(None, [*lines, paragraphs(map(str, result.findings))]))
 
 
 def display(unit: str) -> tuple[str, float]:

@@ -152,9 +152,11 @@ def _coupling() -> Iterator[Row]:
         here = circular(setup.COUPLED[name], STATED).contour_error * 1e6
         yield ours(f"{name} contour error", f"with cross-coupling, {WORDS}", here, "um", note, reading=READING)
     note = "builtin:backlash/part, 20 um of backlash and friction; cross-coupling with a modulus margin of 0.5"
-    for scheme in ("scheme III", "scheme III, cross-coupled"):
-        for words, here in zip(("rms", "largest"), part_error(scheme), strict=True):
-            yield ours("part error of the shipped part", f"{scheme}, {words}", here * 1e6, "um", note)
+    for words, here in zip(("rms", "largest"), part_error("scheme III"), strict=True):
+        yield ours("part error of the shipped part", f"scheme III, {words}", here * 1e6, "um", note)
+    note += "; chaotic: the last digits of the gain move it from 4.3 to 4.75 um, and the largest error from 29 to 42 um"
+    coupled, _ = part_error("scheme III, cross-coupled")
+    yield ours("part error of the shipped part", "scheme III, cross-coupled, rms", coupled * 1e6, "um", note)
 
 
 def _ramps() -> Iterator[Row]:
