@@ -173,7 +173,7 @@ def test_the_papers_integrals_are_reproduced_by_name(reproduction: tuple[int, st
     assert (code, err) == (0, "")
     rows = json.loads(out)
     keys = {"name", "case", "paper", "here", "unit", "tolerance", "pass", "note"}
-    keys |= {"source", "verdict", "kind", "reading", "main", "limit", "band"}
+    keys |= {"source", "verdict", "kind", "reading", "main", "limit", "band", "missing"}
     assert all(set(row) == keys for row in rows)
     found = {row["name"]: row for row in rows if row["name"] in ("contour error integral A3-A1", "contour error integral A3-A2")}
     assert [row["paper"] for row in found.values()] == [18.37, 18.46]
