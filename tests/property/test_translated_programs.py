@@ -92,7 +92,7 @@ def graph_as_compiled(group: CompiledGroup, primitives: Any) -> TickGraph:
 def oracle_runs(case: Case, kind: type[Oracle], group: CompiledGroup, made: TickGraph, lane: int, ticks: int = TICKS) -> list[Any]:
     """Return what an oracle logs for a lane of a group that has not run."""
     oracle = kind(made, group.memory[:, lane].tolist(), [TABLE], case.schedule.period)
-    return [oracle.tick(FIRST + k, case.fed[k])[0] for k in range(ticks)]
+    return [oracle.tick(FIRST + k, fed)[0] for k, fed in enumerate(case.fed[:ticks].tolist())]  # floats, which overflow in silence
 
 
 def check_without_contraction(case: Case) -> None:
