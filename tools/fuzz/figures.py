@@ -84,12 +84,16 @@ def _saved(folder: Path, side: Side) -> Figures:
 
 def _blocks(folder: Path, side: Side) -> Figures:
     """Stop after each block, and go on."""
-    from contourlab import Result
+    from contourlab import Result, judge
     from contourlab.features.run.record import simulate_to_file
 
     case, reference = _case(folder)
     simulate_to_file(case.machine, case.controller, reference, folder / "result.nc", seed=case.seed, block=97)
-    result = Result.load(folder / "result.nc")
+    read = Result.load(folder / "result.nc")
+    judged = judge(read, reference)
+    # The last digits of a foot point depend on what is searched together; any more is a fault, and shows.
+    near = all(np.allclose(np.abs(read[name]), np.abs(judged[name]), rtol=0.0, atol=1e-12) for name in ("contour_error", "part_error"))
+    result = judged if near else read
     return _summarised(result, reference, side) | _signals(result)
 
 
