@@ -15,7 +15,7 @@ SITE := $(VENV)/.site
 PIP := $(BIN)/python -m pip install --disable-pip-version-check -c constraints.txt
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo programs learning backlash sweep-demo test check lint types imports doctests docs package bench fuzz clean
+.PHONY: help install demo programs learning backlash sweep-demo test check lint types imports size doctests docs package bench fuzz clean
 
 help:
 	@echo "make demo     run the demonstration; results in results/demo"
@@ -64,7 +64,7 @@ demo: $(RUNTIME)
 test: $(STAMP)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(ARGS)
 
-check: lint types imports doctests docs
+check: lint types imports size doctests docs
 
 lint: $(STAMP)
 	$(BIN)/ruff check .
@@ -74,6 +74,9 @@ types: $(STAMP)
 
 imports: $(STAMP)
 	$(BIN)/lint-imports
+
+size: $(STAMP)
+	$(BIN)/python tools/size.py --check
 
 doctests: $(STAMP)
 	$(BIN)/python -m pytest --doctest-modules src/contourlab --quiet
