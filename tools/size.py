@@ -12,11 +12,10 @@ from pathlib import Path
 
 BUDGETS = {
     "analysis": 4632,
-    "app": 863,
+    "app": 374,
     "cli": 1803,
     "components": 5513,
     "contours": 1669,
-    "design": 770,
     "engine": 3436,
     "features": 19555,
     "feed": 2372,
@@ -28,10 +27,11 @@ BUDGETS = {
     "native": 255,
     "papers": 3290,
     "program": 2328,
-    "rendering": 2354,
+    "rendering": 2507,
     "result": 357,
     "scenario": 2206,
-    "without papers": 55841,
+    "study": 1106,
+    "without papers": 55828,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

@@ -14,7 +14,8 @@ from typed_commands import SCHEMES
 from contourlab.cli.main import main
 from contourlab.features.sweep.manifest import read_manifest, write_manifest
 
-SCENARIO = """\
+SCENARIO = (
+    """\
 machine = "builtin:ghaffari/a3a1"
 controller = "builtin:ghaffari/calibrated"
 [contour]
@@ -26,7 +27,9 @@ frequency = "0.5 Hz"
 [run]
 tolerance = "27.8 um"
 start = "moving"
-""" + SCHEMES
+"""
+    + SCHEMES
+)
 STUDY = """\
 scenario = "scenario.toml"
 scheme = "all of it"

@@ -13,10 +13,10 @@ from typed_commands import Run, drag
 
 from contourlab.app.results import SAFETY
 from contourlab.cli.main import main
-from contourlab.design import Evaluator
 from contourlab.features.swap.search import SwapSearch
 from contourlab.scenario import load_scenario
 from contourlab.scenario.load import load_controller, load_machine, load_module
+from contourlab.study import Evaluator
 
 PLAIN = '[plant]\nkind = "rigid-axis"\ngain = "1000 mm/s^2/full_scale"\n[drive]\nkind = "saturation"\nlimit = "1 full_scale"\n'
 WORDS = ["--parameter", "model_gain=300 mm/s^2/full_scale..4000 mm/s^2/full_scale", "--budget", "400"]

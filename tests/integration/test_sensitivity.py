@@ -10,9 +10,9 @@ import pytest
 from typed_commands import CIRCLE, SCHEMES, Run, drag
 
 from contourlab.cli.main import main
-from contourlab.design import evaluator
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.study import Plan
+from contourlab.study import evaluator
 
 TWO = ["--parameter", "3.model_gain", "--parameter", "3.velocity_gain=0.05 full_scale*s/mm..0.2 full_scale*s/mm"]
 SMALL = [*TWO, "--values", "9", "--base", "16", "--trajectories", "4"]

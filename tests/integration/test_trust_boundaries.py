@@ -21,14 +21,14 @@ import numpy as np
 import pytest
 from made_studies import STUDY, made_study
 
-from contourlab.app.checkpoint import Checkpoint
-from contourlab.app.executors import Executor
 from contourlab.cli.main import main
 from contourlab.components.registry import components
 from contourlab.errors import EngineError
 from contourlab.features.sweep.manifest import read_manifest
 from contourlab.features.sweep.store import Store
 from contourlab.result.digest import append_digest
+from contourlab.study.checkpoint import Checkpoint
+from contourlab.study.executors import Executor
 
 
 class Trap:

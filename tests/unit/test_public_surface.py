@@ -36,8 +36,27 @@ COMPLETE = FORM | {"PR01", "PR04", "RT01"}
 """And of a function: every parameter, its type, and what it returns."""
 NUMBER, ARRAY = re.compile(r"(float|ArrayLike|Array)( \| None)?"), re.compile(r"(ArrayLike|Array)( \| None)?")
 WITHOUT_UNIT = {
-    "alignment", "curvature_step", "divergence", "factor", "feedrate_ripple", "gain", "growth_margin", "improvement", "index", "lap",
-    "modulus", "norm", "override", "radius", "scale", "scale_mismatch", "share", "singular_values", "strength", "unsure", "worst_factor",
+    "alignment",
+    "curvature_step",
+    "divergence",
+    "factor",
+    "feedrate_ripple",
+    "gain",
+    "growth_margin",
+    "improvement",
+    "index",
+    "lap",
+    "modulus",
+    "norm",
+    "override",
+    "radius",
+    "scale",
+    "scale_mismatch",
+    "share",
+    "singular_values",
+    "strength",
+    "unsure",
+    "worst_factor",
 }
 """Numbers that are ratios, factors or counts."""
 

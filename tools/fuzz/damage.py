@@ -64,7 +64,7 @@ contour = {name = "circle", radius = "2 mm"}
 feed = {law = "uniform", frequency = "2 Hz"}
 run = {tolerance = "27.8 um", start = "moving"}
 """
-DRAGGED = f"{SCENARIO}[axes.1.friction]\nkind = \"open-drag\"\ncoefficient = \"0.1 full_scale*s/m\"\n"
+DRAGGED = f'{SCENARIO}[axes.1.friction]\nkind = "open-drag"\ncoefficient = "0.1 full_scale*s/m"\n'
 STUDY = """scenario = "scenario.toml"
 variants = 40
 chunk = 32

@@ -17,9 +17,9 @@ from typing import Annotated
 
 import typer
 
-from contourlab.app.stages import heartbeat
 from contourlab.cli.output import say, silence
 from contourlab.errors import ContourlabError, ParameterError, error_text
+from contourlab.rendering.stages import heartbeat
 
 NAME = "contourlab"
 BAD_INPUT, INTERNAL, INTERRUPTED = 2, 70, 130

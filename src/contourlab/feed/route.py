@@ -99,8 +99,7 @@ class Route:
             worst = int(np.argmin(good))
             line = f" (line {self.source_line[worst]})" if self.source_line[worst] else ""
             raise FeedError(
-                f"feedrate of curve {worst}{line} is {self.feedrate[worst]:g} m/s: "
-                "it must be finite and > 0 (inf on rapid curves only)"
+                f"feedrate of curve {worst}{line} is {self.feedrate[worst]:g} m/s: it must be finite and > 0 (inf on rapid curves only)"
             )
         if not (np.all(np.isfinite(self.dwell) & (self.dwell >= 0.0)) and 0.0 <= self.dwell_before < np.inf):
             raise FeedError("dwell: each must be finite and >= 0 s")

@@ -170,9 +170,7 @@ def asked(name: str, case: str, least: float, here: float, unit: str, most: floa
     return printed(name, case, least, here, unit, most - least, note, at_least=True, source=ASKED, kind=kind)
 
 
-def ours(
-    name: str, case: str, here: float, unit: str, note: str = "", *, reading: str = "", main: bool = True, missing: str = ""
-) -> Row:
+def ours(name: str, case: str, here: float, unit: str, note: str = "", *, reading: str = "", main: bool = True, missing: str = "") -> Row:
     """Return a row without a figure to compare with; arguments as in `Row`."""
     return Row(name, case, None, float(here), unit, None, note, OURS, COMPUTED, reading, main, missing=missing)
 

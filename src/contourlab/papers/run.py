@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from contourlab.app.checkpoint import said_if_interrupted
 from contourlab.papers.rows import CLOSE, COMPUTED, DERIVED, HEADS, IDENTITY, INPUT, OURS, OUTSIDE, Bands, Part, Row, banded
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.study.checkpoint import said_if_interrupted
 
 FAR = CLOSE[-1]
 KINDS = {INPUT: "inputs", DERIVED: "derived", IDENTITY: "identities"}

@@ -11,10 +11,10 @@ import pytest
 from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, unstable_by
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.drive.saturation import DelayedSaturation
-from contourlab.design import Space
-from contourlab.design.guards import Bounds, Guards
-from contourlab.design.values import controller_with
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, controller, machine
+from contourlab.study import Space
+from contourlab.study.guards import Bounds, Guards
+from contourlab.study.values import controller_with
 
 N = 40
 GAIN = 20.0 * math.log10(1.5)

@@ -11,12 +11,12 @@ import pytest
 from contourlab.analysis.linear.loop_lanes import rough_margins, sampled_loops
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.drive.saturation import DelayedSaturation
-from contourlab.design import Space
-from contourlab.design.values import with_values
 from contourlab.errors import ComponentError
 from contourlab.loop import Controller, Machine
 from contourlab.papers.ghaffari.setup import TABLE_2, Reading, controller, machine
 from contourlab.scenario import load_controller, load_machine
+from contourlab.study import Space
+from contourlab.study.values import with_values
 
 READING = Reading()
 

@@ -19,9 +19,7 @@ from contourlab.loop.template import build
 PERIOD, A, B = 1e-3, 0.9, 6.0
 
 
-def loop(
-    kv: float = 0.0, kp: float = 0.0, ki: float = 0.0, structure: str = "feedforward", period: float = PERIOD
-) -> Schedule:
+def loop(kv: float = 0.0, kp: float = 0.0, ki: float = 0.0, structure: str = "feedforward", period: float = PERIOD) -> Schedule:
     law = PositionController(velocity_gain=kv, position_gain=kp, integral_gain=ki, structure=structure, anti_windup="none")
     made = AxisController(law)
     machine = Machine("one", (Axis("x", RigidAxis(gain=A, damping=B)),), period)

@@ -316,9 +316,7 @@ pairs = st.tuples(st.floats(10.0, 200.0), st.floats(0.3, 1.5)).map(lambda p: np.
 
 @given(pair=pairs, extra=st.none() | st.floats(10.0, 200.0), gain=st.floats(0.01, 100.0), damping=st.floats(0.0, 50.0))
 @settings(max_examples=40, deadline=None)
-def test_a_rigid_axis_has_the_placed_poles(
-    pair: list[complex], extra: float | None, gain: float, damping: float
-) -> None:
+def test_a_rigid_axis_has_the_placed_poles(pair: list[complex], extra: float | None, gain: float, damping: float) -> None:
     poles = pair if extra is None else [*pair, -extra]
     part = StateFeedback(**StateFeedback.place_rigid(poles, gain, damping))
     s = 1j * W

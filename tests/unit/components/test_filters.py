@@ -16,10 +16,10 @@ from stages import control, stage
 import contourlab as cl
 from contourlab.analysis.linear.loop_lanes import sampled_loops
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.design.values import controller_with
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.loop.trials import Trials
 from contourlab.scenario import dump, parse_scenario
+from contourlab.study.values import controller_with
 
 F, D = 140.0, 0.4
 W = 2.0 * math.pi * F

@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contourlab.design import DesignVariable
 from contourlab.features.sensitivity.curves import Curve, Interval, Minimum
 from contourlab.features.sensitivity.pictures import curve_tile, indices_chart, interactions_chart
 from contourlab.rendering.charts import Multiples, traces_chart
 from contourlab.rendering.matplotlib_view import drawing
 from contourlab.rendering.plotly_view import figure_of
 from contourlab.rendering.plots import write_charts
+from contourlab.study import DesignVariable
 
 X = np.geomspace(1.0, 4.0, 9)
 Y = np.where(X > 3.0, np.nan, 1.0 + (X - 2.0) ** 2)

@@ -157,7 +157,6 @@ class ContourTransfer:
         of_gain, of_phase = (gain.value, _direction(gain.weights)), (phase.value, _direction(phase.weights))
         return ContourMargins(True, worst.value, worst.frequency, direction, *of_gain, *of_phase, phase.frequency)
 
-
     def _fastest(self, nearest: tuple[float, ...]) -> ContourMargins:
         """Return the fastest growth among a few directions: along each axis, along the diagonal, and where -1 is nearest."""
         n = len(self.loop.axes)

@@ -17,9 +17,7 @@ def identify(
     log: Annotated[list[Path], typer.Argument(metavar="LOG...", help="Logs of runs that excite the axis.", show_default=False)],
     model: Annotated[str, typer.Option(help=MODEL)] = "rigid",
     axis: Annotated[str | None, typer.Option(help="The axis, if the log has several.", show_default=False)] = None,
-    gain: Annotated[
-        str | None, typer.Option(help='Force per command, e.g. "35 N/V", if the log has no force.', show_default=False)
-    ] = None,
+    gain: Annotated[str | None, typer.Option(help='Force per command, e.g. "35 N/V", if the log has no force.', show_default=False)] = None,
     full_scale: Annotated[
         str | None, typer.Option(help='Full scale of the command, e.g. "10 V", if the force is unknown.', show_default=False)
     ] = None,
@@ -28,15 +26,11 @@ def identify(
     format: shared.LogFormat = None,  # noqa: A002
     period: shared.SamplePeriod = None,
     cutoff: Annotated[str, typer.Option(help="rigid: cut-off of the low-pass, five times the loop's bandwidth.")] = "100 Hz",
-    slowest: Annotated[
-        str | None, typer.Option(help='rigid: drop samples below this speed, e.g. "1 mm/s".', show_default=False)
-    ] = None,
+    slowest: Annotated[str | None, typer.Option(help='rigid: drop samples below this speed, e.g. "1 mm/s".', show_default=False)] = None,
     decimation: Annotated[int, typer.Option(help="rigid: use every N-th sample.")] = 10,
     validation: Annotated[Path | None, typer.Option(help="rigid: a second log for validation.", show_default=False)] = None,
     position_gain: Annotated[str | None, typer.Option(help='closed-loop: K_P, e.g. "4 full_scale/mm".', show_default=False)] = None,
-    velocity_gain: Annotated[
-        str | None, typer.Option(help='closed-loop: K_V, e.g. "0.1 full_scale*s/mm".', show_default=False)
-    ] = None,
+    velocity_gain: Annotated[str | None, typer.Option(help='closed-loop: K_V, e.g. "0.1 full_scale*s/mm".', show_default=False)] = None,
     lead: Annotated[
         str | None,
         typer.Option(help='Travel per turn, e.g. "10 mm": converts torques to forces; two-inertia needs it.', show_default=False),

@@ -39,9 +39,7 @@ def link(
         bool, typer.Option("--extrapolate", help="Extrapolate from the last two messages instead of holding the last.")
     ] = False,
     longest: Annotated[str | None, typer.Option(help="Longest time to test; by default 100 ms.", show_default=False)] = None,
-    seeds: Annotated[
-        int | None, typer.Option(help="Runs with jitter or loss; the worst counts; by default 8.", show_default=False)
-    ] = None,
+    seeds: Annotated[int | None, typer.Option(help="Runs with jitter or loss; the worst counts; by default 8.", show_default=False)] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Answer within a minute: few values, a limit lies between two.")] = False,
     out: shared.Out = Path("results"),
     as_json: shared.Json = False,

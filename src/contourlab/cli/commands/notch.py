@@ -23,8 +23,8 @@ def notch(
     plugin: shared.Plugins = None,
 ) -> int:
     """Propose a notch filter for each resonance that spoils a loop; write a controller file."""
-    from contourlab.design.guards import Bounds
     from contourlab.features.notch.command import notch_scenario
+    from contourlab.study.guards import Bounds
 
     bounds = Bounds(gain_margin, phase_margin)
     notched = notch_scenario(file, scheme=scheme, axes=shared.listed(axes), bounds=bounds, out=write, plugins=tuple(plugin or ()))

@@ -14,9 +14,7 @@ from contourlab.cli.output import show_result, suggest, wants_progress
 def precompensate(
     part: shared.Part,
     out: Annotated[Path, typer.Option(help="Program to write.", show_default=False)],
-    log: Annotated[
-        list[Path] | None, typer.Option(help="Log of a run of the pass written last; repeatable.", show_default=False)
-    ] = None,
+    log: Annotated[list[Path] | None, typer.Option(help="Log of a run of the pass written last; repeatable.", show_default=False)] = None,
     passes: Annotated[Path | None, typer.Option(help="Folder that keeps what was learned, pass after pass.", show_default=False)] = None,
     machine: Annotated[
         str | None, typer.Option(help="Machine to simulate; with a log, for its play and its limits.", show_default=False)

@@ -93,9 +93,9 @@ def ubc(
 
 def _compared(paper: str, parts_of: Parts, draw: Draw, form: tuple[bool, bool], plots: Sequence[str] | None, out: Path) -> int:
     """Compute the rows of a paper, draw and print them, and the following command; return 1 if a row leaves its band."""
-    from contourlab.app.stages import shown
     from contourlab.papers.rows import read_bands
     from contourlab.papers.run import check_pictures, run_parts, text_of
+    from contourlab.rendering.stages import shown
 
     as_json, whole = form
     if plots:

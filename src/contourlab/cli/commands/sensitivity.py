@@ -51,9 +51,9 @@ def sensitivity(
 
     It keeps its runs in the folder of the results: after an interrupt repeat the command, and it continues.
     """
-    from contourlab.app.executors import Executor
     from contourlab.features.sensitivity.command import Request, sensitivity_of
     from contourlab.features.sensitivity.study import PARTS, Plan
+    from contourlab.study.executors import Executor
 
     plan = Plan(shared.listed(parts) or PARTS, figure, values, base, second_order, trajectories, transform, seed)
     given = (tuple(parameter or ()), width, distribution, tuple(deviation or ()), servo_period, Executor(executor, workers), judge, quick)

@@ -87,10 +87,10 @@ def swap(
     plugin: shared.Plugins = None,
 ) -> int:
     """Find out whether one controller serves all modules of a swapped axis, or which parameters must be local."""
-    from contourlab.app.executors import Executor
     from contourlab.errors import ParameterError
     from contourlab.features.link.command import LinkOptions
     from contourlab.features.swap.command import SwapOptions, swap_scenario
+    from contourlab.study.executors import Executor
 
     if len(axis) != len(others):
         raise ParameterError("--axis", f"{len(axis)} given", f"given as often as --with, {len(others)}")

@@ -57,8 +57,8 @@ def run(
     plugin: shared.Plugins = None,
 ) -> int:
     """Run a study into a store. Finished chunks stay, whatever happens."""
-    from contourlab.app.executors import Executor
     from contourlab.features.sweep.command import SweepOptions, sweep_study
+    from contourlab.study.executors import Executor
 
     options = SweepOptions(Executor(executor, workers), resume, chunks, yes)
     result = sweep_study(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))
@@ -85,9 +85,9 @@ def optimise(
     plugin: shared.Plugins = None,
 ) -> int:
     """Search the space of a study for the smallest figures. Finished batches stay, whatever happens."""
-    from contourlab.app.executors import Executor
     from contourlab.features.sweep.optimise import SearchOptions
     from contourlab.features.sweep.optimise import optimise as optimised
+    from contourlab.study.executors import Executor
 
     options = SearchOptions(tuple(minimise or ("part_error_max",)), sampler, trials, batch, resume, Executor(executor, workers))
     found = optimised(study, out, options, plugins=tuple(plugin or ()), progress=wants_progress(as_json))

@@ -56,12 +56,12 @@ def tune(
     """Tune gains, innermost loop first, within margins and drive limits; write a controller file."""
     import math
 
-    from contourlab.app.executors import Executor
-    from contourlab.design.guards import Bounds
     from contourlab.features.tune.command import tune_scenario
     from contourlab.features.tune.line_search import LineRule
     from contourlab.features.tune.objective import Goal
     from contourlab.features.tune.study import TuneSettings
+    from contourlab.study.executors import Executor
+    from contourlab.study.guards import Bounds
 
     program = shared.program_keys(fit, block_delete, tools, no_require_end, most_moves, dialect)
     settings = TuneSettings(

@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from time import process_time
 
-from contourlab.app.checkpoint import said_if_interrupted
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.quick import PLANNED
-from contourlab.app.stages import shown
 from contourlab.features.backlash.study import BacklashStudy, Cycle, backlash_study, loose_axes
 from contourlab.figures import NONE, figure, number
+from contourlab.rendering.stages import shown
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.study.checkpoint import said_if_interrupted
 
 FEW = 0.05
 """Largest ratio of servo period to limit-cycle period at which a continuous loop approximates the sampled one."""

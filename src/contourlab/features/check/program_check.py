@@ -6,12 +6,12 @@ from collections import Counter
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from contourlab.app.stages import shown
 from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.planned_motion import PlannedMotion, parts
 from contourlab.findings import Finding
 from contourlab.program import Arc, Dwell, Feed, Program, Reading, Spline, Traverse, open_program
 from contourlab.program.reader import NO_END
+from contourlab.rendering.stages import shown
 from contourlab.rendering.table import paragraphs
 
 MOST_FEEDS = 12

@@ -13,7 +13,6 @@ import numpy as np
 
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.results import check_file
-from contourlab.app.stages import shown
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
@@ -27,6 +26,7 @@ from contourlab.features.commission.report import changes, circle_errors, circle
 from contourlab.features.commission.tuning import AxisTask, Moves, TunedAxis, largest_error, shared_delay, tune_axis
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
+from contourlab.rendering.stages import shown
 from contourlab.rendering.table import Table, paragraphs
 from contourlab.result.atomic import replacing
 from contourlab.threads import in_threads

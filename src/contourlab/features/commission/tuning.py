@@ -10,9 +10,9 @@ from typing import TypeAlias
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.design import search
 from contourlab.errors import ParameterError
 from contourlab.features.commission.loop import GAINS, ROBUST, AxisModel, Law, keep_margins, run_lanes
+from contourlab.study import search
 
 UNSEEN = 1.0
 """Delay in periods, beyond that of the model, with which the margins must hold: a log of slow motion does not show the current loop."""

@@ -32,8 +32,6 @@ from contourlab.scenario.components import parameters_of
 Part = Literal["ends", "all", "none"]
 
 
-
-
 @dataclass(frozen=True, eq=False)
 class LearningRun:
     """The result of learning.

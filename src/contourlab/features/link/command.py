@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 from contourlab.app.json_values import write_json
 from contourlab.app.quick import affordable, too_slow
 from contourlab.app.results import staged
-from contourlab.app.stages import Stages, shown
 from contourlab.components.link.network import Network
 from contourlab.errors import DivergenceError, ParameterError, UnitError
 from contourlab.features.link import cost
@@ -22,6 +21,7 @@ from contourlab.features.link.result import FIGURES, LinkResult, SchemeCost, lin
 from contourlab.features.link.sweep import QUANTITIES, SEEDS, LinkSetting
 from contourlab.findings import finding
 from contourlab.loop import DIVISIONS
+from contourlab.rendering.stages import Stages, shown
 from contourlab.rendering.table import paragraphs
 from contourlab.units import to_si
 

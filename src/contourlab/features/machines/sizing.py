@@ -20,10 +20,10 @@ from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.plant import Plant
 from contourlab.components.plant.two_mass import ElasticBallScrew, TwoMass
 from contourlab.components.velocity.filtered_difference import FilteredDifference
-from contourlab.design.guards import Bounds
-from contourlab.design.notch import notched
 from contourlab.errors import ParameterError
 from contourlab.loop import Axis, AxisController, Controller, Machine
+from contourlab.study.guards import Bounds
+from contourlab.study.notch import notched
 
 GRAVITY = 9.81
 FASTEST, DAMPING = 0.22, 1.1

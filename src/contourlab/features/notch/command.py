@@ -10,8 +10,6 @@ from typing import TYPE_CHECKING
 
 from contourlab.analysis.linear.margins import Margins
 from contourlab.app.results import check_file, proposed
-from contourlab.design.guards import Bounds, Guards
-from contourlab.design.notch import MOVED, NotchDesign, design_notch, resonance_of, with_velocity_gain
 from contourlab.errors import ParameterError
 from contourlab.features.run.margin_words import decibel, degrees
 from contourlab.features.tune.objective import FIGURES, Evaluation, evaluate
@@ -20,6 +18,8 @@ from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
+from contourlab.study.guards import Bounds, Guards
+from contourlab.study.notch import MOVED, NotchDesign, design_notch, resonance_of, with_velocity_gain
 
 if TYPE_CHECKING:
     from contourlab.scenario import Scenario

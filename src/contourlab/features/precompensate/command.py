@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from contourlab.app.results import check_file, spared
-from contourlab.app.stages import shown
 from contourlab.errors import ParameterError
 from contourlab.features.measure.log_choice import LogChoice, positive
 from contourlab.features.precompensate.law import Run, spread
@@ -18,6 +17,7 @@ from contourlab.features.precompensate.work import Settings, Work
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
 from contourlab.program import Reading
+from contourlab.rendering.stages import shown
 
 NODE_TIME = 1e-3
 """Least time between nodes at the programmed feed [s]."""

@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from contourlab.design.values import with_values
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.refine.parameters import RefinedParameter, Sought
 from contourlab.features.refine.study import Refined, RefineSettings, refine_sought
 from contourlab.findings import finding
+from contourlab.study.values import with_values
 
 LEAST = 1e-12
 """Smallest contour error [m] that counts, so that an exact run has a logarithm."""

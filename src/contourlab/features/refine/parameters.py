@@ -7,11 +7,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from contourlab.arrays import Array
-from contourlab.design.variables import DesignVariable, Space
 from contourlab.errors import ParameterError
 from contourlab.features.refine.log_run import LogRun
 from contourlab.figures import figure
 from contourlab.loop import parameters_of
+from contourlab.study.variables import DesignVariable, Space
 
 SPAN = 10.0
 """Factor by which a parameter without a range may become smaller or larger."""
@@ -77,7 +77,7 @@ def seek(runs: Sequence[LogRun], wanted: Iterable[str]) -> tuple[Sought, ...]:
     Parameters
     ----------
     wanted : iterable of str
-        ``NAME`` or ``NAME=LOW..HIGH``, see `contourlab.design.Space.chosen`; ``LABEL:NAME`` selects one run.
+        ``NAME`` or ``NAME=LOW..HIGH``, see `contourlab.study.Space.chosen`; ``LABEL:NAME`` selects one run.
 
     Raises
     ------

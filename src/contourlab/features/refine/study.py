@@ -11,12 +11,12 @@ import numpy as np
 from contourlab.analysis.identification.gauss_newton import Descent, DescentSettings, descend, fit_covariance, spread_starts
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
-from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
 from contourlab.features.refine.findings import fit_findings, unseen_findings
 from contourlab.features.refine.log_run import Agreement, LogRun
 from contourlab.features.refine.parameters import RefinedParameter, Sought, columns_of, seek
 from contourlab.findings import Finding
+from contourlab.study.values import with_values
 
 Window = tuple[float, float]
 """Start and end [s] on the clock of a log."""

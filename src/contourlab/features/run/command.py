@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 from contourlab.app.command_line import as_typed
 from contourlab.app.json_values import write_json
 from contourlab.app.results import proposed, staged
-from contourlab.app.stages import shown
 from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ParameterError
 from contourlab.features.run.inputs import of_program, scenario_of
@@ -22,6 +21,7 @@ from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.metrics import judged_part
+from contourlab.rendering.stages import shown
 from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
 
@@ -203,7 +203,7 @@ def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs:
 
 
 def _work(cases: Sequence[Case], interval: bool | None) -> list[tuple[str, float]]:
-    """Return first word and work of each stage of a run, see `contourlab.app.stages.Stages.expect`."""
+    """Return first word and work of each stage of a run, see `contourlab.rendering.stages.Stages.expect`."""
     work: list[tuple[str, float]] = []
     for case in cases:
         work += [FIRST, *(LEARNING if case.learning is not None else ()), ("simulating", 0.5), ("judging", 1.0)]

@@ -8,17 +8,17 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from contourlab.app.checkpoint import noted
 from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import staged
-from contourlab.app.stages import part_of_command
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
 from contourlab.features.run.summary import Summary
 from contourlab.figures import figure, listing, number
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.overview import write_overview
+from contourlab.rendering.stages import part_of_command
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.scenario import builtin_file, load_scenario
+from contourlab.study.checkpoint import noted
 
 
 @dataclass(frozen=True)

@@ -8,13 +8,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.checkpoint import resumable, run_identity
-from contourlab.app.executors import Executor, Workers
 from contourlab.app.json_values import write_json
 from contourlab.app.quick import affordable
 from contourlab.app.results import staged
-from contourlab.app.stages import Stages, shown
-from contourlab.design import Evaluator, Space
 from contourlab.errors import ParameterError
 from contourlab.features.measure.log_choice import positive
 from contourlab.features.run.command import check_plots
@@ -28,7 +24,11 @@ from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.loop import parameters_of, simulate
 from contourlab.loop.batch import LANES
+from contourlab.rendering.stages import Stages, shown
 from contourlab.rendering.table import paragraphs
+from contourlab.study import Evaluator, Space
+from contourlab.study.checkpoint import resumable, run_identity
+from contourlab.study.executors import Executor, Workers
 
 if TYPE_CHECKING:
     from contourlab.feed import Reference
@@ -48,7 +48,7 @@ class Request:
     scheme : str
         Scheme of the scenario; empty for the scenario without schemes.
     parameters : sequence of str
-        See `contourlab.design.Space.chosen`; by default all calibrated parameters.
+        See `contourlab.study.Space.chosen`; by default all calibrated parameters.
     width : float
         Factor by which a parameter without bounds may become smaller or larger.
     distribution : str

@@ -11,10 +11,10 @@ import numpy as np
 
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
-from contourlab.design import DesignVariable, Space
 from contourlab.errors import ParameterError, UnitError
 from contourlab.loop.parameters import fits
 from contourlab.scenario.quantities import read_number
+from contourlab.study import DesignVariable, Space
 
 UNIFORM, LOG_UNIFORM, NORMAL = KINDS = ("uniform", "log-uniform", "normal")
 LEVELS = 4

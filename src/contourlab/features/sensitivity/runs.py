@@ -9,13 +9,13 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from contourlab.app.checkpoint import Checkpoint
 from contourlab.arrays import Array
+from contourlab.study.checkpoint import Checkpoint
 
 Columns: TypeAlias = Mapping[str, Array]
 """Values [SI] by parameter name, each (n,)."""
 Model: TypeAlias = Callable[[Columns], Mapping[str, Array]]
-"""Figures of runs: `contourlab.design.Evaluator` or a replacement."""
+"""Figures of runs: `contourlab.study.Evaluator` or a replacement."""
 Judge: TypeAlias = Callable[[Columns], Array]
 """One figure [SI] of runs, nan where a run failed."""
 CHUNK = 1024

@@ -11,7 +11,6 @@ import numpy as np
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.quick import too_slow
 from contourlab.arrays import Array
-from contourlab.design import Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.curves import FINE, Curve, curves
 from contourlab.features.sensitivity.indices import (
@@ -27,6 +26,7 @@ from contourlab.features.sensitivity.indices import (
 )
 from contourlab.features.sensitivity.local import STEPS, Local, local
 from contourlab.features.sensitivity.runs import FIGURES, Figure, Runs
+from contourlab.study import Space
 
 STAGES = {
     "curves": "curves, one parameter at a time",

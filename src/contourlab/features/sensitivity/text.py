@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.design import DesignVariable
 from contourlab.features.sensitivity.curves import CHANGE, Interval
 from contourlab.features.sensitivity.indices import Distribution, Sample
 from contourlab.features.sensitivity.study import PARTS, Study
 from contourlab.figures import figure
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.study import DesignVariable
 
 FEW = 24
 """Largest number of parameters of a printed matrix; a larger one is in JSON and the picture only."""

@@ -11,14 +11,14 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.link.network import Network
-from contourlab.design import Space
-from contourlab.design.values import machine_with
 from contourlab.errors import ParameterError
 from contourlab.features.link.cost import WAYS, allowed_error, divided, division_cost, undivided_error
 from contourlab.features.link.sweep import SEEDS, LinkSetting, LinkSweep
 from contourlab.features.swap.search import restarted
 from contourlab.features.swap.variants import Variant, Variants, losses
 from contourlab.loop import DIVISIONS, Division
+from contourlab.study import Space
+from contourlab.study.values import machine_with
 
 PERIOD = "message_period"
 

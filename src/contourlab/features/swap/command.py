@@ -8,14 +8,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.checkpoint import Checkpoint, resumable, run_identity
-from contourlab.app.executors import Executor
 from contourlab.app.json_values import json_values, write_json
 from contourlab.app.quick import affordable, too_slow
 from contourlab.app.results import proposed, staged
-from contourlab.app.stages import Stages, shown
-from contourlab.design import Space
-from contourlab.design.guards import Bounds
 from contourlab.errors import ParameterError
 from contourlab.features.link.command import USUAL_LONGEST, LinkOptions, LinkSettings, positive_quantity, read_options
 from contourlab.features.link.grid import FEW
@@ -30,7 +25,12 @@ from contourlab.features.swap.variants import OBJECTIVES, Variants, variants_of
 from contourlab.features.swap.warm_start import WarmStarts, warm_starts
 from contourlab.findings import Finding, finding
 from contourlab.loop.batch import LANES
+from contourlab.rendering.stages import Stages, shown
 from contourlab.result import write_text_atomic
+from contourlab.study import Space
+from contourlab.study.checkpoint import Checkpoint, resumable, run_identity
+from contourlab.study.executors import Executor
+from contourlab.study.guards import Bounds
 
 if TYPE_CHECKING:
     from contourlab.loop import Axis, Controller, Machine
@@ -53,7 +53,7 @@ class SwapOptions:
     objective, floor
         What to minimise, and J_tol with its unit; default J_tol: see `contourlab.features.swap.variants.OBJECTIVES`.
     parameters, width
-        See `contourlab.design.Space.chosen`.
+        See `contourlab.study.Space.chosen`.
     local : sequence of str
         Sets of local parameters to test instead of searching for one; names separated by commas.
     quick : bool
@@ -277,7 +277,7 @@ def _identity(ready: _Prepared, settings: SwapSettings) -> str:
     variants = ready.variants
     machines = [variant.machine for variant in variants]
     given = {"seed": variants.seed, "moving": variants.moving}
-    runs = run_identity(machines, variants.controller, variants.reference, **given, rooms=("analysis", "design", "features/swap"))  # type: ignore[arg-type]
+    runs = run_identity(machines, variants.controller, variants.reference, **given, rooms=("analysis", "study", "features/swap"))  # type: ignore[arg-type]
     local = None if settings.local is None else [sorted(names) for names in settings.local]
     known = [[sorted(values.items()) for values in design] for design in settings.known]
     names = [f"{variant.name} {variant.modules}" for variant in variants]

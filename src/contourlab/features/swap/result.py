@@ -9,8 +9,6 @@ from dataclasses import dataclass, field
 from contourlab.analysis.linear.margins import Margins
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
-from contourlab.design import DesignVariable
-from contourlab.design.guards import Bounds
 from contourlab.features.link.result import largest_held
 from contourlab.features.run.margin_words import decibel, degrees
 from contourlab.features.swap.beyond import Coverage, NetworkCost
@@ -21,6 +19,8 @@ from contourlab.features.swap.variants import Variants
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.study import DesignVariable
+from contourlab.study.guards import Bounds
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,12 +9,12 @@ from functools import cached_property
 
 import numpy as np
 
-from contourlab.app.checkpoint import Checkpoint
 from contourlab.arrays import Array, Flags, Index
-from contourlab.design import Found, Space, search
 from contourlab.errors import ParameterError
 from contourlab.features.swap.variants import BROKEN, Variant, Variants, losses
 from contourlab.loop.batch import LANES
+from contourlab.study import Found, Space, search
+from contourlab.study.checkpoint import Checkpoint
 from contourlab.threads import in_threads
 
 Objective = Callable[[Array], Array]

@@ -10,13 +10,13 @@ from typing import ClassVar
 
 import numpy as np
 
-from contourlab.app.checkpoint import Checkpoint
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.errors import ContourlabError
 from contourlab.features.swap.search import Design, Optimum, SwapSearch, SwapSettings
 from contourlab.features.swap.variants import Variants
 from contourlab.findings import Finding, finding
+from contourlab.study.checkpoint import Checkpoint
 
 SCATTER = 0.01
 """By how much the losses of two searches differ that have ended."""

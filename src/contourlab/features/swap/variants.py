@@ -12,14 +12,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags
-from contourlab.design import Evaluator, Space
-from contourlab.design.evaluator import Pool
-from contourlab.design.guards import Bounds, Guards
-from contourlab.design.values import controller_with
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS
+from contourlab.study import Evaluator, Space
+from contourlab.study.evaluator import Pool
+from contourlab.study.guards import Bounds, Guards
+from contourlab.study.values import controller_with
 from contourlab.threads import in_threads
 
 OBJECTIVES = {
@@ -88,7 +88,7 @@ class Variants:
         J_tol.
     bounds : Bounds
     moving, seed, threads, gpu
-        See `contourlab.design.Evaluator`.
+        See `contourlab.study.Evaluator`.
     progress : callable, optional
         Called with the number of candidates tried so far, including those that are not run because they break a margin.
     best : ndarray (n_variant,)

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.design import DesignVariable
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.swap.search import WarmStart
 from contourlab.features.swap.variants import Variant, Variants
 from contourlab.findings import Finding, finding
 from contourlab.loop import parameters_of
+from contourlab.study import DesignVariable
 
 if TYPE_CHECKING:
     from contourlab.loop import Controller

@@ -13,12 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.app.checkpoint import noted
-from contourlab.app.executors import Executor, Workers
 from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import proposed
-from contourlab.app.stages import shown
-from contourlab.design.values import with_values
 from contourlab.engine.gpu import LANES as GPU_LANES
 from contourlab.errors import DivergenceError, ParameterError, ResultError
 from contourlab.extras import extra_module
@@ -34,8 +30,12 @@ from contourlab.features.sweep.study import Study, study_of
 from contourlab.features.sweep.summary import SweepSummary, display, remarks, summary
 from contourlab.figures import number as number_text
 from contourlab.findings import Finding, finding
+from contourlab.rendering.stages import shown
 from contourlab.result import write_text_atomic
 from contourlab.scenario import Case, Scenario, dump, parse_scenario
+from contourlab.study.checkpoint import noted
+from contourlab.study.executors import Executor, Workers
+from contourlab.study.values import with_values
 
 AGAIN = "Repeat the command with --resume to continue"
 SAME = 1e-6

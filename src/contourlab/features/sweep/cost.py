@@ -8,14 +8,14 @@ from dataclasses import dataclass, replace
 from itertools import cycle
 from time import perf_counter
 
-from contourlab.app.executors import Executor, Workers
-from contourlab.app.stages import asked, told
 from contourlab.engine.gpu import LANES as GPU_LANES
 from contourlab.errors import ParameterError
 from contourlab.features.sweep.chunk import run_chunks
 from contourlab.features.sweep.study import Study
 from contourlab.figures import number
 from contourlab.loop.batch import LANES
+from contourlab.rendering.stages import asked, told
+from contourlab.study.executors import Executor, Workers
 
 LONGEST, LARGEST = 3600.0, 10e9
 """Time [s] and disk [B] beyond which a study asks."""

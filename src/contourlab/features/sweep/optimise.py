@@ -16,8 +16,6 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.app.executors import Executor, Workers
-from contourlab.app.stages import shown
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
@@ -34,7 +32,9 @@ from contourlab.features.sweep.words import title_of
 from contourlab.figures import listing
 from contourlab.findings import Finding
 from contourlab.loop.batch import lanes_each
+from contourlab.rendering.stages import shown
 from contourlab.rendering.table import paragraphs
+from contourlab.study.executors import Executor, Workers
 
 SAMPLERS = ("tpe", "nsga2", "cma-es")
 JOURNAL = "optuna.log"

@@ -11,7 +11,6 @@ from functools import cached_property
 from itertools import product
 from typing import Any
 
-from contourlab.app.checkpoint import run_identity
 from contourlab.errors import ContourlabError, ParameterError, UnitError
 from contourlab.features.sweep.distributions import Distribution, Variation, distribution
 from contourlab.feed import Reference
@@ -22,6 +21,7 @@ from contourlab.loop.parameters import declared, matching
 from contourlab.scenario import Case, dump
 from contourlab.scenario.load import SCHEME_KEYS
 from contourlab.scenario.tree import Table, from_mapping, merge
+from contourlab.study.checkpoint import run_identity
 from contourlab.units import si_unit, split, to_si
 
 HEADS = ("scheme", "contour", "program", *(key for key in SCHEME_KEYS if key != "learning"))

@@ -14,7 +14,6 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import Field
 
-from contourlab.app.checkpoint import program_text
 from contourlab.errors import ParameterError, ScenarioError, hint
 from contourlab.features.sweep.design import FIXED, INDEPENDENT, Design, Modules
 from contourlab.features.sweep.distributions import Variation, read_variations
@@ -31,6 +30,7 @@ from contourlab.scenario.files import BUILTIN, shipped_hint
 from contourlab.scenario.load import changed_case, load_scenario
 from contourlab.scenario.tables import Distance, StrictTable, Text, read_table
 from contourlab.scenario.tree import Leaf, Table, read_tree
+from contourlab.study.checkpoint import program_text
 
 UNITS = {**FIGURE_UNITS, "cycle_time": "s"}
 """SI unit of each figure that a study can keep."""

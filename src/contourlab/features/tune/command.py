@@ -9,8 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from contourlab.app.results import check_file, proposed, staged
-from contourlab.app.stages import shown
-from contourlab.design import Space
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.run.command import check_plots
 from contourlab.features.run.inputs import scenario_of
@@ -18,8 +16,10 @@ from contourlab.features.tune.line_search import REFINEMENTS
 from contourlab.features.tune.study import Tuned, TuneSettings, tune
 from contourlab.features.tune.text import tables
 from contourlab.findings import Finding, finding
+from contourlab.rendering.stages import shown
 from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
+from contourlab.study import Space
 
 if TYPE_CHECKING:
     from contourlab.scenario import Case
@@ -144,7 +144,7 @@ def tune_scenario(
 
 
 def _work(case: Case, settings: TuneSettings) -> list[tuple[str, float]]:
-    """Return first word and work of each stage of a calibration, in runs; see `contourlab.app.stages.Stages.expect`."""
+    """Return first word and work of each stage of a calibration, in runs; see `contourlab.rendering.stages.Stages.expect`."""
     lines = settings.passes * len(Space.chosen(case.machine, case.controller, settings.parameters, settings.width).numbers)
     one = [] if settings.method == "global" else [("one", lines * (1 + REFINEMENTS) * float(settings.rule.lanes))]
     every = [] if settings.method == "sequential" else [("all", float(settings.budget))]

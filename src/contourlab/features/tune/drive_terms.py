@@ -21,12 +21,12 @@ from contourlab.analysis.linear.tick_map import DelayForm
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
-from contourlab.design.placement import model_of
 from contourlab.errors import ComponentError
 from contourlab.figures import listing
 from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.result import Result
+from contourlab.study.placement import model_of
 
 GRID = 2000
 """Frequencies at which the velocity loop is evaluated."""

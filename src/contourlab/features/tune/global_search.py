@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.design import Found, Space, search
-from contourlab.design.guards import Guards
 from contourlab.features.tune.objective import Objective
+from contourlab.study import Found, Space, search
+from contourlab.study.guards import Guards
 
 POPULATION = 32
 KEPT = 8

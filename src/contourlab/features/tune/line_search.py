@@ -11,10 +11,10 @@ import numpy as np
 from contourlab.analysis.linear.sampled_loop import SampledLoop
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
-from contourlab.design import DesignVariable, Space
-from contourlab.design.guards import Guards
 from contourlab.errors import ParameterError
 from contourlab.features.tune.objective import Objective
+from contourlab.study import DesignVariable, Space
+from contourlab.study.guards import Guards
 
 PLATEAUS = ("robust", "best", "largest")
 SETTLED = 1e-3
@@ -102,7 +102,7 @@ def sequential(
     Parameters
     ----------
     space : Space
-        In the order of the procedure, see `contourlab.design.calibration_order`.
+        In the order of the procedure, see `contourlab.study.calibration_order`.
     values : mapping of str to float [SI]
     passes : int, >= 1
         Largest number of passes; the procedure ends after one that hardly lowers the objective.

@@ -11,14 +11,14 @@ import numpy as np
 from contourlab.analysis.linear.margins import Margins
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
-from contourlab.design import Evaluator
-from contourlab.design.guards import Guards
 from contourlab.errors import DivergenceError, ParameterError
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import judge, summarise
 from contourlab.metrics.judge import check_follows
 from contourlab.result import Result
+from contourlab.study import Evaluator
+from contourlab.study.guards import Guards
 
 FIGURES = {
     "part_error_max": ("part error, largest", "um"),

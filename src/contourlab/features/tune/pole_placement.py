@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from contourlab.design import Evaluator
-from contourlab.design.guards import Bounds
-from contourlab.design.placement import designed, fastest_speed, model_of
 from contourlab.errors import ParameterError
 from contourlab.features.tune.objective import Goal, Objective
 from contourlab.loop import Controller, Machine, parameters_of
+from contourlab.study import Evaluator
+from contourlab.study.guards import Bounds
+from contourlab.study.placement import designed, fastest_speed, model_of
 
 FRACTIONS = np.geomspace(0.1, 1.0, 32)
 """Fractions of the fastest poles, tried for all axes together."""

@@ -8,12 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from contourlab.app.executors import Executor
 from contourlab.app.json_values import HIDDEN
-from contourlab.design import Evaluator, Space, calibration_order
-from contourlab.design.evaluator import Pool
-from contourlab.design.guards import Bounds, Guards
-from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings
 from contourlab.features.tune.global_search import GlobalResult, global_search
@@ -23,6 +18,11 @@ from contourlab.features.tune.pole_placement import FRACTIONS, placed_start
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, parameters_of
+from contourlab.study import Evaluator, Space, calibration_order
+from contourlab.study.evaluator import Pool
+from contourlab.study.executors import Executor
+from contourlab.study.guards import Bounds, Guards
+from contourlab.study.values import with_values
 
 METHODS = ("sequential", "global", "both")
 STARTS = ("scenario", "placed")
@@ -42,7 +42,7 @@ class TuneSettings:
     start : str
         One of `STARTS`: the gains of the scenario, or placed poles.
     parameters : tuple of str
-        Parameters and their ranges, see `contourlab.design.Space.chosen`; empty for all calibrated parameters.
+        Parameters and their ranges, see `contourlab.study.Space.chosen`; empty for all calibrated parameters.
     width : float, > 1
         Factor by which a parameter without a range may become smaller or larger.
     passes : int, >= 1
@@ -323,9 +323,7 @@ def _candidates(
     begin("all parameters at once")
     starts += placed
     try:
-        result = global_search(
-            *problem, starts, starts=settings.starts, budget=settings.budget, seed=settings.seed, progress=progress
-        )
+        result = global_search(*problem, starts, starts=settings.starts, budget=settings.budget, seed=settings.seed, progress=progress)
     except ParameterError:  # every run fails
         if settings.method == "global":
             raise

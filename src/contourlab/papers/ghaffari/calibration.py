@@ -18,15 +18,15 @@ from functools import cache
 import numpy as np
 
 from contourlab.analysis.linear.margins import Margins
-from contourlab.design import Evaluator, Space
-from contourlab.design.guards import Bounds, Guards
-from contourlab.design.values import with_values
 from contourlab.features.tune.line_search import LineRule, SearchPath, sequential
 from contourlab.features.tune.objective import Evaluation, Goal, Objective, evaluate
 from contourlab.features.tune.study import TuneSettings, tune
 from contourlab.loop import Controller
 from contourlab.papers.ghaffari.setup import FITTED, TABLE_2, TABLE_3, Gains, Reading, axis_controller, circle, controller, machine
 from contourlab.papers.rows import COMPUTED, INPUT, Row, derived, ours, printed
+from contourlab.study import Evaluator, Space
+from contourlab.study.guards import Bounds, Guards
+from contourlab.study.values import with_values
 
 NEAR = 0.2
 """Relative difference within which a number agrees with Table III; if Table II does too, agreement says nothing about the calibration."""

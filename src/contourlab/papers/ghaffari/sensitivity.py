@@ -13,12 +13,12 @@ from itertools import chain
 
 import numpy as np
 
-from contourlab.design import Evaluator, Space
 from contourlab.features.sensitivity.curves import Curve, curves
 from contourlab.features.sensitivity.local import Slope, local
 from contourlab.features.sensitivity.runs import FIGURES, Runs
 from contourlab.papers.ghaffari.setup import FITTED, TABLE_3, Gains, Reading, circle, controller, machine
 from contourlab.papers.rows import COMPUTED, DERIVED, Row, ours, printed
+from contourlab.study import Evaluator, Space
 
 BOUNDS = {
     "observer.model_gain": ("a_hat", "200 mm/s^2/full_scale..3000 mm/s^2/full_scale"),

@@ -10,8 +10,6 @@ from itertools import chain
 import numpy as np
 
 from contourlab.components.disturbance.ripple import LowPassedNoise
-from contourlab.design import Space
-from contourlab.design.guards import Bounds
 from contourlab.features.swap.search import SwapSettings
 from contourlab.features.swap.study import NoDesignError, SwapStudy, swap_study
 from contourlab.features.swap.variants import Variants, losses, variants_of
@@ -21,6 +19,8 @@ from contourlab.papers.ghaffari.runs import PRINTED
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, axis, circle, controller, machine
 from contourlab.papers.rows import Row, ours, printed
 from contourlab.scenario import load_controller
+from contourlab.study import Space
+from contourlab.study.guards import Bounds
 
 CASE = "A3-A1 against A3-A2"
 FLOORS = (2.0, round(sum(PRINTED.values()) / 2.0, 1))

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.analysis.identification.gauss_newton import DescentSettings
-from contourlab.design.values import with_values
 from contourlab.errors import LogError
 from contourlab.features.refine.cross_validation import CrossValidation, cross_validated
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
@@ -17,6 +16,7 @@ from contourlab.features.refine.study import RefineSettings, Window, refine
 from contourlab.logs import load_log
 from contourlab.loop import Machine
 from contourlab.scenario import load_scenario
+from contourlab.study.values import with_values
 
 FILES = {"lead-lag": "line_circle_lli.mat", "pole-placement": "line_circle_pp.mat"}
 WANTED = (

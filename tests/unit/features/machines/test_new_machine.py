@@ -10,12 +10,12 @@ import pytest
 
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.app.results import SAFETY
-from contourlab.design.notch import resonance_of
 from contourlab.errors import OutputError, ScenarioError
 from contourlab.features.machines.answers import BLANK, PRESETS, answers_text, interview, preset_file, read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
 from contourlab.features.run.trust.provenance import numbers_of_machine
 from contourlab.scenario import load_controller, load_machine
+from contourlab.study.notch import resonance_of
 from contourlab.units import to_si
 
 ROUTER = """

@@ -11,7 +11,6 @@ from contourlab.components.controller.lead_lag import LeadLag
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.sensor.encoder import Encoder
-from contourlab.design.values import with_values
 from contourlab.features.measure.measured_path import path_of_samples
 from contourlab.features.refine.cross_validation import cross_validated, new_run_factor
 from contourlab.features.refine.log_run import LogRun, log_run
@@ -19,6 +18,7 @@ from contourlab.features.refine.study import RefineSettings, refine
 from contourlab.feed import Reference
 from contourlab.loop import Axis, AxisController, Controller, Machine, simulate
 from contourlab.result import Result, Signal
+from contourlab.study.values import with_values
 
 PERIOD = 1e-3
 SETTINGS = RefineSettings(starts=1, rounds=1)

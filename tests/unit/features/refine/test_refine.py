@@ -10,7 +10,6 @@ from contourlab.components.disturbance.ripple import ScrewRipple
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.sensor.encoder import Encoder
-from contourlab.design.values import with_values
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.refine.log_run import LogRun, log_run
 from contourlab.features.refine.parameters import seek
@@ -19,6 +18,7 @@ from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Machine, simulate
 from contourlab.result import Result, Signal
+from contourlab.study.values import with_values
 
 PERIOD = 1e-3
 TRUE = {"axes.x.plant.damping": 400.0, "axes.x.friction.coulomb": 60.0, "axes.x.disturbance.sine": 8.0}

@@ -11,7 +11,6 @@ import pytest
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
-from contourlab.design import DesignVariable, Evaluator, Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.curves import curves
 from contourlab.features.sensitivity.indices import distributions
@@ -25,6 +24,7 @@ from contourlab.loop import AxisController, Controller, Machine, simulate
 from contourlab.metrics import judge as judged
 from contourlab.metrics import summarise
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, controller, machine
+from contourlab.study import DesignVariable, Evaluator, Space
 
 KEY = FIGURES["integral"].key
 READING = Reading()

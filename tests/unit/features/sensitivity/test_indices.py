@@ -7,7 +7,6 @@ import math
 import numpy as np
 import pytest
 
-from contourlab.design import DesignVariable, Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.indices import (
     Distribution,
@@ -21,6 +20,7 @@ from contourlab.features.sensitivity.indices import (
 from contourlab.features.sensitivity.runs import FIGURES, Columns, Runs
 from contourlab.features.sensitivity.study import Plan, Study, sensitivity_study
 from contourlab.features.sensitivity.verdict import verdict
+from contourlab.study import DesignVariable, Space
 
 A, B = 7.0, 0.1
 PI = Space(tuple(DesignVariable(f"controller.axes.{name}.controller.p", 1.0, -math.pi, math.pi, logarithmic=False) for name in "xyz"))

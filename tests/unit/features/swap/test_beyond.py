@@ -10,8 +10,6 @@ import pytest
 from contourlab.components.controller.position import PositionController
 from contourlab.components.link.network import Network
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.design import Space
-from contourlab.design.guards import Bounds
 from contourlab.errors import ParameterError
 from contourlab.features.link.cost import message_rate
 from contourlab.features.swap.beyond import NetworkCost, least_division, network_cost
@@ -19,6 +17,8 @@ from contourlab.features.swap.variants import Variants, variants_of
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
+from contourlab.study import Space
+from contourlab.study.guards import Bounds
 
 AHEAD = "controller.axes.x.controller.model_gain"
 

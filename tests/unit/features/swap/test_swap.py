@@ -9,13 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contourlab.app.checkpoint import Checkpoint
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.design import Space
-from contourlab.design.guards import Bounds
 from contourlab.errors import ContourlabError, ParameterError
 from contourlab.features.swap import search as searches
 from contourlab.features.swap.beyond import coverage, network_cost
@@ -27,6 +24,9 @@ from contourlab.features.swap.variants import Variant, Variants, losses, variant
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
+from contourlab.study import Space
+from contourlab.study.checkpoint import Checkpoint
+from contourlab.study.guards import Bounds
 
 GAINS = {"velocity_gain": 60.0, "position_gain": 3000.0, "integral_gain": 10.0}
 FREE = "model_gain=0.3 m/s^2/full_scale..4 m/s^2/full_scale"

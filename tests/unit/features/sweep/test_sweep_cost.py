@@ -12,11 +12,11 @@ from typing import Any
 import pytest
 from made_studies import STUDY, made_study
 
-from contourlab.app.executors import Executor
 from contourlab.cli.main import main
 from contourlab.features.sweep import command, cost
 from contourlab.features.sweep.cost import cost_of
 from contourlab.features.sweep.study import Study, load_study
+from contourlab.study.executors import Executor
 
 TWO = Executor("threads", 2)
 

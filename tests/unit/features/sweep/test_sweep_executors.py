@@ -59,7 +59,7 @@ def test_executors_give_the_same_bytes(study: Path, executor: str, monkeypatch: 
     for name, text in (("sbatch", SBATCH), ("scancel", '#!/bin/sh\nkill "$@"\n')):
         Path(name).write_text(text)
         Path(name).chmod(0o755)
-    Path("jobqueue.yaml").write_text('jobqueue: {slurm: {cores: 1, memory: 1GB, interface: lo, job-extra-directives: []}}\n')
+    Path("jobqueue.yaml").write_text("jobqueue: {slurm: {cores: 1, memory: 1GB, interface: lo, job-extra-directives: []}}\n")
     monkeypatch.setenv("PATH", f"{Path.cwd()}{os.pathsep}{os.environ['PATH']}")
     monkeypatch.setenv("DASK_CONFIG", str(Path.cwd()))
     assert main(["sweep", "study.toml", "--out", "threads"]) == 0

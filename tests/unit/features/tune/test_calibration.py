@@ -11,13 +11,9 @@ import pytest
 from tuned_axes import DAMPING, GAIN, circle, position_control, rigid_stage
 
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.app.executors import Executor
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.velocity.filtered_difference import FilteredDifference
-from contourlab.design import Evaluator, Space
-from contourlab.design.guards import Bounds, Guards
-from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
 from contourlab.features.tune.line_search import LineRule, line_search, sequential
 from contourlab.features.tune.objective import Goal, Objective
@@ -26,6 +22,10 @@ from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import AxisController, Controller
 from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Reading, controller, machine
+from contourlab.study import Evaluator, Space
+from contourlab.study.executors import Executor
+from contourlab.study.guards import Bounds, Guards
+from contourlab.study.values import with_values
 
 FREE = Bounds(gain_margin=0.0, phase_margin=0.0)
 BEST = LineRule(plateau="best")

@@ -12,11 +12,11 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
-from contourlab.design.values import calibration_order
 from contourlab.errors import ParameterError, UnitError
 from contourlab.loop import Controller, Machine, parameters_of
 from contourlab.loop.parameters import declared, matching
 from contourlab.scenario.quantities import read_number
+from contourlab.study.values import calibration_order
 from contourlab.units import from_si, in_si
 
 WIDTH = 4.0

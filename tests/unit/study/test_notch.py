@@ -15,9 +15,9 @@ from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.two_mass import ElasticBallScrew, TwoMass
-from contourlab.design.guards import Bounds
-from contourlab.design.notch import NAME, design_notch, resonance_of, with_velocity_gain
 from contourlab.errors import ParameterError
+from contourlab.study.guards import Bounds
+from contourlab.study.notch import NAME, design_notch, resonance_of, with_velocity_gain
 
 PERIOD = 5e-4
 PLANT = TwoMass(mass=40.0, load_share=0.7, resonance=60.0, damping_ratio=0.03, damping=80.0, force_constant=55.0)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contourlab.app.checkpoint import Checkpoint, resumable, said_if_interrupted
+from contourlab.study.checkpoint import Checkpoint, resumable, said_if_interrupted
 
 
 def test_a_piece_is_read_back_bit_by_bit(tmp_path: Path) -> None:

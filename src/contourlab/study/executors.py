@@ -20,11 +20,11 @@ from itertools import islice
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from contourlab.app.checkpoint import program_text
-from contourlab.app.stages import INTERVAL, wait_for
 from contourlab.engine.gpu import gpu_of_process
 from contourlab.errors import EngineError, ParameterError
 from contourlab.extras import extra_module
+from contourlab.rendering.stages import INTERVAL, wait_for
+from contourlab.study.checkpoint import program_text
 
 HERE = ("threads", "gpu")
 """Executors that need no workers."""
@@ -35,7 +35,7 @@ QUIET = {"distributed.worker.profile.enabled": False, "distributed.admin.tick.in
 """Settings of Dask that save a tenth of the processor time of short tasks: nobody looks at its profile."""
 NO_DASHBOARD = {"dashboard": False, "dashboard_address": "127.0.0.1:0"}
 """A scheduler that we start serves no dashboard and takes any free port, so commands can run side by side."""
-ROOMS = ("analysis", "design", "features")
+ROOMS = ("analysis", "study", "features")
 """Rooms of the program, besides those of a run, that must be the same on all workers."""
 Work: TypeAlias = Callable[[Any, Any], Any]
 

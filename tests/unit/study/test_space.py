@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from contourlab.components.drive.saturation import Saturation
-from contourlab.design import DesignVariable, Evaluator, Space, calibration_order
 from contourlab.errors import ParameterError
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import simulate
 from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Reading, controller, machine
 from contourlab.scenario.dump import quantity
+from contourlab.study import DesignVariable, Evaluator, Space, calibration_order
 from contourlab.units import to_si
 
 READING = Reading()

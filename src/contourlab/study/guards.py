@@ -13,10 +13,10 @@ from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, ro
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
 from contourlab.arrays import Array
-from contourlab.design.values import axes_of, with_values
-from contourlab.design.variables import ROUNDING
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Controller, Machine
+from contourlab.study.values import axes_of, with_values
+from contourlab.study.variables import ROUNDING
 
 SLACK = (0.02, 0.05)
 """Additional margin [dB, degrees] required in a search, where margins come from a grid."""

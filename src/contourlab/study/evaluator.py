@@ -20,7 +20,7 @@ CHUNK = 1024
 
 
 class Pool(Protocol):
-    """Workers elsewhere, see `contourlab.app.executors.Workers`."""
+    """Workers elsewhere, see `contourlab.study.executors.Workers`."""
 
     @property
     def count(self) -> int:

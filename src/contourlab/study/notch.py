@@ -22,10 +22,10 @@ from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.arrays import Array
 from contourlab.components.filter.biquad import Notch
 from contourlab.components.plant.plant import Plant
-from contourlab.design.guards import SLACK, Bounds
-from contourlab.design.values import controller_with, machine_with
 from contourlab.errors import ParameterError
 from contourlab.loop import AxisController, Controller, Machine
+from contourlab.study.guards import SLACK, Bounds
+from contourlab.study.values import controller_with, machine_with
 
 NAME = "resonance"
 """Name of the filter."""
@@ -254,6 +254,7 @@ class _Axis:
         own = self.velocity_gain(controller)
         if not own > 0.0:
             return math.nan
+
         def keeps(factor: float) -> bool:
             return self.keeps(with_velocity_gain(controller, self.name, factor))
 

@@ -7,8 +7,8 @@ import time
 
 import pytest
 
-from contourlab.app import stages
-from contourlab.app.stages import Heartbeat, Stages, heartbeat, shown
+from contourlab.rendering import stages
+from contourlab.rendering.stages import Heartbeat, Stages, heartbeat, shown
 
 
 def test_the_time_left_follows_from_the_share_that_is_done(monkeypatch: pytest.MonkeyPatch) -> None:

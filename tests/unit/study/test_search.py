@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from contourlab.design import search
 from contourlab.errors import ParameterError
+from contourlab.study import search
 
 STARTS = np.array([[0.9, 0.1, 0.9], [0.1, 0.9, 0.5]])
 

@@ -10,9 +10,9 @@ import numpy as np
 
 from contourlab.analysis.linear.loop_lanes import rough_margins, sampled_loops
 from contourlab.components.contract import Component
-from contourlab.design.guards import SLACK, Bounds
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Axis, AxisController, Machine
+from contourlab.study.guards import SLACK, Bounds
 
 SPEEDS = 96
 """Number of pole speeds tried, from a ten-thousandth of the Nyquist frequency to half of it."""
